@@ -1,0 +1,1 @@
+"""Compile: one file's bytes in, its facts out."""

@@ -1,0 +1,90 @@
+"""The words every floor above the ground speaks: places, severities, findings and fixes."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from enum import IntEnum
+
+
+class Severity(IntEnum):
+    """How much a finding weighs; a larger value is more severe."""
+
+    INFO = 1
+    WARNING = 2
+    ERROR = 3
+
+    @classmethod
+    def parse(cls, text: str) -> Severity:
+        """The severity called ``text``; raises ``KeyError`` for any other word."""
+        return cls[text.upper()]
+
+    @property
+    def label(self) -> str:
+        return self.name.lower()
+
+
+@dataclass(frozen=True, order=True)
+class Place:
+    """A span of source: ``file`` as the user would type it, lines and columns from 1, end column exclusive."""
+
+    file: str
+    line: int
+    column: int
+    end_line: int
+    end_column: int
+
+    @classmethod
+    def of(cls, file: str, span: tuple[int, int, int, int]) -> Place:
+        return cls(file, *span)
+
+
+@dataclass(frozen=True)
+class Related:
+    """Another place that belongs to a finding, and what it shows."""
+
+    place: Place
+    message: str
+
+
+@dataclass(frozen=True)
+class Edit:
+    """Replace the text of ``place`` by ``text``."""
+
+    place: Place
+    text: str
+
+
+@dataclass(frozen=True)
+class Fix:
+    """Edits that mend a finding; ``safety`` is ``safe`` or ``unsafe``."""
+
+    safety: str
+    edits: tuple[Edit, ...]
+    title: str = ""
+
+
+@dataclass(frozen=True)
+class Finding:
+    """One thing that a rule found.
+
+    ``identity`` names what the finding is about without line numbers (node, interface name, kind), so that
+    a baseline survives edits elsewhere in the file.  Severity is that of the rule unless a rule or the
+    configuration says otherwise.
+    """
+
+    code: str
+    name: str
+    severity: Severity
+    message: str
+    place: Place
+    help: str = ""
+    node: str | None = None
+    system: str | None = None
+    related: tuple[Related, ...] = ()
+    fix: Fix | None = None
+    identity: tuple[str, ...] = field(default=(), compare=False)
+
+    @property
+    def sort_key(self) -> tuple[str, int, int, str, str, str]:
+        place = self.place
+        return (place.file, place.line, place.column, self.code, self.message, self.system or "")

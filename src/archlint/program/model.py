@@ -1,0 +1,281 @@
+"""What linking yields: programs, the nodes they make, what those create, and the calls that matter.
+
+Names here are still as the code gives them (relative, ``~``); the load floor expands them for a system.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from archlint.facts import model as facts
+    from archlint.finding import Place
+
+PUBLISHER = "publisher"
+SUBSCRIBER = "subscriber"
+SERVICE = "service"
+CLIENT = "client"
+ACTION_SERVER = "action_server"
+ACTION_CLIENT = "action_client"
+TIMER = "timer"
+GUARD = "guard_condition"
+
+ENDPOINT_KINDS = (PUBLISHER, SUBSCRIBER, SERVICE, CLIENT, ACTION_SERVER, ACTION_CLIENT)
+
+
+@dataclass(frozen=True)
+class Text:
+    """A string that the code computes: a name, as far as it is known.
+
+    ``resolution`` is ``exact`` (one known text), ``parameter`` (``text`` is the default or override of the
+    parameter called ``parameter``, or built from it), ``partial`` (``*`` in ``text`` stands for what only
+    data decides) or ``unknown`` (``text`` is None).  ``reason`` says why for the last two.
+    ``origin`` is where the text is written down, if it is written in one place; ``origin_kind`` is
+    ``literal``, ``format`` (an f-string or an operation on literals), ``argument_default`` or ``other``.
+    """
+
+    text: str | None
+    resolution: str
+    parameter: str | None = None
+    reason: str | None = None
+    origin: Place | None = None
+    origin_kind: str = "other"
+
+
+@dataclass(frozen=True)
+class Qos:
+    """A quality-of-service profile.  Values are lower case as in rmw (``keep_last``, ``best_effort``,
+    ``transient_local``, ``system_default``, ``best_available`` …); None is what could not be resolved.
+    Durations are in seconds, None where the default (infinite) stands.  ``explicit`` names the policies that
+    the code set itself."""
+
+    history: str | None = "keep_last"
+    depth: int | None = 10
+    reliability: str | None = "reliable"
+    durability: str | None = "volatile"
+    deadline: float | None = None
+    lifespan: float | None = None
+    liveliness: str | None = "system_default"
+    liveliness_lease: float | None = None
+    explicit: frozenset[str] = frozenset()
+    unknown_durations: frozenset[str] = frozenset()
+    parameter: str | None = None
+    """The parameter that decides (part of) the profile, if one does."""
+    place: Place | None = None
+    """Where the profile is written."""
+    overridable: bool = False
+    """True where the code passes ``qos_overriding_options``: parameters may change the profile."""
+
+    @property
+    def known(self) -> bool:
+        """True where history, depth, reliability and durability are all resolved."""
+        return None not in (self.history, self.reliability, self.durability) and (
+            self.depth is not None or self.history != "keep_last"
+        )
+
+
+@dataclass(frozen=True)
+class Group:
+    """A callback group: ``kind`` is ``default``, ``mutually_exclusive``, ``reentrant`` or ``unknown``;
+    ``key`` tells one group object from another inside a program (None: not one object for certain)."""
+
+    kind: str = "default"
+    key: str | None = None
+    place: Place | None = None
+
+
+@dataclass(frozen=True)
+class Frame:
+    """One hop of a chain of calls: ``caller`` calls ``callee`` at ``place``."""
+
+    caller: str
+    callee: str
+    place: Place
+
+
+@dataclass(eq=False)
+class Callback:
+    """What an executor, a future or a thread is given to run.
+
+    ``role`` is ``subscription``, ``timer``, ``service``, ``execute`` (of an action), ``goal``, ``cancel``,
+    ``accepted``, ``feedback``, ``done`` (of a future), ``parameter``, ``event``, ``guard``, ``task``, ``thread``,
+    ``lifecycle``, ``filter``; for code that no callback runs: ``init``, ``main``, ``module``, ``method``
+    (a method that nothing in the workspace calls).
+    """
+
+    role: str
+    name: str
+    """Qualified name for people: ``SensorNode.on_scan``, ``main``, ``<lambda>``."""
+    place: Place
+    """Where the function is defined."""
+    function: facts.Function | facts.Lambda | None
+    node: Blueprint | None = None
+    creation: Creation | None = None
+    """The entity whose callback this is."""
+    group: Group | None = None
+    """None: runs in no callback group."""
+    registered: Place | None = None
+    """Where it was handed over."""
+    is_async: bool = False
+    bound_arguments: int = 0
+    """How many leading positional arguments are already bound (``self``, ``partial``)."""
+    file: str = ""
+    missing: str | None = None
+    """Set when the callback names a method that does not exist: its name."""
+
+
+@dataclass(eq=False)
+class Creation:
+    """One create call of one node: a publisher, subscription, service, client, action, timer …
+
+    ``conditional`` is set where only a branch that could not be decided creates it; ``arms`` names those
+    branches as ``(branch, arm)``: two creations with one branch and different arms exclude each other.
+    """
+
+    kind: str
+    api: str
+    """The call as rclpy knows it, such as ``rclpy.node.Node.create_publisher``."""
+    node: Blueprint
+    place: Place
+    name: Text
+    type: str | None
+    """``package/msg/Name``; None with ``type_reason`` where unknown."""
+    type_reason: str | None = None
+    type_place: Place | None = None
+    qos: Qos | None = None
+    callbacks: dict[str, Callback] = field(default_factory=dict)
+    """By role; a subscription has ``subscription``, an action server ``execute``, ``goal`` …"""
+    group: Group = field(default_factory=Group)
+    conditional: bool = False
+    arms: frozenset[tuple[str, int]] = frozenset()
+    chain: tuple[Frame, ...] = ()
+    """The calls that lead from the start of the run to the create call."""
+    context: Callback | None = None
+    """What was running: ``init``, ``main`` or a callback."""
+    period: float | None = None
+    """Seconds, of timers and rates; None where unknown."""
+    period_parameter: str | None = None
+    function: str = ""
+    """Qualified name of the function that holds the create call."""
+    name_place: Place | None = None
+    """The argument that gives the name, at the create call."""
+    raw: bool = False
+    stored: bool = True
+    """False where the result of the create call is thrown away."""
+    destroyed: bool = False
+    key: int = 0
+
+
+@dataclass(eq=False)
+class ParameterDeclaration:
+    name: Text
+    type: str | None
+    """ROS type name: ``bool``, ``integer``, ``double``, ``string``, ``byte_array``, ``bool_array``,
+    ``integer_array``, ``double_array``, ``string_array``; None where dynamic or unknown."""
+    default: object
+    """The Python value; None where there is none or it is unknown (see ``known``)."""
+    known: bool
+    place: Place
+    node: Blueprint
+    conditional: bool = False
+    ignore_override: bool = False
+    dynamic: bool = False
+    chain: tuple[Frame, ...] = ()
+
+
+@dataclass(eq=False)
+class ApiCall:
+    """A call of an API that checks care about: blocking calls, spins, sleeps, parameter reads …
+
+    ``api`` is the canonical dotted name; ``arguments`` maps the API's own parameter names to values of the
+    link floor.  ``chain`` leads from ``context`` (what is running) to the call.
+    """
+
+    api: str
+    place: Place
+    context: Callback
+    chain: tuple[Frame, ...]
+    arguments: dict[str, object]
+    argument_places: dict[str, Place]
+    receiver: object = None
+    """The link floor's value the method is called on."""
+    creation: Creation | None = None
+    """The endpoint the call is made on or waits for, where it is known."""
+    node: Blueprint | None = None
+    function: str = ""
+    file: str = ""
+    expression: facts.Call | None = None
+    statement: facts.Stmt | None = None
+    loops: tuple[facts.While | facts.For, ...] = ()
+    """Enclosing loops in the same function, outermost first."""
+    body: list[facts.Stmt] = field(default_factory=list)
+    """Body of the enclosing function."""
+    conditional: bool = False
+    awaited: bool = False
+    in_try: bool = False
+
+
+@dataclass(eq=False)
+class Blueprint:
+    """A node as one program makes it, before a launch file renames or remaps anything.
+
+    ``name`` and ``namespace`` are the constructor's; ``class_name`` the class (or function, for
+    ``create_node``).  A class that creates endpoints on a node it is handed, and that nothing here uses, has a
+    blueprint of its own with an unknown name and ``held`` set.
+    """
+
+    class_name: str
+    name: Text
+    namespace: Text
+    place: Place
+    package: str | None
+    lifecycle: bool = False
+    held: bool = False
+    creations: list[Creation] = field(default_factory=list)
+    parameters: list[ParameterDeclaration] = field(default_factory=list)
+    callbacks: list[Callback] = field(default_factory=list)
+    executables: tuple[str, ...] = ()
+    executor: str = "none"
+    """``single_threaded``, ``multi_threaded``, ``none`` (never spun) or ``unknown``."""
+    test: bool = False
+    """True where the node is defined in test code: never judged together with others."""
+    complete: bool = True
+    """False where something that may create entities could not be followed; ``gaps`` says what."""
+    gaps: list[tuple[Place, str]] = field(default_factory=list)
+    key: str = ""
+    allow_undeclared_parameters: bool = False
+    automatically_declare_parameters: bool = False
+    enable_rosout: bool = True
+    start_parameter_services: bool = True
+    cli_arguments: tuple[str, ...] = ()
+
+
+@dataclass(eq=False)
+class ExecutorUse:
+    """An executor of a program: what spins which nodes, with how many threads."""
+
+    kind: str
+    """``single_threaded``, ``multi_threaded``, ``events`` or ``unknown``."""
+    threads: int | None
+    nodes: list[Blueprint]
+    place: Place | None
+    in_thread: bool = False
+    spun: bool = False
+
+
+@dataclass(eq=False)
+class Program:
+    """One executable (or a class or function that no executable reaches), run symbolically."""
+
+    name: str
+    """Executable name, or the qualified name of the class or function that was run."""
+    package: str | None
+    file: str
+    nodes: list[Blueprint] = field(default_factory=list)
+    calls: list[ApiCall] = field(default_factory=list)
+    callbacks: list[Callback] = field(default_factory=list)
+    executors: list[ExecutorUse] = field(default_factory=list)
+    exhausted: bool = False
+    """True where a bound on depth or steps cut the run short."""
+    executable: bool = True

@@ -1,0 +1,187 @@
+"""A system: nodes that run together, under their final names, and who talks to whom."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from functools import cached_property
+from typing import TYPE_CHECKING
+
+from archlint.program import model as program
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator
+
+    from archlint.finding import Place
+    from archlint.program.model import ApiCall, Blueprint, Callback, Creation, ParameterDeclaration, Program, Qos
+
+
+@dataclass(eq=False)
+class Endpoint:
+    """A creation of one node under its final name.
+
+    ``name`` is the fully qualified name (a pattern with ``*`` for partial ones), or None where the name, the
+    node's name or its namespace is unknown.  ``error`` is set where rcl rejects the name, in rcl's words.
+    """
+
+    creation: Creation
+    node: Node
+    name: str | None
+    error: str | None = None
+    resolution: str = "exact"
+    parameter: str | None = None
+    reason: str | None = None
+
+    @property
+    def kind(self) -> str:
+        return self.creation.kind
+
+    @property
+    def type(self) -> str | None:
+        return self.creation.type
+
+    @property
+    def qos(self) -> Qos | None:
+        return self.creation.qos
+
+    @property
+    def place(self) -> Place:
+        return self.creation.place
+
+    @property
+    def conditional(self) -> bool:
+        return self.creation.conditional
+
+    @property
+    def written(self) -> str | None:
+        return self.creation.name.text
+
+    @property
+    def resolved(self) -> bool:
+        """True for one known name, be it a parameter's default."""
+        return self.name is not None and self.resolution in ("exact", "parameter")
+
+
+@dataclass(eq=False)
+class Node:
+    """A node of a system.  ``name`` is its fully qualified name, None where unknown.
+
+    ``external`` nodes are started by a launch file but their source is not in this workspace.
+    """
+
+    name: str | None
+    blueprint: Blueprint | None
+    package: str | None
+    executable: str | None
+    executor: str
+    launched_by: str | None = None
+    external: bool = False
+    endpoints: list[Endpoint] = field(default_factory=list)
+    alternatives: frozenset[tuple[str, int]] = frozenset()
+    """Branches of launch files that this node depends on (as ``Creation.arms``)."""
+    program: Program | None = None
+    launch_place: Place | None = None
+    overrides: dict[str, object] = field(default_factory=dict)
+
+    @property
+    def test(self) -> bool:
+        return self.blueprint is not None and self.blueprint.test
+
+    def of_kind(self, *kinds: str) -> Iterator[Endpoint]:
+        return (endpoint for endpoint in self.endpoints if endpoint.kind in kinds)
+
+    @property
+    def timers(self) -> list[Creation]:
+        return [] if self.blueprint is None else [c for c in self.blueprint.creations if c.kind == program.TIMER]
+
+    @property
+    def parameters(self) -> list[ParameterDeclaration]:
+        return [] if self.blueprint is None else self.blueprint.parameters
+
+
+@dataclass(eq=False)
+class Connection:
+    """All endpoints of one resolved topic, service or action name: ``providers`` are publishers or servers,
+    ``users`` subscriptions or clients."""
+
+    kind: str
+    """``topic``, ``service`` or ``action``."""
+    name: str
+    providers: list[Endpoint] = field(default_factory=list)
+    users: list[Endpoint] = field(default_factory=list)
+
+    @property
+    def types(self) -> list[str]:
+        return sorted({e.type for e in (*self.providers, *self.users) if e.type is not None})
+
+
+@dataclass(eq=False)
+class System:
+    """What is judged and drawn.  ``name`` is the launch file (relative path), None without one.
+
+    ``closed`` is the closed world of the rules: nothing outside takes part.
+    """
+
+    name: str | None
+    nodes: list[Node]
+    programs: list[Program]
+    closed: bool = False
+    package_dependencies: dict[str, frozenset[str]] = field(default_factory=dict)
+    """Package → packages of this workspace it depends on (transitively)."""
+
+    @property
+    def endpoints(self) -> Iterator[Endpoint]:
+        return (endpoint for node in self.nodes for endpoint in node.endpoints)
+
+    @cached_property
+    def topics(self) -> dict[str, Connection]:
+        return self._connections("topic", program.PUBLISHER, program.SUBSCRIBER)
+
+    @cached_property
+    def services(self) -> dict[str, Connection]:
+        return self._connections("service", program.SERVICE, program.CLIENT)
+
+    @cached_property
+    def actions(self) -> dict[str, Connection]:
+        return self._connections("action", program.ACTION_SERVER, program.ACTION_CLIENT)
+
+    def _connections(self, kind: str, provider: str, user: str) -> dict[str, Connection]:
+        found: dict[str, Connection] = {}
+        for endpoint in self.endpoints:
+            if endpoint.kind not in (provider, user) or not endpoint.resolved or endpoint.error:
+                continue
+            assert endpoint.name is not None
+            connection = found.setdefault(endpoint.name, Connection(kind, endpoint.name))
+            (connection.providers if endpoint.kind == provider else connection.users).append(endpoint)
+        return dict(sorted(found.items()))
+
+    @property
+    def calls(self) -> Iterator[ApiCall]:
+        return (call for run in self.programs for call in run.calls)
+
+    @property
+    def callbacks(self) -> Iterator[Callback]:
+        return (callback for run in self.programs for callback in run.callbacks)
+
+    def together(self, one: Node, other: Node) -> bool:
+        """Whether two nodes can run in one system: a launch file starts both, or they are of one package,
+        or one package depends on the other.  Test code never runs together with anything else; opposite
+        branches exclude each other."""
+        if one.test or other.test:
+            return False
+        if exclusive(one.alternatives, other.alternatives):
+            return False
+        if self.name is not None or self.closed:
+            return True
+        if one.package is None or other.package is None:
+            return one.package is None and other.package is None
+        if one.package == other.package:
+            return True
+        return other.package in self.package_dependencies.get(
+            one.package, frozenset()
+        ) or one.package in self.package_dependencies.get(other.package, frozenset())
+
+
+def exclusive(one: frozenset[tuple[str, int]], other: frozenset[tuple[str, int]]) -> bool:
+    """Whether two sets of ``(branch, arm)`` name different arms of one branch."""
+    arms = dict(one)
+    return any(branch in arms and arms[branch] != arm for branch, arm in other)
