@@ -29,19 +29,19 @@ class Base(msgspec.Struct, frozen=True, array_like=True, gc=False):
 # --------------------------------------------------------------------------------------------- expressions
 
 
-class Literal(Base, tag="lit"):
+class Literal(Base, frozen=True, tag="lit"):
     """A string, number, boolean or None.  Bytes, Ellipsis, complex and huge numbers are :class:`Opaque`."""
 
     value: Constant
     span: Span
 
 
-class Name(Base, tag="name"):
+class Name(Base, frozen=True, tag="name"):
     id: str
     span: Span
 
 
-class Attribute(Base, tag="attr"):
+class Attribute(Base, frozen=True, tag="attr"):
     """``value.attr``; names inside classes are already mangled (``self.__x`` in ``C`` is ``_C__x``)."""
 
     value: Expr
@@ -49,7 +49,7 @@ class Attribute(Base, tag="attr"):
     span: Span
 
 
-class Argument(Base):
+class Argument(Base, frozen=True):
     """One argument of a call.  ``star`` is ``""``, ``"*"`` or ``"**"``."""
 
     value: Expr
@@ -57,25 +57,25 @@ class Argument(Base):
     star: str = ""
 
 
-class Call(Base, tag="call"):
+class Call(Base, frozen=True, tag="call"):
     func: Expr
     args: list[Argument]
     span: Span
 
 
-class Subscript(Base, tag="sub"):
+class Subscript(Base, frozen=True, tag="sub"):
     value: Expr
     index: Expr
     span: Span
 
 
-class Slice(Base, tag="slice"):
+class Slice(Base, frozen=True, tag="slice"):
     lower: Expr | None
     upper: Expr | None
     step: Expr | None
 
 
-class Binary(Base, tag="bin"):
+class Binary(Base, frozen=True, tag="bin"):
     """``left op right`` with ``op`` as written: ``+ - * / // % ** @ << >> & | ^``."""
 
     op: str
@@ -84,7 +84,7 @@ class Binary(Base, tag="bin"):
     span: Span
 
 
-class Unary(Base, tag="un"):
+class Unary(Base, frozen=True, tag="un"):
     """``op`` is ``not``, ``-``, ``+`` or ``~``."""
 
     op: str
@@ -92,7 +92,7 @@ class Unary(Base, tag="un"):
     span: Span
 
 
-class Boolean(Base, tag="bool"):
+class Boolean(Base, frozen=True, tag="bool"):
     """``a and b and c``: ``op`` is ``and`` or ``or``, chains of one operator are flat."""
 
     op: str
@@ -100,7 +100,7 @@ class Boolean(Base, tag="bool"):
     span: Span
 
 
-class Compare(Base, tag="cmp"):
+class Compare(Base, frozen=True, tag="cmp"):
     """``left op1 x op2 y``; operators as written: ``== != < <= > >= in``, ``not in``, ``is``, ``is not``."""
 
     left: Expr
@@ -109,14 +109,14 @@ class Compare(Base, tag="cmp"):
     span: Span
 
 
-class Conditional(Base, tag="ifexp"):
+class Conditional(Base, frozen=True, tag="ifexp"):
     test: Expr
     body: Expr
     orelse: Expr
     span: Span
 
 
-class Field(Base, tag="field"):
+class Field(Base, frozen=True, tag="field"):
     """``{value!r:spec}`` inside an f-string; ``spec`` is the literal text of the format specification."""
 
     value: Expr
@@ -124,14 +124,14 @@ class Field(Base, tag="field"):
     spec: str | None = None
 
 
-class FormatString(Base, tag="fstr"):
+class FormatString(Base, frozen=True, tag="fstr"):
     """An f-string; neighbouring literal parts are already joined."""
 
     parts: list[Union[str, Field]]
     span: Span
 
 
-class Sequence(Base, tag="seq"):
+class Sequence(Base, frozen=True, tag="seq"):
     """A display; ``kind`` is ``tuple``, ``list`` or ``set``.  May hold :class:`Starred`."""
 
     kind: str
@@ -139,7 +139,7 @@ class Sequence(Base, tag="seq"):
     span: Span
 
 
-class Mapping(Base, tag="dict"):
+class Mapping(Base, frozen=True, tag="dict"):
     """A dict display; a ``None`` key stands for ``**value``."""
 
     keys: list[Union[Expr, None]]
@@ -147,11 +147,11 @@ class Mapping(Base, tag="dict"):
     span: Span
 
 
-class Starred(Base, tag="star"):
+class Starred(Base, frozen=True, tag="star"):
     value: Expr
 
 
-class Generator(Base):
+class Generator(Base, frozen=True):
     """One ``for target in iterable if …`` of a comprehension."""
 
     target: Expr
@@ -159,7 +159,7 @@ class Generator(Base):
     conditions: list[Expr]
 
 
-class Comprehension(Base, tag="comp"):
+class Comprehension(Base, frozen=True, tag="comp"):
     """``kind`` is ``list``, ``set``, ``dict`` or ``generator``; ``value`` is set for dicts only."""
 
     kind: str
@@ -169,13 +169,13 @@ class Comprehension(Base, tag="comp"):
     span: Span
 
 
-class Lambda(Base, tag="lambda"):
+class Lambda(Base, frozen=True, tag="lambda"):
     params: list[Param]
     body: Expr
     span: Span
 
 
-class Assigned(Base, tag="walrus"):
+class Assigned(Base, frozen=True, tag="walrus"):
     """``(target := value)``."""
 
     target: Expr
@@ -183,18 +183,18 @@ class Assigned(Base, tag="walrus"):
     span: Span
 
 
-class Await(Base, tag="await"):
+class Await(Base, frozen=True, tag="await"):
     value: Expr
     span: Span
 
 
-class Yield(Base, tag="yield"):
+class Yield(Base, frozen=True, tag="yield"):
     value: Expr | None
     delegated: bool
     span: Span
 
 
-class Opaque(Base, tag="opaque"):
+class Opaque(Base, frozen=True, tag="opaque"):
     """What the linker has no use for; ``what`` says it in a word for the reason of an unknown."""
 
     what: str
@@ -226,7 +226,7 @@ Expr = Union[
 ]
 
 
-class Param(Base):
+class Param(Base, frozen=True):
     """A parameter; ``kind`` is ``positional_only``, ``normal``, ``star``, ``keyword_only`` or ``double_star``."""
 
     name: str
@@ -238,7 +238,7 @@ class Param(Base):
 # ---------------------------------------------------------------------------------------------- statements
 
 
-class Assign(Base, tag="="):
+class Assign(Base, frozen=True, tag="="):
     """``targets[0] = targets[1] = value``; targets are Name, Attribute, Subscript, Sequence or Starred."""
 
     targets: list[Expr]
@@ -246,7 +246,7 @@ class Assign(Base, tag="="):
     span: Span
 
 
-class Annotated(Base, tag=":"):
+class Annotated(Base, frozen=True, tag=":"):
     """``target: annotation [= value]``."""
 
     target: Expr
@@ -255,7 +255,7 @@ class Annotated(Base, tag=":"):
     span: Span
 
 
-class Augmented(Base, tag="+="):
+class Augmented(Base, frozen=True, tag="+="):
     """``target op= value``; ``op`` without the equals sign."""
 
     target: Expr
@@ -264,29 +264,29 @@ class Augmented(Base, tag="+="):
     span: Span
 
 
-class Expression(Base, tag="expr"):
+class Expression(Base, frozen=True, tag="expr"):
     value: Expr
     span: Span
 
 
-class Return(Base, tag="return"):
+class Return(Base, frozen=True, tag="return"):
     value: Expr | None
     span: Span
 
 
-class Raise(Base, tag="raise"):
+class Raise(Base, frozen=True, tag="raise"):
     value: Expr | None
     span: Span
 
 
-class If(Base, tag="if"):
+class If(Base, frozen=True, tag="if"):
     test: Expr
     body: list[Stmt]
     orelse: list[Stmt]
     span: Span
 
 
-class For(Base, tag="for"):
+class For(Base, frozen=True, tag="for"):
     target: Expr
     iterable: Expr
     body: list[Stmt]
@@ -295,26 +295,26 @@ class For(Base, tag="for"):
     span: Span
 
 
-class While(Base, tag="while"):
+class While(Base, frozen=True, tag="while"):
     test: Expr
     body: list[Stmt]
     orelse: list[Stmt]
     span: Span
 
 
-class WithItem(Base):
+class WithItem(Base, frozen=True):
     value: Expr
     target: Expr | None = None
 
 
-class With(Base, tag="with"):
+class With(Base, frozen=True, tag="with"):
     items: list[WithItem]
     body: list[Stmt]
     is_async: bool
     span: Span
 
 
-class Handler(Base):
+class Handler(Base, frozen=True):
     """``except type as name``; ``type`` is None for a bare ``except``."""
 
     type: Expr | None
@@ -323,7 +323,7 @@ class Handler(Base):
     span: Span
 
 
-class Try(Base, tag="try"):
+class Try(Base, frozen=True, tag="try"):
     body: list[Stmt]
     handlers: list[Handler]
     orelse: list[Stmt]
@@ -331,7 +331,7 @@ class Try(Base, tag="try"):
     span: Span
 
 
-class Pattern(Base):
+class Pattern(Base, frozen=True):
     """A ``case`` pattern.
 
     ``kind``: ``value`` (compare with ``value``), ``capture`` (bind ``name``; ``None`` is the wildcard),
@@ -344,19 +344,19 @@ class Pattern(Base):
     parts: list[Pattern] = []
 
 
-class Case(Base):
+class Case(Base, frozen=True):
     pattern: Pattern
     guard: Expr | None
     body: list[Stmt]
 
 
-class Match(Base, tag="match"):
+class Match(Base, frozen=True, tag="match"):
     subject: Expr
     cases: list[Case]
     span: Span
 
 
-class Import(Base, tag="import"):
+class Import(Base, frozen=True, tag="import"):
     """``import module [as alias]``; without an alias the first segment of ``module`` is bound."""
 
     module: str
@@ -364,7 +364,7 @@ class Import(Base, tag="import"):
     span: Span
 
 
-class ImportFrom(Base, tag="from"):
+class ImportFrom(Base, frozen=True, tag="from"):
     """``from ..module import a as b``; ``names`` holds ``(name, bound as)``; ``[("*", "*")]`` for a star."""
 
     module: str
@@ -373,31 +373,31 @@ class ImportFrom(Base, tag="from"):
     span: Span
 
 
-class Global(Base, tag="global"):
+class Global(Base, frozen=True, tag="global"):
     """``global`` and ``nonlocal``; ``kind`` says which."""
 
     kind: str
     names: list[str]
 
 
-class Delete(Base, tag="del"):
+class Delete(Base, frozen=True, tag="del"):
     targets: list[Expr]
     span: Span
 
 
-class Assert(Base, tag="assert"):
+class Assert(Base, frozen=True, tag="assert"):
     test: Expr
     span: Span
 
 
-class Jump(Base, tag="jump"):
+class Jump(Base, frozen=True, tag="jump"):
     """``break``, ``continue`` or ``pass``."""
 
     kind: str
     span: Span
 
 
-class Function(Base, tag="def"):
+class Function(Base, frozen=True, tag="def"):
     """``name_span`` covers the name alone; ``span`` the whole definition from its first decorator's line."""
 
     name: str
@@ -411,7 +411,7 @@ class Function(Base, tag="def"):
     name_span: Span
 
 
-class Class(Base, tag="class"):
+class Class(Base, frozen=True, tag="class"):
     name: str
     bases: list[Argument]
     body: list[Stmt]
@@ -447,7 +447,7 @@ Stmt = Union[
 # -------------------------------------------------------------------------------------------------- a file
 
 
-class Suppression(Base):
+class Suppression(Base, frozen=True):
     """An ``# archlint: ignore[…]`` comment.
 
     ``line`` is where the comment stands; ``applies_to`` the first and last line it covers (the next
@@ -463,7 +463,7 @@ class Suppression(Base):
     scope: str = "line"
 
 
-class FileProblem(Base):
+class FileProblem(Base, frozen=True):
     """Why (part of) a file could not be analysed: becomes an LNT002 finding at this place."""
 
     line: int
@@ -471,7 +471,7 @@ class FileProblem(Base):
     message: str
 
 
-class Facts(Base):
+class Facts(Base, frozen=True):
     """All that is kept of one Python file."""
 
     version: int
