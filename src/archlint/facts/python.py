@@ -1,0 +1,41 @@
+"""A Python file lowered to facts.
+
+The caller has seen to it that the text is safe to parse (see :mod:`archlint.facts.gate`) and that the stack
+is deep enough (see :mod:`archlint.facts.compile`).
+"""
+
+from __future__ import annotations
+
+import libcst
+
+from archlint.facts.comments import find_suppressions
+from archlint.facts.exports import find_exports
+from archlint.facts.lower_statements import Lowering
+from archlint.facts.model import FACTS_VERSION, Facts
+from archlint.facts.positions import CommentPositions, Positions, SpanFinder
+
+SUPPRESSION_MARK = "archlint:"
+
+
+def lower(text: str) -> Facts:
+    """The facts of a Python file.
+
+    Raises ``libcst.ParserSyntaxError`` for what is not Python 3, and ``RecursionError`` for what is nested
+    too deeply for the stack at hand.
+    """
+    module = libcst.parse_module(text)
+    with_comments = SUPPRESSION_MARK in text
+    positions = CommentPositions(module) if with_comments else Positions(module)
+    spans = SpanFinder(text, positions)
+    lowering = Lowering(spans)
+    body = lowering.block(module.body)
+    suppressions = []
+    if isinstance(positions, CommentPositions):
+        suppressions = find_suppressions(text, positions, spans.lines)
+    return Facts(
+        FACTS_VERSION,
+        body=body,
+        suppressions=suppressions,
+        problems=lowering.problems,
+        exports=find_exports(body),
+    )
