@@ -64,8 +64,9 @@ class Lowering(ExpressionLowering):
         """The statements of a module or a suite."""
         body: list[Stmt] = []
         if nodes and self._nesting >= MAX_NESTING:
-            line, column = self.span(nodes[0])[:2]
-            self.problems.append(FileProblem(line, column, "statements nested too deeply to analyse"))
+            if not self.problems:
+                line, column = self.span(nodes[0])[:2]
+                self.problems.append(FileProblem(line, column, "nested too deeply to analyse from here on"))
             return body
         self._nesting += 1
         statements = self._statements
