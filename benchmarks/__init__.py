@@ -1,0 +1,1 @@
+"""Measurements of archlint: accuracy and speed."""

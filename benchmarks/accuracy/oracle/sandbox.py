@@ -1,0 +1,216 @@
+"""The world around a node that is executed: no network, no writes outside a scratch folder, no waiting.
+
+Sleeps, spins and `input()` return at once. A place that waits again and again is told that the user pressed Ctrl-C,
+so that `while True: ...` ends. Threads do not run beside the program: their targets are kept and run afterwards.
+"""
+
+from __future__ import annotations
+
+import asyncio
+import builtins
+import concurrent.futures
+import io
+import os
+import signal
+import subprocess
+import sys
+import threading
+import time
+from argparse import ArgumentParser
+from collections import Counter
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from pathlib import Path
+from types import CodeType
+from typing import Any
+
+from .record import recorder
+from .unknown import Unknown, is_tainted
+
+_PATIENCE = 10  # how often one place may wait before it is interrupted
+_SPINS = 3  # how often one place hears that ROS is still up
+
+_waits: Counter[tuple[CodeType, int]] = Counter()
+_oks: Counter[tuple[CodeType, int]] = Counter()
+
+
+class EndlessWait(KeyboardInterrupt):
+    """A place in the program would wait for ever."""
+
+
+class TimeUp(BaseException):
+    """A step of the run has used up its time."""
+
+
+def waited(depth: int = 2) -> None:
+    """A place waits: let it go on, but not for ever."""
+    place = _user_place(sys._getframe(depth))
+    _waits[place] += 1
+    if _waits[place] > _PATIENCE:
+        raise EndlessWait(f"waits without end at {place[0].co_filename}:{place[0].co_firstlineno}")
+
+
+def still_up() -> bool:
+    """What `rclpy.ok()` says: a few times yes at each place, then no."""
+    place = _user_place(sys._getframe(2))
+    _oks[place] += 1
+    return _oks[place] <= _SPINS
+
+
+def _user_place(frame: Any) -> tuple[CodeType, int]:
+    start = frame
+    while frame is not None and not frame.f_code.co_filename.startswith(recorder.root):
+        frame = frame.f_back
+    frame = frame or start
+    return frame.f_code, frame.f_lasti
+
+
+@contextmanager
+def limited(seconds: float) -> Iterator[None]:
+    """Raise TimeUp in the block once it has run for so long (main thread only); limits nest."""
+
+    def expire(number: int, frame: Any) -> None:
+        signal.setitimer(signal.ITIMER_REAL, 0.5)  # again, should the program swallow it
+        raise TimeUp(f"after {seconds} s")
+
+    before = signal.signal(signal.SIGALRM, expire)
+    left, _ = signal.setitimer(signal.ITIMER_REAL, seconds)
+    started = time.monotonic()
+    try:
+        yield
+    finally:
+        signal.setitimer(signal.ITIMER_REAL, 0)
+        signal.signal(signal.SIGALRM, before)
+        if left:
+            signal.setitimer(signal.ITIMER_REAL, max(0.05, left - (time.monotonic() - started)))
+
+
+def close(scratch: Path) -> None:
+    """Shut the program in: from here on only `scratch` can be written, and nothing outside is reached."""
+    _guard(str(scratch.resolve()))
+    _do_not_wait()
+    _do_not_start_processes()
+    _do_not_start_threads()
+    _do_not_require_arguments()
+
+
+def _guard(scratch: str) -> None:
+    writes = os.O_WRONLY | os.O_RDWR | os.O_CREAT | os.O_TRUNC | os.O_APPEND
+
+    def inside(path: Any) -> bool:
+        if isinstance(path, int) or path is None:
+            return True
+        full = os.path.realpath(os.fsdecode(path))
+        return full.startswith(scratch) or full.startswith("/dev/")
+
+    changes = {"os.mkdir", "os.remove", "os.rename", "os.rmdir", "os.link", "os.symlink", "os.truncate", "os.chmod", "os.utime", "shutil.rmtree"}
+
+    def hook(event: str, arguments: tuple[Any, ...]) -> None:
+        if event == "open":
+            path, mode, flags = arguments
+            if flags and flags & writes and not inside(path):
+                raise PermissionError(f"writing {path!r} is not allowed here")
+        elif event in changes:
+            if not inside(arguments[0]):
+                raise PermissionError(f"{event} of {arguments[0]!r} is not allowed here")
+        elif event in ("socket.connect", "socket.getaddrinfo", "socket.gethostbyname", "socket.sendto", "socket.bind"):
+            raise ConnectionRefusedError("there is no network here")
+        elif event in ("os.exec", "os.posix_spawn", "os.spawn", "os.system", "subprocess.Popen", "os.kill", "os.killpg"):
+            raise PermissionError("no processes are started here")
+
+    sys.addaudithook(hook)
+
+
+def _do_not_wait() -> None:
+    def sleep(seconds: object = 0, *_: object, **__: object) -> None:
+        waited(2)
+
+    async def async_sleep(delay: float, result: Any = None) -> Any:
+        waited(2)
+        return result
+
+    def read(prompt: object = "") -> str:
+        waited(2)
+        return ""
+
+    time.sleep = sleep  # type: ignore[assignment]
+    asyncio.sleep = async_sleep  # type: ignore[assignment]
+    builtins.input = read  # type: ignore[assignment]
+    sys.stdin = io.StringIO("")
+    for name in ("wait", "join", "acquire"):
+        _shorten(threading.Event, name) if name == "wait" else None
+    threading.Condition.wait = _returning(True)  # type: ignore[assignment]
+    threading.Thread.join = _returning(None)  # type: ignore[assignment]
+    real_exit = sys.exit
+    os._exit_for_real = os._exit  # type: ignore[attr-defined]
+    os._exit = lambda code=0: real_exit(code)  # type: ignore[assignment]
+
+
+def _shorten(cls: type, name: str) -> None:
+    setattr(cls, name, _returning(True))
+
+
+def _returning(value: Any) -> Callable[..., Any]:
+    def at_once(*_: object, **__: object) -> Any:
+        waited(2)
+        return value
+
+    return at_once
+
+
+def _do_not_start_processes() -> None:
+    unknown = Unknown("process")
+    for name in ("Popen", "run", "call", "check_call", "check_output", "getoutput", "getstatusoutput"):
+        setattr(subprocess, name, getattr(unknown, name))
+    os.system = lambda command: 0  # type: ignore[assignment]
+    os.popen = unknown.popen
+    os.kill = lambda *_: None  # type: ignore[assignment]
+    os.killpg = lambda *_: None  # type: ignore[assignment]
+
+
+def _do_not_start_threads() -> None:
+    def start(self: threading.Thread) -> None:
+        self._started.set()  # type: ignore[attr-defined]
+        recorder.tasks.append((self.run, ()))
+
+    def submit(self: Any, function: Callable[..., Any], /, *args: Any, **kwargs: Any) -> Any:
+        future: concurrent.futures.Future[Any] = concurrent.futures.Future()
+        try:
+            future.set_result(function(*args, **kwargs))
+        except Exception as error:
+            future.set_exception(error)
+        return future
+
+    threading.Thread.start = start  # type: ignore[method-assign]
+    concurrent.futures.ThreadPoolExecutor.submit = submit  # type: ignore[assignment,method-assign]
+    concurrent.futures.ProcessPoolExecutor.submit = submit  # type: ignore[assignment,method-assign]
+    try:
+        import multiprocessing.process as process
+
+        process.BaseProcess.start = lambda self: recorder.tasks.append((self.run, ()))  # type: ignore[method-assign]
+        process.BaseProcess.join = _returning(None)  # type: ignore[method-assign]
+    except ImportError:
+        pass
+
+
+def _do_not_require_arguments() -> None:
+    """A command-line argument that must be given is an unknown value."""
+    parse = ArgumentParser.parse_known_args
+
+    def lenient(self: ArgumentParser, args: Any = None, namespace: Any = None) -> Any:
+        for action in self._actions:
+            if action.option_strings:
+                if action.required:
+                    action.required = False
+                    action.default = Unknown(f"argument {action.dest}")
+            elif action.required and action.nargs in (None, "+") or isinstance(action.nargs, int):
+                if action.dest != "==SUPPRESS==" and not action.option_strings:
+                    action.required = False
+                    action.default = Unknown(f"argument {action.dest}")
+                    action.nargs = "*" if action.nargs == "+" or isinstance(action.nargs, int) else "?"
+        return parse(self, args, namespace)
+
+    ArgumentParser.parse_known_args = lenient  # type: ignore[assignment,method-assign]
+
+
+__all__ = ["EndlessWait", "TimeUp", "close", "is_tainted", "limited", "still_up", "waited"]

@@ -1,0 +1,7 @@
+"""Stand-in for rclpy.client."""
+
+from __future__ import annotations
+
+from .entities import Client
+
+__all__ = ["Client"]

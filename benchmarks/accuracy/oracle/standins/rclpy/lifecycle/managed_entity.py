@@ -1,0 +1,3 @@
+"""Stand-in for rclpy.lifecycle.managed_entity."""
+
+from rclpy.lifecycle import *

@@ -1,0 +1,3 @@
+"""Stand-in for rclpy.lifecycle.node."""
+
+from rclpy.lifecycle import *

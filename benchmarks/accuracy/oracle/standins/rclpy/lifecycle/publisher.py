@@ -1,0 +1,3 @@
+"""Stand-in for rclpy.lifecycle.publisher."""
+
+from rclpy.lifecycle import *

@@ -1,0 +1,1 @@
+"""Stand-in for rosidl_runtime_py; what is not here is unknown."""

@@ -1,0 +1,3 @@
+"""Stand-in for tf2_ros.buffer."""
+
+from tf2_ros import *

@@ -1,0 +1,3 @@
+"""Stand-in for tf2_ros.buffer_interface."""
+
+from tf2_ros import *

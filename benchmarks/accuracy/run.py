@@ -1,0 +1,40 @@
+"""Run the oracle over checked-out repositories: `python -m benchmarks.accuracy.run CHECKOUTS [-o DIR]`."""
+
+from __future__ import annotations
+
+import argparse
+import json
+import time
+from pathlib import Path
+
+from .oracle.run import Oracle
+
+
+def main() -> None:
+    """Write DIR/<repository>.json for each folder below CHECKOUTS (or for CHECKOUTS itself with --one)."""
+    parser = argparse.ArgumentParser(description=main.__doc__)
+    parser.add_argument("checkouts", type=Path, help="a folder of repositories")
+    parser.add_argument("names", nargs="*", help="only these repositories (default: all)")
+    parser.add_argument("-o", "--output", type=Path, default=Path("oracle-results"))
+    parser.add_argument("--one", action="store_true", help="CHECKOUTS is itself one repository")
+    parser.add_argument("--jobs", type=int, default=2)
+    options = parser.parse_args()
+    options.output.mkdir(parents=True, exist_ok=True)
+    folders = [options.checkouts] if options.one else sorted(path for path in options.checkouts.iterdir() if path.is_dir())
+    for folder in folders:
+        if options.names and folder.name not in options.names:
+            continue
+        started = time.monotonic()
+        result = Oracle(folder, options.jobs).run()
+        target = options.output / f"{folder.resolve().name}.json"
+        target.write_text(json.dumps(result, indent=1) + "\n", encoding="utf-8")
+        ended = sum(run["ended"] for run in result["runs"])
+        print(
+            f"{folder.name}: {len(result['entities'])} entities, {ended}/{len(result['runs'])} runs came to their end, "
+            f"{len(result['unreached'])} create calls unreached, {time.monotonic() - started:.0f} s",
+            flush=True,
+        )
+
+
+if __name__ == "__main__":
+    main()
