@@ -4,15 +4,23 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 from functools import cached_property
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, TypeVar
 
 from archlint.program import model as program
 
 if TYPE_CHECKING:
-    from collections.abc import Iterator
+    from collections.abc import Iterable, Iterator
 
     from archlint.finding import Place
-    from archlint.program.model import ApiCall, Blueprint, Callback, Creation, ParameterDeclaration, Program, Qos
+    from archlint.program.model import (
+        ApiCall,
+        Blueprint,
+        Callback,
+        Creation,
+        ParameterDeclaration,
+        Program,
+        Qos,
+    )
 
 
 @dataclass(eq=False)
@@ -81,6 +89,14 @@ class Node:
     program: Program | None = None
     launch_place: Place | None = None
     overrides: dict[str, object] = field(default_factory=dict)
+    resolution: str = "exact"
+    """How far ``name`` is known, as for endpoints; a ``partial`` name has holes."""
+    error: str | None = None
+    """Set where ROS rejects the node's name or namespace, in rmw's words."""
+    executables: tuple[str, ...] = ()
+    """All executables that start this node; ``executable`` is the first of them."""
+    merged: list[Blueprint] = field(default_factory=list)
+    """The same node as other executables make it; ``endpoints`` hold what these add."""
 
     @property
     def test(self) -> bool:
@@ -90,12 +106,19 @@ class Node:
         return (endpoint for endpoint in self.endpoints if endpoint.kind in kinds)
 
     @property
+    def blueprints(self) -> list[Blueprint]:
+        return [] if self.blueprint is None else [self.blueprint, *self.merged]
+
+    @property
     def timers(self) -> list[Creation]:
-        return [] if self.blueprint is None else [c for c in self.blueprint.creations if c.kind == program.TIMER]
+        """Each create call once, in source order."""
+        timers = (c for b in self.blueprints for c in b.creations if c.kind == program.TIMER)
+        return _once_for_each_place(timers)
 
     @property
     def parameters(self) -> list[ParameterDeclaration]:
-        return [] if self.blueprint is None else self.blueprint.parameters
+        """Each declaration once, in source order; one call may declare several names."""
+        return _once_for_each_place(p for b in self.blueprints for p in b.parameters)
 
 
 @dataclass(eq=False)
@@ -179,6 +202,16 @@ class System:
         return other.package in self.package_dependencies.get(
             one.package, frozenset()
         ) or one.package in self.package_dependencies.get(other.package, frozenset())
+
+
+_Placed = TypeVar("_Placed", "Creation", "ParameterDeclaration")
+
+
+def _once_for_each_place(items: Iterable[_Placed]) -> list[_Placed]:
+    found: dict[tuple[Place, str], _Placed] = {}
+    for item in items:
+        found.setdefault((item.place, item.name.text or ""), item)
+    return [found[key] for key in sorted(found)]
 
 
 def exclusive(one: frozenset[tuple[str, int]], other: frozenset[tuple[str, int]]) -> bool:

@@ -35,7 +35,7 @@ _KINDS = {
 
 @dataclass(frozen=True)
 class RemapRule:
-    """One rule, as after ``-r``, and the kinds it applies to; ``__node`` and ``__ns`` rules have no ``match``."""
+    """One rule, as after ``-r``, and what it applies to; ``__node`` and ``__ns`` rules have no ``match``."""
 
     text: str
     kinds: frozenset[str]
@@ -113,23 +113,6 @@ def resolve(
         expanded = replaced
     error = names.validate_full_name(expanded)
     return Resolved(None if error else expanded, error, rule)
-
-
-def node_init(
-    name: str,
-    namespace: str,
-    local_rules: Sequence[RemapRule] = (),
-    global_rules: Sequence[RemapRule] = (),
-) -> tuple[str, str]:
-    """A node's own name and absolute namespace after ``__node`` and ``__ns`` rules.
-
-    The prefix of a ``__node`` rule is compared with the name in the code, that of a ``__ns`` rule with the
-    new name.
-    """
-    rules = [*local_rules, *global_rules]
-    new_name = next((rule.replacement for rule in rules if rule.applies(NODE_NAME, name)), name)
-    given = next((rule.replacement for rule in rules if rule.applies(NAMESPACE, new_name)), namespace)
-    return new_name, names.absolute_namespace(given)
 
 
 def rules_of_arguments(arguments: Iterable[str]) -> list[RemapRule]:
