@@ -362,7 +362,8 @@ class TestDefinitions:
         source = "@timed\n@retry(3)\ndef f(a: int, *, b=1) -> str:\n  '''Docs.'''\n  return a\n"
         assert statement(source) == (
             "Function('f', [Param('a', 'normal', None, Name('int')), "
-            "Param('b', 'keyword_only', Literal(1))], [Return(Name('a'))], [Name('timed'), Call(Name('retry'), [Argument(Literal(3))])], "
+            "Param('b', 'keyword_only', Literal(1))], [Return(Name('a'))], "
+            "[Name('timed'), Call(Name('retry'), [Argument(Literal(3))])], "
             "Name('str'), False, False)"
         )
 
