@@ -122,8 +122,10 @@ def _read_line(line: str, number: int, section: Section) -> None:
         definition = definition.removeprefix("@optional").lstrip()
     if not definition.strip():
         return
-    if definition == _SEPARATOR:
+    if line == _SEPARATOR:
         raise InvalidDefinition("one '---' too many")
+    if definition.strip() == _SEPARATOR:
+        raise InvalidDefinition("nothing else may stand on the line of a '---', not even white space")
     type_name, _, rest = definition.lstrip().partition(" ")
     rest = rest.lstrip()
     if not rest:
