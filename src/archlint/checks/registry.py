@@ -1,0 +1,171 @@
+"""How a rule is written down, and how the selected ones are run over a system.
+
+A rule is a generator function registered under its code; everything else about it (name, severity, summary)
+comes from its page in the rule book.  Its own options are keyword arguments of the decorator: the default
+gives the type, and an underscore is a dash in the configuration::
+
+    @rule("SRV004", min_rate=1.0)
+    def service_for_continuous_data(system: System, options: Options) -> Iterator[Finding]:
+        threshold = options.number("min-rate")
+"""
+
+from __future__ import annotations
+
+import importlib
+import traceback
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, field, replace
+from fnmatch import fnmatchcase
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from archlint import checks
+from archlint.finding import Finding, Place, Related
+from archlint.rulebook import rules
+
+if TYPE_CHECKING:
+    from archlint.system.model import System
+
+ISSUE_TRACKER = "archlint's issue tracker"
+"""Where a failure of ours is reported, as a message words it."""
+
+OptionValue = bool | int | float | str | tuple[str, ...]
+
+
+@dataclass(frozen=True)
+class Options:
+    """What the configuration says to one rule.
+
+    ``distros`` are the ROS distributions to judge for, oldest first; ``own`` the rule's own options under
+    the names that the configuration uses.
+    """
+
+    distros: tuple[str, ...] = ()
+    shared_topics: tuple[str, ...] = ()
+    external: tuple[str, ...] = ()
+    own: Mapping[str, OptionValue] = field(default_factory=dict)
+
+    def is_shared(self, topic: str) -> bool:
+        """Whether the configuration declares a topic as one that many may publish."""
+        return _matches(topic, self.shared_topics)
+
+    def is_external(self, name: str) -> bool:
+        """Whether the configuration says that something outside this workspace provides a name."""
+        return _matches(name, self.external)
+
+    def flag(self, name: str) -> bool:
+        return bool(self.own[name])
+
+    def number(self, name: str) -> float:
+        value = self.own[name]
+        assert isinstance(value, (int, float)), name
+        return value
+
+    def text(self, name: str) -> str:
+        return str(self.own[name])
+
+    def texts(self, name: str) -> tuple[str, ...]:
+        value = self.own[name]
+        assert isinstance(value, tuple), name
+        return value
+
+
+def _matches(name: str, patterns: Sequence[str]) -> bool:
+    return any(fnmatchcase(name, pattern) for pattern in patterns)
+
+
+RuleFunction = Callable[["System", Options], Iterator[Finding]]
+
+
+@dataclass(frozen=True)
+class Check:
+    """A registered rule; ``defaults`` are its own options as the configuration names them."""
+
+    code: str
+    function: RuleFunction
+    defaults: Mapping[str, OptionValue]
+
+
+_REGISTERED: dict[str, Check] = {}
+
+
+def rule(code: str, **defaults: OptionValue) -> Callable[[RuleFunction], RuleFunction]:
+    """Register the decorated generator function as the rule with this code."""
+
+    def register(function: RuleFunction) -> RuleFunction:
+        other = _REGISTERED.get(code)
+        if other is not None and other.function.__module__ != function.__module__:
+            raise ValueError(
+                f"{code} is registered twice: {other.function.__module__}, {function.__module__}"
+            )
+        options = {name.replace("_", "-"): value for name, value in defaults.items()}
+        _REGISTERED[code] = Check(code, function, options)
+        return function
+
+    return register
+
+
+def registered() -> dict[str, Check]:
+    """Every rule that can run, in code order; the modules that hold them are imported on the first call."""
+    for module in checks.MODULES:
+        importlib.import_module(f"archlint.checks.{module}")
+    return dict(sorted(_REGISTERED.items()))
+
+
+def finding(
+    code: str,
+    place: Place,
+    message: str,
+    *,
+    help: str = "",
+    related: Sequence[Related] = (),
+    node: str | None = None,
+    identity: Sequence[str] = (),
+) -> Finding:
+    """A finding of a rule, with the rule's name and severity from its page."""
+    page = rules()[code]
+    return Finding(
+        code=code,
+        name=page.name,
+        severity=page.severity,
+        message=message,
+        place=place,
+        help=help,
+        node=node,
+        related=tuple(related),
+        identity=tuple(identity),
+    )
+
+
+def judge(system: System, selected: Mapping[str, Options]) -> Iterator[Finding]:
+    """What the selected rules find in a system; a rule that raises becomes an LNT003 finding."""
+    for code, check in registered().items():
+        if code not in selected:
+            continue
+        try:
+            found = list(check.function(system, selected[code]))
+        except Exception as error:
+            yield failure(f"the rule {rules()[code].title}", error, _place_of(system))
+        else:
+            yield from (replace(one, system=system.name) for one in found)
+
+
+def failure(what: str, error: Exception, place: Place) -> Finding:
+    """The LNT003 finding for a part of archlint that raised ``error``."""
+    frames = traceback.extract_tb(error.__traceback__)
+    where = f" ({Path(frames[-1].filename).name}:{frames[-1].lineno})" if frames else ""
+    return finding(
+        "LNT003",
+        place,
+        f"{what} failed with {type(error).__name__}: {error}{where}; everything else was checked",
+        help=f"please report it on {ISSUE_TRACKER} with this message, the version that `archlint --version` "
+        "prints and, if you may share it, the smallest file that shows it",
+        identity=(what, type(error).__name__),
+    )
+
+
+def _place_of(system: System) -> Place:
+    """Where to show that a system could not be judged: its launch file, or the first file of a node."""
+    places = [node.blueprint.place.file for node in system.nodes if node.blueprint is not None]
+    file = system.name or min(places, default=".")
+    return Place(file, 1, 1, 1, 1)

@@ -1,0 +1,158 @@
+"""The rule book: one Markdown page a rule, the single source of its name, severity and default.
+
+The pages live in ``rules/`` at the top of the repository.  A wheel carries them inside the package; an
+editable install reads them where they are written.
+"""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass
+from difflib import get_close_matches
+from functools import cache
+from pathlib import Path
+
+from archlint.finding import Severity
+
+ON = "on"
+OFF = "off"
+CLOSED_WORLD = "closed-world"
+
+_PAGE = re.compile(r"[A-Z]{3}\d{3}-[a-z0-9-]+\.md")
+_FRONT_MATTER = re.compile(r"---\r?\n(.*?)\r?\n---\r?\n", re.DOTALL)
+_EXPECTATION = re.compile(r"[ \t]*(?:#|<!--) expect(?:-file)?:[^\n]*")
+
+
+class RuleBookError(ValueError):
+    """A page of the rule book that cannot be used; the message names the page."""
+
+
+@dataclass(frozen=True)
+class Rule:
+    """A rule as its page declares it.
+
+    ``default`` is ``on``, ``off`` or ``closed-world`` (on only where nothing outside the workspace takes
+    part).  ``fix`` is ``safe``, ``unsafe`` or empty.  ``body`` is the page below the front matter.
+    """
+
+    code: str
+    name: str
+    severity: Severity
+    default: str
+    fix: str
+    since: str
+    seed: str
+    summary: str
+    body: str
+
+    @property
+    def title(self) -> str:
+        return f"{self.code} {self.name}"
+
+    @property
+    def page(self) -> str:
+        """The page as a reader wants it: without the marks that tell the test suite what to expect."""
+        return _EXPECTATION.sub("", self.body).strip() + "\n"
+
+
+def pages_folder() -> Path:
+    """Where the pages are: inside an installed package, else beside ``src/``."""
+    packaged = Path(__file__).parent / "rulebook_pages"
+    return packaged if packaged.is_dir() else Path(__file__).parents[2] / "rules"
+
+
+@cache
+def rules() -> dict[str, Rule]:
+    """Every rule by its code, in code order."""
+    found: dict[str, Rule] = {}
+    for path in sorted(pages_folder().iterdir(), key=lambda path: path.name):
+        if not _PAGE.fullmatch(path.name):
+            continue
+        rule = parse_page(path.read_text("utf-8"), path.name)
+        if path.stem != f"{rule.code}-{rule.name}":
+            raise RuleBookError(f"{path.name}: the file should be called {rule.code}-{rule.name}.md")
+        found[rule.code] = rule
+    return found
+
+
+def parse_page(text: str, source: str) -> Rule:
+    """The rule on a page; ``source`` names the page in a :class:`RuleBookError`."""
+    matter = _FRONT_MATTER.match(text)
+    if matter is None:
+        raise RuleBookError(f"{source}: a page starts with front matter between two lines of ---")
+    fields = _fields(matter[1], source)
+    try:
+        severity, default = Severity.parse(fields["severity"]), fields["default"]
+        rule = Rule(
+            code=fields["code"],
+            name=fields["name"],
+            severity=severity,
+            default=default,
+            fix="" if fields["fix"] == "none" else fields["fix"],
+            since=fields["since"],
+            seed=fields["seed"],
+            summary=fields["summary"],
+            body=text[matter.end() :],
+        )
+    except KeyError as error:
+        raise RuleBookError(f"{source}: {error.args[0]} is missing or not a known word") from None
+    if default not in (ON, OFF, CLOSED_WORLD) or rule.fix not in ("", "safe", "unsafe"):
+        raise RuleBookError(f"{source}: default is on, off or closed-world; fix is safe, unsafe or none")
+    return rule
+
+
+def _fields(matter: str, source: str) -> dict[str, str]:
+    """``key: value`` lines; a value may stand in quotes, and a comment may follow one that does not."""
+    fields: dict[str, str] = {}
+    for line in matter.splitlines():
+        key, colon, value = line.partition(":")
+        if not colon or not re.fullmatch(r"[a-z]+", key) or key in fields:
+            raise RuleBookError(f"{source}: {line!r} is not a line of `key: value`")
+        value = value.strip()
+        quoted = len(value) > 1 and value[0] == value[-1] and value[0] in "\"'"
+        fields[key] = value[1:-1] if quoted else value.partition(" #")[0].rstrip()
+    return fields
+
+
+def find_rule(text: str) -> Rule | None:
+    """The rule with this code or name, in any case."""
+    wanted = text.strip()
+    by_code = rules().get(wanted.upper())
+    return by_code or next((rule for rule in rules().values() if rule.name == wanted.lower()), None)
+
+
+def codes_of(selector: str) -> list[str]:
+    """The codes that a code, a prefix of codes, a rule's name or ``ALL`` stands for; none if unknown."""
+    if selector == "ALL":
+        return list(rules())
+    rule = find_rule(selector)
+    if rule is not None:
+        return [rule.code]
+    if not re.fullmatch(r"[A-Za-z]+\d*", selector):
+        return []
+    return [code for code in rules() if code.startswith(selector.upper())]
+
+
+def suggestion(selector: str) -> str:
+    """``; did you mean …?`` for an unknown code or name, or nothing where nothing is near."""
+    near = _nearest(selector.upper()) or _nearest_name(selector.lower())
+    return f"; did you mean {near}?" if near else ""
+
+
+def _nearest(selector: str) -> str | None:
+    """The nearest code, or prefix of codes for what has no digits."""
+    match = re.fullmatch(r"([A-Z]+)(\d*)", selector)
+    if match is None:
+        return None
+    if not match[2]:
+        prefixes = sorted({code[:3] for code in rules()} | {"ALL"})
+        return next(iter(get_close_matches(selector, prefixes, 1, 0.6)), None)
+    padded = f"{match[1]}{int(match[2][-9:]):03}"
+    near = get_close_matches(selector, rules(), 1, 0.7)
+    return padded if padded in rules() else next(iter(near), None)
+
+
+def _nearest_name(selector: str) -> str | None:
+    names = {rule.name: rule for rule in rules().values()}
+    near = get_close_matches(selector, names, 1, 0.6)
+    return f"{near[0]} ({names[near[0]].code})" if near else None

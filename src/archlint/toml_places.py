@@ -1,0 +1,95 @@
+"""Where a key or a value stands in a TOML file; the parser of the standard library does not tell."""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass, field
+
+KeyPath = tuple[str, ...]
+TextSpan = tuple[int, int, int]
+"""Line, first column and column after the last, all from 1."""
+
+_PART = r"""(?:[A-Za-z0-9_-]+|"(?:[^"\\]|\\.)*"|'[^']*')"""
+_DOTTED = rf"{_PART}(?:\s*\.\s*{_PART})*"
+_HEADER = re.compile(rf"\s*\[\[?\s*({_DOTTED})\s*\]\]?\s*(?:#.*)?$")
+_ASSIGNMENT = re.compile(rf"\s*({_DOTTED})\s*=")
+_QUIET = re.compile(r"""\"\"\".*?\"\"\"|'''.*?'''|"(?:[^"\\]|\\.)*"|'[^']*'|#.*""")
+_TRIPLE = re.compile(r'"""|\'\'\'')
+
+
+@dataclass
+class _Entry:
+    """A table header or an assignment, with the lines that its value takes."""
+
+    path: KeyPath
+    line: int
+    columns: tuple[int, int]
+    value: list[tuple[int, int, str]] = field(default_factory=list)
+    """Lines of the value: number, column offset, text."""
+
+
+def locate(text: str, path: KeyPath, element: str | None = None) -> TextSpan | None:
+    """The place of a key or table, or of the string ``element`` in its value; None where it is not found."""
+    prefixes = []
+    for entry in _entries(text):
+        if entry.path == path or (entry.path[: len(path)] == path and not entry.value):
+            return _inside(entry, element) or (entry.line, *entry.columns)
+        if entry.value and path[: len(entry.path)] == entry.path:
+            prefixes.append(entry)
+    for entry in prefixes:  # an inline table
+        wanted = element if element is not None else path[-1]
+        return _inside(entry, wanted) or (entry.line, *entry.columns)
+    return None
+
+
+def _inside(entry: _Entry, element: str | None) -> TextSpan | None:
+    if element is None:
+        return None
+    word = re.compile(rf"""(["']?)(?<![\w-]){re.escape(element)}(?![\w-])\1""")
+    for number, offset, text in entry.value:
+        match = word.search(text)
+        if match:
+            return (number, offset + match.start() + 1, offset + match.end() + 1)
+    return None
+
+
+def _entries(text: str) -> list[_Entry]:
+    found: list[_Entry] = []
+    table: KeyPath = ()
+    depth, triple = 0, ""
+    for number, line in enumerate(text.splitlines(), 1):
+        if triple or depth:
+            found[-1].value.append((number, 0, line))
+            depth, triple = _after(line, depth, triple)
+            continue
+        header, assignment = _HEADER.match(line), _ASSIGNMENT.match(line)
+        if header:
+            table = _split(header[1])
+            found.append(_Entry(table, number, (header.start(1) + 1, header.end(1) + 1)))
+        elif assignment:
+            columns = (assignment.start(1) + 1, assignment.end(1) + 1)
+            end = assignment.end()
+            value = line[end:]
+            found.append(_Entry(table + _split(assignment[1]), number, columns, [(number, end, value)]))
+            depth, triple = _after(value, 0, "")
+    return found
+
+
+def _after(line: str, depth: int, triple: str) -> tuple[int, str]:
+    """Bracket depth and open triple quote after a line."""
+    if triple:
+        _, quote, line = line.partition(triple)
+        if not quote:
+            return depth, triple
+    line = _QUIET.sub("", line)
+    opened = _TRIPLE.search(line)
+    if opened:
+        line, triple = line[: opened.start()], opened[0]
+    else:
+        triple = ""
+    depth += sum(line.count(c) for c in "[{") - sum(line.count(c) for c in "]}")
+    return max(depth, 0), triple
+
+
+def _split(dotted: str) -> KeyPath:
+    return tuple(part.strip("\"'") for part in re.findall(_PART, dotted))
