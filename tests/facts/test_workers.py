@@ -1,0 +1,131 @@
+"""Worker processes: one answer for each text, whatever happens to the process that works on it."""
+
+from __future__ import annotations
+
+import ctypes
+import os
+import signal
+import threading
+import time
+
+import pytest
+
+from archlint.facts.deep_stack import call_with_deep_stack, raised_recursion_limit
+from archlint.facts.workers import Crashed, TimedOut, can_fork, run_in_workers
+
+pytestmark = pytest.mark.skipif(not hasattr(os, "fork"), reason="needs fork")
+
+
+def work(text: str) -> bytes:
+    """Does what the text says."""
+    if text == "die":
+        os.kill(os.getpid(), signal.SIGKILL)
+    if text == "segfault":
+        ctypes.string_at(0)
+    if text == "hang":
+        time.sleep(60)
+    if text == "raise":
+        raise ValueError(text)
+    if text == "pid":
+        return str(os.getpid()).encode()
+    return text.encode() * 2
+
+
+@pytest.mark.parametrize("count", [1, 2, 5])
+def test_answers_come_in_the_order_of_the_texts(count):
+    texts = [str(number) * (number % 7 + 1) for number in range(40)]
+    assert run_in_workers(work, texts, count, 30) == [text.encode() * 2 for text in texts]
+
+
+def test_no_texts_no_processes():
+    assert run_in_workers(work, [], 2, 30) == []
+
+
+def test_the_work_is_done_elsewhere():
+    (pid,) = run_in_workers(work, ["pid"], 1, 30)
+    assert int(pid) != os.getpid()
+
+
+def test_a_large_answer_arrives_whole():
+    text = "x" * 3_000_000
+    assert run_in_workers(work, [text], 1, 30) == [text.encode() * 2]
+
+
+@pytest.mark.parametrize("count", [1, 2])
+@pytest.mark.parametrize("killer", ["die", "segfault", "raise"])
+def test_what_kills_its_process_is_named_and_the_rest_is_answered(killer, count):
+    answers = run_in_workers(work, ["a", killer, "b", "c"], count, 30)
+    assert isinstance(answers[1], Crashed)
+    assert [answers[0], answers[2], answers[3]] == [b"aa", b"bb", b"cc"]
+
+
+def test_a_process_that_dies_once_is_forgiven(tmp_path):
+    marker = tmp_path / "seen"
+
+    def dies_once(text: str) -> bytes:
+        if not marker.exists():
+            marker.touch()
+            os.kill(os.getpid(), signal.SIGKILL)
+        return text.encode()
+
+    assert run_in_workers(dies_once, ["a", "b"], 1, 30) == [b"a", b"b"]
+
+
+def test_what_takes_too_long_is_given_up():
+    started = time.monotonic()
+    answers = run_in_workers(work, ["a", "hang", "b"], 2, 0.5)
+    assert [answers[0], answers[2]] == [b"aa", b"bb"]
+    assert isinstance(answers[1], TimedOut)
+    assert time.monotonic() - started < 20
+
+
+def test_no_process_is_left_behind():
+    run_in_workers(work, ["a", "hang", "die"], 3, 0.5)
+    with pytest.raises(ChildProcessError):
+        os.waitpid(-1, os.WNOHANG)
+
+
+def test_an_interrupted_run_leaves_no_process_behind():
+    def interrupt(*_: object) -> None:
+        raise KeyboardInterrupt
+
+    previous = signal.signal(signal.SIGALRM, interrupt)
+    signal.setitimer(signal.ITIMER_REAL, 0.3)
+    try:
+        with pytest.raises(KeyboardInterrupt):
+            run_in_workers(work, ["hang", "hang"], 2, 30)
+    finally:
+        signal.signal(signal.SIGALRM, previous)
+    with pytest.raises(ChildProcessError):
+        os.waitpid(-1, os.WNOHANG)
+
+
+def test_no_fork_while_another_thread_runs():
+    release = threading.Event()
+    thread = threading.Thread(target=release.wait)
+    assert can_fork()
+    thread.start()
+    try:
+        assert not can_fork()
+    finally:
+        release.set()
+        thread.join()
+
+
+def nested(depth: int) -> int:
+    return 0 if depth == 0 else 1 + nested(depth - 1)
+
+
+def test_a_deep_stack_is_deep():
+    def dig() -> int:
+        with raised_recursion_limit():
+            return nested(15_000)
+
+    assert call_with_deep_stack(dig) == 15_000
+    with pytest.raises(RecursionError):
+        nested(15_000)
+
+
+def test_errors_come_out_of_the_deep_stack():
+    with pytest.raises(ZeroDivisionError):
+        call_with_deep_stack(lambda: 1 // 0)
