@@ -221,7 +221,12 @@ def validate_pattern(name: str) -> InvalidName | None:
 
 
 def pattern_matches(pattern: str, name: str) -> bool:
-    """Whether some filling of the holes of ``pattern`` gives ``name``."""
+    """Whether some filling of the holes of an expanded ``pattern`` gives ``name``.
+
+    A hole right after the first slash may stand for nothing or bring a slash of its own.
+    """
+    if pattern.startswith("/" + HOLE):
+        pattern = pattern[1:]
     return re.fullmatch(".*".join(map(re.escape, pattern.split(HOLE))), name) is not None
 
 
