@@ -52,8 +52,9 @@ class Positions(CodegenState):
     def __init__(self, module: Module) -> None:
         super().__init__(default_indent=module.default_indent, default_newline=module.default_newline)
         self.offset = 0
-        self.ranges: dict[CSTNode, tuple[int, int]] = {}
-        self._open: list[tuple[CSTNode, CSTNode | None, int]] = []
+        # By identity: the hash of a libcst node is its id, but asking for it is a call in Python.
+        self.ranges: dict[int, tuple[int, int]] = {}
+        self._open: list[tuple[int, CSTNode | None, int]] = []
         module._codegen(self)
 
     def add_token(self, value: str) -> None:
@@ -69,7 +70,7 @@ class Positions(CodegenState):
     def record_syntactic_position(  # type: ignore[override]
         self, node: CSTNode, *, start_node: CSTNode | None = None, end_node: CSTNode | None = None
     ) -> Positions:
-        self._open.append((node, end_node, self.offset))
+        self._open.append((id(node), end_node, self.offset))
         return self
 
     def __enter__(self) -> None:
@@ -82,11 +83,11 @@ class Positions(CodegenState):
         traceback: TracebackType | None,
     ) -> None:
         node, end_node, start = self._open.pop()
-        end = self.offset
-        if end_node is not None and end_node in self.ranges:
+        if end_node is None or id(end_node) not in self.ranges:
+            self.ranges[node] = (start, self.offset)
+        else:
             # A suite has already passed the newline behind its last statement.
-            end = self.ranges[end_node][1]
-        self.ranges[node] = (start, end)
+            self.ranges[node] = (start, self.ranges[id(end_node)][1])
 
 
 class CommentPositions(Positions):
@@ -115,7 +116,7 @@ class CommentPositions(Positions):
 
 
 class SpanFinder:
-    """The spans of the nodes of one module."""
+    """The spans of the nodes of one module, which must outlive it."""
 
     def __init__(self, text: str, positions: Positions) -> None:
         self.lines = LineTable(text)
@@ -123,11 +124,11 @@ class SpanFinder:
 
     def of(self, node: CSTNode) -> Span:
         """The span of a node without the white space and the parentheses around it."""
-        start, end = self._ranges[node]
+        start, end = self._ranges[id(node)]
         place = self.lines.place
-        return (*place(start), *place(end))
+        return place(start) + place(end)
 
     def between(self, first: CSTNode, last: CSTNode) -> Span:
         """From the start of one node to the end of another."""
         place = self.lines.place
-        return (*place(self._ranges[first][0]), *place(self._ranges[last][1]))
+        return place(self._ranges[id(first)][0]) + place(self._ranges[id(last)][1])
