@@ -46,6 +46,8 @@ def main() -> None:
     }
     try:
         runs[job["kind"]](job)
+    except BaseException:
+        recorder.write("failed", step="oracle", reason=traceback.format_exc()[-600:], where=None)
     finally:
         out.flush()
         _REAL_EXIT(0)
@@ -137,7 +139,7 @@ def _guarded(step: str, program: Callable[[], Any], seconds: float = _SECONDS_FO
         with limited(seconds):
             program()
     except SystemExit as leaving:
-        if leaving.code in (None, 0):
+        if leaving.code in (None, 0) and _left_from_main(leaving):
             recorder.write("ran", step=step, **about)
             return True
         recorder.write("failed", step=step, reason=f"SystemExit: {leaving.code}"[:300], where=_where(leaving), **about)
@@ -153,6 +155,12 @@ def _where(error: BaseException) -> str | None:
     """The user's innermost line in a traceback."""
     own = [frame for frame in traceback.extract_tb(error.__traceback__) if frame.filename.startswith(recorder.root)]
     return f"{own[-1].filename[len(recorder.root) :]}:{own[-1].lineno}" if own else None
+
+
+def _left_from_main(error: BaseException) -> bool:
+    """Whether the program left where programs end: at module level, or in a function called main."""
+    own = [frame for frame in traceback.extract_tb(error.__traceback__) if frame.filename.startswith(recorder.root)]
+    return not own or own[-1].name in ("<module>", "main")
 
 
 def _finish(result: Any) -> Any:

@@ -8,6 +8,7 @@ import re
 import sys
 import types
 from collections.abc import Sequence
+from pathlib import Path
 from typing import Any
 
 from .interfaces import KINDS, InterfaceModule
@@ -35,7 +36,7 @@ class UnknownModule(types.ModuleType):
             return importlib.import_module(f"{self.__name__}.{name}")
         if name.startswith("__") and name.endswith("__"):
             if name == "__version__":
-                return "999.0.0"
+                return "999.999.999"
             if name == "__all__":
                 return []
             raise AttributeError(name)
@@ -88,8 +89,64 @@ def _is_installed(module: types.ModuleType) -> bool:
     return "site-packages" in origin or module.__name__.partition(".")[0] in sys.stdlib_module_names
 
 
+class _NoAccidentalPackages(importlib.abc.MetaPathFinder):
+    """A folder without Python is a namespace package to Python, as `pkg/` and `pkg/msg/` of an interface package are.
+
+    The folders of a repository are on the path here, those of an installed workspace would not be.
+    """
+
+    def __init__(self, standins: StandInFinder) -> None:
+        self._standins = standins
+
+    def find_spec(
+        self, fullname: str, path: Sequence[str] | None, target: types.ModuleType | None = None
+    ) -> importlib.machinery.ModuleSpec | None:
+        interface = _INTERFACE.match(fullname)
+        if not interface and "." in fullname:
+            return None
+        if fullname.partition(".")[0] in sys.stdlib_module_names:
+            return None
+        spec = importlib.machinery.PathFinder.find_spec(fullname, path)
+        if spec is None or spec.origin is not None or not spec.submodule_search_locations:
+            return None
+        if any(_holds_python(Path(place), interface is not None) for place in spec.submodule_search_locations):
+            return None
+        return self._standins.find_spec(fullname, None)
+
+
+def _holds_python(folder: Path, interface: bool) -> bool:
+    """Whether a folder can be meant as a package: it holds modules, and is not the folder of a ROS package."""
+    if any((folder / name).exists() for name in ("package.xml", "setup.py", "CMakeLists.txt")):
+        return False
+    return any(folder.glob("*.py")) or (not interface and any(folder.glob("*/*.py")))
+
+
+class _OldNumpyNames(importlib.abc.MetaPathFinder):
+    """numpy gave up its names for Python's own types; nodes that were written before still use them."""
+
+    def find_spec(
+        self, fullname: str, path: Sequence[str] | None, target: types.ModuleType | None = None
+    ) -> importlib.machinery.ModuleSpec | None:
+        if fullname != "numpy":
+            return None
+        spec = importlib.machinery.PathFinder.find_spec(fullname, path)
+        if spec is not None and spec.loader is not None:
+            run = spec.loader.exec_module
+
+            def exec_module(module: types.ModuleType) -> None:
+                run(module)
+                old = {"int": int, "float": float, "object": object, "str": str, "complex": complex, "bool": bool}
+                vars(module).update({name: value for name, value in old.items() if name not in vars(module)})
+                for name, value in (("float_", float), ("Inf", float("inf")), ("NaN", float("nan")), ("infty", float("inf"))):
+                    vars(module).setdefault(name, value)
+
+            spec.loader.exec_module = exec_module  # type: ignore[method-assign]
+        return spec
+
+
 def install() -> StandInFinder:
     """Put the finder in place and give it back."""
     finder = StandInFinder()
+    sys.meta_path[:0] = [_OldNumpyNames(), _NoAccidentalPackages(finder)]
     sys.meta_path.append(finder)
     return finder

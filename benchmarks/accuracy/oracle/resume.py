@@ -21,6 +21,10 @@ _SKIP, _CATCH, _CATCH_LOOP, _UNKNOWN = "__oracle_skip__", "__oracle_catch__", "_
 _BARE = (ast.FunctionDef, ast.AsyncFunctionDef, ast.Global, ast.Nonlocal, ast.Pass, ast.Break, ast.Continue, ast.Raise)
 
 
+class Left(Exception):
+    """The program wanted to exit; a second try goes on."""
+
+
 class _Rewriter:
     def __init__(self) -> None:
         self.raises: set[int] = set()
@@ -144,12 +148,17 @@ def _skip(error: BaseException, line: int) -> None:
     recorder.write("skipped", file=filename[len(recorder.root) :], line=line, reason=f"{type(error).__name__}: {error}"[:300])
 
 
+def _leave(code: object = None) -> None:
+    raise Left(f"exit({code!r})")
+
+
 def install() -> None:
     """From here on the repository's own files are loaded in their guarded form."""
     import builtins
 
     names: dict[str, Any] = {_SKIP: _skip, _CATCH: Exception, _CATCH_LOOP: (Exception, EndlessWait), _UNKNOWN: Unknown}
-    vars(builtins).update(names)
+    vars(builtins).update(names, exit=_leave, quit=_leave)
+    sys.exit = _leave
     plain = importlib.machinery.SourceFileLoader.source_to_code
 
     def source_to_code(self: Any, data: Any, path: Any, *, _optimize: int = -1) -> Any:

@@ -11,11 +11,14 @@ import builtins
 import concurrent.futures
 import io
 import os
+import select
 import signal
 import subprocess
 import sys
+import termios
 import threading
 import time
+import tty
 from argparse import ArgumentParser
 from collections import Counter
 from collections.abc import Callable, Iterator
@@ -91,6 +94,7 @@ def close(scratch: Path) -> None:
     _do_not_wait()
     _do_not_start_processes()
     _do_not_start_threads()
+    _do_not_require_settings()
     _do_not_require_arguments()
 
 
@@ -136,18 +140,27 @@ def _do_not_wait() -> None:
     time.sleep = sleep  # type: ignore[assignment]
     asyncio.sleep = async_sleep  # type: ignore[assignment]
     builtins.input = read  # type: ignore[assignment]
-    sys.stdin = io.StringIO("")
-    for name in ("wait", "join", "acquire"):
-        _shorten(threading.Event, name) if name == "wait" else None
+    sys.stdin = _Silence(Path(os.devnull).open("rb", buffering=0))
+    select.select = _returning(([], [], []))  # type: ignore[assignment]
+    for module in (termios, tty):
+        for name in ("tcgetattr", "tcsetattr", "setraw", "setcbreak", "tcflush", "tcdrain"):
+            setattr(module, name, Unknown(name))
+    threading.Event.wait = _returning(True)  # type: ignore[method-assign]
     threading.Condition.wait = _returning(True)  # type: ignore[assignment]
     threading.Thread.join = _returning(None)  # type: ignore[assignment]
-    real_exit = sys.exit
-    os._exit_for_real = os._exit  # type: ignore[attr-defined]
-    os._exit = lambda code=0: real_exit(code)  # type: ignore[assignment]
+    os._exit = lambda code=0: sys.exit(code)  # type: ignore[assignment]
 
 
-def _shorten(cls: type, name: str) -> None:
-    setattr(cls, name, _returning(True))
+class _Silence(io.TextIOWrapper):
+    """A keyboard that nobody presses."""
+
+    def read(self, size: int | None = -1) -> str:
+        waited(2)
+        return ""
+
+    def readline(self, size: int = -1) -> str:  # type: ignore[override]
+        waited(2)
+        return ""
 
 
 def _returning(value: Any) -> Callable[..., Any]:
@@ -191,6 +204,21 @@ def _do_not_start_threads() -> None:
         process.BaseProcess.join = _returning(None)  # type: ignore[method-assign]
     except ImportError:
         pass
+
+
+def _do_not_require_settings() -> None:
+    """An environment variable that must be set is an unknown text."""
+    plain = os._Environ.__getitem__
+
+    def get(self: Any, key: Any) -> Any:
+        try:
+            return plain(self, key)
+        except KeyError:
+            if sys._getframe(1).f_code.co_filename.startswith(recorder.root):
+                return str(Unknown(f"environment {key}"))
+            raise
+
+    os._Environ.__getitem__ = get  # type: ignore[method-assign]
 
 
 def _do_not_require_arguments() -> None:

@@ -23,7 +23,7 @@ class ParameterStore:
     def _start_parameters(self, overrides: Any, allow_undeclared: bool, declare_overrides: bool) -> None:
         self._oracle_values: dict[str, Parameter] = {}
         self._oracle_descriptors: dict[str, Any] = {}
-        self._oracle_callbacks: list[Any] = []
+        self._oracle_parameter_callbacks: list[Any] = []
         self._oracle_allow_undeclared = bool(allow_undeclared)
         self._oracle_overrides = {each.name: each for each in overrides or () if hasattr(each, "name")}
         self.declare_parameter("use_sim_time", False)
@@ -115,14 +115,14 @@ class ParameterStore:
         return interface("rcl_interfaces", "msg", "SetParametersResult")(successful=True)
 
     def _add_callback(self, callback: Any) -> None:
-        self._oracle_callbacks.append(callback)
+        self._oracle_parameter_callbacks.append(callback)
 
     add_on_set_parameters_callback = add_pre_set_parameters_callback = _add_callback
     add_post_set_parameters_callback = set_parameters_callback = _add_callback
 
     def _remove_callback(self, callback: Any) -> None:
-        if callback in self._oracle_callbacks:
-            self._oracle_callbacks.remove(callback)
+        if callback in self._oracle_parameter_callbacks:
+            self._oracle_parameter_callbacks.remove(callback)
 
     remove_on_set_parameters_callback = remove_pre_set_parameters_callback = _remove_callback
     remove_post_set_parameters_callback = _remove_callback

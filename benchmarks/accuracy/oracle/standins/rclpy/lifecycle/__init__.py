@@ -5,8 +5,8 @@ from __future__ import annotations
 from enum import Enum
 from typing import Any
 
-from rclpy.entities import Publisher
-from rclpy.node import Node
+from rclpy.entities import Publisher as _PlainPublisher
+from rclpy.node import Node as _PlainNode
 
 
 class TransitionCallbackReturn(Enum):
@@ -47,7 +47,7 @@ class SimpleManagedEntity(ManagedEntity):
         return wrapped if wrapped is not None else lambda function: function
 
 
-class LifecyclePublisher(Publisher):
+class LifecyclePublisher(_PlainPublisher):
     """A publisher that is managed."""
 
     is_activated = True
@@ -83,14 +83,18 @@ class LifecycleNodeMixin(ManagedEntity):
         return [self.on_configure, self.on_activate]
 
 
-class LifecycleNode(LifecycleNodeMixin, Node):
+class LifecycleNode(LifecycleNodeMixin, _PlainNode):
     """A managed node."""
 
     def __init__(self, node_name: str, *, enable_communication_interface: bool = True, **options: Any) -> None:
-        Node.__init__(self, node_name, **options)
+        _PlainNode.__init__(self, node_name, **options)
+
+
+Node = LifecycleNode
+Publisher = LifecyclePublisher
 
 
 __all__ = [
-    "LifecycleNode", "LifecycleNodeMixin", "LifecyclePublisher", "LifecycleState", "ManagedEntity", "Node",
+    "LifecycleNode", "LifecycleNodeMixin", "LifecyclePublisher", "LifecycleState", "ManagedEntity", "Node", "Publisher",
     "SimpleManagedEntity", "State", "TransitionCallbackReturn",
 ]  # fmt: skip
