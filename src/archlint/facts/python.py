@@ -23,6 +23,7 @@ def lower(text: str) -> Facts:
     Raises ``libcst.ParserSyntaxError`` for what is not Python 3, and ``RecursionError`` for what is nested
     too deeply for the stack at hand.
     """
+    text = text.removeprefix("\ufeff")  # no column counts the byte order mark
     module = libcst.parse_module(text)
     with_comments = SUPPRESSION_MARK in text
     positions = CommentPositions(module) if with_comments else Positions(module)
