@@ -1,1 +1,96 @@
-"""archlint."""
+"""The commands: the only place that prints and exits."""
+
+from __future__ import annotations
+
+import gc
+import os
+import sys
+from collections.abc import Sequence
+
+from archlint.cli.exits import FAILED, INTERRUPTED, READER_GONE, UsageError
+
+COMMANDS = ("check", "graph", "explain", "rules", "config")
+"""Each is a module of this package with ``parser()`` and ``run(arguments)``; a new command is a new row."""
+
+
+def main(argv: Sequence[str] | None = None) -> int:
+    """Run one command and return its exit status.  Without ``argv`` the process ends here, at once."""
+    gc.disable()  # a run is short, and its data lives until the end
+    status = _guarded(list(sys.argv[1:] if argv is None else argv))
+    if argv is None:
+        _leave(status)
+    return status
+
+
+def _guarded(arguments: list[str]) -> int:
+    """The exit status of a command, whatever happens in it: no exception and no traceback gets out."""
+    try:
+        status = _dispatch(arguments)
+        sys.stdout.flush()
+    except BrokenPipeError:
+        return READER_GONE
+    except KeyboardInterrupt:
+        return INTERRUPTED
+    except SystemExit as end:  # argparse: --help, or a usage error that it has told
+        return end.code if isinstance(end.code, int) else FAILED
+    except UsageError as error:
+        return _tell(f"error: {error}")
+    except Exception as error:
+        return _failed(error, "--verbose" in arguments)
+    return status
+
+
+def _dispatch(arguments: list[str]) -> int:
+    from importlib import import_module
+
+    for stream in (sys.stdout, sys.stderr):
+        if hasattr(stream, "reconfigure"):
+            stream.reconfigure(errors="backslashreplace")
+    first = arguments[0] if arguments else ""
+    if first in ("-h", "--help", "help"):
+        from archlint.cli.overview import OVERVIEW
+
+        print(OVERVIEW, end="")
+        return 0
+    if first in ("-V", "--version"):
+        from archlint import __version__
+
+        print(f"archlint {__version__}")
+        return 0
+    command, rest = (first, arguments[1:]) if first in COMMANDS else ("check", arguments)
+    module = import_module(f"archlint.cli.{command}")
+    status: int = module.run(module.parser().parse_intermixed_args(rest))
+    return status
+
+
+def _tell(text: str) -> int:
+    from archlint.cli.console import note
+
+    note(f"archlint: {text}")
+    return FAILED
+
+
+def _failed(error: Exception, verbose: bool) -> int:
+    from archlint.checks.registry import ISSUE_TRACKER
+
+    if verbose:
+        import traceback
+
+        _tell("traceback:\n" + "".join(traceback.format_exception(error)))
+    hint = "" if verbose else ", with what `--verbose` adds"
+    return _tell(
+        f"internal error: {type(error).__name__}: {error}\n"
+        f"This is a fault of archlint, not of your code. Please report it on {ISSUE_TRACKER}{hint}."
+    )
+
+
+def _leave(status: int) -> None:
+    """End the process without the long way out of the interpreter."""
+    try:
+        sys.stdout.flush()
+        sys.stderr.flush()
+    except BrokenPipeError:
+        status = READER_GONE
+    except KeyboardInterrupt:
+        status = INTERRUPTED
+    os._exit(status)

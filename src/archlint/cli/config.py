@@ -1,0 +1,80 @@
+"""``archlint config``: the effective configuration, and where each value came from."""
+
+from __future__ import annotations
+
+import argparse
+import json
+import sys
+from collections.abc import Iterator, Mapping
+from typing import TYPE_CHECKING
+
+from archlint.cli.exits import CLEAN
+from archlint.cli.options import Parser, add_configuration, add_paths, paths_of, settings_of
+from archlint.finding import Severity
+from archlint.visible import visible
+
+if TYPE_CHECKING:
+    from archlint.config import Glob, Settings
+
+
+def parser() -> argparse.ArgumentParser:
+    made = Parser("config", "Print the effective configuration as TOML, with where each value came from.")
+    add_paths(made)
+    add_configuration(made)
+    return made
+
+
+def run(arguments: argparse.Namespace) -> int:
+    settings = settings_of(arguments, paths_of(arguments)[0])
+    origins = settings.origins
+    rows = [(f"{key} = {_toml(value)}", origins.get(key, "default")) for key, value in _values(settings)]
+    width = min(max(len(text) for text, _ in rows), 60)
+    sys.stdout.write("".join(f"{visible(text):<{width}}  # {visible(origin)}\n" for text, origin in rows))
+    sys.stdout.write(f"# rules that run: {', '.join(_running(settings))}\n")
+    return CLEAN
+
+
+def _values(settings: Settings) -> Iterator[tuple[str, object]]:
+    """Keys with their effective values; those that are unset and have no default are left out."""
+    layers = settings.layers
+    selects = [layer.select for layer in layers if layer.select is not None]
+    if selects:
+        yield "select", selects[-1]
+    yield "extend-select", [code for layer in layers for code in layer.extend_select]
+    yield "ignore", [code for layer in layers for code in layer.ignore]
+    yield "severity", settings.severity
+    yield "exclude", settings.exclude
+    yield "per-file-ignores", settings.per_file_ignores
+    yield "per-package-ignores", settings.per_package_ignores
+    if settings.distro is not None:
+        yield "distro", settings.distro
+    yield "closed-world", settings.closed_world
+    yield "external", settings.external
+    yield "shared-topics", settings.shared_topics
+    if settings.cache_dir is not None:
+        yield "cache-dir", settings.cache_dir
+    yield "rules", settings.rules
+
+
+def _toml(value: object) -> str:
+    from archlint.config import Glob
+
+    if isinstance(value, Mapping):
+        inner = ", ".join(f"{json.dumps(_key(key))} = {_toml(one)}" for key, one in value.items())
+        return f"{{ {inner} }}" if inner else "{}"
+    if isinstance(value, Severity):
+        return json.dumps(value.label)
+    if isinstance(value, Glob):
+        return json.dumps(value.pattern)
+    if isinstance(value, (list, tuple)):
+        return f"[{', '.join(_toml(one) for one in value)}]"
+    return json.dumps(value)
+
+
+def _key(key: str | Glob) -> str:
+    return key if isinstance(key, str) else key.pattern
+
+
+def _running(settings: Settings) -> list[str]:
+    selection = settings.selection
+    return [code for code in selection.codes if selection.runs(code, settings.closed_world)]

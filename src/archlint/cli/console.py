@@ -1,0 +1,67 @@
+"""Where output goes: findings to standard output or a file, everything else to standard error."""
+
+from __future__ import annotations
+
+import os
+import sys
+from pathlib import Path
+from typing import TextIO
+
+from archlint.cli.exits import UsageError
+
+
+def note(text: str) -> None:
+    """Tell something on standard error; a reader that went away is not an error."""
+    from archlint.visible import visible
+
+    try:
+        for line in text.splitlines():
+            print(visible(line), file=sys.stderr)
+    except BrokenPipeError:
+        return
+
+
+def wants_color(when: str, stream: TextIO) -> bool:
+    """Whether to write colours: the option, then NO_COLOR, then what forces them, then the terminal."""
+    environment = os.environ.get
+    if when != "auto":
+        return when == "always"
+    if environment("NO_COLOR"):
+        return False
+    if environment("FORCE_COLOR", "0") != "0" or environment("CLICOLOR_FORCE", "0") != "0":
+        return True
+    if environment("CLICOLOR") == "0" or environment("TERM") == "dumb":
+        return False
+    return stream.isatty()
+
+
+def write(content: str | bytes, file: str | None) -> None:
+    """Write to a file, or to standard output where ``file`` is None or ``-``.
+
+    A file appears whole or not at all.  Raises :class:`UsageError` where it cannot be written.
+    """
+    if file is not None and file != "-":
+        _write_file(content.encode("utf-8", "replace") if isinstance(content, str) else content, Path(file))
+    elif isinstance(content, str):
+        sys.stdout.write(content)
+    else:
+        sys.stdout.flush()
+        sys.stdout.buffer.write(content)
+
+
+def _write_file(content: bytes, path: Path) -> None:
+    target = path.resolve()  # a symbolic link stays one
+    temporary = target.with_name(f".{target.name}.{os.getpid()}.tmp")
+    try:
+        if target.exists() and not target.is_file():  # /dev/null, a named pipe
+            target.write_bytes(content)
+            return
+        try:
+            temporary.write_bytes(content)
+            temporary.replace(target)
+        finally:
+            temporary.unlink(missing_ok=True)
+    except BrokenPipeError:
+        raise
+    except OSError as error:
+        raise UsageError(f"cannot write {path}: {error.strerror}") from None

@@ -1,0 +1,46 @@
+"""``archlint explain CODE``: a rule's page."""
+
+from __future__ import annotations
+
+import argparse
+import sys
+
+from archlint.cli.console import wants_color
+from archlint.cli.exits import CLEAN, UsageError
+from archlint.cli.options import Parser, add_talking
+from archlint.rulebook import Rule, find_rule, suggestion
+
+LEVELS = {"on": "on by default", "off": "opt-in", "closed-world": "on in a closed world"}
+
+
+def parser() -> argparse.ArgumentParser:
+    made = Parser("explain", "Print a rule's page: what it finds, why it matters, what to write instead.")
+    made.add_argument("rule", metavar="CODE", help="the code or the name of a rule")
+    add_talking(made)
+    return made
+
+
+def run(arguments: argparse.Namespace) -> int:
+    rule = find_rule(arguments.rule)
+    if rule is None:
+        near = suggestion(arguments.rule) or "; `archlint rules` lists them"
+        raise UsageError(f"unknown rule `{arguments.rule}`{near}")
+    page = f"{rule.page}\n{_facts(rule)}\n"
+    if wants_color(arguments.color, sys.stdout):
+        _print_rendered(page)
+    else:
+        sys.stdout.write(page)
+    return CLEAN
+
+
+def _facts(rule: Rule) -> str:
+    fix = f"{rule.fix} fix" if rule.fix else "no automatic fix"
+    return f"*{rule.severity.label}, {LEVELS[rule.default]}, {fix}, since {rule.since}*"
+
+
+def _print_rendered(page: str) -> None:
+    from rich.console import Console
+    from rich.markdown import Markdown
+
+    console = Console(force_terminal=True, force_interactive=False, highlight=False)
+    console.print(Markdown(page, code_theme="ansi_dark"), width=min(console.width, 100))

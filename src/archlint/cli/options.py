@@ -1,0 +1,123 @@
+"""Options that commands share, and what they mean for the settings."""
+
+from __future__ import annotations
+
+import argparse
+from collections.abc import Sequence
+from dataclasses import replace
+from difflib import get_close_matches
+from pathlib import Path
+from typing import NoReturn
+
+from archlint.cli import COMMANDS
+from archlint.cli.exits import UsageError
+from archlint.config import ConfigurationError, Settings, load
+from archlint.config_values import unknown_rule
+from archlint.rulebook import codes_of
+from archlint.selection import Layer
+
+
+class Parser(argparse.ArgumentParser):
+    """An argument parser that suggests the option that was probably meant."""
+
+    def __init__(self, command: str, description: str) -> None:
+        super().__init__(f"archlint {command}", description=description, allow_abbrev=False)
+
+    def error(self, message: str) -> NoReturn:
+        words = message.partition("unrecognized arguments: ")[2].split()
+        known = [text for action in self._actions for text in action.option_strings]
+        for word in words[:1]:
+            near = get_close_matches(word.partition("=")[0], known, 1)
+            message += f"; did you mean {near[0]}?" if near else ""
+        raise UsageError(f"{message}\nTry `{self.prog} --help`.")
+
+
+def add_paths(parser: argparse.ArgumentParser) -> None:
+    parser.add_argument(
+        "paths", metavar="PATH", nargs="*", help="a workspace, a package, a folder or files (default: .)"
+    )
+
+
+def add_configuration(parser: argparse.ArgumentParser) -> None:
+    group = parser.add_argument_group("configuration")
+    either = group.add_mutually_exclusive_group()
+    either.add_argument("--config", metavar="FILE", help="use this configuration file only")
+    either.add_argument("--isolated", action="store_true", help="use no configuration file")
+
+
+def add_running(parser: argparse.ArgumentParser) -> None:
+    group = parser.add_argument_group("running")
+    group.add_argument("--no-cache", action="store_true", help="neither read nor write the cache")
+    group.add_argument("--cache-dir", metavar="DIR", help="where the cache is")
+    group.add_argument("--jobs", metavar="N", type=_positive, help="the most processes at a time")
+
+
+def add_talking(parser: argparse.ArgumentParser) -> None:
+    group = parser.add_argument_group("messages")
+    group.add_argument("-q", "--quiet", action="store_true", help="print findings only, no summary")
+    group.add_argument("-v", "--verbose", action="store_true", help="say more, with tracebacks of our errors")
+    group.add_argument("--color", metavar="WHEN", choices=("auto", "always", "never"), default="auto",
+                       help="auto (default), always or never; NO_COLOR is honoured")  # fmt: skip
+
+
+def _positive(text: str) -> int:
+    if not text.isdecimal() or int(text) < 1:
+        raise argparse.ArgumentTypeError(f"must be a number from 1 on, not {text}")
+    return int(text)
+
+
+def paths_of(arguments: argparse.Namespace) -> tuple[str, ...]:
+    """The paths given, ``.`` without any.  Raises :class:`UsageError` for one that does not exist."""
+    paths: Sequence[str] = arguments.paths or ["."]
+    for path in paths:
+        if not Path(path).exists():
+            near = get_close_matches(path, COMMANDS, 1)
+            hint = f"; did you mean the command `{near[0]}`?" if near else ""
+            raise UsageError(f"no such file or directory: {path}{hint}")
+    return tuple(paths)
+
+
+def settings_of(arguments: argparse.Namespace, start: str) -> Settings:
+    """The settings for what is checked at ``start``, with the command line on top.
+
+    Raises :class:`UsageError` for a configuration that cannot be used.
+    """
+    file = None if arguments.config is None else Path(arguments.config)
+    try:
+        settings = Settings() if arguments.isolated else load(Path(start), file)
+    except ConfigurationError as error:
+        raise UsageError(str(error)) from None
+    cache_dir = getattr(arguments, "cache_dir", None)
+    if cache_dir is not None:
+        settings = _changed(settings, "cache-dir", cache_dir=cache_dir)
+    return _with_selection(settings, arguments)
+
+
+def _with_selection(settings: Settings, arguments: argparse.Namespace) -> Settings:
+    """The settings with ``--select``, ``--extend-select`` and ``--ignore`` as the last layer."""
+    given = {
+        key: split_selectors(getattr(arguments, key.replace("-", "_"), None), f"--{key}")
+        for key in ("select", "extend-select", "ignore")
+    }
+    layer = Layer(given["select"], given["extend-select"] or (), given["ignore"] or ())
+    if layer == Layer():
+        return settings
+    for key in (key for key, value in given.items() if value is not None):
+        settings = _changed(settings, key)
+    return replace(settings, layers=(*settings.layers, layer))
+
+
+def split_selectors(values: Sequence[str] | None, option: str) -> tuple[str, ...] | None:
+    """Codes from a repeatable option with commas; None where it was not given."""
+    if values is None:
+        return None
+    selectors = tuple(part.strip() for value in values for part in value.split(",") if part.strip())
+    for selector in selectors:
+        if not codes_of(selector):
+            raise UsageError(f"{option}: {unknown_rule(selector)}")
+    return selectors
+
+
+def _changed(settings: Settings, key: str, **values: str) -> Settings:
+    origins = {**settings.origins, key: "command line"}
+    return replace(settings, origins=origins, cache_dir=values.get("cache_dir", settings.cache_dir))

@@ -1,0 +1,26 @@
+"""The help of ``archlint`` itself."""
+
+from __future__ import annotations
+
+OVERVIEW = """\
+usage: archlint [COMMAND] [OPTIONS] [PATH ...]
+
+The architecture linter and graph analyzer for ROS 2: reads rclpy code, runs none of it.
+
+commands:
+  check [PATH ...]    find what is wrong between nodes and inside their callbacks
+                      (`archlint PATH` and `archlint` alone mean this)
+  graph [PATH ...]    the communication graph: text, json, dot, svg, png, pdf, mermaid ...
+  explain CODE        a rule's page: what it finds, why it matters, what to write instead
+  rules               the table of rules
+  config [PATH]       the effective configuration, and where each value came from
+
+options:
+  -V, --version       print the version
+  -h, --help          print this; `archlint COMMAND --help` tells more about a command
+
+exit status:
+  0  everything was analysed and nothing is at or above the failing severity
+  1  findings
+  2  could not do the job: a wrong option or configuration, no input, an internal error
+"""

@@ -1,0 +1,52 @@
+"""``archlint rules``: the table of rules."""
+
+from __future__ import annotations
+
+import argparse
+import sys
+from typing import Any
+
+from archlint.cli.exits import CLEAN
+from archlint.cli.options import Parser
+from archlint.rulebook import Rule, rules
+
+
+def parser() -> argparse.ArgumentParser:
+    made = Parser("rules", "List every rule: its severity, whether it is on by default, what it finds.")
+    made.add_argument("--format", metavar="F", choices=("text", "json"), default="text", help="text or json")
+    return made
+
+
+def run(arguments: argparse.Namespace) -> int:
+    book = list(rules().values())
+    sys.stdout.write(_json(book) if arguments.format == "json" else _text(book))
+    return CLEAN
+
+
+def _text(book: list[Rule]) -> str:
+    rows = [["code", "name", "severity", "default", "fix", "finds"]]
+    rows += [
+        [one.code, one.name, one.severity.label, one.default, one.fix or "-", one.summary] for one in book
+    ]
+    widths = [max(map(len, column)) for column in zip(*rows, strict=True)]
+    lines = ("  ".join(map(str.ljust, row, widths)).rstrip() for row in rows)
+    return "".join(f"{line}\n" for line in lines)
+
+
+def _json(book: list[Rule]) -> str:
+    import json
+
+    return json.dumps({"version": 1, "rules": [_entry(rule) for rule in book]}, indent=1) + "\n"
+
+
+def _entry(rule: Rule) -> dict[str, Any]:
+    return {
+        "code": rule.code,
+        "name": rule.name,
+        "severity": rule.severity.label,
+        "default": rule.default,
+        "fix": rule.fix or None,
+        "since": rule.since,
+        "seed": rule.seed or None,
+        "summary": rule.summary,
+    }

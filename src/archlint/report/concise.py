@@ -1,0 +1,18 @@
+"""One line a finding: ``file:line:column: CODE message``."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from archlint.visible import visible
+
+if TYPE_CHECKING:
+    from archlint.report.model import Report
+
+
+def render(report: Report) -> str:
+    return "".join(
+        f"{visible(finding.place.file)}:{finding.place.line}:{finding.place.column}: "
+        f"{finding.code} {visible(finding.message)}\n"
+        for finding in report.findings
+    )

@@ -1,0 +1,139 @@
+"""Code frames: the lines that a finding is about, with each place underlined.
+
+A frame is made of lines, a line of pieces of text with a style, so that it can be printed plain or in colour.
+"""
+
+from __future__ import annotations
+
+import unicodedata
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from archlint.visible import visible
+
+if TYPE_CHECKING:
+    from archlint.finding import Finding, Place
+    from archlint.report.model import SourceLine
+
+Piece = tuple[str, str]
+"""A style and a text that is safe to show."""
+Line = list[Piece]
+
+MAX_WIDTH = 160
+"""Cells of a source line that are shown; of longer ones the part around the underlined place."""
+CONTEXT = 1
+"""Lines shown before and after the primary place."""
+_TAB = "    "
+
+
+@dataclass(frozen=True)
+class Mark:
+    """A place to underline, with what to say about it; ``style`` is that of the underline."""
+
+    place: Place
+    message: str
+    style: str
+    primary: bool
+
+
+def frames(finding: Finding, source_line: SourceLine) -> Iterator[Line]:
+    """The frames of a finding: one for each file, that of the primary place first."""
+    marks = [Mark(finding.place, "", finding.severity.label, True)]
+    marks += [Mark(related.place, related.message, "related", False) for related in finding.related]
+    by_file: dict[str, list[Mark]] = {}
+    for mark in marks:
+        by_file.setdefault(mark.place.file, []).append(mark)
+    width = len(str(max(mark.place.line for mark in marks) + CONTEXT))
+    for file, here in by_file.items():
+        place = here[0].place
+        arrow = "-->" if here[0].primary else ":::"
+        yield [("gutter", f"{' ' * width}{arrow} "), ("path", f"{visible(file)}:{place.line}:{place.column}")]
+        yield from _frame(here, source_line, width)
+
+
+def _frame(marks: Sequence[Mark], source_line: SourceLine, width: int) -> Iterator[Line]:
+    file = marks[0].place.file
+    by_line: dict[int, list[Mark]] = {}
+    for mark in marks:
+        by_line.setdefault(mark.place.line, []).append(mark)
+        if mark.primary:
+            for near in range(max(mark.place.line - CONTEXT, 1), mark.place.line + CONTEXT + 1):
+                by_line.setdefault(near, [])
+    texts = {number: source_line(file, number) for number in sorted(by_line)}
+    if all(texts[number] is None for number in by_line if by_line[number]):
+        yield from _without_source(marks, width)
+        return
+    yield _gutter(width)
+    previous = 0
+    for number, text in texts.items():
+        if text is None or not (text.strip() or by_line[number]):
+            continue
+        if previous and number > previous + 1:
+            yield [("gutter", "...")]
+        previous = number
+        yield from _source(number, text, by_line[number], width)
+    yield _gutter(width)
+
+
+def _gutter(width: int, number: int | None = None) -> Line:
+    label = "" if number is None else str(number)
+    return [("gutter", f"{label:>{width}} |")]
+
+
+def _without_source(marks: Sequence[Mark], width: int) -> Iterator[Line]:
+    for mark in marks:
+        if mark.message:
+            text = f"line {mark.place.line}: {visible(mark.message)}"
+            yield [("gutter", " " * width + " = "), (mark.style, text)]
+
+
+def _source(number: int, text: str, marks: Sequence[Mark], width: int) -> Iterator[Line]:
+    """A source line and one line under it for each of its marks."""
+    start, stop = _window(text, marks)
+    shown = _shown(text[start:stop])
+    clipped = ("…" if start else ""), ("…" if stop < len(text) else "")
+    yield [*_gutter(width, number), ("plain", f" {clipped[0]}{shown}{clipped[1]}".rstrip())]
+    for mark in sorted(marks, key=lambda mark: not mark.primary):
+        first, end = _columns(mark, len(text))
+        before = clipped[0] + _shown(text[start : max(first, start)])
+        under = _shown(text[max(first, start) : min(end, stop)])
+        line: Line = [*_gutter(width), ("plain", " " + " " * _cells(before))]
+        line.append((mark.style, ("^" if mark.primary else "-") * max(_cells(under), 1)))
+        if mark.message:
+            line.append((mark.style, " " + visible(mark.message)))
+        yield line
+
+
+def _columns(mark: Mark, length: int) -> tuple[int, int]:
+    """First index of a mark in its line and the index after its last; a longer span ends with the line."""
+    place = mark.place
+    first = min(place.column - 1, length)
+    end = place.end_column - 1 if place.end_line == place.line else length
+    return first, min(max(end, first), length)
+
+
+def _window(text: str, marks: Sequence[Mark]) -> tuple[int, int]:
+    """The part of a line that is shown."""
+    if len(text) <= MAX_WIDTH or not marks:
+        return 0, min(len(text), MAX_WIDTH)
+    first = min(_columns(mark, len(text))[0] for mark in marks)
+    start = max(0, min(first - MAX_WIDTH // 4, len(text) - MAX_WIDTH))
+    return start, start + MAX_WIDTH
+
+
+def _shown(text: str) -> str:
+    return "".join(_TAB if character == "\t" else visible(character) for character in text)
+
+
+def _cells(text: str) -> int:
+    """How many cells of a terminal a text takes: wide characters two, combining ones none."""
+    if text.isascii():
+        return len(text)
+    return sum(_cell(character) for character in text)
+
+
+def _cell(character: str) -> int:
+    if unicodedata.combining(character) or unicodedata.category(character) in ("Mn", "Me"):
+        return 0
+    return 2 if unicodedata.east_asian_width(character) in "WF" else 1

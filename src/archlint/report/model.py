@@ -1,0 +1,82 @@
+"""What a run has to tell: findings in order, counts, and a way to look at the source."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+
+from archlint.finding import Finding, Severity
+
+SourceLine = Callable[[str, int], "str | None"]
+"""The text of a line of a file, as a :class:`~archlint.finding.Place` names them; None if there is none."""
+
+
+@dataclass(frozen=True)
+class Summary:
+    """The figures of a run; ``unresolved`` counts endpoints whose name is not known, times are in seconds."""
+
+    files: int
+    nodes: int
+    errors: int
+    warnings: int
+    infos: int
+    suppressed: int
+    unresolved: int
+    elapsed_s: float
+
+    @property
+    def findings(self) -> int:
+        return self.errors + self.warnings + self.infos
+
+
+@dataclass(frozen=True)
+class Report:
+    """``findings`` are in the order of ``Finding.sort_key``."""
+
+    findings: Sequence[Finding]
+    summary: Summary
+    source_line: SourceLine
+
+
+def summarise(
+    findings: Sequence[Finding], *, files: int, nodes: int, suppressed: int, unresolved: int, elapsed_s: float
+) -> Summary:
+    count = Counter(finding.severity for finding in findings)
+    return Summary(
+        files=files,
+        nodes=nodes,
+        errors=count[Severity.ERROR],
+        warnings=count[Severity.WARNING],
+        infos=count[Severity.INFO],
+        suppressed=suppressed,
+        unresolved=unresolved,
+        elapsed_s=elapsed_s,
+    )
+
+
+def summary_line(summary: Summary) -> str:
+    """The run in one sentence."""
+    where = f"{_count(summary.files, 'file')} with {_count(summary.nodes, 'node')}"
+    notes = [
+        f"{summary.suppressed} suppressed" if summary.suppressed else "",
+        f"{_count(summary.unresolved, 'name')} unresolved" if summary.unresolved else "",
+    ]
+    tail = "".join(f"; {note}" for note in notes if note)
+    if not summary.findings:
+        return f"No findings in {where}{tail}."
+    levels = [(summary.errors, "error"), (summary.warnings, "warning"), (summary.infos, "info")]
+    found = ", ".join(_count(number, word) for number, word in levels if number)
+    return f"Found {found} in {where}{tail}."
+
+
+def statistics(findings: Sequence[Finding]) -> str:
+    """How often each rule found something, the most frequent first."""
+    count = Counter((finding.code, finding.name) for finding in findings)
+    rows = sorted(count.items(), key=lambda entry: (-entry[1], entry[0]))
+    width = max((len(str(number)) for _, number in rows), default=0)
+    return "".join(f"{number:>{width}}  {code}  {name}\n" for (code, name), number in rows)
+
+
+def _count(number: int, word: str) -> str:
+    return f"{number} {word}" if number == 1 else f"{number} {word}s"
