@@ -1,0 +1,188 @@
+"""Callbacks: what is handed to an executor, a future or a thread, noted to be run later."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from archlint.facts import model as facts
+from archlint.finding import Place
+from archlint.program import model
+from archlint.program.values import (
+    ApiMethod,
+    BoundMethod,
+    Builtin,
+    ClassValue,
+    DictValue,
+    External,
+    FunctionValue,
+    FutureValue,
+    Instance,
+    Known,
+    ListValue,
+    MessageValue,
+    Partial,
+    Unknown,
+    Value,
+    alternatives,
+)
+
+if TYPE_CHECKING:
+    from archlint.program.api.effects import ApiUse
+    from archlint.program.run import Run
+
+_GOAL_HANDLE = External("rclpy.action.server.ServerGoalHandle")
+
+
+def register_row(
+    run: Run,
+    call: ApiUse,
+    node: model.Blueprint | None,
+    creation: model.Creation | None,
+    group: model.Group | None = None,
+) -> dict[str, model.Callback]:
+    """Register all callbacks that a call of the table hands over."""
+    found: dict[str, model.Callback] = {}
+    for parameter, role in call.api.callbacks:
+        value = call.get(parameter)
+        if value is None:
+            continue
+        callback = register(run, value, role, node, creation, group, call)
+        if callback is not None:
+            found[role] = callback
+    return found
+
+
+def register(
+    run: Run,
+    value: Value,
+    role: str,
+    node: model.Blueprint | None,
+    creation: model.Creation | None,
+    group: model.Group | None,
+    call: ApiUse,
+    arguments: tuple[Value, ...] | None = None,
+) -> model.Callback | None:
+    """Note a callable under its role; the first callable of several alternatives names the callback."""
+    made: model.Callback | None = None
+    for option in alternatives(value):
+        if isinstance(option, Known):
+            continue  # None: no callback
+        callback = describe(run, option)
+        callback.role = role
+        callback.node = node
+        callback.creation = creation
+        callback.group = None if role in ("execute", "done", "task", "thread", "feedback") else group
+        callback.registered = run.place(call.expression.span) if call.expression is not None else None
+        key = (role, callback.registered, callback.name, callback.place, id(creation), _receiver(option))
+        if key in run.registered:
+            continue
+        run.registered.add(key)
+        run.program.callbacks.append(callback)
+        if node is not None:
+            node.callbacks.append(callback)
+        if callback.function is not None:
+            from archlint.program.run import Pending
+
+            given = arguments if arguments is not None else default_arguments(run, role, creation, call)
+            run.pending.append(Pending(callback, option, given))
+        made = made or callback
+    return made
+
+
+def _receiver(value: Value) -> int:
+    if isinstance(value, BoundMethod) and isinstance(value.self_value, Instance):
+        return value.self_value.key
+    if isinstance(value, Partial):
+        return _receiver(value.function)
+    return 0
+
+
+def default_arguments(
+    run: Run, role: str, creation: model.Creation | None, call: ApiUse
+) -> tuple[Value, ...]:
+    """What rclpy calls a callback of this role with."""
+    type_ = creation.type if creation is not None else None
+
+    def message(part: str) -> Value:
+        if type_ is None:
+            return Unknown("a message of unknown type")
+        return MessageValue(type_, part, run.store.new_key())
+
+    if role == "subscription":
+        return (message(""),)
+    if role == "service":
+        return (message("Request"), message("Response"))
+    if role in ("execute", "cancel", "accepted"):
+        made = Instance(_GOAL_HANDLE, run.store.new_key())
+        run.store.set(made.key, "request", message("Goal"))
+        return (made,)
+    if role == "goal":
+        return (message("Goal"),)
+    if role == "done":
+        return (call.receiver,) if isinstance(call.receiver, FutureValue) else (Unknown("a future"),)
+    if role in ("parameter", "event", "feedback", "filter"):
+        return (Unknown("what rclpy passes to the callback"),)
+    return ()
+
+
+def describe(run: Run, value: Value) -> model.Callback:
+    """What a callable is, for people: its name and where it is defined."""
+    here = run.place((1, 1, 1, 1))
+    if isinstance(value, FunctionValue):
+        span = value.ir.name_span if isinstance(value.ir, facts.Function) else value.ir.span
+        place = Place(value.scope.module.path, *span)
+        is_async = isinstance(value.ir, facts.Function) and value.ir.is_async
+        return model.Callback(
+            "", value.qualified, place, value.ir, is_async=is_async, file=value.scope.module.path
+        )
+    if isinstance(value, BoundMethod):
+        callback = describe(run, value.function)
+        callback.bound_arguments += 1
+        return callback
+    if isinstance(value, Partial):
+        callback = describe(run, value.function)
+        callback.bound_arguments += len(value.args)
+        return callback
+    if isinstance(value, Instance) and isinstance(value.cls, ClassValue):
+        from archlint.program.attributes import get_attribute
+
+        method = get_attribute(run, value, "__call__")
+        if isinstance(method, BoundMethod):
+            return describe(run, method)
+        return model.Callback("", value.cls.qualified, here, None)
+    if isinstance(value, (ApiMethod, External)):
+        return model.Callback("", value.path, here, None)
+    if isinstance(value, Builtin):
+        return model.Callback("", value.name, here, None)
+    if isinstance(value, Unknown):
+        callback = model.Callback("", "?", here, None)
+        if (value.name or "").startswith("missing:"):
+            callback.missing = (value.name or "").removeprefix("missing:")
+        return callback
+    return model.Callback("", "?", here, None)
+
+
+def thread(run: Run, call: ApiUse) -> Value:
+    """``threading.Thread(target=…, args=…)``."""
+    from archlint.program import expressions
+
+    arguments: list[Value] = []
+    given = call.get("args")
+    if isinstance(given, ListValue):
+        arguments = list(expressions.items_of(run, given).values)
+    keywords = call.get("kwargs")
+    for parameter, role in call.api.callbacks:
+        value = call.get(parameter)
+        if value is None:
+            continue
+        if isinstance(keywords, DictValue):
+            entries = expressions.entries_of(run, keywords).entries.values()
+            pairs = tuple(
+                (key.value, item)
+                for key, item in entries
+                if isinstance(key, Known) and isinstance(key.value, str)
+            )
+            value = Partial(value, (), pairs) if pairs else value
+        register(run, value, role, None, None, None, call, tuple(arguments))
+    place = run.place(call.expression.span) if call.expression is not None else None
+    return Instance(External(call.api.path), run.store.new_key(), place)

@@ -1,0 +1,353 @@
+"""What a call of a foreign function or method does to the run: the table's effects, by name."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from archlint.facts import model as facts
+from archlint.finding import Place
+from archlint.program import model
+from archlint.program.api import rclpy_names, tables
+from archlint.program.api.tables import Api
+from archlint.program.values import (
+    ApiMethod,
+    ClassValue,
+    EntityValue,
+    ExecutorValue,
+    External,
+    FutureValue,
+    Instance,
+    Known,
+    MessageValue,
+    NodeValue,
+    OneOf,
+    Unknown,
+    Value,
+    alternatives,
+    one_of,
+)
+
+if TYPE_CHECKING:
+    from archlint.program.run import Run
+
+
+@dataclass
+class ApiUse:
+    """One call of an API: what it was called on, and its arguments by the API's own parameter names."""
+
+    api: Api
+    receiver: Value | None
+    arguments: dict[str, Value]
+    expression: facts.Call | None
+    open: bool
+    """True where more arguments may follow than are known."""
+    rest: list[Value]
+    """Positional arguments beyond the signature."""
+    keywords: dict[str, Value]
+
+    def get(self, name: str | None) -> Value | None:
+        return None if name is None else self.arguments.get(name)
+
+
+Effect = Callable[["Run", ApiUse], Value]
+
+
+def bind_api(api: Api, args: list[Value], keywords: dict[str, Value]) -> tuple[dict[str, Value], list[Value]]:
+    bound = dict(zip(api.positional, args, strict=False))
+    for name, value in keywords.items():
+        bound.setdefault(name, value)
+    return bound, args[len(api.positional) :]
+
+
+def argument_places(run: Run, api: Api, e: facts.Call | None, skip: int = 0) -> dict[str, Place]:
+    """Where each argument of a call is written, by the API's parameter names."""
+    found: dict[str, Place] = {}
+    if e is None or not run.activations:
+        return found
+    position = -skip
+    for argument in e.args:
+        if argument.star:
+            break
+        span = getattr(argument.value, "span", None)
+        if argument.keyword is not None:
+            name: str | None = argument.keyword
+        else:
+            name = api.positional[position] if 0 <= position < len(api.positional) else None
+            position += 1
+        if name is not None and span is not None:
+            found[name] = run.place(span)
+    return found
+
+
+def call_external(
+    run: Run,
+    function: External,
+    args: list[Value],
+    keywords: dict[str, Value],
+    expression: facts.Call | None,
+    open_arguments: bool,
+) -> Value:
+    """Call a foreign function or class by its dotted name."""
+    path = rclpy_names.canonical(function.path)
+    interface, part = rclpy_names.interface_and_part(path)
+    if interface is not None:
+        return _make_message(run, interface, part, keywords)
+    api = tables.find(path)
+    if api is not None:
+        receiver = None
+        if _is_method(path) and args and api.node is None:
+            receiver, args = args[0], args[1:]  # Node.__init__(self, …) and the like
+        return use(run, api, receiver, args, keywords, expression, open_arguments)
+    plain = python_effects.PLAIN.get(path)
+    if plain is not None:
+        return plain(run, args, keywords, expression)
+    name = path.rpartition(".")[2]
+    if name[:1].isupper() or path in ("dataclasses.field",):
+        place = run.place(expression.span) if expression is not None and run.activations else None
+        arguments = {str(i): value for i, value in enumerate(args)} | keywords
+        return Instance(External(path), run.store.new_key(), place, arguments, path)
+    return Unknown(f"{path}() is outside of this workspace")
+
+
+def _is_method(path: str) -> bool:
+    owner = path.rpartition(".")[0].rpartition(".")[2]
+    return owner[:1].isupper()
+
+
+def call_method(
+    run: Run,
+    function: ApiMethod,
+    args: list[Value],
+    keywords: dict[str, Value],
+    expression: facts.Call | None,
+    open_arguments: bool,
+) -> Value:
+    """Call a method of a foreign class, or one that a class of ours inherits from it."""
+    path = function.path
+    receiver = function.self_value
+    api = tables.find(path)
+    if api is None and path.endswith(".__init__") and isinstance(receiver, Instance):
+        api = tables.find(path.removesuffix(".__init__"))
+        if api is not None and api.effect == "executor":
+            return executors.adopt_executor(run, api, receiver, args, keywords)
+        if api is not None and api.effect == "endpoint":
+            # A class of ours derived from, say, ActionServer.
+            return use(run, api, receiver, args, keywords, expression, open_arguments)
+        nodes.name_by_foreign_base(run, receiver, path)
+        return Unknown(f"{path} is outside of this workspace")
+    if api is not None:
+        return use(run, api, receiver, args, keywords, expression, open_arguments)
+    method = python_effects.METHODS.get(path)
+    if method is not None:
+        return method(run, receiver, args, keywords, expression)
+    return Unknown(f"{path.removeprefix('?.')}() is outside of this workspace")
+
+
+def use(
+    run: Run,
+    api: Api,
+    receiver: Value | None,
+    args: list[Value],
+    keywords: dict[str, Value],
+    expression: facts.Call | None,
+    open_arguments: bool,
+) -> Value:
+    if isinstance(receiver, OneOf):
+        options = [option for option in receiver.values if not isinstance(option, Known)]
+        if len(options) > 1:
+            return one_of(use(run, api, o, args, keywords, expression, open_arguments) for o in options)
+        receiver = options[0] if options else receiver
+    bound, rest = bind_api(api, args, keywords)
+    call = ApiUse(api, receiver, bound, expression, open_arguments, rest, keywords)
+    if api.watched and expression is not None:
+        record(run, api, receiver, bound, expression)
+    return EFFECTS[api.effect](run, call)
+
+
+def creations_of(value: Value | None) -> tuple[model.Creation, ...]:
+    if isinstance(value, (EntityValue, FutureValue)):
+        return value.creations
+    return ()
+
+
+def record(run: Run, api: Api, receiver: Value | None, bound: dict[str, Value], e: facts.Call) -> None:
+    """Note a call that checks want to see; one a place and context."""
+    if not run.activations:
+        return
+    activation = run.activation
+    place = run.place(e.span)
+    key = (api.path, place, id(run.context))
+    on = creations_of(receiver)
+    known = run.calls.get(key)
+    if known is not None:
+        if known.creation is None and len(on) == 1:
+            known.creation = on[0]
+        known.conditional = known.conditional and bool(run.arms)
+        return
+    first = on[0] if len(on) == 1 else None
+    node = first.node if first is not None else nodes.known_node(run, receiver)
+    call = model.ApiCall(
+        api.path,
+        place,
+        run.context,
+        run.chain(),
+        dict(bound),
+        argument_places(run, api, e),
+        receiver,
+        first,
+        node,
+        activation.qualified,
+        activation.module.path,
+        e,
+        activation.statement,
+        tuple(activation.loops),
+        activation.body,
+        bool(run.arms),
+        False,
+        activation.tries > 0,
+    )
+    run.calls[key] = call
+    run.program.calls.append(call)
+
+
+# ------------------------------------------------------------------------------------------------ messages
+
+
+def _make_message(run: Run, interface: str, part: str, keywords: dict[str, Value]) -> Value:
+    made = MessageValue(interface, part, run.store.new_key())
+    for name, value in keywords.items():
+        run.store.set(made.key, name, value)
+    return made
+
+
+def await_future(run: Run, future: FutureValue, expression: facts.Await) -> Value:
+    """``await future``: the answer; noted as a wait."""
+    api = Api(f"{future.api}.await", (), watched=True)
+    place_call = facts.Call(expression.value, [], expression.span)
+    record(run, api, future, {}, place_call)
+    return answer(run, future)
+
+
+def answer(run: Run, future: FutureValue) -> Value:
+    """What a future gives."""
+    if future.result is not None:
+        return future.result
+    for creation in future.creations:
+        if creation.kind == model.ACTION_CLIENT:
+            if future.api.endswith("send_goal_async"):
+                return EntityValue(
+                    future.creations, "rclpy.action.client.ClientGoalHandle", run.store.new_key()
+                )
+            return MessageValue(creation.type, "Result", run.store.new_key()) if creation.type else Unknown(
+                "the result of an action of unknown type"
+            )
+        if creation.type is not None:
+            return MessageValue(creation.type, "Response", run.store.new_key())
+    return Unknown("what a future gives")
+
+
+def _none(run: Run, call: ApiUse) -> Value:
+    return Unknown(f"what {call.api.path}() gives")
+
+
+def _wait_answer(run: Run, call: ApiUse) -> Value:
+    callbacks.register_row(run, call, None, None)
+    on = creations_of(call.receiver)
+    if on:
+        return answer(run, FutureValue(on, call.api.path))
+    return Unknown("the answer of a service")
+
+
+def _call_async(run: Run, call: ApiUse) -> Value:
+    callbacks.register_row(run, call, None, None)
+    place = run.place(call.expression.span) if call.expression is not None else None
+    return FutureValue(creations_of(call.receiver), call.api.path, place)
+
+
+def _future_result(run: Run, call: ApiUse) -> Value:
+    if isinstance(call.receiver, FutureValue):
+        return answer(run, call.receiver)
+    return Unknown("what a future gives")
+
+
+def _callbacks(run: Run, call: ApiUse) -> Value:
+    callbacks.register_row(run, call, nodes.known_node(run, call.receiver), None)
+    return Unknown(f"what {call.api.path}() gives")
+
+
+_GET_INTERFACE = re.compile(r"^([a-z][a-z0-9_]*)/(?:(msg|srv|action)/)?([A-Z]\w*)$")
+
+
+def _get_interface(run: Run, call: ApiUse) -> Value:
+    found: list[Value] = []
+    for option in alternatives(call.arguments.get("identifier", Unknown("no name"))):
+        match = _GET_INTERFACE.match(option.value) if (
+            isinstance(option, Known) and isinstance(option.value, str)
+        ) else None
+        if match is None:
+            found.append(Unknown("the interface is chosen by data"))
+            continue
+        package, kind, name = match.groups()
+        found.append(External(f"{package}.{kind or call.api.kind}.{name}"))
+    return one_of(found)
+
+
+from archlint.program.api import (  # noqa: E402
+    callbacks,
+    entities,
+    executors,
+    nodes,
+    parameters,
+    profiles,
+    python_effects,
+)
+
+adopt = nodes.adopt
+
+EFFECTS: dict[str, Effect] = {
+    "none": _none,
+    "create_node": nodes.create_node,
+    "node_init": nodes.node_init,
+    "endpoint": entities.endpoint,
+    "timer": entities.timer,
+    "rate": entities.rate,
+    "transform_listener": entities.transform_listener,
+    "transform_buffer": entities.transform_buffer,
+    "destroy": entities.destroy,
+    "callbacks": _callbacks,
+    "thread": callbacks.thread,
+    "wait_answer": _wait_answer,
+    "call_async": _call_async,
+    "future_result": _future_result,
+    "spin": executors.spin,
+    "executor": executors.make_executor,
+    "executor_spin": executors.executor_spin,
+    "add_node": executors.add_node,
+    "declare_parameter": parameters.declare_parameter,
+    "declare_parameters": parameters.declare_parameters,
+    "get_parameter": parameters.get_parameter,
+    "get_parameters": parameters.get_parameters,
+    "get_parameter_or": parameters.get_parameter_or,
+    "get_parameters_by_prefix": parameters.get_parameters_by_prefix,
+    "has_parameter": parameters.has_parameter,
+    "set_parameters": parameters.set_parameters,
+    "parameter": parameters.make_parameter,
+    "get_name": nodes.get_name,
+    "get_namespace": nodes.get_namespace,
+    "get_fully_qualified_name": nodes.get_fully_qualified_name,
+    "resolve_name": nodes.resolve_name,
+    "qos_profile": profiles.make_profile,
+    "qos_preset": profiles.preset_by_key,
+    "duration": profiles.make_duration,
+    "get_interface": _get_interface,
+    "import_module": python_effects.import_module,
+    "partial": python_effects.partial,
+    "path_join": python_effects.path_join,
+    "environment": python_effects.environment,
+    "argument_parser": python_effects.argument_parser,
+}
+
+__all__ = ["EFFECTS", "ApiUse", "ClassValue", "ExecutorValue", "NodeValue", "adopt"]

@@ -1,0 +1,103 @@
+"""Executors: which one spins which node, and with how many threads."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from archlint.program import model
+from archlint.program.api import nodes
+from archlint.program.values import ExecutorValue, Instance, Known, OneOf, Unknown, Value
+
+if TYPE_CHECKING:
+    from archlint.program.api.effects import ApiUse
+    from archlint.program.api.tables import Api
+    from archlint.program.run import Run
+
+
+def make_executor(run: Run, call: ApiUse) -> Value:
+    use = _new_use(run, call.api.kind, call.get("num_threads"), call)
+    return ExecutorValue(use, call.api.path, run.store.new_key())
+
+
+def adopt_executor(
+    run: Run, api: Api, receiver: Instance, args: list[Value], keywords: dict[str, Value]
+) -> Value:
+    """An executor class of ours: ``super().__init__()`` tells which kind it is."""
+    threads = keywords.get("num_threads", args[0] if args else None)
+    run.store.set(receiver.key, "#executor", _new_use(run, api.kind, threads, None))
+    return Known(None)
+
+
+def _new_use(run: Run, kind: str, threads: Value | None, call: ApiUse | None) -> model.ExecutorUse:
+    count = threads.value if isinstance(threads, Known) and isinstance(threads.value, int) else None
+    if kind in ("single_threaded", "events"):
+        count = 1
+    place = run.place(call.expression.span) if call is not None and call.expression is not None else None
+    use = model.ExecutorUse(kind, count, [], place)
+    run.program.executors.append(use)
+    return use
+
+
+def use_of(run: Run, value: Value | None) -> model.ExecutorUse | None:
+    if isinstance(value, ExecutorValue):
+        return value.use
+    if isinstance(value, Instance):
+        use = run.store.get(value.key, "#executor")
+        return use if isinstance(use, model.ExecutorUse) else None
+    if isinstance(value, OneOf):
+        found = [use for use in (use_of(run, option) for option in value.values) if use is not None]
+        return found[0] if len(found) == 1 else None
+    return None
+
+
+def _global_use(run: Run) -> model.ExecutorUse:
+    """The process-wide single-threaded executor of ``rclpy.spin``."""
+    for use in run.program.executors:
+        if use.place is None and use.kind == "single_threaded":
+            return use
+    use = model.ExecutorUse("single_threaded", 1, [], None)
+    run.program.executors.append(use)
+    return use
+
+
+def _put(use: model.ExecutorUse, node: model.Blueprint) -> None:
+    if node not in use.nodes:
+        use.nodes.append(node)
+    kind = "single_threaded" if use.kind == "events" else use.kind
+    if node.executor in ("none", kind):
+        node.executor = kind
+    elif node.executor != kind:
+        # Spun by several: the one that serves it at the end is not for us to guess, unless the first was only
+        # a helper's spin before the real one.
+        node.executor = "multi_threaded" if "multi_threaded" in (node.executor, kind) else "unknown"
+
+
+def spin(run: Run, call: ApiUse) -> Value:
+    """``rclpy.spin(node)`` and its relatives."""
+    given = call.get("executor")
+    use = use_of(run, given)
+    if use is None:
+        unknown = given is not None and not (isinstance(given, Known) and given.value is None)
+        use = model.ExecutorUse("unknown", None, [], None) if unknown else _global_use(run)
+    use.spun = True
+    use.in_thread = use.in_thread or run.context.role == "thread"
+    if run.context.role in ("init", "main", "module", "thread", "method"):
+        for node in nodes.nodes_of(run, call.get("node"), plausible=False):
+            _put(use, node)
+    return Unknown("what a spin gives")
+
+
+def add_node(run: Run, call: ApiUse) -> Value:
+    use = use_of(run, call.receiver)
+    if use is not None:
+        for node in nodes.nodes_of(run, call.get("node"), plausible=False):
+            _put(use, node)
+    return Known(True)
+
+
+def executor_spin(run: Run, call: ApiUse) -> Value:
+    use = use_of(run, call.receiver)
+    if use is not None:
+        use.spun = True
+        use.in_thread = use.in_thread or run.context.role == "thread"
+    return Unknown("what a spin gives")

@@ -1,0 +1,301 @@
+"""Nodes: made by a class of ours, by ``create_node``, or handed in by nobody we can see."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from archlint.finding import Place
+from archlint.program import model
+from archlint.program.api import rclpy_names
+from archlint.program.texts import text_of_value
+from archlint.program.values import (
+    TRUE,
+    ClassValue,
+    External,
+    FunctionValue,
+    Holed,
+    Instance,
+    Known,
+    ListValue,
+    NodeValue,
+    OneOf,
+    Unknown,
+    Value,
+    join_texts,
+)
+
+if TYPE_CHECKING:
+    from archlint.program.api.effects import ApiUse
+    from archlint.program.run import Run
+
+_ROOT = model.Text("/", "exact")
+
+
+def _test_file(path: str) -> bool:
+    parts = path.split("/")
+    stem = parts[-1].removesuffix(".py")
+    return (
+        any(part in ("test", "tests") for part in parts[:-1])
+        or stem.startswith("test_")
+        or stem.endswith("_test")
+        or stem == "conftest"
+    )
+
+
+def new_blueprint(run: Run, class_name: str, place: Place, key: str, package: str | None) -> model.Blueprint:
+    blueprint = model.Blueprint(
+        class_name,
+        model.Text(None, "unknown", reason="the node's constructor is not reached"),
+        _ROOT,
+        place,
+        package,
+        test=_test_file(place.file),
+        key=key,
+    )
+    run.nodes[key] = blueprint
+    run.program.nodes.append(blueprint)
+    return blueprint
+
+
+def is_node_class(cls: ClassValue) -> bool:
+    """Whether a class of ours derives from rclpy's Node."""
+    return any(path in rclpy_names.NODE_CLASSES for path in cls.external_bases())
+
+
+def is_lifecycle_class(cls: ClassValue) -> bool:
+    return rclpy_names.LIFECYCLE_NODE in cls.external_bases()
+
+
+def adopt(run: Run, instance: Instance) -> None:
+    """Give an object its blueprint if its class is a node."""
+    if isinstance(instance.cls, ClassValue) and is_node_class(instance.cls):
+        blueprint_of_instance(run, instance)
+
+
+def blueprint_of_instance(run: Run, instance: Instance) -> model.Blueprint:
+    known = run.blueprints.get(instance.key)
+    if known is not None:
+        return known
+    cls = instance.cls
+    assert isinstance(cls, ClassValue)
+    place = Place(cls.scope.module.path, *cls.ir.name_span)
+    key = f"{place.file}:{place.line}#{instance.key}"
+    blueprint = new_blueprint(run, cls.qualified, place, key, cls.scope.module.file.package)
+    blueprint.lifecycle = is_lifecycle_class(cls)
+    run.blueprints[instance.key] = blueprint
+    return blueprint
+
+
+def known_node(run: Run, value: Value | None) -> model.Blueprint | None:
+    """The blueprint of a value that is a node for certain."""
+    if isinstance(value, NodeValue):
+        return value.blueprint
+    if isinstance(value, Instance):
+        return run.blueprints.get(value.key)
+    return None
+
+
+def node_key(run: Run, value: Value | None) -> int:
+    """Where a node's parameters are kept in the store."""
+    if isinstance(value, (NodeValue, Instance)):
+        return value.key
+    return held_key(run)
+
+
+def nodes_of(run: Run, value: Value | None, *, plausible: bool = True) -> list[model.Blueprint]:
+    """The nodes that a create call makes something on; an unseen one where nobody hands it in."""
+    if isinstance(value, OneOf):
+        found: list[model.Blueprint] = []
+        options = [o for o in value.values if isinstance(o, (NodeValue, Instance))] or list(value.values)
+        for option in options:
+            found.extend(node for node in nodes_of(run, option, plausible=plausible) if node not in found)
+        return found
+    if isinstance(value, NodeValue):
+        return [value.blueprint]
+    if isinstance(value, Instance):
+        known = run.blueprints.get(value.key)
+        if known is not None:
+            return [known]
+        if isinstance(value.cls, ClassValue):
+            foreign = any(
+                isinstance(base, Unknown)
+                or (isinstance(base, External) and base.path not in rclpy_names.PLAIN_BASES)
+                for base in value.cls.mro
+            )
+            if foreign:
+                return [blueprint_of_instance(run, value)]
+            if plausible:
+                return [held_blueprint(run, value)]  # a mixin: whoever inherits it is the node
+        elif isinstance(value.cls, External) and value.cls.path.startswith("rclpy."):
+            return []
+        return [held_blueprint(run)] if plausible else []
+    if isinstance(value, (Unknown, External)) and plausible:
+        return [held_blueprint(run)]
+    return []
+
+
+def _holder(run: Run, instance: Instance | None = None) -> tuple[str, Place, str | None]:
+    """Which class (or function) holds a node that nobody hands in: the object whose method is running."""
+    if instance is not None and isinstance(instance.cls, ClassValue):
+        cls = instance.cls
+        return cls.qualified, Place(cls.scope.module.path, *cls.ir.name_span), cls.scope.module.file.package
+    for activation in reversed(run.activations):
+        value = activation.self_value
+        if isinstance(value, Instance) and isinstance(value.cls, ClassValue):
+            cls = value.cls
+            return (
+                cls.qualified,
+                Place(cls.scope.module.path, *cls.ir.name_span),
+                cls.scope.module.file.package,
+            )
+        if activation.function is not None and isinstance(activation.function, FunctionValue):
+            ir = activation.function.ir
+            span = getattr(ir, "name_span", ir.span)
+            return (
+                activation.qualified,
+                Place(activation.module.path, *span),
+                activation.module.file.package,
+            )
+    activation = run.activation
+    return activation.qualified, Place(activation.module.path, 1, 1, 1, 1), activation.module.file.package
+
+
+def held_blueprint(run: Run, instance: Instance | None = None) -> model.Blueprint:
+    """The blueprint of a node that a helper is handed by nobody in the workspace."""
+    name, place, package = _holder(run, instance)
+    key = f"{place.file}:{place.line}#held"
+    known = run.nodes.get(key)
+    if known is not None:
+        return known
+    blueprint = new_blueprint(run, name, place, key, package)
+    blueprint.held = True
+    blueprint.name = model.Text(None, "unknown", reason="nothing in the workspace hands a node in")
+    blueprint.namespace = model.Text(None, "unknown", reason="nothing in the workspace hands a node in")
+    return blueprint
+
+
+def held_key(run: Run) -> int:
+    name, place, _ = _holder(run)
+    return -abs(hash_of(f"{place.file}:{place.line}:{name}"))
+
+
+def hash_of(text: str) -> int:
+    """A number for a text that is the same in every process."""
+    import zlib
+
+    return zlib.crc32(text.encode("utf-8", "surrogatepass")) + 1
+
+
+def create_node(run: Run, call: ApiUse) -> Value:
+    """``rclpy.create_node('x')`` and ``Node('x')``."""
+    place = run.place(call.expression.span) if call.expression is not None else Place("", 1, 1, 1, 1)
+    text = text_of_value(call.get("node_name"), "a node without a name")
+    key = f"{place.file}:{place.line}:{place.column}#{text.text}"
+    known = run.nodes.get(key)
+    if known is None:
+        activation = run.activation
+        known = new_blueprint(run, activation.qualified, place, key, activation.module.file.package)
+        known.lifecycle = call.api.kind == "lifecycle"
+        _set_names(run, known, call)
+    made = NodeValue(known, run.store.new_key())
+    return made
+
+
+def node_init(run: Run, call: ApiUse) -> Value:
+    """``super().__init__('x')`` of a node class."""
+    receiver = call.receiver
+    if isinstance(receiver, Instance) and isinstance(receiver.cls, ClassValue):
+        blueprint = blueprint_of_instance(run, receiver)
+        _set_names(run, blueprint, call)
+    return Known(None)
+
+
+def name_by_foreign_base(run: Run, receiver: Instance, path: str) -> None:
+    """The constructor of a foreign base class decides the name of the node."""
+    blueprint = run.blueprints.get(receiver.key)
+    if blueprint is not None and blueprint.name.resolution == "unknown":
+        owner = path.removesuffix(".__init__")
+        blueprint.name = model.Text(None, "unknown", reason=f"{owner}, outside of this workspace, names the node")
+
+
+def _set_names(run: Run, blueprint: model.Blueprint, call: ApiUse) -> None:
+    if call.open and "node_name" not in call.arguments:
+        reason = "the node's name is passed by * or **"
+        blueprint.name = model.Text(None, "unknown", reason=reason)
+    else:
+        blueprint.name = text_of_value(call.get("node_name"), "a node without a name")
+    namespace = call.get("namespace")
+    if namespace is None:
+        # **kwargs may carry a namespace; rclpy's default is the root.
+        blueprint.namespace = _ROOT
+    elif isinstance(namespace, Known) and namespace.value in (None, ""):
+        blueprint.namespace = _ROOT
+    else:
+        blueprint.namespace = text_of_value(namespace, "a namespace")
+    blueprint.allow_undeclared_parameters = call.get("allow_undeclared_parameters") == TRUE
+    blueprint.automatically_declare_parameters = (
+        call.get("automatically_declare_parameters_from_overrides") == TRUE
+    )
+    blueprint.enable_rosout = not call.get("enable_rosout") == Known(False)
+    blueprint.start_parameter_services = not call.get("start_parameter_services") == Known(False)
+    arguments = call.get("cli_args")
+    if isinstance(arguments, ListValue):
+        from archlint.program import expressions
+
+        items = expressions.items_of(run, arguments)
+        blueprint.cli_arguments = tuple(
+            item.value for item in items.values if isinstance(item, Known) and isinstance(item.value, str)
+        )
+
+
+def _as_value(text: model.Text) -> Value:
+    if text.text is None:
+        return Unknown(text.reason or "the name is not known")
+    if text.resolution == "exact":
+        return Known(text.text)
+    if text.resolution == "parameter":
+        return Known(text.text, frozenset((text.parameter or "").split(",")))
+    parts: list[str | None] = []
+    for number, piece in enumerate(text.text.split("*")):
+        if number:
+            parts.append(None)
+        if piece:
+            parts.append(piece)
+    return Holed(tuple(parts), text.reason or "")
+
+
+def get_name(run: Run, call: ApiUse) -> Value:
+    node = known_node(run, call.receiver)
+    if node is None:
+        return Unknown("the name of a node that is not known")
+    return _as_value(node.name)
+
+
+def get_namespace(run: Run, call: ApiUse) -> Value:
+    node = known_node(run, call.receiver)
+    if node is None:
+        return Unknown("the namespace of a node that is not known")
+    value = _as_value(node.namespace)
+    if isinstance(value, Known) and isinstance(value.value, str) and not value.value.startswith("/"):
+        return Known("/" + value.value, value.via)
+    return value
+
+
+def get_fully_qualified_name(run: Run, call: ApiUse) -> Value:
+    namespace, name = get_namespace(run, call), get_name(run, call)
+    if isinstance(namespace, Known) and namespace.value == "/":
+        return join_texts((Known("/"), name))
+    return join_texts((namespace, Known("/"), name))
+
+
+def resolve_name(run: Run, call: ApiUse) -> Value:
+    """``resolve_topic_name``: without remaps, rcl's expansion."""
+    value = call.get("topic") or call.get("service")
+    if isinstance(value, Known) and isinstance(value.value, str) and not value.value.startswith("/"):
+        namespace = get_namespace(run, call)
+        if value.value.startswith("~"):
+            return join_texts((get_fully_qualified_name(run, call), Known(value.value[1:])))
+        if isinstance(namespace, Known) and namespace.value == "/":
+            return join_texts((Known("/"), value))
+        return join_texts((namespace, Known("/"), value))
+    return value if value is not None else Unknown("no name to resolve")

@@ -1,0 +1,223 @@
+"""Functions of Python's library that names pass through."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import TYPE_CHECKING
+
+from archlint.facts import model as facts
+from archlint.program.api import profiles
+from archlint.program.builtin_functions import BUILTINS
+from archlint.program.values import (
+    NONE,
+    EntityValue,
+    External,
+    FutureValue,
+    Instance,
+    Known,
+    MessageValue,
+    OneOf,
+    Partial,
+    Unknown,
+    Value,
+    alternatives,
+    one_of,
+    reason,
+    via,
+)
+
+if TYPE_CHECKING:
+    from archlint.program.api.effects import ApiUse
+    from archlint.program.run import Run
+
+
+def partial(run: Run, call: ApiUse) -> Value:
+    function = call.get("function")
+    if function is None:
+        return Unknown("partial() without a function")
+    keywords = tuple((name, value) for name, value in call.keywords.items() if name != "function")
+    return Partial(function, tuple(call.rest), keywords)
+
+
+def import_module(run: Run, call: ApiUse) -> Value:
+    name = call.get("name")
+    if not isinstance(name, Known) or not isinstance(name.value, str):
+        return Unknown("the module is chosen by data")
+    level = len(name.value) - len(name.value.lstrip("."))
+    module = run.index.find(run.activation.module, name.value.lstrip("."), level)
+    return External(name.value) if module is None else run.import_module(module)
+
+
+def path_join(run: Run, call: ApiUse) -> Value:
+    parts = [call.get("path"), *call.rest]
+    texts = [part.value for part in parts if isinstance(part, Known) and isinstance(part.value, str)]
+    if len(texts) != len(parts):
+        return Unknown(reason(*(part for part in parts if part is not None)))
+    import posixpath
+
+    return Known(posixpath.join(*texts), via(*(part for part in parts if part is not None)))
+
+
+def environment(run: Run, call: ApiUse) -> Value:
+    """``os.environ.get('X', default)``: the default, or what the environment says."""
+    key = call.get("key")
+    name = f"the environment variable {key.value}" if isinstance(key, Known) else "an environment variable"
+    default = call.get("default")
+    return Unknown(name) if default is None else one_of((default, Unknown(name)))
+
+
+def argument_parser(run: Run, call: ApiUse) -> Value:
+    return Instance(External("argparse.ArgumentParser"), run.store.new_key())
+
+
+def _add_argument(
+    run: Run, receiver: Value, args: list[Value], keywords: dict[str, Value], e: facts.Call | None
+) -> Value:
+    if not isinstance(receiver, Instance):
+        return NONE
+    names = [arg.value for arg in args if isinstance(arg, Known) and isinstance(arg.value, str)]
+    long = [name for name in names if name.startswith("--")] or names
+    destination = keywords.get("dest")
+    name = (
+        str(destination.value)
+        if isinstance(destination, Known)
+        else long[0].lstrip("-").replace("-", "_")
+        if long
+        else None
+    )
+    if name is not None:
+        what = Unknown(f"the command-line argument '{name}'")
+        default = keywords.get("default")
+        value: Value = what if default is None else one_of((default, what))
+        run.store.set(receiver.key, ("#argument", name), value)
+    return NONE
+
+
+def _parse_args(
+    run: Run, receiver: Value, args: list[Value], keywords: dict[str, Value], e: facts.Call | None
+) -> Value:
+    made = Instance(External("argparse.Namespace"), run.store.new_key())
+    if isinstance(receiver, Instance):
+        for layer in run.store.layers:
+            for (key, slot), value in list(layer.items()):
+                if key == receiver.key and isinstance(slot, tuple) and slot[0] == "#argument":
+                    run.store.set(made.key, slot[1], value)
+    return made
+
+
+def _parse_known_args(
+    run: Run, receiver: Value, args: list[Value], keywords: dict[str, Value], e: facts.Call | None
+) -> Value:
+    from archlint.program import expressions
+
+    parsed = _parse_args(run, receiver, args, keywords, e)
+    return expressions.new_list(run, [parsed, Unknown("the rest of the command line")], "tuple")
+
+
+def _group(
+    run: Run, receiver: Value, args: list[Value], keywords: dict[str, Value], e: facts.Call | None
+) -> Value:
+    return receiver
+
+
+Method = Callable[["Run", Value, list[Value], dict[str, Value], "facts.Call | None"], Value]
+
+METHODS: dict[str, Method] = {
+    "argparse.ArgumentParser.add_argument": _add_argument,
+    "argparse.ArgumentParser.parse_args": _parse_args,
+    "argparse.ArgumentParser.parse_known_args": _parse_known_args,
+    "argparse.ArgumentParser.add_argument_group": _group,
+    "argparse.ArgumentParser.add_mutually_exclusive_group": _group,
+}
+
+Plain = Callable[["Run", list[Value], dict[str, Value], "facts.Call | None"], Value]
+
+
+def _copy(run: Run, args: list[Value], keywords: dict[str, Value], e: facts.Call | None) -> Value:
+    from archlint.program import expressions
+    from archlint.program.values import DictValue, ListValue
+
+    found: list[Value] = []
+    for value in alternatives(args[0]) if args else ():
+        if isinstance(value, ListValue):
+            items = expressions.items_of(run, value)
+            found.append(expressions.new_list(run, items.values, value.kind, items.open))
+        elif isinstance(value, DictValue):
+            entries = expressions.entries_of(run, value)
+            found.append(expressions.new_dict(run, dict(entries.entries), entries.open))
+        else:
+            found.append(profiles.copy_profile(run, value))
+    return one_of(found)
+
+
+def _builtin(name: str) -> Plain:
+    return lambda run, args, keywords, e: BUILTINS[name](run, args, keywords, e)
+
+
+def _identity(run: Run, args: list[Value], keywords: dict[str, Value], e: facts.Call | None) -> Value:
+    return args[0] if args else Unknown("no argument")
+
+
+def _decorator(run: Run, args: list[Value], keywords: dict[str, Value], e: facts.Call | None) -> Value:
+    return Unknown("a decorator that is not followed")
+
+
+def _namespace(run: Run, args: list[Value], keywords: dict[str, Value], e: facts.Call | None) -> Value:
+    made = Instance(External("types.SimpleNamespace"), run.store.new_key())
+    for name, value in keywords.items():
+        run.store.set(made.key, name, value)
+    return made
+
+
+def _auto(run: Run, args: list[Value], keywords: dict[str, Value], e: facts.Call | None) -> Value:
+    return External("enum.auto")
+
+
+def _default_dict(run: Run, args: list[Value], keywords: dict[str, Value], e: facts.Call | None) -> Value:
+    from archlint.program import expressions
+
+    return expressions.new_dict(run, {}, True)
+
+
+PLAIN: dict[str, Plain] = {
+    "copy.copy": _copy,
+    "copy.deepcopy": _copy,
+    "collections.OrderedDict": _builtin("dict"),
+    "collections.deque": _builtin("list"),
+    "collections.defaultdict": _default_dict,
+    "types.SimpleNamespace": _namespace,
+    "enum.auto": _auto,
+    "asyncio.run": _identity,
+    "asyncio.create_task": _identity,
+    "asyncio.ensure_future": _identity,
+    "typing.cast": lambda run, args, keywords, e: args[1] if len(args) > 1 else Unknown("no argument"),
+    "itertools.chain": lambda run, args, keywords, e: _chain(run, args),
+    "os.path.basename": lambda run, args, keywords, e: _path_part(args, 1),
+    "os.path.dirname": lambda run, args, keywords, e: _path_part(args, 0),
+}
+
+
+def _chain(run: Run, args: list[Value]) -> Value:
+    from archlint.program import expressions
+
+    values: list[Value] = []
+    open_ = False
+    for arg in args:
+        items = expressions.iterate(run, arg)
+        if items is None:
+            open_ = True
+        else:
+            values.extend(items.values)
+            open_ = open_ or items.open
+    return expressions.new_list(run, values, "list", open_)
+
+
+def _path_part(args: list[Value], at: int) -> Value:
+    import posixpath
+
+    if args and isinstance(args[0], Known) and isinstance(args[0].value, str):
+        return Known(posixpath.split(args[0].value)[at], args[0].via)
+    return Unknown(reason(*args))
+
+
+__all__ = ["METHODS", "PLAIN", "EntityValue", "FutureValue", "MessageValue", "OneOf"]

@@ -1,0 +1,184 @@
+"""The names of rclpy: where a class is defined, under which other names it is imported, what nodes can do."""
+
+from __future__ import annotations
+
+import re
+from functools import lru_cache
+
+NODE = "rclpy.node.Node"
+LIFECYCLE_NODE = "rclpy.lifecycle.node.LifecycleNode"
+
+NODE_CLASSES = frozenset({NODE, LIFECYCLE_NODE, "rclpy.node.BaseNode", "rclpy.experimental.async_node.AsyncNode"})
+
+PLAIN_BASES = frozenset(
+    {
+        "abc.ABC",
+        "abc.ABCMeta",
+        "builtins.object",
+        "enum.Enum",
+        "enum.Flag",
+        "enum.IntEnum",
+        "enum.IntFlag",
+        "enum.StrEnum",
+        "object",
+        "str",
+        "int",
+        "typing.Generic",
+        "typing.NamedTuple",
+        "typing.Protocol",
+        "typing_extensions.Protocol",
+    }
+)
+"""Foreign bases that give their subclasses no attributes that matter here."""
+
+ENUM_BASES = frozenset({"enum.Enum", "enum.IntEnum", "enum.StrEnum", "enum.Flag", "enum.IntFlag"})
+
+_ALIASES = {
+    "rclpy.Node": NODE,
+    "rclpy.lifecycle.LifecycleNode": LIFECYCLE_NODE,
+    "rclpy.lifecycle.Node": LIFECYCLE_NODE,
+    "rclpy.lifecycle.node.LifecycleNodeMixin": LIFECYCLE_NODE,
+    "rclpy.lifecycle.LifecycleNodeMixin": LIFECYCLE_NODE,
+    "rclpy.lifecycle.managed_entity.ManagedEntity": "rclpy.lifecycle.ManagedEntity",
+    "rclpy.action.ActionServer": "rclpy.action.server.ActionServer",
+    "rclpy.action.ActionClient": "rclpy.action.client.ActionClient",
+    "rclpy.action.GoalResponse": "rclpy.action.server.GoalResponse",
+    "rclpy.action.CancelResponse": "rclpy.action.server.CancelResponse",
+    "rclpy.Parameter": "rclpy.parameter.Parameter",
+    "rclpy.node.Parameter": "rclpy.parameter.Parameter",
+    "rclpy.Future": "rclpy.task.Future",
+    "rclpy.executors.Future": "rclpy.task.Future",
+    "rclpy.experimental.AsyncNode": "rclpy.experimental.async_node.AsyncNode",
+    "rclpy.experimental.EventsExecutor": "rclpy.experimental.events_executor.EventsExecutor",
+    "rclpy.node.Publisher": "rclpy.publisher.Publisher",
+    "rclpy.node.Subscription": "rclpy.subscription.Subscription",
+    "rclpy.node.Client": "rclpy.client.Client",
+    "rclpy.node.QoSProfile": "rclpy.qos.QoSProfile",
+    "rclpy.node.MutuallyExclusiveCallbackGroup": "rclpy.callback_groups.MutuallyExclusiveCallbackGroup",
+    "rclpy.node.ReentrantCallbackGroup": "rclpy.callback_groups.ReentrantCallbackGroup",
+    "rclpy.executors.ReentrantCallbackGroup": "rclpy.callback_groups.ReentrantCallbackGroup",
+    "rclpy.executors.MutuallyExclusiveCallbackGroup": "rclpy.callback_groups.MutuallyExclusiveCallbackGroup",
+    "tf2_ros.Buffer": "tf2_ros.buffer.Buffer",
+    "tf2_ros.TransformListener": "tf2_ros.transform_listener.TransformListener",
+    "tf2_ros.TransformBroadcaster": "tf2_ros.transform_broadcaster.TransformBroadcaster",
+    "tf2_ros.StaticTransformListener": "tf2_ros.static_transform_listener.StaticTransformListener",
+    "tf2_ros.StaticTransformBroadcaster": (
+        "tf2_ros.static_transform_broadcaster.StaticTransformBroadcaster"
+    ),
+    "tf2_ros.transform_broadcaster.StaticTransformBroadcaster": (
+        "tf2_ros.static_transform_broadcaster.StaticTransformBroadcaster"
+    ),
+    "tf2_ros.BufferClient": "tf2_ros.buffer_client.BufferClient",
+    "message_filters.subscriber.Subscriber": "message_filters.Subscriber",
+    "rclpy.qos.QoSReliabilityPolicy": "rclpy.qos.ReliabilityPolicy",
+    "rclpy.qos.QoSDurabilityPolicy": "rclpy.qos.DurabilityPolicy",
+    "rclpy.qos.QoSHistoryPolicy": "rclpy.qos.HistoryPolicy",
+    "rclpy.qos.QoSLivelinessPolicy": "rclpy.qos.LivelinessPolicy",
+    "rclpy.expand_topic_name.expand_topic_name": "rclpy.expand_topic_name",
+}
+
+PARAMETER_VALUES = frozenset({"rcl_interfaces.msg.ParameterValue"})
+
+CONSTANTS: dict[str, str] = {}
+
+NODE_METHODS = frozenset(
+    {
+        "add_on_set_parameters_callback",
+        "add_post_set_parameters_callback",
+        "add_pre_set_parameters_callback",
+        "create_client",
+        "create_guard_condition",
+        "create_lifecycle_publisher",
+        "create_publisher",
+        "create_rate",
+        "create_service",
+        "create_subscription",
+        "create_timer",
+        "declare_parameter",
+        "declare_parameters",
+        "get_parameter",
+        "get_parameter_or",
+        "get_parameters",
+        "get_parameters_by_prefix",
+        "has_parameter",
+        "set_parameters",
+        "set_parameters_atomically",
+        "undeclare_parameter",
+        "destroy_publisher",
+        "destroy_subscription",
+        "destroy_client",
+        "destroy_service",
+        "destroy_timer",
+        "destroy_node",
+        "get_name",
+        "get_namespace",
+        "get_fully_qualified_name",
+        "resolve_topic_name",
+        "resolve_service_name",
+        "wait_for_node",
+    }
+)
+
+_PREFIX = re.compile(r"^(rclpy|tf2_ros|message_filters|rclpy_action)\b")
+
+_API_CLASSES = (
+    "rclpy.client.Client",
+    "rclpy.publisher.Publisher",
+    "rclpy.subscription.Subscription",
+    "rclpy.service.Service",
+    "rclpy.timer.Timer",
+    "rclpy.timer.Rate",
+    "rclpy.task.Future",
+    "rclpy.action.client.ActionClient",
+    "rclpy.action.server.ActionServer",
+    "rclpy.parameter.Parameter",
+    "tf2_ros.buffer.Buffer",
+)
+
+
+@lru_cache(maxsize=4096)
+def canonical(path: str) -> str:
+    """The name a class or function of rclpy has where it is defined."""
+    if path in _ALIASES:
+        return _ALIASES[path]
+    head, _, tail = path.rpartition(".")
+    if head in _ALIASES:
+        return f"{_ALIASES[head]}.{tail}"
+    return path
+
+
+def is_api_class(path: str) -> bool:
+    return path in _API_CLASSES or path.startswith(("message_filters.", "tf2_ros."))
+
+
+_LIFECYCLE_ONLY = frozenset({"create_lifecycle_publisher", "trigger_configure", "trigger_activate"})
+
+
+def method(cls: str, name: str) -> str:
+    """The canonical name of a node's method: what LifecycleNode inherits is Node's."""
+    if cls in NODE_CLASSES and name not in _LIFECYCLE_ONLY and name != "__init__" and not name.startswith("on_"):
+        return f"{NODE}.{name}"
+    return f"{cls}.{name}"
+
+
+_INTERFACE = re.compile(r"^([a-z][a-z0-9_]*)\.(msg|srv|action)\.(?:_\w+\.)?([A-Z]\w*)((?:\.\w+)*)$")
+_PARTS = frozenset({"Request", "Response", "Event", "Goal", "Result", "Feedback", "Impl"})
+_PART_NAME = re.compile(r"^(\w+)_(Request|Response|Goal|Result|Feedback)$")
+
+
+@lru_cache(maxsize=4096)
+def interface_and_part(path: str) -> tuple[str | None, str]:
+    """``std_msgs.msg.String`` → ``("std_msgs/msg/String", "")``; with ``.Request`` and the like as part."""
+    match = _INTERFACE.match(path)
+    if match is None:
+        return None, ""
+    package, kind, name, rest = match.groups()
+    parts = [part for part in rest.split(".") if part]
+    if not parts:
+        flat = _PART_NAME.match(name)
+        if flat is not None and kind != "msg":
+            return f"{package}/{kind}/{flat.group(1)}", flat.group(2)
+        return f"{package}/{kind}/{name}", ""
+    if len(parts) == 1 and parts[0] in _PARTS:
+        return f"{package}/{kind}/{name}", parts[0]
+    return None, ""

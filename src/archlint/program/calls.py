@@ -1,0 +1,663 @@
+"""Calls: binding arguments, entering functions, making objects, defining functions and classes."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from archlint.facts import model as facts
+from archlint.finding import Place
+from archlint.program.api import effects, rclpy_names, tables
+from archlint.program.attributes import bind, class_lookup, get_attribute
+from archlint.program.bindings import bound_names
+from archlint.program.builtin_functions import BUILTINS, call_builtin
+from archlint.program.store import Items
+from archlint.program.values import (
+    NONE,
+    ApiMethod,
+    BoundMethod,
+    Builtin,
+    ClassValue,
+    DictValue,
+    EntityValue,
+    External,
+    FunctionValue,
+    FutureValue,
+    Instance,
+    Known,
+    ListValue,
+    MessageValue,
+    ModuleValue,
+    NodeValue,
+    OneOf,
+    Partial,
+    PythonValue,
+    Scope,
+    SuperValue,
+    Unknown,
+    Value,
+    alternatives,
+    one_of,
+)
+
+if TYPE_CHECKING:
+    from archlint.program.run import Run
+
+__all__ = ["BUILTINS", "call", "define_class", "define_function"]
+
+
+# ----------------------------------------------------------------------------------------- a call expression
+
+
+def evaluate_call(run: Run, e: facts.Call) -> Value:
+    if isinstance(e.func, facts.Name) and e.func.id == "super" and run.lookup("super") is None:
+        return _super(run, e)
+    if isinstance(e.func, facts.Name) and e.func.id in ("locals", "globals"):
+        return Unknown("the variables as a dict")
+    function = run.evaluate(e.func)
+    args, keywords, open_ = evaluate_arguments(run, e.args)
+    return call(run, function, args, keywords, e, open_)
+
+
+def evaluate_arguments(run: Run, arguments: list[facts.Argument]) -> tuple[list[Value], dict[str, Value], bool]:
+    """Positional and keyword arguments; the flag says that more may follow than are known."""
+    from archlint.program import expressions
+
+    args: list[Value] = []
+    keywords: dict[str, Value] = {}
+    open_ = False
+    for argument in arguments:
+        value = run.evaluate(argument.value)
+        if argument.star == "*":
+            items = expressions.iterate(run, value)
+            if items is None or items.open:
+                open_ = True
+            if items is not None:
+                args.extend(items.values)
+        elif argument.star == "**":
+            if isinstance(value, DictValue):
+                entries = expressions.entries_of(run, value)
+                open_ = open_ or entries.open
+                for key, item in entries.entries.values():
+                    if isinstance(key, Known) and isinstance(key.value, str):
+                        keywords[key.value] = item
+            else:
+                open_ = True
+        elif argument.keyword is not None:
+            keywords[argument.keyword] = value
+        else:
+            args.append(value)
+    return args, keywords, open_
+
+
+def _super(run: Run, e: facts.Call) -> Value:
+    if e.args:
+        args, _, _ = evaluate_arguments(run, e.args)
+        if len(args) >= 2 and isinstance(args[0], ClassValue):
+            return SuperValue(args[0], args[1])
+    for activation in reversed(run.activations):
+        if activation.function is not None and activation.function.owner is not None:
+            if activation.self_value is not None:
+                return SuperValue(activation.function.owner, activation.self_value)
+            break
+        if activation.scope.kind not in ("function", "comprehension"):
+            break
+    return Unknown("super() outside of a method")
+
+
+def call(
+    run: Run,
+    function: Value,
+    args: list[Value],
+    keywords: dict[str, Value],
+    expression: facts.Call | None = None,
+    open_arguments: bool = False,
+) -> Value:
+    """Call a value.  What is not known to be callable evaluates to unknown."""
+    if isinstance(function, OneOf):
+        return _call_alternatives(run, function, args, keywords, expression, open_arguments)
+    if isinstance(function, BoundMethod):
+        if isinstance(function.function, FunctionValue):
+            self_value = function.self_value
+            return call_function(
+                run, function.function, [self_value, *args], keywords, expression, open_arguments, self_value
+            )
+        return call(run, function.function, [function.self_value, *args], keywords, expression, open_arguments)
+    if isinstance(function, FunctionValue):
+        return call_function(run, function, args, keywords, expression, open_arguments)
+    if isinstance(function, ClassValue):
+        return instantiate(run, function, args, keywords, expression, open_arguments)
+    if isinstance(function, Partial):
+        merged = {**dict(function.keywords), **keywords}
+        return call(run, function.function, [*function.args, *args], merged, expression, open_arguments)
+    if isinstance(function, PythonValue):
+        return function.function(*args)
+    if isinstance(function, ApiMethod):
+        return effects.call_method(run, function, args, keywords, expression, open_arguments)
+    if isinstance(function, External):
+        return effects.call_external(run, function, args, keywords, expression, open_arguments)
+    if isinstance(function, Builtin):
+        return call_builtin(run, function, args, keywords, expression, open_arguments)
+    if isinstance(function, Instance) and isinstance(function.cls, ClassValue):
+        method = get_attribute(run, function, "__call__")
+        if isinstance(method, BoundMethod):
+            return call(run, method, args, keywords, expression, open_arguments)
+    if isinstance(function, Unknown):
+        return Unknown(function.reason, function.parameter)
+    return Unknown("the result of a call that is not followed")
+
+
+def _call_alternatives(
+    run: Run,
+    function: OneOf,
+    args: list[Value],
+    keywords: dict[str, Value],
+    expression: facts.Call | None,
+    open_arguments: bool,
+) -> Value:
+    callable_ = [f for f in function.values if not (isinstance(f, Known) and f.value is None)]
+    if len(callable_) == 1:
+        return call(run, callable_[0], args, keywords, expression, open_arguments)
+    span = expression.span if expression is not None else (0, 0, 0, 0)
+    key = run.key_of(span) + "?" if run.activations else "?"
+    found = []
+    layers = []
+    for number, option in enumerate(callable_):
+        with run.arm(key, number) as taken:
+            found.append(call(run, option, list(args), dict(keywords), expression, open_arguments))
+        layers.append(taken[0])
+    run.store.merge(layers)
+    return one_of(found)
+
+
+# -------------------------------------------------------------------------------------- entering a function
+
+
+def parameters_of(ir: facts.Function | facts.Lambda) -> list[facts.Param]:
+    return ir.params
+
+
+def bind_arguments(
+    run: Run,
+    function: FunctionValue,
+    args: list[Value],
+    keywords: dict[str, Value],
+    open_arguments: bool,
+) -> dict[str, Value]:
+    """The parameters of a function as a call sets them."""
+    from archlint.program import expressions
+
+    defaults = dict(function.defaults)
+    bound: dict[str, Value] = {}
+    rest = list(args)
+    left = dict(keywords)
+    for param in function.ir.params:
+        if param.kind == "star":
+            bound[param.name] = expressions.new_list(run, rest, "tuple", open_arguments)
+            rest = []
+        elif param.kind == "double_star":
+            entries = {expressions.hashable(Known(k)): (Known(k), v) for k, v in left.items()}
+            bound[param.name] = expressions.new_dict(
+                run, {k: v for k, v in entries.items() if k is not None}, open_arguments
+            )
+            left = {}
+        elif param.kind in ("positional_only", "normal") and rest:
+            bound[param.name] = rest.pop(0)
+            left.pop(param.name, None)
+        elif param.name in left and param.kind != "positional_only":
+            bound[param.name] = left.pop(param.name)
+        elif open_arguments:
+            bound[param.name] = Unknown(f"the argument '{param.name}' is passed by * or **")
+        elif param.name in defaults:
+            bound[param.name] = defaults[param.name]
+        else:
+            bound[param.name] = Unknown(f"nothing in the workspace passes '{param.name}'", name=param.name)
+    return bound
+
+
+def _argument_key(value: Value) -> object:
+    """What tells one argument from another: constants by value, objects by identity."""
+    if isinstance(value, (Known, Unknown, External, Builtin)):
+        return value
+    if isinstance(value, OneOf):
+        return tuple(map(_argument_key, value.values))
+    if isinstance(value, BoundMethod):
+        return (_argument_key(value.function), _argument_key(value.self_value))
+    if isinstance(value, FunctionValue):
+        return ("function", id(value.ir), value.scope.key)
+    key = getattr(value, "key", None)
+    return (type(value).__name__, key)
+
+
+def call_function(
+    run: Run,
+    function: FunctionValue,
+    args: list[Value],
+    keywords: dict[str, Value],
+    expression: facts.Call | None = None,
+    open_arguments: bool = False,
+    self_value: Value | None = None,
+) -> Value:
+    """Run a function of the workspace and return what it may return."""
+    from archlint.program.run import DEPTH, REPEATS, RUNS
+
+    ir = function.ir
+    running = sum(1 for activation in run.activations if activation.function is not None
+                  and activation.function.ir is ir)
+    if running > 2:
+        return Unknown(f"'{function.qualified}' calls itself")
+    if len(run.activations) >= DEPTH:
+        run.program.exhausted = True
+        return Unknown("the chain of calls is too deep to follow")
+    key = (id(ir), tuple(map(_argument_key, args)), tuple((k, _argument_key(v)) for k, v in sorted(keywords.items())))
+    count, last = run.repeats.get(key, (0, NONE))
+    runs = run.runs.get(id(ir), 0)
+    if count >= REPEATS:
+        return last
+    if runs >= RUNS:
+        run.program.exhausted = True
+        return Unknown(f"'{function.qualified}' is called too often to follow")
+    run.repeats[key] = (count + 1, Unknown(f"'{function.qualified}' calls itself"))
+    run.runs[id(ir)] = runs + 1
+    value = enter_function(run, function, args, keywords, expression, open_arguments, self_value)
+    run.repeats[key] = (count + 1, value)
+    return value
+
+
+def enter_function(
+    run: Run,
+    function: FunctionValue,
+    args: list[Value],
+    keywords: dict[str, Value],
+    expression: facts.Call | None,
+    open_arguments: bool,
+    self_value: Value | None,
+) -> Value:
+    from archlint.program.run import Activation
+
+    ir = function.ir
+    module = function.scope.module
+    instance_key = self_value.key if isinstance(self_value, (Instance, NodeValue)) else 0
+    run.executed.add((instance_key, id(ir)))
+    run.ran.add(id(ir))
+    bound = bind_arguments(run, function, args, keywords, open_arguments)
+    names, outer = bound_names(ir)
+    scope = run.new_scope(function.scope, module, "function", function.qualified, names, outer)
+    body = ir.body if isinstance(ir, facts.Function) else []
+    call_place = None
+    if expression is not None and run.activations:
+        call_place = run.place(expression.span)
+    depth = run.store.depth
+    activation = Activation(
+        function.qualified, module, scope, body, depth, function, self_value, call_place
+    )
+    run.store.push()
+    for name, value in bound.items():
+        run.store.set(scope.key, name, value)
+    run.activations.append(activation)
+    try:
+        if isinstance(ir, facts.Lambda):
+            result = run.evaluate(ir.body)
+            status = None
+        else:
+            status = run.execute(body)
+            result = NONE
+    finally:
+        run.activations.pop()
+        layer = run.store.cut(depth)
+    if isinstance(ir, facts.Lambda):
+        run.store.merge([layer])
+        return result
+    return _leave_function(run, ir, activation, status, layer)
+
+
+def _leave_function(run: Run, ir: facts.Function, activation: object, status: str | None, layer: object) -> Value:
+    from archlint.program import expressions
+    from archlint.program.run import Activation
+
+    assert isinstance(activation, Activation) and isinstance(layer, dict)
+    captured = [kept for _, kept in activation.returns if kept is not None]
+    falls_through = status not in ("return", "raise")
+    straight = any(kept is None for _, kept in activation.returns)
+    if not captured:
+        run.store.layers[-1].update(layer)
+    else:
+        run.store.merge([*captured, layer] if falls_through or straight else captured)
+    if ir.is_generator:
+        return expressions.new_list(run, activation.yields, "generator", True)
+    values = [value for value, _ in activation.returns]
+    if falls_through and not straight:
+        values.append(NONE)
+    if not values:
+        return Unknown(f"'{activation.qualified}' raises")
+    return one_of(values)
+
+
+# ------------------------------------------------------------------------------------ functions and classes
+
+
+def define_function(run: Run, s: facts.Function) -> Value:
+    activation = run.activation
+    defaults = []
+    for param in s.params:
+        if param.default is not None:
+            defaults.append((param.name, _as_default(run.evaluate(param.default))))
+    owner_scope = activation.scope
+    prefix = "" if owner_scope.kind == "module" else owner_scope.qualified + "."
+    names: set[str] = set()
+    foreign: list[Value] = []
+    for decorator in s.decorators:
+        _read_decorator(run, s, decorator, names, foreign)
+    value: Value = FunctionValue(
+        s, owner_scope, prefix + s.name, tuple(defaults), None, frozenset(names)
+    )
+    if "setter" in names:
+        before = run.store.get(owner_scope.key, s.name)
+        run.store.set(owner_scope.key, f"#setter:{s.name}", value)
+        return before if isinstance(before, Value) else value
+    for decorator_value in reversed(foreign):
+        decorated = call(run, decorator_value, [value], {})
+        if not isinstance(decorated, Unknown) and not (isinstance(decorated, Known) and decorated.value is None):
+            value = decorated
+    return value
+
+
+_KNOWN_DECORATORS = {
+    "property": "property",
+    "staticmethod": "staticmethod",
+    "classmethod": "classmethod",
+    "functools.cached_property": "property",
+    "cached_property": "property",
+    "abc.abstractmethod": "abstract",
+    "abc.abstractproperty": "property",
+    "contextlib.contextmanager": "contextmanager",
+}
+
+
+def _read_decorator(
+    run: Run, s: facts.Function, decorator: facts.Expr, names: set[str], foreign: list[Value]
+) -> None:
+    if isinstance(decorator, facts.Attribute) and decorator.attr in ("setter", "getter", "deleter"):
+        names.add(decorator.attr)
+        return
+    value = run.evaluate(decorator)
+    path = value.path if isinstance(value, External) else value.name if isinstance(value, Builtin) else ""
+    if path in _KNOWN_DECORATORS:
+        names.add(_KNOWN_DECORATORS[path])
+    elif isinstance(value, (FunctionValue, Partial, ClassValue)):
+        foreign.append(value)
+
+
+def _as_default(value: Value) -> Value:
+    if isinstance(value, Known) and isinstance(value.value, str):
+        return Known(value.value, value.via, value.origin, "argument_default")
+    return value
+
+
+def define_lambda(run: Run, e: facts.Lambda) -> Value:
+    defaults = []
+    for param in e.params:
+        if param.default is not None:
+            defaults.append((param.name, run.evaluate(param.default)))
+    return FunctionValue(e, run.activation.scope, "<lambda>", tuple(defaults))
+
+
+def define_class(run: Run, s: facts.Class) -> Value:
+    from archlint.program.run import Activation
+
+    activation = run.activation
+    bases: list[Value] = []
+    for argument in s.bases:
+        if argument.keyword is None and not argument.star:
+            bases.append(_single_base(run.evaluate(argument.value)))
+        elif argument.keyword is not None:
+            run.evaluate(argument.value)
+    decorators: set[str] = set()
+    for decorator in s.decorators:
+        value = run.evaluate(decorator.func if isinstance(decorator, facts.Call) else decorator)
+        if isinstance(value, External):
+            decorators.add(value.path)
+    prefix = "" if activation.scope.kind == "module" else activation.scope.qualified + "."
+    key = run.store.new_key()
+    scope = Scope(key, activation.scope, activation.module, "class", prefix + s.name)
+    cls = ClassValue(s, scope, prefix + s.name, tuple(bases), key, (), frozenset(decorators))
+    object.__setattr__(cls, "mro", linearize(cls))
+    run.activations.append(
+        Activation(prefix + s.name, activation.module, scope, s.body, run.store.depth)
+    )
+    try:
+        run.execute(s.body)
+    finally:
+        run.activations.pop()
+    _own_functions(run, cls)
+    if rclpy_names.ENUM_BASES & set(cls.external_bases()):
+        _make_members(run, cls)
+    return cls
+
+
+def _single_base(value: Value) -> Value:
+    """A base that depends on a branch (``try: import …``): the first class among the alternatives."""
+    for option in alternatives(value):
+        if isinstance(option, (ClassValue, External)):
+            return External(rclpy_names.canonical(option.path)) if isinstance(option, External) else option
+    if isinstance(value, Builtin):
+        return External(value.name)
+    return value
+
+
+def _own_functions(run: Run, cls: ClassValue) -> None:
+    """Tell the functions of a class body which class they belong to, for ``super()``."""
+    for statement in _definitions(cls.ir.body):
+        value = run.store.get(cls.key, statement.name)
+        if isinstance(value, FunctionValue) and value.owner is None:
+            object.__setattr__(value, "owner", cls)
+        setter = run.store.get(cls.key, f"#setter:{statement.name}")
+        if isinstance(setter, FunctionValue) and setter.owner is None:
+            object.__setattr__(setter, "owner", cls)
+
+
+def _definitions(body: list[facts.Stmt]) -> list[facts.Function]:
+    found: list[facts.Function] = []
+    for statement in body:
+        if isinstance(statement, facts.Function):
+            found.append(statement)
+        elif isinstance(statement, facts.If):
+            found.extend(_definitions(statement.body))
+            found.extend(_definitions(statement.orelse))
+        elif isinstance(statement, facts.Try):
+            found.extend(_definitions(statement.body))
+    return found
+
+
+def methods_of(cls: ClassValue) -> list[facts.Function]:
+    """The functions that a class body defines."""
+    return _definitions(cls.ir.body)
+
+
+def _make_members(run: Run, cls: ClassValue) -> None:
+    members = []
+    for statement in cls.ir.body:
+        targets = statement.targets if isinstance(statement, facts.Assign) else (
+            [statement.target] if isinstance(statement, facts.Annotated) and statement.value is not None else []
+        )
+        for target in targets:
+            if isinstance(target, facts.Name) and not target.id.startswith("_"):
+                value = run.store.get(cls.key, target.id)
+                member = Instance(cls, run.store.new_key())
+                if isinstance(value, External) and value.path == "enum.auto":
+                    value = Known(len(members) + 1)
+                run.store.set(member.key, "value", value if isinstance(value, Value) else Unknown("an enum value"))
+                run.store.set(member.key, "_value_", value if isinstance(value, Value) else Unknown("an enum value"))
+                run.store.set(member.key, "name", Known(target.id))
+                run.store.set(member.key, "#enum", True)
+                run.store.set(cls.key, target.id, member)
+                members.append(target.id)
+    run.store.set(cls.key, "#members", tuple(members))
+
+
+def linearize(cls: ClassValue) -> tuple[Value, ...]:
+    """The method resolution order (C3); a broken one falls back to depth first."""
+    rows = [list(base.mro) if isinstance(base, ClassValue) else [base] for base in cls.bases]
+    rows.append(list(cls.bases))
+    order: list[Value] = [cls]
+    while any(rows):
+        rows = [row for row in rows if row]
+        for row in rows:
+            head = row[0]
+            if not any(_is_in(head, other[1:]) for other in rows):
+                break
+        else:
+            head = rows[0][0]
+        order.append(head)
+        rows = [[value for value in row if not _equal(value, head)] for row in rows]
+    return tuple(order)
+
+
+def _equal(one: Value, other: Value) -> bool:
+    return one is other or (isinstance(one, External) and one == other)
+
+
+def _is_in(value: Value, row: list[Value]) -> bool:
+    return any(_equal(value, other) for other in row)
+
+
+# ------------------------------------------------------------------------------------------ making objects
+
+
+def instantiate(
+    run: Run,
+    cls: ClassValue,
+    args: list[Value],
+    keywords: dict[str, Value],
+    expression: facts.Call | None = None,
+    open_arguments: bool = False,
+) -> Value:
+    """Make an object of a class of the workspace."""
+    if run.store.get(cls.key, "#members"):
+        return _enum_member(run, cls, args)
+    place = run.place(expression.span) if expression is not None and run.activations else None
+    made = Instance(cls, run.store.new_key(), place)
+    run.instances[made.key] = made
+    effects.adopt(run, made)
+    init, owner = class_lookup(run, cls, "__init__")
+    if init is not None:
+        call(run, bind(run, init, made, cls), args, keywords, expression, open_arguments)
+    elif isinstance(owner, External):
+        path = rclpy_names.canonical(owner.path)
+        effects.call_method(
+            run, ApiMethod(f"{path}.__init__", made), args, keywords, expression, open_arguments
+        )
+    elif any("dataclass" in name for name in _decorators(cls)):
+        _fill_dataclass(run, made, cls, args, keywords, open_arguments)
+    elif "typing.NamedTuple" in cls.external_bases():
+        _fill_dataclass(run, made, cls, args, keywords, open_arguments)
+    return made
+
+
+def _decorators(cls: ClassValue) -> set[str]:
+    return {name for base in cls.mro if isinstance(base, ClassValue) for name in base.decorators}
+
+
+def _enum_member(run: Run, cls: ClassValue, args: list[Value]) -> Value:
+    from archlint.program import expressions
+
+    members = expressions.enum_members(run, cls)
+    if len(args) == 1 and isinstance(args[0], Known):
+        for member in members:
+            if isinstance(member, Instance) and run.store.get(member.key, "value") == args[0]:
+                return member
+    return one_of(members) if members else Unknown("an enum without members")
+
+
+def _fill_dataclass(
+    run: Run,
+    made: Instance,
+    cls: ClassValue,
+    args: list[Value],
+    keywords: dict[str, Value],
+    open_arguments: bool,
+) -> None:
+    fields: dict[str, ClassValue] = {}
+    for base in reversed(cls.mro):
+        if isinstance(base, ClassValue):
+            for statement in base.ir.body:
+                if isinstance(statement, facts.Annotated) and isinstance(statement.target, facts.Name):
+                    fields[statement.target.id] = base
+    rest = list(args)
+    for name, base in fields.items():
+        value: object
+        if rest:
+            value = rest.pop(0)
+        elif name in keywords:
+            value = keywords[name]
+        elif open_arguments:
+            value = Unknown("a field that is passed by * or **")
+        else:
+            value = run.store.get(base.key, name)
+            if isinstance(value, Instance) and value.note == "dataclasses.field":
+                value = _field_default(run, value)
+        run.store.set(made.key, name, value if isinstance(value, Value) else Unknown(f"the field '{name}' is not set"))
+    after = get_attribute(run, made, "__post_init__")
+    if isinstance(after, BoundMethod):
+        call(run, after, [], {})
+
+
+def _field_default(run: Run, declared: Instance) -> Value:
+    if "default" in declared.arguments:
+        return declared.arguments["default"]
+    factory = declared.arguments.get("default_factory")
+    return Unknown("a field without a default") if factory is None else call(run, factory, [], {})
+
+
+# ------------------------------------------------------------------------------------------- odds and ends
+
+
+def awaited(run: Run, value: Value, expression: facts.Await) -> Value:
+    """``await value``."""
+    found = []
+    for option in alternatives(value):
+        if isinstance(option, FutureValue):
+            found.append(effects.await_future(run, option, expression))
+        else:
+            found.append(option)
+    return one_of(found)
+
+
+def enter(run: Run, value: Value) -> Value:
+    """What ``with value as x`` binds."""
+    from archlint.program import expressions
+
+    if isinstance(value, ListValue) and value.kind == "generator":
+        items = expressions.items_of(run, value)
+        return items.values[0] if items.values else Unknown("what a context manager gives")
+    if isinstance(value, Instance) and isinstance(value.cls, ClassValue):
+        method = get_attribute(run, value, "__enter__")
+        if isinstance(method, BoundMethod):
+            return call(run, method, [], {})
+    return value
+
+
+_EXITS = frozenset({"sys.exit", "os._exit"})
+
+
+def never_returns(run: Run, e: facts.Call) -> bool:
+    """``sys.exit()`` and the like."""
+    if isinstance(e.func, facts.Name):
+        return e.func.id in ("exit", "quit") and run.lookup(e.func.id) is None
+    if isinstance(e.func, facts.Attribute) and isinstance(e.func.value, facts.Name):
+        value = run.lookup(e.func.value.id)
+        return isinstance(value, External) and f"{value.path}.{e.func.attr}" in _EXITS
+    return False
+
+
+def place_of(function: FunctionValue) -> Place:
+    span = function.ir.name_span if isinstance(function.ir, facts.Function) else function.ir.span
+    return Place(function.scope.module.path, *span)
+
+
+__all__ += [
+    "EntityValue",
+    "Items",
+    "MessageValue",
+    "ModuleValue",
+    "tables",
+]

@@ -1,0 +1,483 @@
+"""Link: run every program of a workspace symbolically.
+
+First what is started: console scripts and files with a main guard.  Then the node classes that nothing starts,
+then classes and functions that work on a node which nobody here hands them; so each create call is seen, with
+the arguments of its callers where there are any.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Sequence
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING
+
+from archlint.facts import model as facts
+from archlint.facts.deep_stack import call_with_deep_stack
+from archlint.finding import Place
+from archlint.program import calls, model
+from archlint.program.api import nodes
+from archlint.program.api.callbacks import describe
+from archlint.program.attributes import bind
+from archlint.program.interest import interesting, names_in
+from archlint.program.modules import Module, ModuleIndex
+from archlint.program.run import Activation, Run
+from archlint.program.store import Store
+from archlint.program.values import (
+    NONE,
+    BoundMethod,
+    ClassValue,
+    EntityValue,
+    ExecutorValue,
+    FunctionValue,
+    Instance,
+    Known,
+    NodeValue,
+    Unknown,
+    Value,
+)
+
+if TYPE_CHECKING:
+    from archlint.program.interface_table import InterfaceTable
+    from archlint.workspace.model import SourceFile
+
+INSTANCES = 24
+"""On how many objects of one class the methods that nothing calls are tried."""
+ROUNDS = 4
+"""How often callbacks that hand over callbacks are followed."""
+
+LIFECYCLE = frozenset(
+    {"on_configure", "on_activate", "on_deactivate", "on_cleanup", "on_shutdown", "on_error"}
+)
+
+
+@dataclass(frozen=True)
+class EntryPoint:
+    """An executable of a package: ``module:function``, or a script (``function`` is None)."""
+
+    executable: str
+    package: str | None
+    module: str
+    function: str | None
+    file: SourceFile | None = None
+
+
+@dataclass
+class Linked:
+    """What linking found: programs in a fixed order, and the files that no program reads."""
+
+    programs: list[model.Program] = field(default_factory=list)
+
+
+def link_files(
+    files: Sequence[SourceFile],
+    facts_of: Callable[[SourceFile], facts.Facts | None],
+    relevant: Callable[[SourceFile], bool],
+    entry_points: Iterable[EntryPoint] = (),
+    interfaces: InterfaceTable | None = None,
+) -> list[model.Program]:
+    """Run all programs of these files.
+
+    ``facts_of`` gives a file's facts, compiling on demand; ``relevant`` tells the files that the screen kept.
+    """
+    linker = Linker(files, facts_of, relevant, interfaces)
+    return call_with_deep_stack(lambda: linker.run_all(list(entry_points)))
+
+
+class Linker:
+    """Runs programs over one index of modules and one base store."""
+
+    def __init__(
+        self,
+        files: Sequence[SourceFile],
+        facts_of: Callable[[SourceFile], facts.Facts | None],
+        relevant: Callable[[SourceFile], bool],
+        interfaces: InterfaceTable | None = None,
+    ) -> None:
+        self.index = ModuleIndex(files, facts_of)
+        self.files = sorted(files, key=lambda file: file.relative)
+        self.relevant = relevant
+        self.interfaces = interfaces
+        self.store = Store()
+        self.programs: list[model.Program] = []
+        self.ran: set[int] = set()
+        self.made: set[int] = set()
+        """Classes of which an object was made, and their bases."""
+
+    # ----------------------------------------------------------------------------------------- programs
+
+    def run_all(self, entry_points: list[EntryPoint]) -> list[model.Program]:
+        started: set[str] = set()
+        for entry in sorted(entry_points, key=lambda e: (e.package or "", e.executable)):
+            module = self._module_of(entry)
+            if module is not None:
+                started.add(module.file.path)
+                self.run_entry(entry, module)
+        modules = [m for m in (self._relevant_module(file) for file in self.files) if m is not None]
+        for test in (False, True):
+            chosen = [m for m in modules if nodes._test_file(m.path) is test]
+            for module in chosen:
+                if module.file.path not in started and (_main_guard(module) or module.state == "new"):
+                    self.run_script(module)
+            self._sweep(chosen, test)
+        return [p for p in self.programs if p.nodes or p.calls or p.callbacks]
+
+    def _relevant_module(self, file: SourceFile) -> Module | None:
+        if file.kind not in ("python", "launch_python") or not self.relevant(file):
+            return None
+        return self.index.module(file)
+
+    def _module_of(self, entry: EntryPoint) -> Module | None:
+        if entry.file is not None:
+            return self.index.module(entry.file)
+        found = [
+            file
+            for file in self.files
+            if file.module == entry.module and file.package == entry.package and file.kind != "setup_py"
+        ]
+        return self.index.module(found[0]) if found else None
+
+    def new_run(
+        self, name: str, module: Module, role: str = "main", overrides: dict[str, object] | None = None
+    ) -> Run:
+        place = Place(module.path, 1, 1, 1, 1)
+        program = model.Program(name, module.file.package, module.path)
+        context = model.Callback(role, name, place, None, file=module.path)
+        return Run(self.index, self.store, program, context, self.interfaces, overrides)
+
+    def run_entry(
+        self, entry: EntryPoint, module: Module, overrides: dict[str, object] | None = None
+    ) -> model.Program:
+        """Run one executable; also used to run it again with parameter overrides."""
+        run = self.new_run(entry.executable, module, overrides=overrides)
+        run.program.package = entry.package
+        with _Program(self, run, module):
+            run.import_module(module)
+            if entry.function is not None:
+                function = self._dotted(run, module, entry.function)
+                if function is not None:
+                    run.context.name = entry.function
+                    calls.call(run, function, [], {})
+            else:
+                _run_guard(run, module)
+        return run.program
+
+    def _dotted(self, run: Run, module: Module, name: str) -> Value | None:
+        from archlint.program.attributes import get_attribute
+
+        head, *rest = name.split(".")
+        value = run.module_attribute(module, head)
+        for part in rest:
+            value = None if value is None else get_attribute(run, value, part)
+        return value
+
+    def run_script(self, module: Module) -> model.Program:
+        """Run a file as ``python file``: its top level, then what the main guard holds."""
+        name = module.path.rpartition("/")[2]
+        run = self.new_run(name.removesuffix(".py"), module)
+        run.program.executable = _main_guard(module) is not None
+        with _Program(self, run, module):
+            run.import_module(module)
+            _run_guard(run, module)
+        return run.program
+
+    # ------------------------------------------------------------------------------------------- the rest
+
+    def _sweep(self, modules: list[Module], test: bool) -> None:
+        """Run the classes and functions that no program has run, callers before what they call."""
+        classes: list[tuple[Module, ClassValue]] = []
+        for module in modules:
+            classes.extend((module, cls) for cls in self._classes(module))
+        self._run_classes([row for row in classes if nodes.is_node_class(row[1])])
+        self._run_rest(modules, [row for row in classes if not nodes.is_node_class(row[1])], test)
+
+    def _scope_values(self, module: Module) -> list[Value]:
+        run = self.new_run(module.name, module, "module")
+        with _Program(self, run, module):
+            run.import_module(module)
+        assert module.scope is not None
+        names = [s.name for s in _definitions(module.facts.body)]
+        found = [self.store.get(module.scope.key, name) for name in dict.fromkeys(names)]
+        return [value for value in found if isinstance(value, Value)]
+
+    def _classes(self, module: Module) -> list[ClassValue]:
+        return [
+            value
+            for value in self._scope_values(module)
+            if isinstance(value, ClassValue) and value.scope.module is module
+        ]
+
+    def _run_classes(self, classes: list[tuple[Module, ClassValue]]) -> None:
+        """Node classes that nothing makes: once, with the constructor's defaults.  A class that others here
+        derive from is covered by them."""
+        bases = {id(base) for _, cls in classes for base in cls.mro[1:]}
+        for last in (False, True):
+            for module, cls in classes:
+                if (id(cls) in bases) is last and id(cls) not in self.made:
+                    self._run_class(module, cls)
+
+    def _run_class(self, module: Module, cls: ClassValue) -> None:
+        run = self.new_run(cls.qualified, module, "init")
+        run.program.executable = False
+        with _Program(self, run, module):
+            calls.instantiate(run, cls, [], {})
+
+    def _run_rest(self, modules: list[Module], classes: list[tuple[Module, ClassValue]], test: bool) -> None:
+        candidates: list[tuple[Module, ClassValue | FunctionValue]] = [
+            (module, cls)
+            for module, cls in classes
+            if interesting(cls.ir) and id(cls) not in self.made
+        ]
+        for module in modules:
+            for value in self._scope_values(module):
+                if isinstance(value, FunctionValue) and interesting(value.ir) and id(value.ir) not in self.ran:
+                    candidates.append((module, value))
+        mentioned: dict[str, int] = {}
+        for _, value in candidates:
+            for name in names_in(value.ir):
+                mentioned[name] = mentioned.get(name, 0) + 1
+        for last in (False, True):
+            for module, value in candidates:
+                name = value.ir.name if isinstance(value.ir, (facts.Class, facts.Function)) else ""
+                own = 1 if name in names_in(value.ir) else 0
+                if (mentioned.get(name, 0) > own) is not last:
+                    continue
+                if isinstance(value, ClassValue) and id(value) not in self.made:
+                    self._run_class(module, value)
+                elif isinstance(value, FunctionValue) and id(value.ir) not in self.ran:
+                    run = self.new_run(value.qualified, module, "method")
+                    run.program.executable = False
+                    with _Program(self, run, module):
+                        calls.call(run, value, [], {})
+
+
+class _Program:
+    """One program on a layer of its own: its callbacks run when the block ends, then the layer goes."""
+
+    def __init__(self, linker: Linker, run: Run, module: Module) -> None:
+        self.linker = linker
+        self.run = run
+        self.module = module
+
+    def __enter__(self) -> None:
+        run = self.run
+        self.depth = run.store.depth
+        run.store.push()
+        if self.module.scope is None and self.module.state == "new":
+            pass
+        _enter_root(run, self.module)
+
+    def __exit__(self, kind: object, error: object, trace: object) -> None:
+        run = self.run
+        try:
+            if error is None:
+                run_callbacks(run)
+        finally:
+            run.activations.clear()
+            run.store.cut(self.depth)
+        linker = self.linker
+        linker.ran |= run.ran
+        for instance in run.instances.values():
+            if isinstance(instance.cls, ClassValue):
+                linker.made.update(id(base) for base in instance.cls.mro)
+        _finish(run)
+        if run.program not in linker.programs:
+            linker.programs.append(run.program)
+
+
+def _enter_root(run: Run, module: Module) -> None:
+    """An activation at the root, so that what runs has a module and a scope."""
+    scope = module.scope
+    if scope is None:
+        scope = run.new_scope(None, module, "module", module.name)
+    run.activations.append(Activation(module.name, module, scope, [], run.store.depth))
+
+
+def _main_guard(module: Module) -> facts.If | None:
+    """``if __name__ == '__main__':`` at the top level."""
+    for statement in module.facts.body:
+        if isinstance(statement, facts.If) and isinstance(statement.test, facts.Compare):
+            test = statement.test
+            sides = [test.left, *test.comparators]
+            names = [side.id for side in sides if isinstance(side, facts.Name)]
+            texts = [side.value for side in sides if isinstance(side, facts.Literal)]
+            if names == ["__name__"] and texts == ["__main__"] and test.ops == ["=="]:
+                return statement
+    return None
+
+
+def _run_guard(run: Run, module: Module) -> None:
+    guard = _main_guard(module)
+    if guard is None or module.scope is None:
+        return
+    run.activations[-1] = Activation(module.name, module, module.scope, guard.body, run.store.depth)
+    run.execute(guard.body)
+
+
+def _definitions(body: list[facts.Stmt]) -> list[facts.Function | facts.Class]:
+    found: list[facts.Function | facts.Class] = []
+    for statement in body:
+        if isinstance(statement, (facts.Function, facts.Class)):
+            found.append(statement)
+        elif isinstance(statement, (facts.If, facts.Try)):
+            found.extend(_definitions(statement.body))
+            found.extend(_definitions(statement.orelse))
+    return found
+
+
+# ------------------------------------------------------------------------------------------- callbacks
+
+
+def run_callbacks(run: Run) -> None:
+    """Run what was handed over, then the methods that nothing calls; again where they hand over more."""
+    again: list[tuple[model.Callback, Value, tuple[Value, ...]]] = []
+    stateful = False
+    for _ in range(ROUNDS):
+        while run.pending:
+            pending = run.pending.pop(0)
+            stateful |= run_root(run, pending.callback, pending.value, pending.arguments)
+            again.append((pending.callback, pending.value, pending.arguments))
+        stateful |= _run_methods(run)
+        if not run.pending:
+            break
+    if stateful:
+        # What one callback leaves in an attribute, another may use: each sees the joined state once.
+        for callback, value, arguments in again:
+            run_root(run, callback, value, arguments)
+        while run.pending:
+            pending = run.pending.pop(0)
+            run_root(run, pending.callback, pending.value, pending.arguments)
+
+
+def run_root(
+    run: Run, callback: model.Callback, value: Value, arguments: tuple[Value, ...], *, certain: bool = False
+) -> bool:
+    """Run one callback on the state so far; True where it left an object in an attribute."""
+    kept_context, kept_activations = run.context, run.activations
+    run.context = callback
+    run.steps = 0
+    run.repeats = {}
+    run.runs = {}
+    module = _module_of(value) or kept_activations[0].module
+    run.activations = []
+    _enter_root(run, module)
+    depth = run.store.depth
+    run.store.push()
+    try:
+        calls.call(run, value, _fit(value, arguments), {})
+    finally:
+        layer = run.store.cut(depth)
+        run.context, run.activations = kept_context, kept_activations
+    run.store.merge([layer] if certain else [layer, {}])
+    objects = (EntityValue, NodeValue, ExecutorValue)
+    return any(key in run.instances and isinstance(v, objects) for (key, _), v in layer.items())
+
+
+def _module_of(value: Value) -> Module | None:
+    if isinstance(value, FunctionValue):
+        return value.scope.module
+    function = getattr(value, "function", None)
+    return _module_of(function) if isinstance(function, Value) else None
+
+
+def _fit(value: Value, arguments: tuple[Value, ...]) -> list[Value]:
+    """The arguments a callback takes: rclpy passes a subscription's callback the message, and the
+    message's info where it takes two."""
+    ir, bound = _function_and_bound(value)
+    if ir is None:
+        return list(arguments)
+    positional = [p for p in ir.params if p.kind in ("positional_only", "normal")]
+    room = max(0, len(positional) - bound)
+    if any(p.kind == "star" for p in ir.params):
+        return list(arguments)
+    fitted = list(arguments[:room])
+    while len(fitted) < room and positional[bound + len(fitted)].default is None:
+        fitted.append(Unknown(f"what '{positional[bound + len(fitted)].name}' is called with"))
+    return fitted
+
+
+def _function_and_bound(value: Value) -> tuple[facts.Function | facts.Lambda | None, int]:
+    from archlint.program.values import Partial
+
+    if isinstance(value, FunctionValue):
+        return value.ir, 0
+    if isinstance(value, BoundMethod):
+        ir, bound = _function_and_bound(value.function)
+        return ir, bound + 1
+    if isinstance(value, Partial):
+        ir, bound = _function_and_bound(value.function)
+        return ir, bound + len(value.args)
+    return None, 0
+
+
+def _run_methods(run: Run) -> bool:
+    """Methods of the program's objects that nothing has called, if they can matter."""
+    stateful = False
+    seen: dict[int, int] = {}
+    for instance in list(run.instances.values()):
+        cls = instance.cls
+        if not isinstance(cls, ClassValue):
+            continue
+        seen[id(cls)] = seen.get(id(cls), 0) + 1
+        if seen[id(cls)] > INSTANCES:
+            continue
+        for function, owner in _methods(run, cls):
+            ir = function.ir
+            if (instance.key, id(ir)) in run.executed or not isinstance(ir, facts.Function):
+                continue
+            special = ir.name.startswith("__") and ir.name != "__call__"
+            if special or "abstract" in function.decorators or not interesting(ir):
+                continue
+            bound = bind_quietly(function, instance, owner)
+            callback = describe(run, bound)
+            callback.role = "lifecycle" if ir.name in LIFECYCLE else "method"
+            callback.node = run.blueprints.get(instance.key)
+            run.program.callbacks.append(callback)
+            arguments = tuple(
+                Unknown(f"nothing in the workspace passes '{p.name}'", name=p.name)
+                for p in ir.params[callback.bound_arguments :]
+                if p.kind in ("positional_only", "normal") and p.default is None
+            )
+            stateful |= run_root(run, callback, bound, arguments)
+    return stateful
+
+
+def bind_quietly(function: FunctionValue, instance: Instance, owner: ClassValue) -> Value:
+    """Bind a method without running it, should it be a property."""
+    if "staticmethod" in function.decorators:
+        return function
+    if "classmethod" in function.decorators:
+        return BoundMethod(function, owner)
+    return BoundMethod(function, instance)
+
+
+def _methods(run: Run, cls: ClassValue) -> list[tuple[FunctionValue, ClassValue]]:
+    """The methods an object of a class has, overridden ones left out."""
+    found: dict[str, tuple[FunctionValue, ClassValue]] = {}
+    for base in cls.mro:
+        if isinstance(base, ClassValue):
+            for statement in calls.methods_of(base):
+                value = run.store.get(base.key, statement.name)
+                if isinstance(value, FunctionValue):
+                    found.setdefault(statement.name, (value, cls))
+    return list(found.values())
+
+
+def _finish(run: Run) -> None:
+    """What is only known at the end: the executable's name, test code, an executor that never spun."""
+    program = run.program
+    from_test = nodes._test_file(program.file)
+    kept = []
+    for blueprint in program.nodes:
+        if from_test and not blueprint.test:
+            continue  # a test makes an object of the real node: not a node of the system
+        if program.executable:
+            blueprint.executables = (program.name,)
+        kept.append(blueprint)
+    program.nodes[:] = kept
+    for use in program.executors:
+        if not use.spun:
+            for blueprint in use.nodes:
+                blueprint.executor = "none" if blueprint.executor == use.kind else blueprint.executor
+
+
+__all__ = ["NONE", "EntryPoint", "Known", "Linker", "bind", "link_files", "run_callbacks"]

@@ -1,0 +1,171 @@
+"""What can change during a symbolic run: variables, attributes, items.
+
+Everything mutable is kept here under ``(object, slot)``.  An undecided branch runs on a layer of its own;
+layers are joined afterwards, so that each slot is one of what the branches left in it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Hashable, Iterator, Sequence
+from contextlib import contextmanager
+
+from archlint.program.values import Unknown, Value, one_of
+
+Slot = tuple[int, Hashable]
+Layer = dict[Slot, object]
+"""A slot holds a value; slots that start with ``#`` hold the run's own immutable data (items of a list …)."""
+
+
+class Store:
+    """A stack of layers over one base; reads go from the top down, writes go to the top."""
+
+    def __init__(self) -> None:
+        self.layers: list[Layer] = [{}]
+        self._next = 1
+
+    def new_key(self) -> int:
+        self._next += 1
+        return self._next
+
+    def get(self, key: int, slot: Hashable, default: object = None) -> object:
+        at = (key, slot)
+        for layer in reversed(self.layers):
+            if at in layer:
+                return layer[at]
+        return default
+
+    def set(self, key: int, slot: Hashable, value: object) -> None:
+        self.layers[-1][(key, slot)] = value
+
+    @property
+    def depth(self) -> int:
+        return len(self.layers)
+
+    def push(self) -> None:
+        self.layers.append({})
+
+    def pop(self) -> Layer:
+        return self.layers.pop()
+
+    def above(self, depth: int) -> Layer:
+        """What was written above ``depth`` layers, flattened: the newest value of each slot."""
+        merged: Layer = {}
+        for layer in self.layers[depth:]:
+            merged.update(layer)
+        return merged
+
+    def cut(self, depth: int) -> Layer:
+        """Take off all layers above ``depth`` and return them flattened."""
+        merged = self.above(depth)
+        del self.layers[depth:]
+        return merged
+
+    def merge(self, branches: Sequence[Layer]) -> bool:
+        """Join what alternative branches wrote into the top layer; True if a slot now holds something new.
+
+        A branch that did not write a slot leaves what was there before; a slot that was not there before is
+        taken from the branches that have it.
+        """
+        changed = False
+        slots: dict[Slot, None] = {}
+        for branch in branches:
+            for at in branch:
+                slots.setdefault(at)
+        for at in slots:
+            before = self.get(*at, default=_MISSING)
+            found: list[object] = []
+            for branch in branches:
+                value = branch.get(at, before)
+                if value is not _MISSING and not any(value is other for other in found):
+                    found.append(value)
+            joined = found[0] if len(found) == 1 else _join(found)
+            if joined is not before:
+                self.set(at[0], at[1], joined)
+                changed = changed or before is _MISSING or joined != before
+        return changed
+
+    @contextmanager
+    def at_base(self) -> Iterator[None]:
+        """Run on the base layer only: for modules, whose state all programs share."""
+        kept = self.layers
+        self.layers = kept[:1]
+        try:
+            yield
+        finally:
+            self.layers = kept
+
+
+class _Missing:
+    pass
+
+
+_MISSING = _Missing()
+
+
+def _join(found: Sequence[object]) -> object:
+    values = [value for value in found if isinstance(value, Value)]
+    if len(values) == len(found):
+        return one_of(values)
+    items = [value for value in found if isinstance(value, Items)]
+    if len(items) == len(found):
+        return join_items(items)
+    entries = [value for value in found if isinstance(value, Entries)]
+    if len(entries) == len(found):
+        return join_entries(entries)
+    return found[-1]
+
+
+class Items:
+    """Items of a list; ``open`` where there may be more than are known."""
+
+    __slots__ = ("open", "values")
+
+    def __init__(self, values: tuple[Value, ...], open_: bool = False) -> None:
+        self.values = values
+        self.open = open_
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, Items) and self.values == other.values and self.open == other.open
+
+    def __hash__(self) -> int:
+        return hash((self.values, self.open))
+
+
+class Entries:
+    """Entries of a dict in order; ``open`` where there may be more than are known."""
+
+    __slots__ = ("entries", "open")
+
+    def __init__(self, entries: dict[Hashable, tuple[Value, Value]], open_: bool = False) -> None:
+        self.entries = entries
+        self.open = open_
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, Entries) and self.entries == other.entries and self.open == other.open
+
+    __hash__ = None  # type: ignore[assignment]
+
+
+def join_items(found: Sequence[Items]) -> Items:
+    """A list that is one of several: known where all agree in length, else the union, open."""
+    first = found[0]
+    if all(len(items.values) == len(first.values) for items in found):
+        columns = zip(*(items.values for items in found), strict=True)
+        return Items(tuple(one_of(column) for column in columns), any(items.open for items in found))
+    union: list[Value] = []
+    for items in found:
+        union.extend(value for value in items.values if value not in union)
+    return Items(tuple(union), True)
+
+
+def join_entries(found: Sequence[Entries]) -> Entries:
+    merged: dict[Hashable, tuple[Value, Value]] = {}
+    for entries in found:
+        for key, (name, value) in entries.entries.items():
+            merged[key] = (name, one_of((merged[key][1], value))) if key in merged else (name, value)
+    same = all(entries.entries.keys() == found[0].entries.keys() for entries in found)
+    return Entries(merged, not same or any(entries.open for entries in found))
+
+
+def unknown_items(reason: str) -> Items:
+    return Items((Unknown(reason),), True)
