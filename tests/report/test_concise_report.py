@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 import pytest
+from reports import NESTED, UNREADABLE, report
 
 from archlint.report import render
 from archlint.report.model import statistics, summarise, summary_line
-from reports import NESTED, UNREADABLE, report
 
 
 def test_one_line_a_finding():

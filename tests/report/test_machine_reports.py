@@ -3,15 +3,17 @@
 from __future__ import annotations
 
 import json
+import os
 from dataclasses import replace
+from pathlib import Path
 from xml.etree import ElementTree
 
 import pytest
+from reports import NESTED, UNREADABLE, report
 
 from archlint import rulebook
 from archlint.finding import Edit, Fix, Place, Severity
 from archlint.report import FORMATS, render, sarif
-from reports import NESTED, UNREADABLE, report
 
 HOSTILE = replace(
     UNREADABLE,
@@ -214,3 +216,15 @@ def test_every_format_can_be_written_whatever_a_file_is_called(format: str):
 @pytest.mark.parametrize("format", FORMATS)
 def test_every_format_is_the_same_on_every_run(format: str):
     assert render(format, report(NESTED, UNREADABLE)) == render(format, report(NESTED, UNREADABLE))
+
+
+@pytest.mark.skipif(
+    "SARIF_SCHEMA" not in os.environ, reason="SARIF_SCHEMA names no copy of the official schema"
+)
+def test_sarif_is_valid_by_the_official_schema():
+    import jsonschema
+
+    schema = json.loads(Path(os.environ["SARIF_SCHEMA"]).read_text("utf-8"))
+    failed = replace(UNREADABLE, code="LNT003", name="internal-error", system="launch/robot.launch.py")
+    for findings in ([], [NESTED, UNREADABLE, HOSTILE, failed]):
+        jsonschema.validate(json.loads(render("sarif", report(*findings))), schema)

@@ -5,10 +5,10 @@ from __future__ import annotations
 import re
 
 import pytest
+from reports import NESTED, UNREADABLE, report
 
 from archlint.finding import Finding, Place, Related, Severity
 from archlint.report import render
-from reports import NESTED, UNREADABLE, report
 
 
 def shown(finding: Finding, source: str | None = None) -> str:
