@@ -24,8 +24,8 @@ from .unknown import Unknown, make
 
 _REAL_EXIT = os._exit
 _STANDINS = Path(__file__).parent / "standins"
-_SECONDS_FOR_MAIN = 10.0
-_SECONDS_FOR_LATER = 6.0
+_SECONDS_FOR_MAIN = 6.0
+_SECONDS_FOR_LATER = 5.0
 _SECONDS_FOR_ONE = 1.5
 _MOST_TASKS = 300
 
@@ -312,7 +312,17 @@ def _argument(parameter: inspect.Parameter) -> Any:
     is_node = isinstance(annotation, type) and issubclass(annotation, _node_class())
     if is_node or parameter.name in _node_words or word.rpartition(".")[2].rstrip("\"' ]").endswith("Node"):
         return _node_class()(Unknown(f"argument {parameter.name}"))
-    return Unknown(f"argument {parameter.name}")
+    return _Holder(f"argument {parameter.name}")
+
+
+class _Holder(Unknown):
+    """An argument that nobody gave; what it calls its node is one, as with a plugin's context."""
+
+    def __getattr__(self, name: str) -> Any:
+        known = object.__getattribute__(self, "_known")
+        if name in ("node", "_node", "ros_node") and name not in known:
+            known[name] = _node_class()(Unknown(f"{self._path}.{name}"))
+        return super().__getattr__(name)
 
 
 # Code that nothing reached ------------------------------------------------------------------------------------------

@@ -18,6 +18,7 @@ from .sandbox import EndlessWait
 from .unknown import Unknown
 
 _SKIP, _CATCH, _CATCH_LOOP, _UNKNOWN = "__oracle_skip__", "__oracle_catch__", "__oracle_catch_loop__", "__oracle_unknown__"
+_DEEPEST = 6  # Python nests at most 20 blocks in a function, and a guard takes two
 _BARE = (ast.FunctionDef, ast.AsyncFunctionDef, ast.Global, ast.Nonlocal, ast.Pass, ast.Break, ast.Continue, ast.Raise)
 
 
@@ -28,15 +29,19 @@ class Left(Exception):
 class _Rewriter:
     def __init__(self) -> None:
         self.raises: set[int] = set()
+        self._depth = 0
 
     def body(self, statements: list[ast.stmt]) -> list[ast.stmt]:
-        return [self.statement(statement) for statement in statements]
+        self._depth += 1
+        rewritten = [self.statement(statement) for statement in statements]
+        self._depth -= 1
+        return rewritten
 
     def statement(self, node: ast.stmt) -> ast.stmt:
         if isinstance(node, ast.Raise):
             self.raises.update(range(node.lineno, (node.end_lineno or node.lineno) + 1))
         self._inside(node)
-        if isinstance(node, _BARE) or _is_docstring(node) or _is_future(node):
+        if isinstance(node, _BARE) or _is_docstring(node) or _is_future(node) or self._depth > _DEEPEST:
             return node
         return self._guarded(node)
 
@@ -50,6 +55,15 @@ class _Rewriter:
             for handler in node.handlers:
                 handler.body = self.body(handler.body)
             node.orelse, node.finalbody = self.body(node.orelse), self.body(node.finalbody)
+            return
+        if isinstance(node, (ast.FunctionDef, ast.AsyncFunctionDef)):
+            outer, self._depth = self._depth, 0
+            node.body = self.body(node.body)
+            self._depth = outer
+            return
+        if isinstance(node, ast.If) and len(node.orelse) == 1 and isinstance(node.orelse[0], ast.If):
+            self._inside(node.orelse[0])  # an elif belongs to its chain
+            node.body = self.body(node.body)
             return
         for field in ("body", "orelse"):
             if isinstance(getattr(node, field, None), list):

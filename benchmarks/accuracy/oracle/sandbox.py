@@ -145,10 +145,18 @@ def _do_not_wait() -> None:
     for module in (termios, tty):
         for name in ("tcgetattr", "tcsetattr", "setraw", "setcbreak", "tcflush", "tcdrain"):
             setattr(module, name, Unknown(name))
+    sys.modules["curses"] = _curses()
     threading.Event.wait = _returning(True)  # type: ignore[method-assign]
     threading.Condition.wait = _returning(True)  # type: ignore[assignment]
     threading.Thread.join = _returning(None)  # type: ignore[assignment]
     os._exit = lambda code=0: sys.exit(code)  # type: ignore[assignment]
+
+
+def _curses() -> Any:
+    """A terminal that is not there."""
+    module = Unknown("curses")
+    module.wrapper = lambda function, *args, **kwargs: function(Unknown("screen"), *args, **kwargs)
+    return module
 
 
 class _Silence(io.TextIOWrapper):
