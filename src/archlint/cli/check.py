@@ -1,0 +1,114 @@
+"""``archlint check``: lint."""
+
+from __future__ import annotations
+
+import argparse
+import sys
+
+from archlint import report as reports
+from archlint.cli import console, exits
+from archlint.cli.exits import UsageError
+from archlint.cli.options import (
+    Parser,
+    add_configuration,
+    add_paths,
+    add_running,
+    add_talking,
+    paths_of,
+    settings_of,
+)
+from archlint.finding import Severity
+from archlint.report.model import Report, statistics, summary_line
+from archlint.session import NothingToDo, Request, check
+
+
+def parser() -> argparse.ArgumentParser:
+    made = Parser(
+        "check", "Find what is wrong between the nodes of a ROS 2 system and inside their callbacks."
+    )
+    add_paths(made)
+    rules = made.add_argument_group(
+        "rules", "CODES: codes, prefixes such as SRV, names, ALL; with commas; repeatable"
+    )
+    rules.add_argument("--select", metavar="CODES", action="append", help="run these rules only")
+    rules.add_argument("--extend-select", metavar="CODES", action="append", help="run these rules too")
+    rules.add_argument("--ignore", metavar="CODES", action="append", help="do not run these rules")
+    output = made.add_argument_group("output")
+    formats = ", ".join(reports.FORMATS)
+    output.add_argument(
+        "--format", metavar="F", choices=reports.FORMATS, default="text", help=f"one of {formats}"
+    )
+    output.add_argument("-o", metavar="FILE", dest="file", help="write the findings to FILE")
+    output.add_argument(
+        "--output",
+        metavar="FORMAT=FILE",
+        action="append",
+        type=_output,
+        default=[],
+        help="write them to FILE in this format too; repeatable",
+    )
+    output.add_argument("--statistics", action="store_true", help="count the findings of each rule")
+    levels = made.add_argument_group("exit status")
+    levels.add_argument(
+        "--severity",
+        metavar="LEVEL",
+        choices=[level.label for level in Severity],
+        default="warning",
+        help="what fails the run: info, warning (default) or error",
+    )
+    levels.add_argument("--exit-zero", action="store_true", help="findings do not fail the run")
+    add_configuration(made)
+    add_running(made)
+    add_talking(made)
+    return made
+
+
+def _output(text: str) -> tuple[str, str]:
+    format, equals, file = text.partition("=")
+    if not equals or not file or format not in reports.FORMATS:
+        raise argparse.ArgumentTypeError(f"must be FORMAT=FILE with a format of {', '.join(reports.FORMATS)}")
+    return format, file
+
+
+def run(arguments: argparse.Namespace) -> int:
+    paths = paths_of(arguments)
+    settings = settings_of(arguments, paths[0])
+    request = Request(paths, settings, cached=not arguments.no_cache, jobs=arguments.jobs)
+    try:
+        report = check(request)
+    except NothingToDo as error:
+        raise UsageError(str(error)) from None
+    _write(report, arguments)
+    _tell(report, arguments)
+    return exit_status(report, Severity.parse(arguments.severity), arguments.exit_zero)
+
+
+def _write(report: Report, arguments: argparse.Namespace) -> None:
+    to_terminal = arguments.file in (None, "-")
+    color = to_terminal and console.wants_color(arguments.color, sys.stdout)
+    console.write(reports.render(arguments.format, report, color=color), arguments.file)
+    for format, file in arguments.output:
+        console.write(reports.render(format, report), file)
+
+
+def _tell(report: Report, arguments: argparse.Namespace) -> None:
+    """What is to be said beside the findings."""
+    if arguments.quiet:
+        return
+    for notice in report.notices:
+        console.note(f"archlint: warning: {notice}")
+    sys.stdout.flush()
+    if arguments.statistics:
+        console.note(statistics(report.findings))
+    if arguments.format in reports.FOR_PEOPLE or arguments.file is not None:
+        console.note(summary_line(report.summary))
+    if arguments.verbose:
+        console.note(f"took {report.summary.elapsed_s:.2f} s")
+
+
+def exit_status(report: Report, failing: Severity, exit_zero: bool) -> int:
+    if any(finding.code == "LNT003" for finding in report.findings):
+        return exits.FAILED
+    if any(finding.severity >= failing for finding in report.findings):
+        return exits.CLEAN if exit_zero else exits.FINDINGS
+    return exits.CLEAN

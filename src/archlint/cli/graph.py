@@ -1,0 +1,72 @@
+"""``archlint graph``: the communication graph, as text, data or a drawing."""
+
+from __future__ import annotations
+
+import argparse
+import sys
+
+from archlint import render
+from archlint.cli import console, exits
+from archlint.cli.exits import UsageError
+from archlint.cli.options import (
+    Parser,
+    add_configuration,
+    add_paths,
+    add_running,
+    add_talking,
+    paths_of,
+    settings_of,
+)
+from archlint.session import NothingToDo, Request, graph
+
+
+def parser() -> argparse.ArgumentParser:
+    made = Parser("graph", "Draw which node talks to which, from the source alone.")
+    add_paths(made)
+    output = made.add_argument_group("output")
+    output.add_argument(
+        "--format",
+        metavar="F",
+        choices=list(render.FORMATS),
+        help=f"one of {', '.join(render.FORMATS)} (default: the suffix of -o, else text)",
+    )
+    output.add_argument(
+        "-o", metavar="FILE", dest="file", help="write to FILE; its suffix chooses the format"
+    )
+    output.add_argument("--all", action="store_true", help="with what rclpy makes for every node")
+    add_configuration(made)
+    add_running(made)
+    add_talking(made)
+    return made
+
+
+def run(arguments: argparse.Namespace) -> int:
+    from archlint.render.drawing import CannotDraw
+
+    format = _format(arguments.format, arguments.file)
+    paths = paths_of(arguments)
+    settings = settings_of(arguments, paths[0])
+    request = Request(paths, settings, cached=not arguments.no_cache, jobs=arguments.jobs)
+    to_terminal = arguments.file in (None, "-")
+    color = to_terminal and console.wants_color(arguments.color, sys.stdout)
+    try:
+        system = graph(request, everything=arguments.all)
+        drawn = render.FORMATS[format](color)(system)
+    except (NothingToDo, CannotDraw) as error:
+        raise UsageError(str(error)) from None
+    console.write(drawn, arguments.file)
+    return exits.CLEAN
+
+
+def _format(format: str | None, file: str | None) -> str:
+    """The format asked for, or that of the file's suffix, or text."""
+    to_terminal = file in (None, "-")
+    if format is None and not to_terminal:
+        assert file is not None
+        format = render.by_suffix(file)
+        if format is None:
+            raise UsageError(f"the suffix of {file} is that of no format; say --format")
+    format = format or "text"
+    if format in render.BINARY and to_terminal and sys.stdout.isatty():
+        raise UsageError(f"{format} is not for a terminal; write it to a file with -o")
+    return format
