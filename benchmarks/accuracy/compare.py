@@ -1,19 +1,23 @@
-"""Score what archlint reads against what the oracle saw: `python -m benchmarks.accuracy.compare ORACLE CHECKOUTS`.
+"""Score what archlint reads against what the oracle saw: `python -m benchmarks.accuracy.compare ORACLE
+CHECKOUTS`.
 
-An entity is a distinct (file, line, kind, name, type, QoS) in the oracle's record, outside test code. It is
+An entity is a distinct (file, line, kind, name, type, QoS) in the oracle's record, outside test code.
+It is
 
 - found, when the tool has an endpoint of that kind at that file and line, resolved or not;
-- right in name, when one of the tool's resolved names there is the name that the run gave (counted where the run
-  knows the name: not where it depends on what only a robot, a network or a command line decides);
+- right in name, when one of the tool's resolved names there is the name that the run gave (counted
+  where the run knows the name: not where it depends on what only a robot, a network or a command line
+  decides);
 - right in type and in QoS, likewise, at the endpoint of that name where there is one;
-- wrong in name, when the tool gives resolved names there, and none is one that any run gave at that place. An answer
-  of `partial` or `unknown` is a miss, not wrong.
+- wrong in name, when the tool gives resolved names there, and none is one that any run gave at that
+  place. An answer of `partial` or `unknown` is a miss, not wrong.
 """
 
 from __future__ import annotations
 
 import argparse
 import json
+import os
 import shutil
 import subprocess
 import sys
@@ -77,7 +81,13 @@ class Comparison:
         return sum(self.scores.values(), Score())
 
 
-def compare(oracle: dict[str, Any], graph: dict[str, Any], *, kinds: Iterable[str] = tuple(LISTS), qos_kinds: Iterable[str] = _WITH_QOS) -> Comparison:
+def compare(
+    oracle: dict[str, Any],
+    graph: dict[str, Any],
+    *,
+    kinds: Iterable[str] = tuple(LISTS),
+    qos_kinds: Iterable[str] = _WITH_QOS,
+) -> Comparison:
     """Score one graph against one oracle record."""
     result = Comparison()
     seen = _by_site(oracle_entities(oracle, kinds))
@@ -122,10 +132,16 @@ def _by_site(entities: Iterable[Entity]) -> dict[Site, list[Entity]]:
     return dict(sites)
 
 
-def _score_site(result: Comparison, site: Site, seen: list[Entity], ours: list[Entity], qos_kinds: tuple[str, ...]) -> None:
+def _score_site(
+    result: Comparison, site: Site, seen: list[Entity], ours: list[Entity], qos_kinds: tuple[str, ...]
+) -> None:
     score = result.scores[site[2]]
     score.sites += 1
-    resolved = {each["name"]: each for each in ours if each.get("name") and each.get("resolution") in ("exact", "parameter")}
+    resolved = {
+        each["name"]: each
+        for each in ours
+        if each.get("name") and each.get("resolution") in ("exact", "parameter")
+    }
     true_names = {each["name"] for each in seen if each["name"] and each["phase"] != "forced"}
     if resolved and true_names and not true_names & set(resolved):
         score.wrong_sites += 1
@@ -133,10 +149,14 @@ def _score_site(result: Comparison, site: Site, seen: list[Entity], ours: list[E
     for entity in seen:
         problems = list(_score_entity(score, entity, ours, resolved, qos_kinds))
         if problems:
-            result.misses.append(f"{_place(site)} {entity['name'] or entity.get('pattern') or ''}: {'; '.join(problems)}")
+            result.misses.append(
+                f"{_place(site)} {entity['name'] or entity.get('pattern') or ''}: {'; '.join(problems)}"
+            )
 
 
-def _score_entity(score: Score, entity: Entity, ours: list[Entity], resolved: dict[str, Entity], qos_kinds: tuple[str, ...]) -> Iterable[str]:
+def _score_entity(
+    score: Score, entity: Entity, ours: list[Entity], resolved: dict[str, Entity], qos_kinds: tuple[str, ...]
+) -> Iterable[str]:
     score.entities += 1
     score.found += bool(ours)
     if not ours:
@@ -179,7 +199,7 @@ def _words(values: Iterable[Any]) -> str:
     return ", ".join(sorted(str(value) for value in values))[:200]
 
 
-# Tables -----------------------------------------------------------------------------------------------------------
+# Tables -----------------------------------------------------------------------------------------
 def table(rows: dict[str, Score]) -> str:
     """The scores as a Markdown table."""
     lines = [
@@ -204,14 +224,18 @@ def _share(part: int, whole: int) -> str:
 
 def main() -> None:
     """Compare each repository that has an oracle record, then all of them together."""
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser = argparse.ArgumentParser(
+        description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
+    )
     parser.add_argument("oracle", type=Path, help="the folder that benchmarks.accuracy.run wrote")
     parser.add_argument("checkouts", type=Path, help="the folder of repositories that it ran")
     parser.add_argument("names", nargs="*", help="only these repositories (default: all)")
     parser.add_argument("--peer", metavar="COMMAND", help="score this ros2inspector instead")
     parser.add_argument("--graphs", type=Path, help="read <repository>.json here instead of running archlint")
     parser.add_argument("--misses", action="store_true", help="list what was missed, and what no run came to")
-    parser.add_argument("--without-forced", action="store_true", help="leave out what only a direct call reached")
+    parser.add_argument(
+        "--without-forced", action="store_true", help="leave out what only a direct call reached"
+    )
     options = parser.parse_args()
     everything: dict[str, Comparison] = {}
     for record in sorted(options.oracle.glob("*.json")):
@@ -225,8 +249,17 @@ def main() -> None:
         graph, asked = _answer(options, checkout)
         elapsed = time.monotonic() - started
         everything[record.stem] = comparison = compare(oracle, graph, **asked)
-        print(f"\n## {record.stem} ({elapsed:.1f} s)\n\n{table({**comparison.scores, 'all': comparison.total})}")
-        for title, lines in (("wrong", comparison.wrong), *((("missed", comparison.misses), ("not seen by a run", comparison.unseen)) if options.misses else ())):
+        print(
+            f"\n## {record.stem} ({elapsed:.1f} s)\n\n{table({**comparison.scores, 'all': comparison.total})}"
+        )
+        for title, lines in (
+            ("wrong", comparison.wrong),
+            *(
+                (("missed", comparison.misses), ("not seen by a run", comparison.unseen))
+                if options.misses
+                else ()
+            ),
+        ):
             if lines:
                 print(f"\n{title}:\n" + "\n".join(f"  {line}" for line in lines))
     _print_all(everything)
@@ -246,7 +279,8 @@ def _answer(options: argparse.Namespace, checkout: Path) -> tuple[dict[str, Any]
 
 def _archlint(checkout: Path) -> dict[str, Any]:
     command = [sys.executable, "-m", "archlint", "graph", ".", "--format", "json"]
-    done = subprocess.run(command, cwd=checkout, capture_output=True, text=True, check=False)
+    environment = {**os.environ, "PYTHONPATH": str(Path(__file__).resolve().parents[2] / "src")}
+    done = subprocess.run(command, cwd=checkout, env=environment, capture_output=True, text=True, check=False)
     if not done.stdout.strip():
         raise RuntimeError(f"archlint gave nothing for {checkout}: {done.stderr.strip()[-600:]}")
     graph: dict[str, Any] = json.loads(done.stdout)
@@ -260,7 +294,8 @@ def _print_all(everything: dict[str, Comparison]) -> None:
             kinds[kind] += score
     rows = {name: comparison.total for name, comparison in everything.items()}
     total = sum(rows.values(), Score())
-    print(f"\n# By repository\n\n{table({**rows, 'all': total})}\n\n# By kind\n\n{table({**kinds, 'all': total})}")
+    print(f"\n# By repository\n\n{table({**rows, 'all': total})}")
+    print(f"\n# By kind\n\n{table({**kinds, 'all': total})}")
 
 
 if __name__ == "__main__":

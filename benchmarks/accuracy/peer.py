@@ -1,8 +1,10 @@
-"""What `ros2inspector` (0.1.5) reads in the same tree, brought into the form of `archlint graph --format json`.
+"""What `ros2inspector` (0.1.5) reads in the same tree, brought into the form of `archlint graph
+--format json`.
 
-It gives a file and a line for each endpoint, so it is scored at the same sites by the same rules. Where its answer is
-less than was asked, the benefit is its own: names are expanded here as rcl would; a type without its middle part
-(`std_msgs/String`) is taken for the full one; it has no QoS of services and actions and no timers, and is not asked.
+It gives a file and a line for each endpoint, so it is scored at the same sites by the same rules. Where
+its answer is less than was asked, the benefit is its own: names are expanded here as rcl would; a type
+without its middle part (`std_msgs/String`) is taken for the full one; it has no QoS of services and
+actions and no timers, and is not asked.
 """
 
 from __future__ import annotations

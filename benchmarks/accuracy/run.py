@@ -20,7 +20,11 @@ def main() -> None:
     parser.add_argument("--jobs", type=int, default=2)
     options = parser.parse_args()
     options.output.mkdir(parents=True, exist_ok=True)
-    folders = [options.checkouts] if options.one else sorted(path for path in options.checkouts.iterdir() if path.is_dir())
+    folders = (
+        [options.checkouts]
+        if options.one
+        else sorted(path for path in options.checkouts.iterdir() if path.is_dir())
+    )
     for folder in folders:
         if options.names and folder.name not in options.names:
             continue
@@ -30,7 +34,8 @@ def main() -> None:
         target.write_text(json.dumps(result, indent=1) + "\n", encoding="utf-8")
         ended = sum(run["ended"] for run in result["runs"])
         print(
-            f"{folder.name}: {len(result['entities'])} entities, {ended}/{len(result['runs'])} runs came to their end, "
+            f"{folder.name}: {len(result['entities'])} entities, "
+            f"{ended}/{len(result['runs'])} runs came to their end, "
             f"{len(result['unreached'])} create calls unreached, {time.monotonic() - started:.0f} s",
             flush=True,
         )

@@ -1,4 +1,5 @@
-"""One run of the oracle: execute one program, or construct the classes of one module, and write down what it creates.
+"""One run of the oracle: execute one program, or construct the classes of one module, and write down
+what it creates.
 
 Started as `python -m benchmarks.accuracy.oracle.child JOB.json` in a folder of its own.
 """
@@ -10,6 +11,7 @@ import inspect
 import json
 import os
 import pkgutil
+import re
 import sys
 import traceback
 import types
@@ -91,7 +93,7 @@ def _prepare(job: dict[str, Any]) -> None:
     sys.stdout = sys.stderr = Path(os.devnull).open("w", encoding="utf-8")  # noqa: SIM115
 
 
-# Programs -----------------------------------------------------------------------------------------------------
+# Programs ---------------------------------------------------------------------------------------
 def _run_setup(job: dict[str, Any]) -> None:
     """Execute a setup.py and note the entry points that it declares."""
     import setuptools
@@ -104,7 +106,13 @@ def _run_setup(job: dict[str, Any]) -> None:
     setuptools.setup = setup
     os.chdir(Path(job["file"]).parent)
     sandbox.close(Path(job["scratch"]))
-    _guarded("setup", lambda: exec(compile(Path(job["file"]).read_bytes(), job["file"], "exec"), {"__name__": "__main__", "__file__": job["file"]}))
+    _guarded(
+        "setup",
+        lambda: exec(
+            compile(Path(job["file"]).read_bytes(), job["file"], "exec"),
+            {"__name__": "__main__", "__file__": job["file"]},
+        ),
+    )
 
 
 def _run_entry(job: dict[str, Any]) -> None:
@@ -126,7 +134,11 @@ def _run_script(job: dict[str, Any]) -> None:
 
     def program() -> None:
         source = Path(job["file"]).read_bytes()
-        code = resume.rewritten(source, job["file"]) if job.get("resume") else compile(source, job["file"], "exec", dont_inherit=True)
+        code = (
+            resume.rewritten(source, job["file"])
+            if job.get("resume")
+            else compile(source, job["file"], "exec", dont_inherit=True)
+        )
         exec(code, module.__dict__)
 
     _guarded("main", program)
@@ -142,9 +154,13 @@ def _guarded(step: str, program: Callable[[], Any], seconds: float = _SECONDS_FO
         if leaving.code in (None, 0) and _left_from_main(leaving):
             recorder.write("ran", step=step, **about)
             return True
-        recorder.write("failed", step=step, reason=f"SystemExit: {leaving.code}"[:300], where=_where(leaving), **about)
+        recorder.write(
+            "failed", step=step, reason=f"SystemExit: {leaving.code}"[:300], where=_where(leaving), **about
+        )
     except BaseException as error:
-        recorder.write("failed", step=step, reason=f"{type(error).__name__}: {error}"[:300], where=_where(error), **about)
+        recorder.write(
+            "failed", step=step, reason=f"{type(error).__name__}: {error}"[:300], where=_where(error), **about
+        )
     else:
         recorder.write("ran", step=step, **about)
         return True
@@ -153,13 +169,21 @@ def _guarded(step: str, program: Callable[[], Any], seconds: float = _SECONDS_FO
 
 def _where(error: BaseException) -> str | None:
     """The user's innermost line in a traceback."""
-    own = [frame for frame in traceback.extract_tb(error.__traceback__) if frame.filename.startswith(recorder.root)]
+    own = [
+        frame
+        for frame in traceback.extract_tb(error.__traceback__)
+        if frame.filename.startswith(recorder.root)
+    ]
     return f"{own[-1].filename[len(recorder.root) :]}:{own[-1].lineno}" if own else None
 
 
 def _left_from_main(error: BaseException) -> bool:
     """Whether the program left where programs end: at module level, or in a function called main."""
-    own = [frame for frame in traceback.extract_tb(error.__traceback__) if frame.filename.startswith(recorder.root)]
+    own = [
+        frame
+        for frame in traceback.extract_tb(error.__traceback__)
+        if frame.filename.startswith(recorder.root)
+    ]
     return not own or own[-1].name in ("<module>", "main")
 
 
@@ -174,7 +198,7 @@ def _finish(result: Any) -> Any:
     return result
 
 
-# What happens after the program ----------------------------------------------------------------------------------
+# What happens after the program -----------------------------------------------------------------
 def _run_later() -> None:
     """Run threads, transitions, callbacks and tasks once each, within a common time limit."""
     before = recorder.phase
@@ -234,7 +258,7 @@ def _quietly(function: Any, arguments: Any) -> None:
         )
 
 
-# Classes --------------------------------------------------------------------------------------------------------
+# Classes ----------------------------------------------------------------------------------------
 def _run_classes(job: dict[str, Any]) -> None:
     """Construct each node class of a module that no program constructed, each in a process of its own."""
     recorder.phase = "class"
@@ -256,12 +280,18 @@ def _construct_and_go_on(cls: type, place: str) -> None:
 
 def _import(job: dict[str, Any]) -> types.ModuleType | None:
     found: list[types.ModuleType] = []
-    ok = _guarded("import", lambda: found.append(importlib.import_module(job["module"])), target=job["relative"])
+    ok = _guarded(
+        "import", lambda: found.append(importlib.import_module(job["module"])), target=job["relative"]
+    )
     return found[0] if ok else sys.modules.get(job["module"])
 
 
 def _classes_of(module: types.ModuleType) -> list[type]:
-    own = [value for value in vars(module).values() if isinstance(value, type) and value.__module__ == module.__name__]
+    own = [
+        value
+        for value in vars(module).values()
+        if isinstance(value, type) and value.__module__ == module.__name__
+    ]
     return list(dict.fromkeys(own))
 
 
@@ -280,7 +310,7 @@ def _in_fork(action: Callable[[], None]) -> None:
     os.waitpid(child, 0)
 
 
-def _call(function: Any, **given: Any) -> Any:
+def _call(function: Any) -> Any:
     """Call with an unknown value, or a node, for each parameter that must be given."""
     try:
         parameters = list(inspect.signature(function).parameters.values())
@@ -291,9 +321,9 @@ def _call(function: Any, **given: Any) -> Any:
     for parameter in parameters:
         if parameter.kind in (parameter.VAR_POSITIONAL, parameter.VAR_KEYWORD):
             continue
-        if parameter.default is not parameter.empty and parameter.name not in given:
+        if parameter.default is not parameter.empty and not _wants_node(parameter):
             continue
-        value = given[parameter.name] if parameter.name in given else _argument(parameter)
+        value = _argument(parameter)
         if parameter.kind is parameter.KEYWORD_ONLY:
             named[parameter.name] = value
         elif len(positional) == parameters.index(parameter):
@@ -303,14 +333,34 @@ def _call(function: Any, **given: Any) -> Any:
     return function(*positional, **named)
 
 
-_node_words = ("node", "parent_node", "ros_node", "ros2_node", "parent", "nh", "node_handle", "rclpy_node", "_node")
+_node_words = (
+    "node",
+    "parent_node",
+    "ros_node",
+    "ros2_node",
+    "parent",
+    "nh",
+    "node_handle",
+    "rclpy_node",
+    "_node",
+)
+
+
+def _wants_node(parameter: inspect.Parameter) -> bool:
+    """Whether a parameter is for a node, by its annotation or its name; a default of None may be replaced."""
+    if parameter.default is not parameter.empty and parameter.default is not None:
+        return False
+    annotation = parameter.annotation
+    word = (
+        annotation if isinstance(annotation, str) else getattr(annotation, "__name__", "") or str(annotation)
+    )
+    is_node = isinstance(annotation, type) and issubclass(annotation, _node_class())
+    named = re.fullmatch(r"(?:Optional\[)?(?:\w+\.)*\w*Node\]?(?: \| None)?", word.replace("typing.", ""))
+    return is_node or parameter.name in _node_words or named is not None
 
 
 def _argument(parameter: inspect.Parameter) -> Any:
-    annotation = parameter.annotation
-    word = annotation if isinstance(annotation, str) else getattr(annotation, "__name__", "")
-    is_node = isinstance(annotation, type) and issubclass(annotation, _node_class())
-    if is_node or parameter.name in _node_words or word.rpartition(".")[2].rstrip("\"' ]").endswith("Node"):
+    if _wants_node(parameter):
         return _node_class()(Unknown(f"argument {parameter.name}"))
     return _Holder(f"argument {parameter.name}")
 
@@ -325,7 +375,7 @@ class _Holder(Unknown):
         return super().__getattr__(name)
 
 
-# Code that nothing reached ------------------------------------------------------------------------------------------
+# Code that nothing reached ----------------------------------------------------------------------
 def _run_forced(job: dict[str, Any]) -> None:
     """Call the functions and methods that hold create calls which no other run came to."""
     recorder.phase = "forced"

@@ -1,4 +1,5 @@
-"""Imports that cannot be satisfied give stand-ins: interface modules, or modules whose every attribute is unknown."""
+"""Imports that cannot be satisfied give stand-ins: interface modules, or modules whose every attribute
+is unknown."""
 
 from __future__ import annotations
 
@@ -17,10 +18,14 @@ from .unknown import make
 
 # Not to be had in a ROS 2 workspace under Python 3: code asks for them to learn where it runs.
 _ABSENT = frozenset(
-    "rospy roslib rosnode rostopic rosservice rosmaster roscpp actionlib dynamic_reconfigure roslaunch rosmsg rosbag "
-    "StringIO cStringIO Queue ConfigParser urllib2 urlparse Tkinter tkMessageBox cPickle __builtin__ "
-    "commands thread httplib exceptions sitecustomize usercustomize org readline_fake".split()
-)
+    {
+    "rospy", "roslib", "rosnode", "rostopic", "rosservice", "rosmaster", "roscpp", "actionlib",
+    "dynamic_reconfigure", "roslaunch", "rosmsg", "rosbag", "StringIO", "cStringIO", "Queue",
+    "ConfigParser", "urllib2", "urlparse", "Tkinter", "tkMessageBox", "cPickle", "__builtin__",
+    "commands", "thread", "httplib", "exceptions", "sitecustomize", "usercustomize", "org",
+    "readline_fake",
+    }
+)  # fmt: skip
 _INTERFACE = re.compile(rf"^(?P<package>\w+)\.(?P<kind>{'|'.join(KINDS)})(\._\w+)?$")
 
 
@@ -54,8 +59,12 @@ class StandInFinder(importlib.abc.MetaPathFinder, importlib.abc.Loader):
     def find_spec(
         self, fullname: str, path: Sequence[str] | None, target: types.ModuleType | None = None
     ) -> importlib.machinery.ModuleSpec | None:
-        if fullname.partition(".")[0] in _ABSENT or not _asked_by_user():
+        asker = _asked_by_user()
+        if fullname.partition(".")[0] in _ABSENT or asker is None:
             return None
+        beside = _beside(asker, fullname)
+        if beside is not None:
+            return beside
         parent = sys.modules.get(fullname.rpartition(".")[0])
         # A real, complete package says itself what it holds; only generated parts may be missing from one.
         if parent is not None and _is_installed(parent) and not _INTERFACE.match(fullname):
@@ -72,15 +81,22 @@ class StandInFinder(importlib.abc.MetaPathFinder, importlib.abc.Loader):
         return None
 
 
-def _asked_by_user() -> bool:
-    """Whether the import stands in user code; libraries probe for optional modules and must be told the truth."""
+def _asked_by_user() -> str | None:
+    """The file of the user's import; libraries probe for optional modules and must be told the truth."""
     frame: types.FrameType | None = sys._getframe(2)
     while frame is not None:
         filename = frame.f_code.co_filename
         if "importlib" not in filename:
-            return filename.startswith(recorder.root) or "/oracle/" in filename
+            return filename if filename.startswith(recorder.root) or "/oracle/" in filename else None
         frame = frame.f_back
-    return False
+    return None
+
+
+def _beside(asker: str, name: str) -> importlib.machinery.ModuleSpec | None:
+    """A module in the folder of the file that imports it: installed beside it, as scripts are."""
+    if "." in name or not asker.startswith(recorder.root):
+        return None
+    return importlib.machinery.PathFinder.find_spec(name, [str(Path(asker).parent)])
 
 
 def _is_installed(module: types.ModuleType) -> bool:
@@ -90,7 +106,7 @@ def _is_installed(module: types.ModuleType) -> bool:
 
 
 class _NoAccidentalPackages(importlib.abc.MetaPathFinder):
-    """A folder without Python is a namespace package to Python, as `pkg/` and `pkg/msg/` of an interface package are.
+    """To Python a folder without modules is a package too, as `pkg/` and `pkg/msg/` of an interface package are.
 
     The folders of a repository are on the path here, those of an installed workspace would not be.
     """
@@ -109,13 +125,15 @@ class _NoAccidentalPackages(importlib.abc.MetaPathFinder):
         spec = importlib.machinery.PathFinder.find_spec(fullname, path)
         if spec is None or spec.origin is not None or not spec.submodule_search_locations:
             return None
-        if any(_holds_python(Path(place), interface is not None) for place in spec.submodule_search_locations):
+        if any(
+            _holds_python(Path(place), interface is not None) for place in spec.submodule_search_locations
+        ):
             return None
         return self._standins.find_spec(fullname, None)
 
 
 def _holds_python(folder: Path, interface: bool) -> bool:
-    """Whether a folder can be meant as a package: it holds modules, and is not the folder of a ROS package."""
+    """Whether a folder can be meant as a Python package: it holds modules, and is no ROS package."""
     if any((folder / name).exists() for name in ("package.xml", "setup.py", "CMakeLists.txt")):
         return False
     return any(folder.glob("*.py")) or (not interface and any(folder.glob("*/*.py")))
@@ -135,9 +153,21 @@ class _OldNumpyNames(importlib.abc.MetaPathFinder):
 
             def exec_module(module: types.ModuleType) -> None:
                 run(module)
-                old = {"int": int, "float": float, "object": object, "str": str, "complex": complex, "bool": bool}
+                old = {
+                    "int": int,
+                    "float": float,
+                    "object": object,
+                    "str": str,
+                    "complex": complex,
+                    "bool": bool,
+                }
                 vars(module).update({name: value for name, value in old.items() if name not in vars(module)})
-                for name, value in (("float_", float), ("Inf", float("inf")), ("NaN", float("nan")), ("infty", float("inf"))):
+                for name, value in (
+                    ("float_", float),
+                    ("Inf", float("inf")),
+                    ("NaN", float("nan")),
+                    ("infty", float("inf")),
+                ):
                     vars(module).setdefault(name, value)
 
             spec.loader.exec_module = exec_module  # type: ignore[method-assign]

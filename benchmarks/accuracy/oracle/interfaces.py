@@ -1,7 +1,7 @@
 """Stand-ins for generated interface classes: `pkg.msg.X`, `pkg.srv.X`, `pkg.action.X`.
 
-A class knows its ROS type name. Constants and field defaults are read from the repository's own .msg, .srv and
-.action files; everything else of an interface is an unknown value.
+A class knows its ROS type name. Constants and field defaults are read from the repository's own .msg,
+.srv and .action files; everything else of an interface is an unknown value.
 """
 
 from __future__ import annotations
@@ -64,7 +64,7 @@ class Interface(metaclass=InterfaceType):
     @classmethod
     def get_fields_and_field_types(cls) -> dict[str, str]:
         """The fields of the interface, where its definition is at hand."""
-        return {name: "" for name in cls._fields}
+        return dict.fromkeys(cls._fields, "")
 
     def __eq__(self, other: object) -> bool:
         return type(self) is type(other) and vars(self) == vars(other)
@@ -82,15 +82,25 @@ def interface(package: str, kind: str, name: str) -> type:
     """The stand-in class of one interface; nested Request, Goal ... included."""
     ros_type = f"{package}/{kind}/{name}"
     sections = _sections(ros_type)
-    result = _class(f"{package}.{kind}", name, ros_type, sections[0] if kind == "msg" and sections else ({}, {}))
+    result = _class(
+        f"{package}.{kind}", name, ros_type, sections[0] if kind == "msg" and sections else ({}, {})
+    )
     for index, part in enumerate(_PARTS.get(kind, ())):
         members = sections[index] if index < len(sections) else ({}, {})
-        type.__setattr__(result, part, _class(f"{package}.{kind}", f"{name}.{part}", f"{ros_type}_{part}", members))
+        type.__setattr__(
+            result, part, _class(f"{package}.{kind}", f"{name}.{part}", f"{ros_type}_{part}", members)
+        )
     if kind == "action":
         impl = types.SimpleNamespace(
-            SendGoalService=interface(package, "action", f"{name}_SendGoal") if "_" not in name else Unknown(),
-            GetResultService=interface(package, "action", f"{name}_GetResult") if "_" not in name else Unknown(),
-            FeedbackMessage=_class(f"{package}.action", f"{name}_FeedbackMessage", f"{ros_type}_FeedbackMessage", ({}, {})),
+            SendGoalService=interface(package, "action", f"{name}_SendGoal")
+            if "_" not in name
+            else Unknown(),
+            GetResultService=interface(package, "action", f"{name}_GetResult")
+            if "_" not in name
+            else Unknown(),
+            FeedbackMessage=_class(
+                f"{package}.action", f"{name}_FeedbackMessage", f"{ros_type}_FeedbackMessage", ({}, {})
+            ),
             CancelGoalService=interface("action_msgs", "srv", "CancelGoal"),
             GoalStatusMessage=interface("action_msgs", "msg", "GoalStatusArray"),
         )
@@ -157,6 +167,10 @@ class InterfaceModule(types.ModuleType):
     def __getattr__(self, name: str) -> Any:
         if name.startswith("__"):
             raise AttributeError(name)
-        value: Any = interface(self._package, self._kind, name) if name[:1].isupper() else Unknown(f"{self.__name__}.{name}")
+        value: Any = (
+            interface(self._package, self._kind, name)
+            if name[:1].isupper()
+            else Unknown(f"{self.__name__}.{name}")
+        )
         setattr(self, name, value)
         return value

@@ -1,4 +1,5 @@
-"""Expansion and validation of ROS names, as rcl does it (rcl: validate_topic_name.c, expand_topic_name.c).
+"""Expansion and validation of ROS names, as rcl does it (rcl: validate_topic_name.c,
+expand_topic_name.c).
 
 Kept apart from archlint's own implementation, so that one mistake cannot hide in both.
 """
@@ -77,11 +78,15 @@ def _validate_written(name: str) -> None:
     if name.endswith("/"):
         raise NameError_(name, "topic name must not end with a forward slash")
     if re.search(r"[^A-Za-z0-9_/~{}]", name):
-        raise NameError_(name, "topic name must not contain characters other than alphanumerics, '_', '~', '{', or '}'")
+        raise NameError_(
+            name, "topic name must not contain characters other than alphanumerics, '_', '~', '{', or '}'"
+        )
     if "~" in name[1:]:
         raise NameError_(name, "topic name must not have tilde '~' unless it is the first character")
     if name[0] == "~" and len(name) > 1 and name[1] != "/":
-        raise NameError_(name, "topic name must not have a tilde '~' that is not followed by a forward slash '/'")
+        raise NameError_(
+            name, "topic name must not have a tilde '~' that is not followed by a forward slash '/'"
+        )
     rest = re.sub(r"\{([A-Za-z0-9_]*)\}", "", name)
     if "{" in rest or "}" in rest:
         raise NameError_(name, "topic name must have balanced curly braces around plain words")

@@ -1,8 +1,9 @@
-"""A second try for programs that stop early: a statement that fails is skipped, and what it would have set is unknown.
+"""A second try for programs that stop early: a statement that fails is skipped, and what it would have
+set is unknown.
 
-The source is rewritten as it is loaded: each statement of a function, class or module body is put into a `try`.
-Statements inside the program's own `try` are left alone, and an exception that the program raises itself still
-leaves the function, so that its own handling of errors keeps its meaning.
+The source is rewritten as it is loaded: each statement of a function, class or module body is put into
+a `try`. Statements inside the program's own `try` are left alone, and an exception that the program
+raises itself still leaves the function, so that its own handling of errors keeps its meaning.
 """
 
 from __future__ import annotations
@@ -17,9 +18,23 @@ from .record import recorder
 from .sandbox import EndlessWait
 from .unknown import Unknown
 
-_SKIP, _CATCH, _CATCH_LOOP, _UNKNOWN = "__oracle_skip__", "__oracle_catch__", "__oracle_catch_loop__", "__oracle_unknown__"
+_SKIP, _CATCH, _CATCH_LOOP, _UNKNOWN = (
+    "__oracle_skip__",
+    "__oracle_catch__",
+    "__oracle_catch_loop__",
+    "__oracle_unknown__",
+)
 _DEEPEST = 6  # Python nests at most 20 blocks in a function, and a guard takes two
-_BARE = (ast.FunctionDef, ast.AsyncFunctionDef, ast.Global, ast.Nonlocal, ast.Pass, ast.Break, ast.Continue, ast.Raise)
+_BARE = (
+    ast.FunctionDef,
+    ast.AsyncFunctionDef,
+    ast.Global,
+    ast.Nonlocal,
+    ast.Pass,
+    ast.Break,
+    ast.Continue,
+    ast.Raise,
+)
 
 
 class Left(Exception):
@@ -79,7 +94,9 @@ class _Rewriter:
 
     def _guarded(self, node: ast.stmt) -> ast.stmt:
         loops = isinstance(node, (ast.For, ast.While, ast.AsyncFor))
-        recover: list[ast.stmt] = [_expression(ast.Call(_name(_SKIP), [_name("__oracle_error__"), ast.Constant(node.lineno)], []))]
+        recover: list[ast.stmt] = [
+            _expression(ast.Call(_name(_SKIP), [_name("__oracle_error__"), ast.Constant(node.lineno)], []))
+        ]
         for target in _targets(node):
             recover.append(_assign(target))
         if isinstance(node, ast.Return):
@@ -156,10 +173,16 @@ def _skip(error: BaseException, line: int) -> None:
     """Let an exception pass that this function raised by itself; note any other, and go on."""
     traceback = error.__traceback__
     if traceback is not None and traceback.tb_next is None:
-        if traceback.tb_lineno in _raises.get(traceback.tb_frame.f_code.co_filename, ()):
+        raised_here = _raises.get(traceback.tb_frame.f_code.co_filename, set())
+        if traceback.tb_lineno in raised_here:
             raise error
     filename = sys._getframe(1).f_code.co_filename
-    recorder.write("skipped", file=filename[len(recorder.root) :], line=line, reason=f"{type(error).__name__}: {error}"[:300])
+    recorder.write(
+        "skipped",
+        file=filename[len(recorder.root) :],
+        line=line,
+        reason=f"{type(error).__name__}: {error}"[:300],
+    )
 
 
 def _leave(code: object = None) -> None:
@@ -170,7 +193,12 @@ def install() -> None:
     """From here on the repository's own files are loaded in their guarded form."""
     import builtins
 
-    names: dict[str, Any] = {_SKIP: _skip, _CATCH: Exception, _CATCH_LOOP: (Exception, EndlessWait), _UNKNOWN: Unknown}
+    names: dict[str, Any] = {
+        _SKIP: _skip,
+        _CATCH: Exception,
+        _CATCH_LOOP: (Exception, EndlessWait),
+        _UNKNOWN: Unknown,
+    }
     vars(builtins).update(names, exit=_leave, quit=_leave)
     sys.exit = _leave
     plain = importlib.machinery.SourceFileLoader.source_to_code

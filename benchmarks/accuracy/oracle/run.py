@@ -1,4 +1,5 @@
-"""Run every program and every node class of a repository, each in a process of its own, and merge what they created."""
+"""Run every program and every node class of a repository, each in a process of its own, and merge what
+they created."""
 
 from __future__ import annotations
 
@@ -16,6 +17,19 @@ from .workspace import Source, Workspace, entry_point, is_test, read
 
 _PROJECT = Path(__file__).resolve().parents[3]
 _KILLED_AFTER = 25.0  # seconds; a job limits itself, this is for one that cannot
+
+_ENVIRONMENT = {
+    "PATH": "/usr/bin:/bin",
+    "LANG": "C.UTF-8",
+    "USER": "user",
+    "TERM": "dumb",
+    "PYTHONHASHSEED": "0",
+    "PYTHONDONTWRITEBYTECODE": "1",
+    "OPENBLAS_NUM_THREADS": "1",
+    "ROS_DISTRO": "jazzy",
+    "ROS_VERSION": "2",
+    "ROS_PYTHON_VERSION": "3",
+}
 
 Line = dict[str, Any]
 
@@ -59,7 +73,11 @@ class Oracle:
 
     def _again(self, jobs: list[Job]) -> None:
         """Once more with failing statements skipped, for what did not come to its end."""
-        stopped = [job for job in jobs if any(line["what"] in ("failed", "broke", "cut") for line in job.lines) or not job.lines]
+        stopped = [
+            job
+            for job in jobs
+            if any(line["what"] in ("failed", "broke", "cut") for line in job.lines) or not job.lines
+        ]
         self._start(Job(job.kind, job.label, {**job.spec, "resume": True}) for job in stopped)
 
     def _execute(self, job: Job) -> Job:
@@ -78,27 +96,34 @@ class Oracle:
             }
             Path(scratch, "job.json").write_text(json.dumps(spec), encoding="utf-8")
             command = [sys.executable, "-m", "benchmarks.accuracy.oracle.child", "job.json"]
-            environment = {
-                "PATH": "/usr/bin:/bin", "HOME": scratch, "TMPDIR": scratch, "PYTHONPATH": str(_PROJECT), "PYTHONHASHSEED": "0",
-                "PYTHONDONTWRITEBYTECODE": "1", "ROS_DISTRO": "jazzy", "ROS_VERSION": "2", "ROS_PYTHON_VERSION": "3",
-                "OPENBLAS_NUM_THREADS": "1", "LANG": "C.UTF-8", "USER": "user",
-            }  # fmt: skip
+            environment = {**_ENVIRONMENT, "HOME": scratch, "TMPDIR": scratch, "PYTHONPATH": str(_PROJECT)}
             noise: str | None = None
             try:
                 done = subprocess.run(
-                    command, cwd=scratch, env=environment, timeout=_KILLED_AFTER, capture_output=True, check=False
+                    command,
+                    cwd=scratch,
+                    env=environment,
+                    timeout=_KILLED_AFTER,
+                    capture_output=True,
+                    check=False,
                 )
                 if done.returncode:
                     noise = done.stderr.decode(errors="replace").strip()[-300:] or f"exit {done.returncode}"
             except subprocess.TimeoutExpired:
                 noise = f"killed after {_KILLED_AFTER:.0f} s"
             if out.exists():
-                job.lines = [json.loads(line) for line in out.read_text(encoding="utf-8").splitlines() if line.endswith("}")]
+                job.lines = [
+                    json.loads(line)
+                    for line in out.read_text(encoding="utf-8").splitlines()
+                    if line.endswith("}")
+                ]
             if noise:
-                job.lines.append({"what": "failed", "phase": "main", "step": "process", "reason": noise, "where": None})
+                job.lines.append(
+                    {"what": "failed", "phase": "main", "step": "process", "reason": noise, "where": None}
+                )
         return job
 
-    # What to run ---------------------------------------------------------------------------------------------------
+    # What to run ---------------------------------------------------------------------------------
     def _programs(self) -> list[Job]:
         jobs: dict[tuple[str, str], Job] = {}
         reached: set[tuple[str, str]] = set()
@@ -112,16 +137,26 @@ class Oracle:
             spec = {"module": entry[1], "function": entry[2], "file": str(file), **self._paths(file, folder)}
             jobs[(relative, entry[2])] = Job("entry", f"{relative}:{entry[2]}", spec)
         for source in self._sources():
-            if source.is_program() and (source.relative, source.guard_calls() or "") not in reached and self._about_ros(source):
+            if (
+                source.is_program()
+                and (source.relative, source.guard_calls() or "") not in reached
+                and self._about_ros(source)
+            ):
                 spec = {"file": str(source.path), **self._paths(source.path)}
                 jobs[(source.relative, "")] = Job("script", source.relative, spec)
         return [jobs[key] for key in sorted(jobs)]
 
     def _scripts(self) -> list[tuple[str, Path]]:
-        setups = [path for path in self.workspace.setups if not is_test(path.relative_to(self.workspace.root).as_posix())]
-        jobs = [Job("setup", str(path), {"file": str(path), "path_first": [str(path.parent)]}) for path in setups]
+        setups = [
+            path
+            for path in self.workspace.setups
+            if not is_test(path.relative_to(self.workspace.root).as_posix())
+        ]
+        jobs = [
+            Job("setup", str(path), {"file": str(path), "path_first": [str(path.parent)]}) for path in setups
+        ]
         found = list(self.workspace.configured)
-        for path, job in zip(setups, self._pool.map(self._execute, jobs)):
+        for path, job in zip(setups, self._pool.map(self._execute, jobs), strict=True):
             for line in job.lines:
                 found.extend((script, path.parent) for script in line.get("scripts", []))
         return found
@@ -146,7 +181,11 @@ class Oracle:
         seen = {(line["file"], line["line"]) for line in self._lines("entity")}
         jobs = []
         for source in self._sources():
-            sites = [(line, name) for line, name in source.create_sites() if (source.relative, line) not in seen and name]
+            sites = [
+                (line, name)
+                for line, name in source.create_sites()
+                if (source.relative, line) not in seen and name
+            ]
             if sites:
                 functions = sorted({name for _, name in sites})
                 jobs.append(self._module_job("forced", source, {"functions": functions, "resume": True}))
@@ -155,18 +194,15 @@ class Oracle:
     def _module_job(self, kind: str, source: Source, more: dict[str, Any]) -> Job:
         module, top = self.workspace.module_of(source.path)
         paths = self._paths(source.path)
-        paths["path_first"] = list(dict.fromkeys([str(top), *paths["path_first"]]))
+        # The folder of a package's module is not on the path: it would shadow the library.
+        own = [path for path in paths["path_first"] if path != str(source.path.parent)]
+        paths["path_first"] = list(dict.fromkeys([str(top), *own]))
         spec = {"module": module, "file": str(source.path), "relative": source.relative, **paths, **more}
         return Job(kind, source.relative, spec)
 
     def _paths(self, file: Path, folder: Path | None = None) -> dict[str, list[str]]:
         """The package's own folders come before the library, everybody else's after it."""
-        _, top = self.workspace.module_of(file)
-        first = [] if folder else [file.parent]
-        if (file.parent / "__init__.py").exists() and folder is None:
-            first = [top]  # a module of a package: its folder would shadow the library
-        if folder:
-            first = [folder, folder / "src"]
+        first = [folder, folder / "src"] if folder else [file.parent]
         own = [str(path) for path in [*first, *self.workspace.own_roots(file)] if path != self.workspace.root]
         others = [str(path) for path in [self.workspace.root, *self.workspace.roots] if str(path) not in own]
         return {"path_first": list(dict.fromkeys(own)), "path_last": others}
@@ -185,8 +221,13 @@ class Oracle:
     def _about_ros(self, source: Source) -> bool:
         if source.mentions_ros:
             return True
-        near = {path for path in self.workspace.own_roots(source.path)[:1]}
-        return any(other.mentions_ros for other in self.workspace.sources for root in near if other.path.is_relative_to(root))
+        near = self.workspace.own_roots(source.path)[:1]
+        return any(
+            other.mentions_ros
+            for other in self.workspace.sources
+            for root in near
+            if other.path.is_relative_to(root)
+        )
 
     def _lines(self, what: str) -> list[Line]:
         return [line for job in self._jobs for line in job.lines if line["what"] == what]
@@ -207,21 +248,33 @@ def _merged(workspace: Workspace, jobs: list[Job]) -> dict[str, Any]:
         for line in job.lines:
             if line["what"] != "entity" or line["rank"] > best[(line["file"], line["line"])]:
                 continue
-            key = json.dumps([line.get(name) for name in ("kind", "file", "line", "column", "name", "type", "qos", "node", "class")])
-            kept = records.setdefault(key, {key: value for key, value in line.items() if key not in ("what", "rank")} | {"by": []})
+            key = json.dumps(
+                [
+                    line.get(name)
+                    for name in ("kind", "file", "line", "column", "name", "type", "qos", "node", "class")
+                ]
+            )
+            kept = records.setdefault(
+                key, {key: value for key, value in line.items() if key not in ("what", "rank")} | {"by": []}
+            )
             if job.label not in kept["by"] and len(kept["by"]) < 3:
                 kept["by"].append(job.label)
-    order = lambda line: (line["file"], line["line"], line["column"], line["kind"], line["name"] or "", str(line["node"]))  # noqa: E731
-    entities = sorted(records.values(), key=order)
+    entities = sorted(records.values(), key=_order)
     return {
         "version": 1,
         "repository": workspace.root.name,
         "entities": entities,
-        "nodes": _unique(line for job in jobs for line in job.lines if line["what"] == "node" and line.get("file")),
+        "nodes": _unique(
+            line for job in jobs for line in job.lines if line["what"] == "node" and line.get("file")
+        ),
         "refused": _unique(line for job in jobs for line in job.lines if line["what"] == "refused"),
         "runs": [_report(job) for job in jobs],
         "unreached": _unreached(workspace, entities),
     }
+
+
+def _order(line: Line) -> tuple[Any, ...]:
+    return (line["file"], line["line"], line["column"], line["kind"], line["name"] or "", str(line["node"]))
 
 
 def _rank(job: Job, line: Line) -> int:
@@ -232,8 +285,14 @@ def _rank(job: Job, line: Line) -> int:
 
 
 def _report(job: Job) -> Line:
-    failures = [{name: line.get(name) for name in ("step", "target", "reason", "where")} for line in job.failures]
-    broken = [{name: line.get(name) for name in ("step", "reason", "where")} for line in job.lines if line["what"] in ("broke", "cut")]
+    failures = [
+        {name: line.get(name) for name in ("step", "target", "reason", "where")} for line in job.failures
+    ]
+    broken = [
+        {name: line.get(name) for name in ("step", "reason", "where")}
+        for line in job.lines
+        if line["what"] in ("broke", "cut")
+    ]
     entities = sum(line["what"] == "entity" for line in job.lines)
     return {
         "kind": job.kind, "target": job.label, "resumed": bool(job.spec.get("resume")),
@@ -243,7 +302,12 @@ def _report(job: Job) -> Line:
 
 
 def _unique(lines: Iterable[Line]) -> list[Line]:
-    found = {json.dumps({key: value for key, value in line.items() if key not in ("what", "via")}, sort_keys=True): line for line in lines}
+    found = {
+        json.dumps(
+            {key: value for key, value in line.items() if key not in ("what", "via")}, sort_keys=True
+        ): line
+        for line in lines
+    }
     return [{key: value for key, value in found[key].items() if key != "what"} for key in sorted(found)]
 
 

@@ -1,7 +1,8 @@
 """The world around a node that is executed: no network, no writes outside a scratch folder, no waiting.
 
-Sleeps, spins and `input()` return at once. A place that waits again and again is told that the user pressed Ctrl-C,
-so that `while True: ...` ends. Threads do not run beside the program: their targets are kept and run afterwards.
+Sleeps, spins and `input()` return at once. A place that waits again and again is told that the user
+pressed Ctrl-C, so that `while True: ...` ends. Threads do not run beside the program: their targets are
+kept and run afterwards.
 """
 
 from __future__ import annotations
@@ -10,6 +11,8 @@ import asyncio
 import builtins
 import concurrent.futures
 import io
+import json
+import logging
 import os
 import select
 import signal
@@ -27,6 +30,9 @@ from pathlib import Path
 from types import CodeType
 from typing import Any
 
+import yaml
+
+from .finder import UnknownModule
 from .record import recorder
 from .unknown import Unknown, is_tainted
 
@@ -107,19 +113,44 @@ def _guard(scratch: str) -> None:
         full = os.path.realpath(os.fsdecode(path))
         return full.startswith(scratch) or full.startswith("/dev/")
 
-    changes = {"os.mkdir", "os.remove", "os.rename", "os.rmdir", "os.link", "os.symlink", "os.truncate", "os.chmod", "os.utime", "shutil.rmtree"}
+    changes = {
+        "os.mkdir",
+        "os.remove",
+        "os.rename",
+        "os.rmdir",
+        "os.link",
+        "os.symlink",
+        "os.truncate",
+        "os.chmod",
+        "os.utime",
+        "shutil.rmtree",
+    }
 
     def hook(event: str, arguments: tuple[Any, ...]) -> None:
         if event == "open":
-            path, mode, flags = arguments
+            path, _, flags = arguments
             if flags and flags & writes and not inside(path):
                 raise PermissionError(f"writing {path!r} is not allowed here")
         elif event in changes:
             if not inside(arguments[0]):
                 raise PermissionError(f"{event} of {arguments[0]!r} is not allowed here")
-        elif event in ("socket.connect", "socket.getaddrinfo", "socket.gethostbyname", "socket.sendto", "socket.bind"):
+        elif event in (
+            "socket.connect",
+            "socket.getaddrinfo",
+            "socket.gethostbyname",
+            "socket.sendto",
+            "socket.bind",
+        ):
             raise ConnectionRefusedError("there is no network here")
-        elif event in ("os.exec", "os.posix_spawn", "os.spawn", "os.system", "subprocess.Popen", "os.kill", "os.killpg"):
+        elif event in (
+            "os.exec",
+            "os.posix_spawn",
+            "os.spawn",
+            "os.system",
+            "subprocess.Popen",
+            "os.kill",
+            "os.killpg",
+        ):
             raise PermissionError("no processes are started here")
 
     sys.addaudithook(hook)
@@ -140,16 +171,54 @@ def _do_not_wait() -> None:
     time.sleep = sleep  # type: ignore[assignment]
     asyncio.sleep = async_sleep  # type: ignore[assignment]
     builtins.input = read  # type: ignore[assignment]
-    sys.stdin = _Silence(Path(os.devnull).open("rb", buffering=0))
+    sys.stdin = _Silence(Path(os.devnull).open("rb", buffering=0))  # noqa: SIM115
     select.select = _returning(([], [], []))  # type: ignore[assignment]
     for module in (termios, tty):
         for name in ("tcgetattr", "tcsetattr", "setraw", "setcbreak", "tcflush", "tcdrain"):
             setattr(module, name, Unknown(name))
     sys.modules["curses"] = _curses()
+    for name in (
+        "",
+        ".ttk",
+        ".messagebox",
+        ".filedialog",
+        ".simpledialog",
+        ".scrolledtext",
+        ".font",
+        ".colorchooser",
+    ):
+        sys.modules[f"tkinter{name}"] = UnknownModule(f"tkinter{name}")
+    _open_unknown_files()
     threading.Event.wait = _returning(True)  # type: ignore[method-assign]
     threading.Condition.wait = _returning(True)  # type: ignore[assignment]
     threading.Thread.join = _returning(None)  # type: ignore[assignment]
     os._exit = lambda code=0: sys.exit(code)  # type: ignore[assignment]
+
+
+def _open_unknown_files() -> None:
+    """A file whose path is unknown is unknown, and so is what JSON and YAML read from it."""
+    plain = builtins.open
+
+    def open_(file: Any, *args: Any, **kwargs: Any) -> Any:
+        if isinstance(file, Unknown) or is_tainted(file):
+            return Unknown("file")
+        return plain(file, *args, **kwargs)
+
+    def reader(read: Callable[..., Any]) -> Callable[..., Any]:
+        def read_unless_unknown(source: Any, *args: Any, **kwargs: Any) -> Any:
+            return Unknown("content") if isinstance(source, Unknown) else read(source, *args, **kwargs)
+
+        return read_unless_unknown
+
+    plain_logger = logging.getLogger
+    logging.getLogger = lambda name=None: plain_logger(str(name) if isinstance(name, Unknown) else name)
+    builtins.open = open_  # type: ignore[assignment]
+    for module, names in (
+        (json, ("load", "loads")),
+        (yaml, ("load", "safe_load", "full_load", "unsafe_load")),
+    ):
+        for name in names:
+            setattr(module, name, reader(getattr(module, name)))
 
 
 def _curses() -> Any:
@@ -239,11 +308,10 @@ def _do_not_require_arguments() -> None:
                 if action.required:
                     action.required = False
                     action.default = Unknown(f"argument {action.dest}")
-            elif action.required and action.nargs in (None, "+") or isinstance(action.nargs, int):
-                if action.dest != "==SUPPRESS==" and not action.option_strings:
-                    action.required = False
-                    action.default = Unknown(f"argument {action.dest}")
-                    action.nargs = "*" if action.nargs == "+" or isinstance(action.nargs, int) else "?"
+            elif action.nargs in (None, "+") or isinstance(action.nargs, int):
+                action.required = False
+                action.default = Unknown(f"argument {action.dest}")
+                action.nargs = "?" if action.nargs is None else "*"
         return parse(self, args, namespace)
 
     ArgumentParser.parse_known_args = lenient  # type: ignore[assignment,method-assign]

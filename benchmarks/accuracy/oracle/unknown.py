@@ -1,13 +1,14 @@
 """Values that a run cannot know, and how they are told apart from real ones.
 
-`Unknown` stands for whatever a missing module would have given: it can be called, subclassed, unpacked, compared,
-awaited, used as a decorator or in arithmetic. Turned into text it carries private-use characters, so that a name
-built from it is recognised and never taken for the truth.
+`Unknown` stands for whatever a missing module would have given: it can be called, subclassed, unpacked,
+compared, awaited, used as a decorator or in arithmetic. Turned into text it carries private-use
+characters, so that a name built from it is recognised and never taken for the truth.
 """
 
 from __future__ import annotations
 
 import dis
+import inspect
 import re
 import sys
 import types
@@ -111,7 +112,7 @@ _ERROR_NAME = re.compile(r"(Error|Exception|Exit|Interrupt|Empty|Full|Timeout|Wa
 
 
 def make(path: str) -> Any:
-    """The stand-in for the value at a dotted path: an exception class if it is called like one, else an Unknown."""
+    """The stand-in for what a dotted path names: an exception class if it is called so, else an Unknown."""
     if _ERROR_NAME.search(path) and "(" not in path and path.rpartition(".")[2][:1].isupper():
         return _error_class(path)
     return Unknown(path)
@@ -135,7 +136,7 @@ class Unknown:
         object.__setattr__(self, "_path", path)
         object.__setattr__(self, "_known", {})
 
-    # Looked at ------------------------------------------------------------------------------------------------
+    # Looked at -----------------------------------------------------------------------------------
     def __getattr__(self, name: str) -> Any:
         if name.startswith("__") and name.endswith("__"):
             raise AttributeError(name)
@@ -173,13 +174,17 @@ class Unknown:
         _answers[place] += 1
         return _answers[place] <= _PATIENCE
 
-    # Called and subclassed ------------------------------------------------------------------------------------
+    # Called and subclassed -----------------------------------------------------------------------
     def __call__(self, *args: Any, **kwargs: Any) -> Any:
-        if len(args) == 1 and not kwargs and isinstance(args[0], (types.FunctionType, type)):
-            return args[0]  # used as a decorator
+        if len(args) == 1 and not kwargs and isinstance(args[0], type):
+            return args[0]  # a decorated class
+        if len(args) == 1 and not kwargs and isinstance(args[0], types.FunctionType):
+            return Decorated(args[0])
         return make(f"{self._path}()")
 
     def __mro_entries__(self, bases: tuple[Any, ...]) -> tuple[type, ...]:
+        if node_class := _known_base(self._path):
+            return (node_class,)
         seen = [base for base in bases if isinstance(base, Unknown)]
         real = [base for base in bases if isinstance(base, type) and issubclass(base, UnknownBase)]
         return (UnknownBase,) if seen and seen[0] is self and not real else ()
@@ -190,7 +195,7 @@ class Unknown:
     def __subclasscheck__(self, subclass: type) -> bool:
         return False
 
-    # A container ----------------------------------------------------------------------------------------------
+    # A container ---------------------------------------------------------------------------------
     def __iter__(self) -> Iterator[Any]:
         count = _unpacked_by(sys._getframe(1))
         return iter([make(f"{self._path}[{index}]") for index in range(count or 0)])
@@ -216,7 +221,7 @@ class Unknown:
     def __delitem__(self, item: Any) -> None:
         return None
 
-    # Compared -------------------------------------------------------------------------------------------------
+    # Compared ------------------------------------------------------------------------------------
     def __eq__(self, other: object) -> bool:
         return self is other
 
@@ -228,7 +233,7 @@ class Unknown:
 
     __le__ = __gt__ = __ge__ = __lt__
 
-    # A number -------------------------------------------------------------------------------------------------
+    # A number ------------------------------------------------------------------------------------
     def __int__(self) -> int:
         return _NUMBER
 
@@ -249,7 +254,7 @@ class Unknown:
 
     __floor__ = __ceil__ = __trunc__
 
-    # Waited for -----------------------------------------------------------------------------------------------
+    # Waited for ----------------------------------------------------------------------------------
     def __enter__(self) -> Any:
         return self
 
@@ -272,7 +277,7 @@ class Unknown:
         return self
         yield  # a generator that ends at once
 
-    # Pickled and copied ---------------------------------------------------------------------------------------
+    # Pickled and copied --------------------------------------------------------------------------
     def __copy__(self) -> Any:
         return self
 
@@ -281,6 +286,50 @@ class Unknown:
 
     def __reduce__(self) -> Any:
         return (make, (self._path,))
+
+
+def _known_base(path: str) -> type | None:
+    """rclpy's class for what a ROS library that is not installed calls `Node`: those derive from it."""
+    module, _, name = path.rpartition(".")
+    if "ros" in module.partition(".")[0] and name in ("Node", "LifecycleNode"):
+        home = "rclpy.node" if name == "Node" else "rclpy.lifecycle"
+        found: type | None = getattr(sys.modules.get(home), name, None)
+        return found
+    return None
+
+
+class Decorated(Unknown):
+    """A function under an unknown decorator: it still runs, given what the decorator would have added."""
+
+    def __init__(self, function: types.FunctionType) -> None:
+        super().__init__(function.__qualname__)
+        self._known.update(__wrapped__=function)
+        object.__setattr__(self, "__wrapped__", function)
+        object.__setattr__(self, "__qualname__", function.__qualname__)
+        object.__setattr__(self, "__name__", function.__name__)
+        object.__setattr__(self, "__doc__", function.__doc__)
+        object.__setattr__(self, "__module__", function.__module__)
+
+    def __call__(self, *args: Any, **kwargs: Any) -> Any:
+        function = object.__getattribute__(self, "__wrapped__")
+        signature = inspect.signature(function)
+        try:
+            signature.bind(*args, **kwargs)
+        except TypeError:
+            given = signature.bind_partial(*args).arguments if len(args) <= len(signature.parameters) else {}
+            for name, parameter in signature.parameters.items():
+                plain = parameter.kind not in (parameter.VAR_POSITIONAL, parameter.VAR_KEYWORD)
+                if (
+                    plain
+                    and parameter.default is parameter.empty
+                    and name not in given
+                    and name not in kwargs
+                ):
+                    kwargs[name] = Unknown(f"argument {name}")
+        return function(*args, **kwargs)
+
+    def __get__(self, instance: object, owner: type | None = None) -> Any:
+        return self if instance is None else types.MethodType(self, instance)
 
 
 def _operator(name: str) -> Any:
@@ -293,7 +342,22 @@ def _operator(name: str) -> Any:
     return apply
 
 
-for _name in ("add", "sub", "mul", "truediv", "floordiv", "mod", "pow", "matmul", "and", "or", "xor", "lshift", "rshift", "divmod"):
+for _name in (
+    "add",
+    "sub",
+    "mul",
+    "truediv",
+    "floordiv",
+    "mod",
+    "pow",
+    "matmul",
+    "and",
+    "or",
+    "xor",
+    "lshift",
+    "rshift",
+    "divmod",
+):
     setattr(Unknown, f"__{_name}__", _operator(f"__{_name}__"))
     setattr(Unknown, f"__r{_name}__", _operator(f"__r{_name}__"))
 for _name in ("neg", "pos", "abs", "invert"):

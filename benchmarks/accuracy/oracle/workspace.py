@@ -1,4 +1,5 @@
-"""What there is to run in a checked-out repository: Python roots, programs, modules, interface definitions."""
+"""What there is to run in a checked-out repository: Python roots, programs, modules, interface
+definitions."""
 
 from __future__ import annotations
 
@@ -11,12 +12,17 @@ from dataclasses import dataclass, field
 from functools import cached_property
 from pathlib import Path
 
-_SKIPPED = frozenset({"build", "install", "log", "node_modules", "__pycache__", "site-packages", "venv", ".venv"})
-_CREATORS = frozenset(
-    "create_publisher create_subscription create_service create_client create_timer create_lifecycle_publisher "
-    "ActionServer ActionClient Subscriber TransformListener TransformBroadcaster StaticTransformBroadcaster Buffer "
-    "BufferClient AsyncParameterClient ParameterEventHandler wait_for_message".split()
+_SKIPPED = frozenset(
+    {"build", "install", "log", "node_modules", "__pycache__", "site-packages", "venv", ".venv"}
 )
+_CREATORS = frozenset(
+    {
+    "create_publisher", "create_subscription", "create_service", "create_client", "create_timer",
+    "create_lifecycle_publisher", "ActionServer", "ActionClient", "Subscriber", "TransformListener",
+    "TransformBroadcaster", "StaticTransformBroadcaster", "Buffer", "BufferClient",
+    "AsyncParameterClient", "ParameterEventHandler", "wait_for_message",
+    }
+)  # fmt: skip
 _ENTRY = re.compile(r"^\s*([\w.-]+)\s*=\s*([\w.]+)\s*:\s*([\w.]+)\s*(\[.*\])?\s*$")
 _NODE_WORDS = ("rclpy", "Node", *(_CREATORS - {"Buffer", "Subscriber"}))
 
@@ -55,16 +61,18 @@ class Source:
         return any(word in self.text for word in _NODE_WORDS)
 
     def create_sites(self) -> list[tuple[int, str]]:
-        """(first line, qualified name of the enclosing function) of each call that is written like a create call."""
+        """(first line, enclosing function) of each call that is written like a create call."""
         return list(_sites(self.tree, [])) if self.tree else []
 
     def is_program(self) -> bool:
-        """Whether it does something when it is executed: a `__main__` guard, or calls at module level in a script."""
+        """Whether executing it does something: a `__main__` guard, or calls at module level in a script."""
         if self.tree is None:
             return False
         if any(_is_main_guard(node) for node in self.tree.body):
             return True
-        calls = any(isinstance(node, ast.Expr) and isinstance(node.value, ast.Call) for node in self.tree.body)
+        calls = any(
+            isinstance(node, ast.Expr) and isinstance(node.value, ast.Call) for node in self.tree.body
+        )
         return calls and self.text.startswith("#!")
 
     def guard_calls(self) -> str | None:
@@ -74,19 +82,27 @@ class Source:
                 match node.body[0]:
                     case ast.Expr(value=ast.Call(func=ast.Name(id=name))):
                         return name
-                    case ast.Expr(value=ast.Call(func=ast.Attribute(attr="exit"), args=[ast.Call(func=ast.Name(id=name))])):
+                    case ast.Expr(
+                        value=ast.Call(
+                            func=ast.Attribute(attr="exit"), args=[ast.Call(func=ast.Name(id=name))]
+                        )
+                    ):
                         return name
         return None
 
 
 def _is_main_guard(node: ast.stmt) -> bool:
-    return isinstance(node, ast.If) and "__main__" in ast.dump(node.test) and "__name__" in ast.dump(node.test)
+    return (
+        isinstance(node, ast.If) and "__main__" in ast.dump(node.test) and "__name__" in ast.dump(node.test)
+    )
 
 
 def _sites(node: ast.AST, names: list[str]) -> Iterator[tuple[int, str]]:
     for child in ast.iter_child_nodes(node):
         if isinstance(child, (ast.FunctionDef, ast.AsyncFunctionDef, ast.ClassDef)):
-            yield from _sites(child, [*names, ("." if isinstance(child, ast.ClassDef) else "()") + child.name])
+            yield from _sites(
+                child, [*names, ("." if isinstance(child, ast.ClassDef) else "()") + child.name]
+            )
             continue
         if isinstance(child, ast.Call):
             function = child.func
@@ -120,7 +136,9 @@ class Workspace:
 
     def own_roots(self, file: Path) -> list[Path]:
         """The Python roots of a file, nearest first."""
-        return sorted((root for root in self.roots if file.is_relative_to(root)), key=lambda root: -len(root.parts))
+        return sorted(
+            (root for root in self.roots if file.is_relative_to(root)), key=lambda root: -len(root.parts)
+        )
 
     def module_of(self, file: Path) -> tuple[str, Path]:
         """The dotted name under which a file is imported, and the folder that must be on the path."""
@@ -194,7 +212,9 @@ def _package_above(path: Path) -> str | None:
     for folder in path.parents[:4]:
         manifest = folder / "package.xml"
         if manifest.is_file():
-            found = re.search(r"<name>\s*([\w-]+)\s*</name>", manifest.read_text(encoding="utf-8", errors="replace"))
+            found = re.search(
+                r"<name>\s*([\w-]+)\s*</name>", manifest.read_text(encoding="utf-8", errors="replace")
+            )
             return found[1] if found else None
     return None
 
@@ -203,7 +223,11 @@ def _configured(path: Path) -> list[str]:
     text = path.read_text(encoding="utf-8", errors="replace")
     if path.suffix == ".toml":
         section = re.search(r"(?ms)^\[project\.scripts\]\s*$(.*?)(^\[|\Z)", text)
-        return [line.replace('"', "").replace("'", "") for line in section[1].splitlines() if "=" in line] if section else []
+        return (
+            [line.replace('"', "").replace("'", "") for line in section[1].splitlines() if "=" in line]
+            if section
+            else []
+        )
     parser = configparser.ConfigParser(interpolation=None)
     try:
         parser.read_string(text)

@@ -15,13 +15,13 @@ class SimpleFilter:
     def __init__(self, *_: object, **__: object) -> None:
         self._messages = 1
 
-    def registerCallback(self, callback: Any, *args: Any) -> int:  # noqa: N802
+    def registerCallback(self, callback: Any, *args: Any) -> int:
         """Call back later with as many messages as filters feed it."""
         messages = tuple(Unknown("message") for _ in range(self._messages))
         recorder.tasks.append((callback, messages + args))
         return 0
 
-    def signalMessage(self, *_: object) -> None:  # noqa: N802
+    def signalMessage(self, *_: object) -> None:
         """Nothing."""
 
 
@@ -31,9 +31,11 @@ class Subscriber(SimpleFilter):
     def __init__(self, node: Any, msg_type: Any, topic: Any, qos_profile: Any = None, **kwargs: Any) -> None:
         super().__init__()
         self.node, self.topic = node, topic
-        self.sub = node.create_subscription(msg_type, topic, None, qos_profile or QoSProfile(depth=10), **kwargs)
+        self.sub = node.create_subscription(
+            msg_type, topic, None, qos_profile or QoSProfile(depth=10), **kwargs
+        )
 
-    def getTopic(self) -> Any:  # noqa: N802
+    def getTopic(self) -> Any:
         """The topic as it was written."""
         return self.topic
 

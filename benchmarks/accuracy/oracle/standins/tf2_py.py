@@ -1,3 +1,3 @@
 """Stand-in for tf2_py: the exceptions."""
 
-from tf2_ros import *
+from tf2_ros import *  # noqa: F403

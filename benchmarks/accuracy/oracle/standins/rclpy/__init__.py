@@ -82,6 +82,20 @@ def get_rmw_implementation_identifier() -> str:
 
 
 __all__ = [
-    "Context", "Executor", "Future", "Node", "Parameter", "SignalHandlerOptions", "create_node", "get_default_context",
-    "get_global_executor", "init", "ok", "shutdown", "spin", "spin_once", "spin_until_future_complete", "try_shutdown",
-]  # fmt: skip
+    "Context",
+    "Executor",
+    "Future",
+    "Node",
+    "Parameter",
+    "SignalHandlerOptions",
+    "create_node",
+    "get_default_context",
+    "get_global_executor",
+    "init",
+    "ok",
+    "shutdown",
+    "spin",
+    "spin_once",
+    "spin_until_future_complete",
+    "try_shutdown",
+]

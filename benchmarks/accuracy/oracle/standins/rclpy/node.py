@@ -67,7 +67,7 @@ class Node(ParameterStore):
             parameter_overrides, allow_undeclared_parameters, automatically_declare_parameters_from_overrides
         )
 
-    # What it is -----------------------------------------------------------------------------------------------
+    # What it is ----------------------------------------------------------------------------------
     def get_name(self) -> str:
         """The name without the namespace."""
         return self._oracle_name
@@ -103,7 +103,7 @@ class Node(ParameterStore):
         """Unknown."""
         return Unknown("node.handle")
 
-    # What it creates ------------------------------------------------------------------------------------------
+    # What it creates -----------------------------------------------------------------------------
     def create_publisher(
         self,
         msg_type: Any,
@@ -136,11 +136,18 @@ class Node(ParameterStore):
     ) -> Any:
         """Record a subscription."""
         name = self._oracle_record("subscriber", msg_type, topic, qos_profile, callback)
-        made = Subscription(msg_type=msg_type, topic=topic, topic_name=name, callback=callback, qos_profile=qos_profile)
+        made = Subscription(
+            msg_type=msg_type, topic=topic, topic_name=name, callback=callback, qos_profile=qos_profile
+        )
         return self._oracle_keep("subscriptions", made)
 
     def create_client(
-        self, srv_type: Any, srv_name: Any, *, qos_profile: Any = qos_profile_services_default, callback_group: Any = None
+        self,
+        srv_type: Any,
+        srv_name: Any,
+        *,
+        qos_profile: Any = qos_profile_services_default,
+        callback_group: Any = None,
     ) -> Any:
         """Record a service client."""
         name = self._oracle_record("client", srv_type, srv_name, qos_profile)
@@ -161,12 +168,19 @@ class Node(ParameterStore):
         return self._oracle_keep("services", made)
 
     def create_timer(
-        self, timer_period_sec: Any, callback: Any, callback_group: Any = None, clock: Any = None, autostart: bool = True
+        self,
+        timer_period_sec: Any,
+        callback: Any,
+        callback_group: Any = None,
+        clock: Any = None,
+        autostart: bool = True,
     ) -> Any:
         """Record a timer."""
         period = None if isinstance(timer_period_sec, Unknown) else float(timer_period_sec)
         recorder.entity("timer", self, callback=callback, period=period)
-        made = Timer(callback=callback, timer_period_ns=int((period or 0) * 1e9), clock=clock or self._oracle_clock)
+        made = Timer(
+            callback=callback, timer_period_ns=int((period or 0) * 1e9), clock=clock or self._oracle_clock
+        )
         return self._oracle_keep("timers", made)
 
     def create_rate(self, frequency: Any, clock: Any = None) -> Rate:
@@ -186,7 +200,7 @@ class Node(ParameterStore):
         self._oracle_entities.setdefault(what, []).append(entity)
         return entity
 
-    # What it holds --------------------------------------------------------------------------------------------
+    # What it holds -------------------------------------------------------------------------------
     @property
     def publishers(self) -> Any:
         """The publishers."""
@@ -230,9 +244,12 @@ class Node(ParameterStore):
         for entity in self._oracle_entities.get("timers", []):
             calls.append((entity.callback, ()))
         for entity in self._oracle_entities.get("services", []):
-            request, response = getattr(entity.srv_type, "Request", None), getattr(entity.srv_type, "Response", None)
+            request, response = (
+                getattr(entity.srv_type, "Request", None),
+                getattr(entity.srv_type, "Response", None),
+            )
             calls.append((entity.callback, (_instance(request), _instance(response))))
-        return calls
+        return [(callback, arguments) for callback, arguments in calls if callback is not None]
 
     def add_waitable(self, waitable: object) -> None:
         """Nothing waits."""
@@ -255,7 +272,7 @@ class Node(ParameterStore):
     def __exit__(self, *exc: object) -> None:
         return None
 
-    # What it sees of the others -------------------------------------------------------------------------------
+    # What it sees of the others ------------------------------------------------------------------
     def _nothing(self, *_: object, **__: object) -> list[Any]:
         waited(2)
         return []
@@ -301,13 +318,21 @@ def record(
     _check_kind(kind, ros_type_of(type_))
     name = qualified(node, kind, _as_text(written))
     recorder.entity(
-        kind, node, written=_as_text(written), name=name, type_=ros_type_of(type_), qos=profile, callback=callback
+        kind,
+        node,
+        written=_as_text(written),
+        name=name,
+        type_=ros_type_of(type_),
+        qos=profile,
+        callback=callback,
     )
     return name
 
 
 def _check_kind(kind: str, ros_type: str | None) -> None:
-    expected = {"publisher": "msg", "subscriber": "msg", "service": "srv", "client": "srv"}.get(kind, "action")
+    expected = {"publisher": "msg", "subscriber": "msg", "service": "srv", "client": "srv"}.get(
+        kind, "action"
+    )
     if ros_type and f"/{expected}/" not in ros_type and "/action/" not in ros_type:
         raise RuntimeError(f"expected a type of kind {expected}, got {ros_type}")
 
@@ -334,5 +359,10 @@ def _instance(cls: Any) -> Any:
 
 
 __all__ = [
-    "BaseNode", "HIDDEN_NODE_PREFIX", "Node", "QoSProfile", "interface", "qos_profile_parameter_events",
-]  # fmt: skip
+    "HIDDEN_NODE_PREFIX",
+    "BaseNode",
+    "Node",
+    "QoSProfile",
+    "interface",
+    "qos_profile_parameter_events",
+]

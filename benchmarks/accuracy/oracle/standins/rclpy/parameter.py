@@ -13,9 +13,17 @@ from benchmarks.accuracy.oracle.unknown import Unknown
 PARAMETER_SEPARATOR_STRING = "."
 
 _FIELDS = (
-    "", "bool_value", "integer_value", "double_value", "string_value", "byte_array_value",
-    "bool_array_value", "integer_array_value", "double_array_value", "string_array_value",
-)  # fmt: skip
+    "",
+    "bool_value",
+    "integer_value",
+    "double_value",
+    "string_value",
+    "byte_array_value",
+    "bool_array_value",
+    "integer_array_value",
+    "double_array_value",
+    "string_array_value",
+)
 
 
 class Parameter:
@@ -71,14 +79,16 @@ class Parameter:
         empty: tuple[Any, ...] = (None, False, 0, 0.0, "", [], [], [], [], [])
         fields = {name: empty[index] for index, name in enumerate(_FIELDS) if name}
         if isinstance(self._value, Unknown):
-            fields = {name: self._value for name in fields}
+            fields = dict.fromkeys(fields, self._value)
         elif self._type.value:
             fields[_FIELDS[self._type.value]] = self._value
         return interface("rcl_interfaces", "msg", "ParameterValue")(type=self._type.value, **fields)
 
     def to_parameter_msg(self) -> Any:
         """As rcl_interfaces/msg/Parameter."""
-        return interface("rcl_interfaces", "msg", "Parameter")(name=self._name, value=self.get_parameter_value())
+        return interface("rcl_interfaces", "msg", "Parameter")(
+            name=self._name, value=self.get_parameter_value()
+        )
 
     @classmethod
     def from_parameter_msg(cls, msg: Any) -> Parameter:
@@ -91,8 +101,11 @@ def _type_of(value: Any) -> Parameter.Type:
     if value is None or isinstance(value, Unknown):
         return kinds.NOT_SET
     scalars: tuple[tuple[type, Parameter.Type], ...] = (
-        (bool, kinds.BOOL), (int, kinds.INTEGER), (float, kinds.DOUBLE), (str, kinds.STRING),
-    )  # fmt: skip
+        (bool, kinds.BOOL),
+        (int, kinds.INTEGER),
+        (float, kinds.DOUBLE),
+        (str, kinds.STRING),
+    )
     for python, kind in scalars:
         if isinstance(value, python):
             return kind

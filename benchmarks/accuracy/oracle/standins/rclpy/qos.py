@@ -104,7 +104,7 @@ class QoSProfile:
     """A profile; its policies may be assigned after construction."""
 
     def __init__(self, *arguments: Any, **policies: Any) -> None:
-        for name, value in zip(_ORDER, arguments):
+        for name, value in zip(_ORDER, arguments, strict=False):
             policies[name] = value
         unexpected = set(policies) - set(_ORDER)
         if unexpected:
@@ -124,7 +124,9 @@ class QoSProfile:
         self.durability = _policy(DurabilityPolicy, policies.get("durability", DurabilityPolicy.VOLATILE))
         self.lifespan = policies.get("lifespan")
         self.deadline = policies.get("deadline")
-        self.liveliness = _policy(LivelinessPolicy, policies.get("liveliness", LivelinessPolicy.SYSTEM_DEFAULT))
+        self.liveliness = _policy(
+            LivelinessPolicy, policies.get("liveliness", LivelinessPolicy.SYSTEM_DEFAULT)
+        )
         self.liveliness_lease_duration = policies.get("liveliness_lease_duration")
         self.avoid_ros_namespace_conventions = policies.get("avoid_ros_namespace_conventions", False)
 

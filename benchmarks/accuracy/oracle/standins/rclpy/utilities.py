@@ -50,4 +50,9 @@ def timeout_sec_to_nsec(timeout_sec: float | None) -> int:
     return -1 if timeout_sec is None or timeout_sec < 0 else int(timeout_sec * 1e9)
 
 
-__all__ = ["get_available_rmw_implementations", "get_default_context", "get_rmw_implementation_identifier", "ok"]
+__all__ = [
+    "get_available_rmw_implementations",
+    "get_default_context",
+    "get_rmw_implementation_identifier",
+    "ok",
+]

@@ -10,6 +10,7 @@ from rclpy.action import ActionClient
 from rclpy.node import Node
 from rclpy.qos import DurabilityPolicy, QoSProfile
 from rclpy.task import Future, finished
+from rclpy.time import Time
 
 _TF = interface("tf2_msgs", "msg", "TFMessage")
 
@@ -70,6 +71,10 @@ class BufferInterface:
 
     transform_full = transform
 
+    def get_latest_common_time(self, *_: object) -> Any:
+        """Now."""
+        return Time()
+
     def wait_for_transform_async(self, *_: object, **__: object) -> Future:
         """It is there."""
         return finished(True)
@@ -102,7 +107,9 @@ class Buffer(BufferInterface):
 class BufferClient(BufferInterface):
     """Record the action client to a buffer server."""
 
-    def __init__(self, node: Any, ns: str, check_frequency: float = 10.0, timeout_padding: Any = None) -> None:
+    def __init__(
+        self, node: Any, ns: str, check_frequency: float = 10.0, timeout_padding: Any = None
+    ) -> None:
         super().__init__()
         self.action_client = ActionClient(node, interface("tf2_msgs", "action", "LookupTransform"), ns)
 
@@ -117,7 +124,7 @@ class TransformBroadcaster:
     def __init__(self, node: Any, qos: Any = None) -> None:
         self.pub_tf = node.create_publisher(_TF, "/tf", qos or QoSProfile(depth=100))
 
-    def sendTransform(self, transform: object) -> None:  # noqa: N802
+    def sendTransform(self, transform: object) -> None:
         """Nobody listens."""
 
 
@@ -128,7 +135,7 @@ class StaticTransformBroadcaster:
         profile = qos or QoSProfile(depth=1, durability=DurabilityPolicy.TRANSIENT_LOCAL)
         self.pub_tf = node.create_publisher(_TF, "/tf_static", profile)
 
-    def sendTransform(self, transform: object) -> None:  # noqa: N802
+    def sendTransform(self, transform: object) -> None:
         """Nobody listens."""
 
 

@@ -7,6 +7,7 @@ from typing import Any
 from benchmarks.accuracy.oracle.record import recorder
 from benchmarks.accuracy.oracle.sandbox import waited
 from benchmarks.accuracy.oracle.unknown import Unknown
+
 from rclpy.entities import Entity
 from rclpy.node import record
 from rclpy.task import Future, finished
@@ -80,7 +81,9 @@ class ActionClient(Entity):
         """A result."""
         return ClientGoalHandle(self._action_type).get_result()
 
-    def send_goal_async(self, goal: object, feedback_callback: Any = None, goal_uuid: object = None) -> Future:
+    def send_goal_async(
+        self, goal: object, feedback_callback: Any = None, goal_uuid: object = None
+    ) -> Future:
         """Accepted; the feedback callback is called once, later."""
         if feedback_callback is not None:
             recorder.tasks.append((feedback_callback, (Unknown("feedback"),)))

@@ -7,6 +7,7 @@ from typing import Any
 
 from benchmarks.accuracy.oracle.record import recorder
 from benchmarks.accuracy.oracle.unknown import Unknown
+
 from rclpy.entities import Entity
 from rclpy.node import record
 

@@ -86,7 +86,9 @@ class LifecycleNodeMixin(ManagedEntity):
 class LifecycleNode(LifecycleNodeMixin, _PlainNode):
     """A managed node."""
 
-    def __init__(self, node_name: str, *, enable_communication_interface: bool = True, **options: Any) -> None:
+    def __init__(
+        self, node_name: str, *, enable_communication_interface: bool = True, **options: Any
+    ) -> None:
         _PlainNode.__init__(self, node_name, **options)
 
 
@@ -95,6 +97,14 @@ Publisher = LifecyclePublisher
 
 
 __all__ = [
-    "LifecycleNode", "LifecycleNodeMixin", "LifecyclePublisher", "LifecycleState", "ManagedEntity", "Node", "Publisher",
-    "SimpleManagedEntity", "State", "TransitionCallbackReturn",
-]  # fmt: skip
+    "LifecycleNode",
+    "LifecycleNodeMixin",
+    "LifecyclePublisher",
+    "LifecycleState",
+    "ManagedEntity",
+    "Node",
+    "Publisher",
+    "SimpleManagedEntity",
+    "State",
+    "TransitionCallbackReturn",
+]

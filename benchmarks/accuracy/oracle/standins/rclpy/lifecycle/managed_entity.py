@@ -1,3 +1,3 @@
 """Stand-in for rclpy.lifecycle.managed_entity."""
 
-from rclpy.lifecycle import *
+from rclpy.lifecycle import *  # noqa: F403

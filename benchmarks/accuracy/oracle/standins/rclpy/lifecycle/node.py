@@ -1,3 +1,3 @@
 """Stand-in for rclpy.lifecycle.node."""
 
-from rclpy.lifecycle import *
+from rclpy.lifecycle import *  # noqa: F403
