@@ -6,6 +6,7 @@ import gc
 import os
 import sys
 from collections.abc import Sequence
+from typing import NoReturn
 
 from archlint.cli.exits import FAILED, INTERRUPTED, READER_GONE, UsageError
 
@@ -15,11 +16,10 @@ COMMANDS = ("check", "graph", "explain", "rules", "config")
 
 def main(argv: Sequence[str] | None = None) -> int:
     """Run one command and return its exit status.  Without ``argv`` the process ends here, at once."""
+    if argv is not None:
+        return _guarded(list(argv))
     gc.disable()  # a run is short, and its data lives until the end
-    status = _guarded(list(sys.argv[1:] if argv is None else argv))
-    if argv is None:
-        _leave(status)
-    return status
+    return _leave(_guarded(sys.argv[1:]))
 
 
 def _guarded(arguments: list[str]) -> int:
@@ -84,7 +84,7 @@ def _failed(error: Exception, verbose: bool) -> int:
     )
 
 
-def _leave(status: int) -> None:
+def _leave(status: int) -> NoReturn:
     """End the process without the long way out of the interpreter."""
     try:
         sys.stdout.flush()

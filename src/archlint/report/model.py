@@ -32,11 +32,12 @@ class Summary:
 
 @dataclass(frozen=True)
 class Report:
-    """``findings`` are in the order of ``Finding.sort_key``."""
+    """``findings`` are in the order of ``Finding.sort_key``; ``notices`` is what to tell beside them."""
 
     findings: Sequence[Finding]
     summary: Summary
     source_line: SourceLine
+    notices: Sequence[str] = ()
 
 
 def summarise(
