@@ -114,7 +114,7 @@ class Linker:
                 self.run_entry(entry, module)
         modules = [m for m in (self._relevant_module(file) for file in self.files) if m is not None]
         for test in (False, True):
-            chosen = [m for m in modules if nodes._test_file(m.path) is test]
+            chosen = [m for m in modules if nodes.is_test_file(m.path) is test]
             for module in chosen:
                 if module.file.path not in started and (_main_guard(module) or module.state == "new"):
                     self.run_script(module)
@@ -465,7 +465,7 @@ def _methods(run: Run, cls: ClassValue) -> list[tuple[FunctionValue, ClassValue]
 def _finish(run: Run) -> None:
     """What is only known at the end: the executable's name, test code, an executor that never spun."""
     program = run.program
-    from_test = nodes._test_file(program.file)
+    from_test = nodes.is_test_file(program.file)
     kept = []
     for blueprint in program.nodes:
         if from_test and not blueprint.test:

@@ -31,7 +31,7 @@ if TYPE_CHECKING:
 _ROOT = model.Text("/", "exact")
 
 
-def _test_file(path: str) -> bool:
+def is_test_file(path: str) -> bool:
     parts = path.split("/")
     stem = parts[-1].removesuffix(".py")
     return (
@@ -49,7 +49,7 @@ def new_blueprint(run: Run, class_name: str, place: Place, key: str, package: st
         _ROOT,
         place,
         package,
-        test=_test_file(place.file),
+        test=is_test_file(place.file),
         key=key,
     )
     run.nodes[key] = blueprint
