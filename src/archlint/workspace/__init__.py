@@ -1,1 +1,1 @@
-"""archlint."""
+"""Find: a folder in, the packages and files of a workspace out."""

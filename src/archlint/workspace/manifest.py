@@ -1,0 +1,169 @@
+"""package.xml: name, build type, dependencies.  REP 149 and ``catkin_pkg`` say what it may hold."""
+
+from __future__ import annotations
+
+import re
+from xml.parsers import expat
+
+from archlint.workspace.model import Dependency, Package, Problem, SourceFile
+
+_DEPENDENCIES = {
+    "depend": "depend",
+    "build_depend": "build",
+    "build_export_depend": "build_export",
+    "buildtool_depend": "buildtool",
+    "buildtool_export_depend": "buildtool_export",
+    "exec_depend": "exec",
+    "run_depend": "run",
+    "test_depend": "test",
+    "doc_depend": "doc",
+}
+
+
+class _Reader:
+    """Collects what matters while expat reads; no entity is ever expanded."""
+
+    def __init__(self) -> None:
+        self.parser = expat.ParserCreate()
+        self.parser.StartElementHandler = self.start
+        self.parser.EndElementHandler = self.end
+        self.parser.CharacterDataHandler = self.data
+        self.parser.EntityDeclHandler = self.entity
+        self.stack: list[str] = []
+        self.text: list[str] = []
+        self.attributes: dict[str, str] = {}
+        self.line = 1
+        self.name = ""
+        self.name_line = 1
+        self.build_type = ""
+        self.groups: list[str] = []
+        self.dependencies: list[Dependency] = []
+
+    def entity(self, *_: object) -> None:
+        raise ManifestError("entities are not allowed in a package.xml", self.parser.CurrentLineNumber)
+
+    def start(self, tag: str, attributes: dict[str, str]) -> None:
+        if not self.stack and tag != "package":
+            raise ManifestError(f"the root element is <{tag}>, not <package>", self.parser.CurrentLineNumber)
+        self.stack.append(tag)
+        self.text = []
+        self.attributes = attributes
+        self.line = self.parser.CurrentLineNumber
+
+    def data(self, text: str) -> None:
+        self.text.append(text)
+
+    def end(self, tag: str) -> None:
+        text = "".join(self.text).strip()
+        depth = len(self.stack)
+        if depth == 2 and tag == "name" and not self.name:
+            self.name, self.name_line = text, self.line
+        elif depth == 2 and tag in _DEPENDENCIES and text:
+            condition = self.attributes.get("condition")
+            self.dependencies.append(Dependency(text, _DEPENDENCIES[tag], condition, self.line))
+        elif depth == 2 and tag == "member_of_group":
+            self.groups.append(text)
+        elif depth == 3 and tag == "build_type" and self.stack[1] == "export":
+            if condition_holds(self.attributes.get("condition")):
+                self.build_type = text
+        self.stack.pop()
+        self.text = []
+
+
+class ManifestError(Exception):
+    """Why a package.xml cannot be used, and the line."""
+
+    def __init__(self, message: str, line: int, column: int = 1) -> None:
+        super().__init__(message)
+        self.message, self.line, self.column = message, line, column
+
+
+def read_manifest(file: SourceFile, data: bytes, root: str, relative: str) -> Package | Problem:
+    """The package that a manifest describes, or why it cannot be read."""
+    reader = _Reader()
+    try:
+        reader.parser.Parse(data, True)
+        if not reader.name:
+            raise ManifestError("the package has no <name>", 1)
+        if not re.fullmatch(r"[A-Za-z0-9][A-Za-z0-9_-]*", reader.name):
+            raise ManifestError(f"{reader.name!r} is no valid package name", reader.name_line)
+    except expat.ExpatError as error:
+        words = expat.errors.messages[error.code] if error.code in expat.errors.messages else str(error)
+        return Problem(file.relative, error.lineno, error.offset + 1, f"malformed package.xml: {words}")
+    except ManifestError as error:
+        return Problem(file.relative, error.line, error.column, f"malformed package.xml: {error.message}")
+    except (ValueError, LookupError) as error:
+        return Problem(file.relative, 1, 1, f"malformed package.xml: {error}")
+    return Package(
+        reader.name,
+        root,
+        relative,
+        reader.build_type or "catkin",
+        "rosidl_interface_packages" in reader.groups,
+        tuple(reader.dependencies),
+        file,
+        reader.name_line,
+    )
+
+
+_TOKEN = re.compile(
+    r"\s*(?:(?P<op>==|!=|<=|>=|<|>|\(|\)|\band\b|\bor\b)|(?P<text>\"[^\"]*\"|'[^']*'|\$?[A-Za-z0-9_.-]+))"
+)
+
+
+def condition_holds(condition: str | None, environment: dict[str, str] | None = None) -> bool:
+    """Whether a ``condition`` attribute holds, in a ROS 2 world; one that cannot be read holds."""
+    if not condition:
+        return True
+    values = {"ROS_VERSION": "2", "ROS_PYTHON_VERSION": "3"} | (environment or {})
+    tokens: list[str] = []
+    at = 0
+    while at < len(condition.rstrip()):
+        match = _TOKEN.match(condition, at)
+        if match is None:
+            return True
+        tokens.append(match.group("op") or match.group("text"))
+        at = match.end()
+    try:
+        verdict, rest = _either(tokens, values)
+    except (IndexError, KeyError):
+        return True
+    return verdict if not rest else True
+
+
+def _either(tokens: list[str], values: dict[str, str]) -> tuple[bool, list[str]]:
+    verdict, tokens = _both(tokens, values)
+    while tokens and tokens[0] == "or":
+        other, tokens = _both(tokens[1:], values)
+        verdict = verdict or other
+    return verdict, tokens
+
+
+def _both(tokens: list[str], values: dict[str, str]) -> tuple[bool, list[str]]:
+    verdict, tokens = _one(tokens, values)
+    while tokens and tokens[0] == "and":
+        other, tokens = _one(tokens[1:], values)
+        verdict = verdict and other
+    return verdict, tokens
+
+
+def _one(tokens: list[str], values: dict[str, str]) -> tuple[bool, list[str]]:
+    if tokens[0] == "(":
+        verdict, rest = _either(tokens[1:], values)
+        return verdict, rest[1:]
+    left, op, right = _word(tokens[0], values), tokens[1], _word(tokens[2], values)
+    compare = {
+        "==": left == right,
+        "!=": left != right,
+        "<": left < right,
+        "<=": left <= right,
+        ">": left > right,
+        ">=": left >= right,
+    }
+    return compare[op], tokens[3:]
+
+
+def _word(token: str, values: dict[str, str]) -> str:
+    if token.startswith("$"):
+        return values.get(token[1:], "")
+    return token.strip("\"'")

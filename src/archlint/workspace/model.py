@@ -1,0 +1,81 @@
+"""What finding yields: packages and files, sorted, with what could not be read."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+
+
+@dataclass(frozen=True)
+class Problem:
+    """Why a file or folder could not be used; lines and columns start at 1."""
+
+    file: str
+    line: int
+    column: int
+    message: str
+
+
+@dataclass(frozen=True)
+class SourceFile:
+    """A file that matters.
+
+    ``kind`` is ``python``, ``launch_python``, ``launch_xml``, ``launch_yaml``, ``parameters``, ``interface``,
+    ``package_xml``, ``setup_py``, ``setup_cfg``, ``pyproject`` or ``cmake``.  ``relative`` is the path from the
+    working directory with ``/``; ``module`` the dotted name under which Python imports the file.  A ``context``
+    file was not asked for: it is read so that imports resolve, and nothing is reported for it.
+    """
+
+    path: str
+    relative: str
+    kind: str
+    package: str | None
+    module: str | None
+    size: int = 0
+    mtime_ns: int = 0
+    inode: int = 0
+    context: bool = False
+
+
+@dataclass(frozen=True)
+class Dependency:
+    """One dependency of a package: ``kind`` is the tag without ``_depend`` (``depend`` itself stays)."""
+
+    name: str
+    kind: str
+    condition: str | None = None
+    line: int = 1
+
+
+@dataclass(frozen=True)
+class Package:
+    """A package by its package.xml.  ``build_type`` is ``catkin`` where the manifest names none."""
+
+    name: str
+    root: str
+    relative: str
+    build_type: str
+    is_interface_package: bool
+    dependencies: tuple[Dependency, ...]
+    manifest: SourceFile
+    name_line: int = 1
+
+    def runtime_dependencies(self) -> frozenset[str]:
+        """Names this package needs to run, or to build and run (``depend``)."""
+        kinds = ("depend", "exec", "build_export", "buildtool_export", "run", "build")
+        return frozenset(d.name for d in self.dependencies if d.kind in kinds)
+
+
+@dataclass(frozen=True)
+class Workspace:
+    """All that was found below the paths that were asked for."""
+
+    root: str
+    files: tuple[SourceFile, ...]
+    packages: tuple[Package, ...]
+    problems: tuple[Problem, ...] = field(default=())
+
+    def of_kind(self, *kinds: str) -> list[SourceFile]:
+        return [file for file in self.files if file.kind in kinds]
+
+    def package(self, name: str | None) -> Package | None:
+        return next((package for package in self.packages if package.name == name), None)
