@@ -1,6 +1,6 @@
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 
 import pytest
 
@@ -8,6 +8,7 @@ from archlint.program.model import Blueprint, Program, Text
 from archlint.system.instances import assemble, dependencies_within, instantiate
 from archlint.system.model import Endpoint, Node, System
 from archlint.system.remap import RemapRule
+from archlint.workspace.model import Dependency, Package, SourceFile, Workspace
 from system.builders import (
     action_server,
     blueprint,
@@ -26,15 +27,10 @@ from system.builders import (
 )
 
 
-@dataclass
-class FakePackage:
-    name: str
-    dependencies: list[str] = field(default_factory=list)
-
-
-@dataclass
-class FakeWorkspace:
-    packages: list[FakePackage] = field(default_factory=list)
+def package(name: str, *dependencies: str, kind: str = "depend") -> Package:
+    manifest = SourceFile(f"/{name}/package.xml", f"{name}/package.xml", "package_xml", name, None)
+    needs = tuple(Dependency(other, kind) for other in dependencies)
+    return Package(name, f"/{name}", name, "ament_python", False, needs, manifest)
 
 
 @dataclass
@@ -42,8 +38,8 @@ class FakeSettings:
     closed_world: bool = False
 
 
-def load(*runs: Program, packages: tuple[FakePackage, ...] = ()) -> System:
-    [system] = assemble(runs, FakeWorkspace(list(packages)), FakeSettings())
+def load(*runs: Program, packages: tuple[Package, ...] = ()) -> System:
+    [system] = assemble(runs, Workspace("/", (), packages), FakeSettings())
     return system
 
 
@@ -263,11 +259,12 @@ class TestOneSystemOfAllNodes:
 
 def test_dependencies_are_transitive_and_stay_in_the_workspace() -> None:
     packages = [
-        FakePackage("bringup", ["driver", "rclpy"]),
-        FakePackage("driver", ["interfaces"]),
-        FakePackage("interfaces", ["rosidl_default_generators"]),
-        FakePackage("loop", ["loop", "loop_too"]),
-        FakePackage("loop_too", ["loop"]),
+        package("bringup", "driver", "rclpy", kind="exec"),
+        package("driver", "interfaces"),
+        package("interfaces", "rosidl_default_generators"),
+        package("loop", "loop", "loop_too"),
+        package("loop_too", "loop"),
+        package("tested", "driver", kind="test"),
     ]
     assert dependencies_within(packages) == {
         "bringup": {"driver", "interfaces"},
@@ -275,4 +272,10 @@ def test_dependencies_are_transitive_and_stay_in_the_workspace() -> None:
         "interfaces": frozenset(),
         "loop": {"loop_too"},
         "loop_too": {"loop"},
+        "tested": frozenset(),
     }
+
+
+def test_the_system_knows_which_packages_belong_together() -> None:
+    system = load(packages=(package("a", "b"), package("b")))
+    assert system.package_dependencies == {"a": {"b"}, "b": frozenset()}

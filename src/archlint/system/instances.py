@@ -2,33 +2,22 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import astuple
-from typing import Protocol
+from typing import TYPE_CHECKING, Protocol
 
 from archlint.program.model import TIMER, Blueprint, Program, Text
 from archlint.system.model import Endpoint, Node, System
 from archlint.system.remap import RemapRule, rules_of_arguments
 from archlint.system.resolution import NodeName, endpoint_name, node_init
 
-
-class Package(Protocol):
-    """What is needed of a package of the workspace."""
-
-    @property
-    def name(self) -> str: ...
-
-    @property
-    def dependencies(self) -> Collection[str]:
-        """Names of the packages it depends on, in whatever way."""
-
-
-class Workspace(Protocol):
-    @property
-    def packages(self) -> Iterable[Package]: ...
+if TYPE_CHECKING:
+    from archlint.workspace.model import Package, Workspace
 
 
 class Settings(Protocol):
+    """What is needed of the configuration."""
+
     @property
     def closed_world(self) -> bool: ...
 
@@ -187,7 +176,7 @@ def _node_order(node: Node) -> tuple[object, ...]:
 
 def dependencies_within(packages: Iterable[Package]) -> dict[str, frozenset[str]]:
     """Package → the packages of the same workspace that it needs, directly or not."""
-    direct = {package.name: sorted(set(package.dependencies)) for package in packages}
+    direct = {package.name: sorted(package.runtime_dependencies()) for package in packages}
     return {name: frozenset(_reachable(name, direct)) for name in sorted(direct)}
 
 

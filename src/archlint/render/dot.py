@@ -1,0 +1,178 @@
+"""The graph in Graphviz' language.
+
+Every id is made up here and every text of the user's stands in a quoted string, so that no name can become
+markup, a port or an escape of Graphviz.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING, Any
+
+from archlint.render import look, overview
+from archlint.system.graph import NODE, Key, to_networkx
+from archlint.system.model import Endpoint, System
+from archlint.visible import visible
+
+if TYPE_CHECKING:
+    import networkx
+
+CAREFUL_LAYOUT = 300
+"""Vertices up to which ``dot`` takes all the time it wants (0.2 s for 200, 27 s for 1000 on one machine)."""
+
+_SHAPES = {"topic": "box", "service": "hexagon", "action": "octagon"}
+_ARROWS = {"topic": "normal", "service": "vee", "action": "vee"}
+_HURRY = {"nslimit": "1", "nslimit1": "1", "mclimit": "0.1", "splines": "line"}
+
+
+def render(system: System) -> str:
+    return write(to_networkx(system))
+
+
+def write(graph: networkx.MultiDiGraph, **attributes: str) -> str:
+    """``attributes`` are those of the whole graph, such as ``dpi``."""
+    ids = {key: f"n{number}" for number, key in enumerate(graph.nodes)}
+    attributes = {"label": look.caption(graph), **attributes}
+    return _digraph(graph, attributes, [*_vertices(graph, ids), *_edges(graph, ids)])
+
+
+def write_overview(graph: networkx.MultiDiGraph, **attributes: str) -> str:
+    """As :func:`write`, with one box for each group of nodes."""
+    attributes = {"label": f"{look.caption(graph)}  ·  too many to draw each", **attributes}
+    return _digraph(graph, attributes, [*_boxes(graph)])
+
+
+def _digraph(graph: networkx.MultiDiGraph, attributes: dict[str, str], body: list[str]) -> str:
+    return "\n".join(["digraph archlint {", *_defaults(graph, attributes), *body, "}"]) + "\n"
+
+
+def _boxes(graph: networkx.MultiDiGraph) -> Iterator[str]:
+    colours = look.PALETTE["node"]
+    ids: dict[str, str] = {}
+    for title, size in overview.box_sizes(graph).items():
+        ids[title] = f"n{len(ids)}"
+        box = {
+            "label": f"{title or 'others'}\n{look.counted(size, 'node')}",
+            "shape": "box",
+            "style": "rounded,filled",
+            "fillcolor": colours.fill,
+            "color": colours.line,
+            "fontcolor": colours.text,
+            "margin": "0.2,0.11",
+        }
+        yield f"  {ids[title]} {_attributes(box)};"
+    for (tail, head), kinds in overview.streams(graph).items():
+        line = {"label": overview.words(kinds), "fontsize": "9", "color": look.PALETTE["topic"].line}
+        yield f"  {ids[tail]} -> {ids[head]} {_attributes(line)};"
+
+
+def quote(text: str) -> str:
+    """``text`` as a quoted string that Graphviz shows as it is."""
+    shown = "\n".join(visible(line) for line in text.split("\n"))
+    escaped = shown.replace("\\", "\\\\").replace('"', '\\"').replace("&", "&amp;").replace("\n", "\\n")
+    return f'"{escaped}"'
+
+
+def _attributes(values: dict[str, str]) -> str:
+    return "[" + ", ".join(f"{name}={quote(value)}" for name, value in values.items()) + "]"
+
+
+def _defaults(graph: networkx.MultiDiGraph, attributes: dict[str, str]) -> Iterator[str]:
+    whole = {
+        "rankdir": "LR",
+        "bgcolor": "white",
+        "pad": "0.3",
+        "nodesep": "0.28",
+        "ranksep": "0.6",
+        "fontname": look.FONT,
+        "fontsize": "10",
+        "fontcolor": "#64748b",
+        "labelloc": "b",
+        "labeljust": "l",
+    }
+    if len(graph) > CAREFUL_LAYOUT:
+        whole |= _HURRY
+    whole |= attributes
+    yield f"  graph {_attributes(whole)};"
+    vertex = {"fontname": look.FONT, "style": "filled", "margin": "0.14,0.07", "height": "0.3"}
+    yield f"  node {_attributes(vertex)};"
+    yield f"  edge {_attributes({'fontname': look.FONT, 'arrowsize': '0.7', 'penwidth': '1.2'})};"
+
+
+def _vertices(graph: networkx.MultiDiGraph, ids: dict[Key, str]) -> Iterator[str]:
+    groups = look.groups(graph)
+    titles = sorted(set(groups.values()))
+    for number, title in enumerate(titles):
+        frame = {
+            "label": title,
+            "style": "rounded,filled",
+            "fillcolor": "#f8fafc",
+            "color": "#cbd5e1",
+            "fontsize": "11",
+            "margin": "14",
+            "labelloc": "t",
+        }
+        yield f"  subgraph cluster_{number} {{"
+        yield f"    graph {_attributes(frame)};"
+        yield from (f"  {_vertex(graph, key, ids)}" for key in graph.nodes if groups.get(key) == title)
+        yield "  }"
+    yield from (_vertex(graph, key, ids) for key in graph.nodes if key not in groups)
+
+
+def _vertex(graph: networkx.MultiDiGraph, key: Key, ids: dict[Key, str]) -> str:
+    data = graph.nodes[key]
+    drawn = _node(data) if data["kind"] == NODE else _interface(data)
+    return f"  {ids[key]} {_attributes(drawn)};"
+
+
+def _node(data: dict[str, Any]) -> dict[str, str]:
+    node = data["node"]
+    aside = node.test or node.external
+    colours = look.PALETTE["wrong" if node.error else "aside" if aside else "node"]
+    return {
+        "label": look.node_label(node),
+        "tooltip": look.node_details(node),
+        "shape": "box",
+        "style": "rounded,filled" + (",dashed" if aside else ""),
+        "fillcolor": colours.fill,
+        "color": colours.line,
+        "fontcolor": colours.text,
+        "fontsize": "13",
+        "penwidth": "1.6",
+        "margin": "0.2,0.11",
+    }
+
+
+def _interface(data: dict[str, Any]) -> dict[str, str]:
+    kind = data["kind"]
+    wrong = data["error"] or len(data["types"]) > 1
+    colours = look.PALETTE["wrong" if wrong else kind]
+    drawn = {
+        "label": look.interface_label(data),
+        "tooltip": look.interface_details(data),
+        "shape": _SHAPES[kind],
+        "style": "filled" if data["matched"] else "filled,dashed",
+        "fillcolor": colours.fill if data["matched"] else "#ffffff",
+        "color": colours.line,
+        "fontcolor": colours.text,
+        "fontsize": "10",
+    }
+    return drawn if kind == "topic" else {**drawn, "margin": "0,0", "height": "0"}
+
+
+def _edges(graph: networkx.MultiDiGraph, ids: dict[Key, str]) -> Iterator[str]:
+    """One line between two vertices for each direction, however many endpoints it stands for."""
+    bundles: dict[tuple[Key, Key], list[Endpoint]] = {}
+    for tail, head, endpoint in graph.edges(data="endpoint"):
+        bundles.setdefault((tail, head), []).append(endpoint)
+    for (tail, head), endpoints in bundles.items():
+        interface = tail if tail[0] != NODE else head
+        conditional, details = look.common_endpoint(endpoints)
+        matched = graph.nodes[interface]["matched"]
+        line = {
+            "color": look.PALETTE[interface[0]].line,
+            "arrowhead": _ARROWS[interface[0]],
+            "style": "dotted" if conditional else "solid" if matched else "dashed",
+            "tooltip": details,
+        }
+        yield f"  {ids[tail]} -> {ids[head]} {_attributes(line)};"

@@ -1,0 +1,101 @@
+"""Pictures made by Graphviz: the machine's own ``dot``, or else the build inside pygraphviz' wheel.
+
+Either runs in a process of its own with a time limit, so that neither a crash nor a layout that does not end
+takes archlint along.
+"""
+
+from __future__ import annotations
+
+import re
+import shutil
+import subprocess
+import sys
+from importlib.util import find_spec
+
+from archlint.render import dot, look
+from archlint.system.graph import to_networkx
+from archlint.system.model import System
+
+TIME_LIMIT = 30
+"""Seconds that a layout may take."""
+
+SHARP = 200
+"""Vertices up to which a PNG has 144 dots an inch, sharp on paper and dense screens; beyond, 96."""
+
+EACH_NODE = 1500
+"""Vertices up to which each node is drawn; beyond, one box stands for each package or namespace."""
+
+_BUNDLED = """
+import sys
+format, *path = sys.argv[1:]
+sys.path[:] = path
+import pygraphviz
+graph = pygraphviz.AGraph(string=sys.stdin.buffer.read().decode())
+sys.stdout.buffer.write(graph.draw(format=format, prog="dot"))
+"""
+"""Runs isolated: the folder that is linted must not provide any module of it."""
+
+
+class CannotDraw(Exception):
+    """There is no Graphviz, or it failed; the message is for the user."""
+
+
+def svg(system: System) -> str:
+    return tidy_svg(draw(system, "svg").decode("utf-8"))
+
+
+def png(system: System) -> bytes:
+    return draw(system, "png")
+
+
+def pdf(system: System) -> bytes:
+    return draw(system, "pdf")
+
+
+def draw(system: System, format: str) -> bytes:
+    """Raises :class:`CannotDraw`."""
+    graph = to_networkx(system)
+    attributes = {"dpi": "144" if len(graph) <= SHARP else "96"} if format == "png" else {}
+    write = dot.write_overview if len(graph) > EACH_NODE and look.groups(graph) else dot.write
+    return layout(write(graph, **attributes), format)
+
+
+def layout(source: str, format: str) -> bytes:
+    """What Graphviz makes of ``source``.  Raises :class:`CannotDraw`."""
+    encoded = source.encode("utf-8", "replace")
+    try:
+        if shutil.which("dot"):
+            return _with_system_graphviz(encoded, format)
+        if find_spec("pygraphviz"):
+            return _with_bundled_graphviz(encoded, format)
+    except subprocess.TimeoutExpired as late:
+        raise CannotDraw(
+            f"Graphviz took more than {TIME_LIMIT} seconds; --format dot, json and mermaid need no layout"
+        ) from late
+    except subprocess.CalledProcessError as failed:
+        said = failed.stderr.decode("utf-8", "replace").strip().splitlines() or [
+            f"exit status {failed.returncode}"
+        ]
+        raise CannotDraw(f"Graphviz failed: {said[-1]}") from failed
+    raise CannotDraw(
+        "no Graphviz: install pygraphviz or a system 'dot'; --format dot, json, mermaid and text work without"
+    )
+
+
+def _with_system_graphviz(source: bytes, format: str) -> bytes:
+    from graphviz.backend import dot_command, execute
+
+    command = dot_command.command("dot", format)
+    done = execute.run_check(command, input=source, capture_output=True, timeout=TIME_LIMIT, quiet=True)
+    return bytes(done.stdout)
+
+
+def _with_bundled_graphviz(source: bytes, format: str) -> bytes:
+    command = [sys.executable, "-I", "-c", _BUNDLED, format, *filter(None, sys.path)]
+    return subprocess.run(command, input=source, capture_output=True, timeout=TIME_LIMIT, check=True).stdout
+
+
+def tidy_svg(text: str) -> str:
+    """Without what changes from one Graphviz to the next and says nothing: comments and the document type."""
+    text = re.sub(r"<!--.*?-->\n?", "", text, flags=re.DOTALL)
+    return re.sub(r"<!DOCTYPE[^>]*>\n?", "", text)

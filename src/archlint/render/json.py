@@ -1,0 +1,202 @@
+"""The graph as JSON, version 1: names follow rosgraph's ComputationGraph.
+
+Everything is in a fixed order, files have ``/``, and a key is always there: null where nothing is known.
+"""
+
+from __future__ import annotations
+
+import json
+import math
+from collections.abc import Iterable
+from pathlib import PurePath
+from typing import Any
+
+from archlint.program import model as program
+from archlint.program.model import Creation, ParameterDeclaration, Qos
+from archlint.system.model import Connection, Endpoint, Node, System
+
+VERSION = 1
+
+_LISTS = {
+    "publishers": program.PUBLISHER,
+    "subscribers": program.SUBSCRIBER,
+    "services": program.SERVICE,
+    "clients": program.CLIENT,
+    "action_servers": program.ACTION_SERVER,
+    "action_clients": program.ACTION_CLIENT,
+}
+_CALLBACK = {
+    program.SUBSCRIBER: "subscription",
+    program.SERVICE: "service",
+    program.ACTION_SERVER: "execute",
+    program.TIMER: "timer",
+}
+"""Which of an entity's callbacks is *the* callback."""
+
+
+def render(system: System) -> str:
+    return json.dumps(document(system), indent=2) + "\n"
+
+
+def document(system: System) -> dict[str, Any]:
+    """The whole graph as plain data."""
+    return {
+        "version": VERSION,
+        "system": system.name,
+        "nodes": [_node(node) for node in system.nodes],
+        "topics": [_connection(c, "publishers", "subscribers") for c in system.topics.values()],
+        "services": [_connection(c, "servers", "clients") for c in system.services.values()],
+        "actions": [_connection(c, "servers", "clients") for c in system.actions.values()],
+        "unresolved": unresolved(system),
+    }
+
+
+def _node(node: Node) -> dict[str, Any]:
+    blueprint = node.blueprint
+    place = blueprint.place if blueprint else node.launch_place
+    lists = {name: [_endpoint(e) for e in node.of_kind(kind)] for name, kind in _LISTS.items()}
+    return {
+        "name": node.name,
+        "class": blueprint.class_name if blueprint else None,
+        "package": node.package,
+        "executable": node.executable,
+        "executables": list(node.executables),
+        "file": _file(place.file) if place else None,
+        "line": place.line if place else None,
+        "lifecycle": blueprint.lifecycle if blueprint else False,
+        "executor": node.executor,
+        "launched_by": node.launched_by,
+        "external": node.external,
+        "test": node.test,
+        "complete": all(b.complete for b in node.blueprints),
+        "error": node.error,
+        **lists,
+        "timers": [_timer(timer) for timer in node.timers],
+        "parameters": [_parameter(parameter, node) for parameter in node.parameters],
+    }
+
+
+def _endpoint(endpoint: Endpoint) -> dict[str, Any]:
+    place = endpoint.place
+    described = {
+        "name": endpoint.name,
+        "type": endpoint.type,
+        "qos": _qos(endpoint.qos),
+        "file": _file(place.file),
+        "line": place.line,
+        "column": place.column,
+        "end_line": place.end_line,
+        "end_column": place.end_column,
+        "written": endpoint.written,
+        "resolution": endpoint.resolution,
+        "parameter": endpoint.parameter,
+        "conditional": endpoint.conditional,
+        "callback_group": endpoint.creation.group.kind,
+        "reason": endpoint.reason or endpoint.creation.type_reason,
+        "error": endpoint.error,
+    }
+    if endpoint.kind in _CALLBACK:
+        described["callback"] = _callback(endpoint.creation)
+    return described
+
+
+def _callback(creation: Creation) -> str | None:
+    callback = creation.callbacks.get(_CALLBACK[creation.kind])
+    return callback.name if callback else None
+
+
+def _qos(qos: Qos | None) -> dict[str, Any] | None:
+    if qos is None:
+        return None
+    described: dict[str, Any] = {
+        "history": qos.history,
+        "depth": qos.depth,
+        "reliability": qos.reliability,
+        "durability": qos.durability,
+    }
+    durations = {"deadline_s": qos.deadline, "lifespan_s": qos.lifespan, "lease_s": qos.liveliness_lease}
+    described |= {name: seconds for name, seconds in durations.items() if seconds}
+    if qos.liveliness != "system_default":
+        described["liveliness"] = qos.liveliness
+    return described
+
+
+def _timer(timer: Creation) -> dict[str, Any]:
+    return {
+        "period_s": _plain(timer.period),
+        "callback": _callback(timer),
+        "file": _file(timer.place.file),
+        "line": timer.place.line,
+        "column": timer.place.column,
+        "parameter": timer.period_parameter,
+        "conditional": timer.conditional,
+        "callback_group": timer.group.kind,
+    }
+
+
+def _parameter(parameter: ParameterDeclaration, node: Node) -> dict[str, Any]:
+    described = {
+        "name": parameter.name.text,
+        "type": parameter.type,
+        "default": _plain(parameter.default) if parameter.known else None,
+        "file": _file(parameter.place.file),
+        "line": parameter.place.line,
+        "column": parameter.place.column,
+        "conditional": parameter.conditional,
+    }
+    if parameter.name.text in node.overrides and not parameter.ignore_override:
+        described["override"] = _plain(node.overrides[parameter.name.text])
+    return described
+
+
+def _plain(value: object) -> object:
+    """A parameter's value in JSON; what JSON has no word for (nan, infinity) is a string."""
+    if isinstance(value, float) and not math.isfinite(value):
+        return str(value)
+    if isinstance(value, (bytes, bytearray, list, tuple)):
+        return [_plain(item) for item in value]
+    if value is None or isinstance(value, (bool, int, float, str)):
+        return value
+    return None
+
+
+def _connection(connection: Connection, providers: str, users: str) -> dict[str, Any]:
+    return {
+        "name": connection.name,
+        "types": connection.types,
+        providers: node_names(connection.providers),
+        users: node_names(connection.users),
+    }
+
+
+def node_names(endpoints: Iterable[Endpoint]) -> list[str | None]:
+    """The nodes of some endpoints, each once; null comes last and stands for all whose name is not known."""
+    names = {endpoint.node.name for endpoint in endpoints}
+    known: list[str | None] = [*sorted(name for name in names if name is not None)]
+    return [*known, None] if None in names else known
+
+
+def unresolved(system: System) -> list[dict[str, Any]]:
+    """Entities without a known name, and calls that may create entities but could not be followed.
+
+    A helper's entity appears once, however many nodes use the helper.
+    """
+    found: dict[tuple[str, int, int, str, str], None] = {}
+    for node in system.nodes:
+        for endpoint in node.endpoints:
+            if endpoint.resolution == "unknown":
+                place = endpoint.place
+                found[_file(place.file), place.line, place.column, endpoint.kind, endpoint.reason or ""] = (
+                    None
+                )
+        for blueprint in node.blueprints:
+            for place, reason in blueprint.gaps:
+                found[_file(place.file), place.line, place.column, "call", reason] = None
+    return [
+        {"kind": kind, "file": file, "line": line, "column": column, "reason": reason}
+        for file, line, column, kind, reason in sorted(found)
+    ]
+
+
+def _file(path: str) -> str:
+    return PurePath(path).as_posix()

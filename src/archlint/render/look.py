@@ -1,0 +1,150 @@
+"""What the drawn formats share: colours that hold up on paper and in grey, and the words on a picture."""
+
+from __future__ import annotations
+
+from collections import Counter
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+from archlint.program.model import Qos
+from archlint.system.graph import NODE
+from archlint.system.model import Endpoint, Node
+from archlint.visible import visible
+
+if TYPE_CHECKING:
+    from collections.abc import Iterable
+
+    import networkx
+
+FONT = "Helvetica,Arial,sans-serif"
+
+
+@dataclass(frozen=True)
+class Colours:
+    fill: str
+    line: str
+    text: str
+
+
+PALETTE = {
+    "node": Colours("#dbeafe", "#1d4ed8", "#172554"),
+    "topic": Colours("#f1f5f9", "#64748b", "#1e293b"),
+    "service": Colours("#fef3c7", "#b45309", "#451a03"),
+    "action": Colours("#f3e8ff", "#7e22ce", "#3b0764"),
+    "wrong": Colours("#fee2e2", "#b91c1c", "#450a0a"),
+    "aside": Colours("#ffffff", "#94a3b8", "#475569"),
+}
+"""``wrong`` marks types that differ and names that ROS rejects; ``aside`` test code and external nodes."""
+
+
+def node_label(node: Node) -> str:
+    """A node's name, or its class where the name is not known."""
+    if node.name is not None:
+        return visible(node.name)
+    called = node.blueprint.class_name if node.blueprint else node.executable or "?"
+    return _lines([called, "name not known"])
+
+
+def node_details(node: Node) -> str:
+    """Class, package and place of a node, for a tooltip."""
+    if node.blueprint is None:
+        return f"{node.package}/{node.executable}, not in this workspace"
+    place = node.blueprint.place
+    executables = ", ".join(node.executables)
+    started_by = f"{node.package or 'no package'}{': ' if executables else ''}{executables}"
+    where = f"{place.file}:{place.line}"
+    return _lines([node.blueprint.class_name, started_by, where, "test code" if node.test else ""])
+
+
+def interface_label(data: dict[str, Any]) -> str:
+    """Name and short type of a topic, service or action; several types are all shown."""
+    types = [type_.rpartition("/")[2] for type_ in data["types"]]
+    if len(set(types)) < len(types):
+        types = data["types"]
+    return _lines([data["name"] or "?", " ≠ ".join(types) or "type not known"])
+
+
+def interface_details(data: dict[str, Any]) -> str:
+    """Kind, full types and what is to be said of the name, for a tooltip."""
+    lines = [data["kind"], *data["types"]]
+    if data["error"]:
+        lines.append(data["error"])
+    if data["resolution"] != "exact":
+        lines.append(f"name: {data['resolution']}")
+    return _lines(lines)
+
+
+def _lines(parts: Iterable[str]) -> str:
+    """The parts that are not empty, made safe to show, each on a line of its own."""
+    return "\n".join(visible(part) for part in parts if part)
+
+
+def endpoint_details(endpoint: Endpoint) -> str:
+    """Kind, place, quality of service and callback of an endpoint, for a tooltip."""
+    parts = [endpoint.kind.replace("_", " "), f"{endpoint.place.file}:{endpoint.place.line}"]
+    if endpoint.qos is not None and endpoint.kind in ("publisher", "subscriber"):
+        parts.append(qos_words(endpoint.qos))
+    parts += sorted(callback.name for callback in endpoint.creation.callbacks.values())
+    if endpoint.conditional:
+        parts.append("only under a condition")
+    return ", ".join(parts)
+
+
+def qos_words(qos: Qos) -> str:
+    """``reliable, volatile, keep last 10``, with ``?`` for what is not known."""
+    history = (qos.history or "?").replace("_", " ")
+    if qos.history == "keep_last":
+        history += f" {'?' if qos.depth is None else qos.depth}"
+    words = [qos.reliability or "?", qos.durability or "?"]
+    return ", ".join([*(word.replace("_", " ") for word in words), history])
+
+
+def groups(graph: networkx.MultiDiGraph) -> dict[tuple[str, str], str]:
+    """Vertex → title of the group it is drawn in: its namespace where nodes have several, else its package.
+
+    An interface belongs to a group if all its nodes do.
+    """
+    nodes = {key: data["node"] for key, data in graph.nodes(data=True) if data["kind"] == NODE}
+    by = _namespace if len({_namespace(node) for node in nodes.values()}) > 1 else _package
+    titles = {key: by(node) for key, node in nodes.items()}
+    if len(set(titles.values())) < 2:
+        return {}
+    for key in graph.nodes:
+        if key not in nodes:
+            around = {titles[other] for other in (*graph.predecessors(key), *graph.successors(key))}
+            titles[key] = around.pop() if len(around) == 1 else ""
+    return {key: title for key, title in titles.items() if title}
+
+
+def _namespace(node: Node) -> str:
+    return (node.name or "").rpartition("/")[0]
+
+
+def _package(node: Node) -> str:
+    return node.package or ""
+
+
+def caption(graph: networkx.MultiDiGraph) -> str:
+    """One line that counts what is drawn and explains the lines that need it."""
+    data = [data for _, data in graph.nodes(data=True)]
+    counts = Counter(one["kind"] for one in data)
+    words = [counted(counts[kind], kind) for kind in ("node", "topic", "service", "action") if counts[kind]]
+    sentences = [", ".join(words) or "nothing that communicates"]
+    if any(one["kind"] != NODE and not one["matched"] for one in data):
+        sentences.append("dashed: nobody at the other end")
+    if any(one["kind"] != NODE and one["resolution"] == "partial" for one in data):
+        sentences.append("*: known only at run time")
+    if any(edge["endpoint"].conditional for _, _, edge in graph.edges(data=True)):
+        sentences.append("dotted: only under a condition")
+    return "  ·  ".join(sentences)
+
+
+def counted(number: int, noun: str) -> str:
+    """``1 node``, ``2 nodes``."""
+    return f"{number} {noun}" if number == 1 else f"{number} {noun}s"
+
+
+def common_endpoint(endpoints: Iterable[Endpoint]) -> tuple[bool, str]:
+    """Whether all are conditional, and the details of each on a line."""
+    every = list(endpoints)
+    return all(endpoint.conditional for endpoint in every), _lines(map(endpoint_details, every))

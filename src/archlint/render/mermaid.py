@@ -1,0 +1,86 @@
+"""The graph as a Mermaid flowchart, for Markdown that is shown on GitHub or GitLab.
+
+Ids are made up; ``"`` and ``#`` are written as Mermaid's own entities, so that no name ends a label.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING, Any
+
+from archlint.render import look
+from archlint.system.graph import NODE, Key, to_networkx
+from archlint.system.model import System
+from archlint.visible import visible
+
+if TYPE_CHECKING:
+    import networkx
+
+EDGE_LIMIT = 500
+"""Mermaid draws no more edges than this unless its site says so (``maxEdges``)."""
+
+_SHAPES = {"node": ('(["', '"])'), "topic": ('["', '"]'), "service": ('{{"', '"}}'), "action": ('[["', '"]]')}
+
+
+def render(system: System) -> str:
+    graph = to_networkx(system)
+    ids = {key: f"n{number}" for number, key in enumerate(graph.nodes)}
+    edges = list(_edges(graph, ids))
+    lines = ["flowchart LR", *_vertices(graph, ids), *edges, *_styles(graph, ids)]
+    if len(edges) > EDGE_LIMIT:
+        warning = (
+            f"%% {len(edges)} edges: Mermaid stops at {EDGE_LIMIT}; draw a part of the workspace, or use svg"
+        )
+        lines.insert(0, warning)
+    return "\n".join(lines) + "\n"
+
+
+def escape(text: str) -> str:
+    """``text`` for the inside of a quoted label; a newline becomes a line break."""
+    shown = "\n".join(visible(line) for line in text.split("\n"))
+    for char, entity in (("#", "#35;"), ("&", "#amp;"), ('"', "#quot;"), ("<", "#lt;"), (">", "#gt;")):
+        shown = shown.replace(char, entity)
+    return shown.replace("`", "#96;").replace("\n", "<br>")
+
+
+def _vertices(graph: networkx.MultiDiGraph, ids: dict[Key, str]) -> Iterator[str]:
+    groups = look.groups(graph)
+    for number, title in enumerate(sorted(set(groups.values()))):
+        yield f'  subgraph g{number}["{escape(title)}"]'
+        yield from (f"  {_vertex(graph, key, ids)}" for key in graph.nodes if groups.get(key) == title)
+        yield "  end"
+    yield from (_vertex(graph, key, ids) for key in graph.nodes if key not in groups)
+
+
+def _vertex(graph: networkx.MultiDiGraph, key: Key, ids: dict[Key, str]) -> str:
+    data = graph.nodes[key]
+    label = look.node_label(data["node"]) if data["kind"] == NODE else look.interface_label(data)
+    before, after = _SHAPES[data["kind"]]
+    return f"  {ids[key]}{before}{escape(label)}{after}"
+
+
+def _edges(graph: networkx.MultiDiGraph, ids: dict[Key, str]) -> Iterator[str]:
+    seen: dict[tuple[Key, Key], bool] = {}
+    for tail, head, endpoint in graph.edges(data="endpoint"):
+        seen[tail, head] = seen.get((tail, head), True) and endpoint.conditional
+    for (tail, head), conditional in seen.items():
+        interface = graph.nodes[tail if tail[0] != NODE else head]
+        arrow = "-->" if interface["matched"] and not conditional else "-.->"
+        yield f"  {ids[tail]} {arrow} {ids[head]}"
+
+
+def _styles(graph: networkx.MultiDiGraph, ids: dict[Key, str]) -> Iterator[str]:
+    members: dict[str, list[str]] = {}
+    for key, data in graph.nodes(data=True):
+        members.setdefault(_style(data), []).append(ids[key])
+    for name, colours in look.PALETTE.items():
+        if name in members:
+            yield f"  classDef {name} fill:{colours.fill},stroke:{colours.line},color:{colours.text}"
+            yield f"  class {','.join(members[name])} {name}"
+
+
+def _style(data: dict[str, Any]) -> str:
+    if data["kind"] == NODE:
+        node = data["node"]
+        return "wrong" if node.error else "aside" if node.test or node.external else "node"
+    return "wrong" if data["error"] or len(data["types"]) > 1 else str(data["kind"])

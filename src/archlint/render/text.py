@@ -1,0 +1,170 @@
+"""The graph for a terminal: nodes with what they create, then who talks to whom, then what is not known."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from functools import partial
+
+from archlint.program import model as program
+from archlint.program.model import Creation, ParameterDeclaration
+from archlint.render import json, look
+from archlint.system.model import Connection, Endpoint, Node, System
+from archlint.visible import visible
+
+_VERBS = {
+    program.PUBLISHER: "publishes",
+    program.SUBSCRIBER: "subscribes",
+    program.SERVICE: "serves",
+    program.CLIENT: "calls",
+    program.ACTION_SERVER: "acts on",
+    program.ACTION_CLIENT: "sends goals",
+}
+_ENDS = {
+    "topic": ("published by", "subscribed by"),
+    "service": ("served by", "called by"),
+    "action": ("served by", "called by"),
+}
+_STYLES = {"plain": "", "title": "1", "node": "1;34", "name": "36", "quiet": "2", "alarm": "31"}
+_WIDEST = 48
+"""A text longer than this does not push its column aside for all others."""
+
+Cell = tuple[str, str]
+"""A text and its style."""
+Paint = Callable[[str, str], str]
+
+
+def render(system: System, *, color: bool = False) -> str:
+    paint = partial(_paint, color)
+    sections = [
+        _nodes(system, paint),
+        _connections("topic", system.topics.values(), paint),
+        _connections("service", system.services.values(), paint),
+        _connections("action", system.actions.values(), paint),
+        _unresolved(system, paint),
+    ]
+    blocks = [block for section in sections for block in section]
+    return "\n\n".join(blocks or ["no nodes"]) + "\n"
+
+
+def _paint(color: bool, text: str, style: str) -> str:
+    """``text`` made safe to show, and marked up where colour is on."""
+    shown = visible(text)
+    code = _STYLES[style]
+    return f"\x1b[{code}m{shown}\x1b[0m" if color and code and shown else shown
+
+
+def _nodes(system: System, paint: Paint) -> Iterator[str]:
+    if system.nodes:
+        yield paint(look.counted(len(system.nodes), "node"), "title")
+    for node in system.nodes:
+        heading = "  ".join(paint(*cell) for cell in _heading(node) if cell[0])
+        yield "\n".join([heading, *_table([*_rows(node)], paint)])
+
+
+def _heading(node: Node) -> Iterator[Cell]:
+    yield (node.name, "node") if node.name else ("name not known", "alarm")
+    if node.blueprint is None:
+        yield f"{node.package}/{node.executable}, not in this workspace", "quiet"
+        return
+    place = node.blueprint.place
+    yield node.blueprint.class_name, "plain"
+    yield "/".join(filter(None, [node.package, ", ".join(node.executables)])), "plain"
+    yield "lifecycle" if node.blueprint.lifecycle else "", "plain"
+    yield f"{place.file}:{place.line}", "quiet"
+    yield "test code" if node.test else "", "quiet"
+    yield node.error or "", "alarm"
+
+
+def _rows(node: Node) -> Iterator[Sequence[Cell]]:
+    for kind, verb in _VERBS.items():
+        yield from (_endpoint_row(endpoint, verb) for endpoint in node.of_kind(kind))
+    yield from map(_timer_row, node.timers)
+    yield from map(_parameter_row, node.parameters)
+
+
+def _endpoint_row(endpoint: Endpoint, verb: str) -> Sequence[Cell]:
+    style = "alarm" if endpoint.error or endpoint.name is None else "name"
+    notes = ", ".join([_where(endpoint), *_notes(endpoint)])
+    type_ = endpoint.type or "type not known"
+    return [(verb, "plain"), (endpoint.name or "?", style), (type_, "plain"), (notes, "quiet")]
+
+
+def _where(endpoint: Endpoint) -> str:
+    """The line, and the file where it is not the node's own."""
+    place, node = endpoint.place, endpoint.node.blueprint
+    return f"line {place.line}" if node and node.place.file == place.file else f"{place.file}:{place.line}"
+
+
+def _notes(endpoint: Endpoint) -> Iterator[str]:
+    if endpoint.qos is not None and endpoint.kind in (program.PUBLISHER, program.SUBSCRIBER):
+        yield look.qos_words(endpoint.qos)
+    if endpoint.parameter and endpoint.resolution == "parameter":
+        yield f"from the parameter {endpoint.parameter}"
+    if endpoint.conditional:
+        yield "only under a condition"
+    if endpoint.error:
+        yield endpoint.error
+
+
+def _timer_row(timer: Creation) -> Sequence[Cell]:
+    period = "?" if timer.period is None else f"{timer.period:g}"
+    callback = timer.callbacks.get("timer")
+    return [
+        ("timer", "plain"),
+        (f"every {period} s", "plain"),
+        (callback.name if callback else "", "plain"),
+        (f"line {timer.place.line}", "quiet"),
+    ]
+
+
+def _parameter_row(parameter: ParameterDeclaration) -> Sequence[Cell]:
+    default = f"= {parameter.default!r}" if parameter.known and parameter.default is not None else ""
+    return [
+        ("parameter", "plain"),
+        (parameter.name.text or "?", "plain"),
+        (" ".join(filter(None, [parameter.type, default])), "plain"),
+        (f"line {parameter.place.line}", "quiet"),
+    ]
+
+
+def _connections(kind: str, connections: Iterable[Connection], paint: Paint) -> Iterator[str]:
+    every = list(connections)
+    if every:
+        yield paint(look.counted(len(every), kind), "title")
+    for connection in every:
+        types = paint(
+            " ≠ ".join(connection.types) or "type not known",
+            "alarm" if len(connection.types) > 1 else "plain",
+        )
+        ends = zip(_ENDS[kind], (connection.providers, connection.users), strict=True)
+        lines = [f"  {words:<13}  {_names(endpoints, paint)}" for words, endpoints in ends]
+        yield "\n".join([f"{paint(connection.name, 'name')}  {types}", *lines])
+
+
+def _names(endpoints: Sequence[Endpoint], paint: Paint) -> str:
+    names = [name or "a node whose name is not known" for name in json.node_names(endpoints)]
+    return paint(", ".join(names), "plain") if names else paint("nobody here", "quiet")
+
+
+def _unresolved(system: System, paint: Paint) -> Iterator[str]:
+    entries = json.unresolved(system)
+    if entries:
+        yield paint(f"{len(entries)} not resolved", "title")
+        yield "\n".join(_table([_unresolved_row(entry) for entry in entries], paint))
+
+
+def _unresolved_row(entry: dict[str, object]) -> Sequence[Cell]:
+    kind = str(entry["kind"]).replace("_", " ")
+    return [(f"{entry['file']}:{entry['line']}", "quiet"), (kind, "plain"), (str(entry["reason"]), "plain")]
+
+
+def _table(rows: Sequence[Sequence[Cell]], paint: Paint) -> Iterator[str]:
+    """Rows with aligned columns, indented by two; the last column is as wide as it is."""
+    columns = zip(*rows, strict=True)
+    widths = [max((len(visible(t)) for t, _ in c if len(visible(t)) <= _WIDEST), default=0) for c in columns]
+    for row in rows:
+        cells = [
+            paint(text, style) + " " * (width - len(visible(text)))
+            for (text, style), width in zip(row, widths, strict=True)
+        ]
+        yield "  " + "  ".join(cells).rstrip()

@@ -1,0 +1,110 @@
+"""A system as a networkx graph: nodes on one side, topics, services and actions on the other."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from archlint.program import model as program
+from archlint.system.model import Endpoint, Node, System
+
+if TYPE_CHECKING:
+    import networkx
+
+NODE = "node"
+TOPIC = "topic"
+SERVICE = "service"
+ACTION = "action"
+
+INTERFACE_OF = {
+    program.PUBLISHER: TOPIC,
+    program.SUBSCRIBER: TOPIC,
+    program.SERVICE: SERVICE,
+    program.CLIENT: SERVICE,
+    program.ACTION_SERVER: ACTION,
+    program.ACTION_CLIENT: ACTION,
+}
+"""What each kind of endpoint is an end of."""
+
+PROVIDERS = (program.PUBLISHER, program.SERVICE, program.ACTION_SERVER)
+_TOWARDS_NODE = (program.SUBSCRIBER, program.SERVICE, program.ACTION_SERVER)
+
+Key = tuple[str, str]
+"""``(kind, name)``; what has no name goes by its class or kind and its place."""
+
+
+def to_networkx(system: System) -> networkx.MultiDiGraph:
+    """Edges run with the data (publisher → topic → subscriber) or the request (client → service → server).
+
+    Vertices are :data:`Key`; each has ``kind``, ``name`` and ``resolution``, those of interfaces also
+    ``types``, ``matched`` (somebody at either end) and ``error``, those of nodes ``node``.  Each edge has its
+    ``endpoint``.  Vertices and edges are in the order of names, the same on every run.
+    """
+    import networkx
+
+    graph = networkx.MultiDiGraph(name=system.name or "")
+    keys = node_keys(system)
+    for node in system.nodes:
+        graph.add_node(keys[id(node)], kind=NODE, name=node.name, resolution=node.resolution, node=node)
+    for key, endpoints in sorted(_interfaces(system).items()):
+        graph.add_node(key, **_interface_attributes(key, endpoints))
+    for node in system.nodes:
+        for endpoint in node.endpoints:
+            ends = (keys[id(node)], interface_key(endpoint))
+            graph.add_edge(
+                *(reversed(ends) if endpoint.kind in _TOWARDS_NODE else ends),
+                kind=endpoint.kind,
+                type=endpoint.type,
+                file=endpoint.place.file,
+                line=endpoint.place.line,
+                endpoint=endpoint,
+            )
+    return graph
+
+
+def node_keys(system: System) -> dict[int, Key]:
+    """The vertex of each node, by ``id(node)``; more nodes of one name are numbered."""
+    keys: dict[int, Key] = {}
+    taken: set[Key] = set()
+    for node in system.nodes:
+        key: Key = (NODE, node.name or _where(node))
+        number = 2
+        while key in taken:
+            key = (NODE, f"{node.name or _where(node)} #{number}")
+            number += 1
+        taken.add(key)
+        keys[id(node)] = key
+    return keys
+
+
+def _where(node: Node) -> str:
+    if node.blueprint is None:
+        return f"{node.package or ''}/{node.executable or ''}"
+    return f"{node.blueprint.class_name} ({node.blueprint.place.file}:{node.blueprint.place.line})"
+
+
+def interface_key(endpoint: Endpoint) -> Key:
+    """The vertex that an endpoint is connected to; without a known name it has one of its own."""
+    place = endpoint.place
+    name = endpoint.name or f"? ({place.file}:{place.line}:{place.column} {endpoint.kind})"
+    return (INTERFACE_OF[endpoint.kind], name)
+
+
+def _interfaces(system: System) -> dict[Key, list[Endpoint]]:
+    found: dict[Key, list[Endpoint]] = {}
+    for endpoint in system.endpoints:
+        found.setdefault(interface_key(endpoint), []).append(endpoint)
+    return found
+
+
+def _interface_attributes(key: Key, endpoints: list[Endpoint]) -> dict[str, object]:
+    first = endpoints[0]
+    provided = any(endpoint.kind in PROVIDERS for endpoint in endpoints)
+    used = any(endpoint.kind not in PROVIDERS for endpoint in endpoints)
+    return {
+        "kind": key[0],
+        "name": first.name,
+        "resolution": first.resolution,
+        "types": sorted({endpoint.type for endpoint in endpoints if endpoint.type is not None}),
+        "matched": provided and used,
+        "error": next((endpoint.error for endpoint in endpoints if endpoint.error), None),
+    }
