@@ -1,0 +1,232 @@
+"""The gate: what a file must pass before libcst sees it.
+
+libcst can kill the process on deep nesting and stall on long operator chains, so a file is looked at first: a
+regular file of bearable size, decodable, with a word that matters, not nested too deep, no chain too long.
+``ast.parse`` at the stock recursion limit is the last look, and never the judge of syntax: a newer Python's
+syntax is not an error.
+"""
+
+from __future__ import annotations
+
+import ast
+import io
+import os
+import re
+import stat
+import tokenize
+import warnings
+from dataclasses import dataclass
+
+MAX_BYTES = 1_000_000
+MAX_DEPTH = 200
+"""CPython's own limit on nested brackets."""
+MAX_CHAIN = 2_500
+"""The longest run of operators, ``elif``, attribute steps or neighbouring strings that is parsed."""
+
+WORDS = (
+    b"rclpy",
+    b"create_publisher",
+    b"create_subscription",
+    b"create_service",
+    b"create_client",
+    b"create_timer",
+    b"create_node",
+    b"ActionServer",
+    b"ActionClient",
+    b"declare_parameter",
+    b"get_parameter",
+    b"message_filters",
+    b"tf2_ros",
+    b"wait_for_service",
+    b"call_async",
+    b"archlint:",
+)
+"""A file without any of these can neither create nor wait for anything.  ``rclpy`` alone would lose mixins and
+helpers that never import it."""
+
+
+@dataclass(frozen=True)
+class SourceText:
+    """A file that passed: its text (decoded, as written) and its bytes."""
+
+    text: str
+    data: bytes
+
+
+@dataclass(frozen=True)
+class Refusal:
+    """Why a file is not analysed, and where; lines and columns start at 1."""
+
+    line: int
+    column: int
+    message: str
+
+
+def relevant(data: bytes) -> bool:
+    """Whether a file has a word that matters."""
+    return any(word in data for word in WORDS)
+
+
+def read_bytes(path: str, limit: int = MAX_BYTES) -> bytes | Refusal:
+    """The bytes of a regular file of bearable size."""
+    try:
+        descriptor = os.open(path, os.O_RDONLY | getattr(os, "O_NONBLOCK", 0) | getattr(os, "O_CLOEXEC", 0))
+    except OSError as error:
+        return Refusal(1, 1, f"cannot read this file: {error.strerror or error}")
+    try:
+        status = os.fstat(descriptor)
+        if not stat.S_ISREG(status.st_mode):
+            return Refusal(1, 1, "not a regular file")
+        if status.st_size > limit:
+            size, most = status.st_size // 1000, limit // 1000
+            return Refusal(1, 1, f"the file is too large to analyse: {size} kB, the limit is {most} kB")
+        with os.fdopen(os.dup(descriptor), "rb") as stream:
+            return stream.read(limit + 1)
+    except OSError as error:
+        return Refusal(1, 1, f"cannot read this file: {error.strerror or error}")
+    finally:
+        os.close(descriptor)
+
+
+def decode(data: bytes) -> str | Refusal:
+    """The text of Python source: by its byte order mark, its coding cookie, or UTF-8."""
+    zero = data.find(b"\0")
+    if zero >= 0:
+        line = data.count(b"\n", 0, zero) + 1
+        return Refusal(line, zero - (data.rfind(b"\n", 0, zero)), "the file holds a NUL byte: it is no Python source")
+    try:
+        encoding, _ = tokenize.detect_encoding(io.BytesIO(data).readline)
+    except SyntaxError as error:
+        return Refusal(1, 1, f"the encoding of this file cannot be told: {error.msg}")
+    try:
+        return data.decode(encoding)
+    except UnicodeDecodeError as error:
+        line = data.count(b"\n", 0, error.start) + 1
+        column = error.start - data.rfind(b"\n", 0, error.start)
+        byte = data[error.start]
+        return Refusal(
+            line, column, f"byte 0x{byte:02x} is no {encoding}: save the file as UTF-8 or name its encoding on line 1"
+        )
+    except (LookupError, ValueError) as error:
+        return Refusal(1, 1, f"the encoding of this file cannot be used: {error}")
+
+
+_SKIP = re.compile(
+    r"(?P<string>'''(?:[^\\]|\\.)*?'''|\"\"\"(?:[^\\]|\\.)*?\"\"\"|'(?:[^\\'\n]|\\.)*'|\"(?:[^\\\"\n]|\\.)*\")"
+    r"|(?P<comment>\#[^\n]*)"
+    r"|(?P<open>[(\[{])|(?P<close>[)\]}])",
+    re.DOTALL,
+)
+
+
+def nesting(text: str) -> tuple[int, int]:
+    """The deepest bracket nesting and its line; strings and comments do not count."""
+    depth = deepest = at = 0
+    for match in _SKIP.finditer(text):
+        kind = match.lastgroup
+        if kind == "open":
+            depth += 1
+            if depth > deepest:
+                deepest, at = depth, match.start()
+        elif kind == "close":
+            depth = max(0, depth - 1)
+    return deepest, text.count("\n", 0, at) + 1
+
+
+_CHAINS = (
+    (re.compile(r"(?:[^\S\n]*[\w.'\"]+[^\S\n\\]*(?:\\\n)?\s*[-+*/%|&^@<>=]{1,2}){2500}"), "operators"),
+    (re.compile(r"(?:\.[^\S\n]*\w+[^\S\n]*(?:\([^()]*\))?[^\S\n]*\\?\n?){2500}"), "attributes"),
+    (re.compile(r"(?:(?:'[^'\n]*'|\"[^\"\n]*\")\s*){2500}"), "strings in a row"),
+    (re.compile(r"(?:\bnot\s+|[-+~]){2500}"), "operators"),
+)
+_ELIF = re.compile(r"^[ \t]*elif\b", re.MULTILINE)
+
+
+def longest_chain(text: str) -> tuple[str, int] | None:
+    """What a file strings together too long for the parser, and its line; None where nothing is.
+
+    The patterns run only over files large enough to hold such a chain.
+    """
+    if len(text) < MAX_CHAIN * 2:
+        return None
+    if sum(1 for _ in _ELIF.finditer(text)) > MAX_CHAIN:
+        match = next(_ELIF.finditer(text))
+        return "elif branches", text.count("\n", 0, match.start()) + 1
+    longest = max((len(line) for line in text.split("\n")), default=0)
+    if longest < MAX_CHAIN and text.count("\\\n") < 100 and len(text) < 200_000:
+        return None
+    for pattern, what in _CHAINS:
+        found = pattern.search(text)
+        if found is not None:
+            return what, text.count("\n", 0, found.start()) + 1
+    return None
+
+
+def inspect(text: str) -> Refusal | None:
+    """Whether libcst can be trusted with a text; None where it can."""
+    depth, line = nesting(text)
+    if depth > MAX_DEPTH:
+        return Refusal(line, 1, f"brackets are nested {depth} deep, more than Python's own limit of {MAX_DEPTH}")
+    chain = longest_chain(text)
+    if chain is not None:
+        return Refusal(chain[1], 1, f"too many {chain[0]} in one expression to analyse (more than {MAX_CHAIN})")
+    try:
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")
+            ast.parse(text)
+    except SyntaxError as error:
+        if "too many nested" in (error.msg or "") or "too deeply" in (error.msg or ""):
+            return Refusal(error.lineno or 1, 1, "the code is nested too deep to analyse")
+        return None  # libcst decides, and words the finding
+    except (RecursionError, MemoryError):
+        return Refusal(1, 1, "the code is nested too deep to analyse")
+    except ValueError as error:
+        return Refusal(1, 1, f"Python cannot read this file: {error}")
+    return None
+
+
+def read_source(path: str, limit: int = MAX_BYTES) -> SourceText | Refusal:
+    """A file's text if it is safe to parse, else why not."""
+    data = read_bytes(path, limit)
+    if isinstance(data, Refusal):
+        return data
+    text = decode(data)
+    if isinstance(text, Refusal):
+        return text
+    refusal = inspect(text)
+    return SourceText(text, data) if refusal is None else refusal
+
+
+def compile_refusal(text: str) -> Refusal | None:
+    """What Python's compiler refuses although the syntax is right: a repeated keyword argument, ``return``
+    outside of a function.  Silent where this Python cannot even parse the text."""
+    try:
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")
+            tree = ast.parse(text)
+            compile(tree, "<archlint>", "exec", dont_inherit=True)
+    except SyntaxError as error:
+        try:
+            with warnings.catch_warnings():
+                warnings.simplefilter("ignore")
+                ast.parse(text)
+        except SyntaxError:
+            # Python 3.10 and later find a repeated keyword while parsing; newer syntax fails there, too.
+            if "keyword argument repeated" not in (error.msg or ""):
+                return None
+        return Refusal(error.lineno or 1, error.offset or 1, f"Python refuses to compile this file: {error.msg}")
+    except (RecursionError, MemoryError, ValueError):
+        return None
+    return None
+
+
+_PYTHON_2 = re.compile(
+    r"^[ \t]*(?:print[ \t]+[^\s(=.\[]|print[ \t]*$|exec[ \t]+[\"']|except[ \t]+\w[\w.]*[ \t]*,[ \t]*\w+[ \t]*:"
+    r"|raise[ \t]+\w[\w.]*[ \t]*,)",
+    re.MULTILINE,
+)
+
+
+def looks_like_python_2(text: str) -> bool:
+    """Whether a text that does not parse has the marks of Python 2."""
+    return _PYTHON_2.search(text) is not None
