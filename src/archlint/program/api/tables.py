@@ -393,6 +393,7 @@ ROWS = [
         watched=True,
     ),
     _row("threading.Event.wait", "timeout", watched=True),
+    _row("threading.Event.set", "", watched=True),
     _row("builtins.input", "prompt", watched=True),
     # ---- parameters
     _row(
