@@ -17,7 +17,7 @@ WORDS = (
     frozenset(row.path.rpartition(".")[2] for row in tables.ROWS if row.effect != "none" or row.watched)
     | rclpy_names.NODE_METHODS
     | {"Node", "LifecycleNode", "sleep", "wait", "result", "call"}
-) - {"__init__", "join", "get", "path"}
+) - {"__init__", "join", "get", "path", "set"}
 """Names of the API tables, as they stand in source."""
 
 
