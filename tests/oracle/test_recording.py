@@ -127,7 +127,8 @@ def test_quality_of_service_in_all_its_forms(execute):
                 self.create_publisher(String, "b", changed)
                 self.create_publisher(String, "c", qos_profile_sensor_data)
                 self.create_publisher(String, "d", QoSPresetProfiles.SYSTEM_DEFAULT.value)
-                everything = QoSProfile(history=HistoryPolicy.KEEP_ALL, reliability=ReliabilityPolicy.BEST_EFFORT)
+                unreliable = ReliabilityPolicy.BEST_EFFORT
+                everything = QoSProfile(history=HistoryPolicy.KEEP_ALL, reliability=unreliable)
                 self.create_publisher(String, "e", everything)
         """
     )

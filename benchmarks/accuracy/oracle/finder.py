@@ -106,7 +106,7 @@ def _is_installed(module: types.ModuleType) -> bool:
 
 
 class _NoAccidentalPackages(importlib.abc.MetaPathFinder):
-    """To Python a folder without modules is a package too, as `pkg/` and `pkg/msg/` of an interface package are.
+    """To Python a folder without modules is a package too, as those of an interface package are.
 
     The folders of a repository are on the path here, those of an installed workspace would not be.
     """

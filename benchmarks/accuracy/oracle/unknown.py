@@ -40,10 +40,19 @@ def pattern(text: str) -> str:
     return _TAINT.sub("*", text)
 
 
+def _any_schema(source: object, handler: object) -> Any:
+    """To pydantic, where it is installed, an unknown type admits any value."""
+    from pydantic_core import core_schema
+
+    return core_schema.any_schema()
+
+
 class UnknownType(ABCMeta):
     """Classes that have any attribute: what a missing module's class becomes when it is subclassed."""
 
     def __getattr__(cls, name: str) -> Any:
+        if name == "__get_pydantic_core_schema__":
+            return _any_schema
         if name.startswith("__") and name.endswith("__"):
             raise AttributeError(name)
         return make(f"{cls.__name__}.{name}")
@@ -138,6 +147,8 @@ class Unknown:
 
     # Looked at -----------------------------------------------------------------------------------
     def __getattr__(self, name: str) -> Any:
+        if name == "__get_pydantic_core_schema__":
+            return _any_schema
         if name.startswith("__") and name.endswith("__"):
             raise AttributeError(name)
         known = object.__getattribute__(self, "_known")

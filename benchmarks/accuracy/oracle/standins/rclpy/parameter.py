@@ -75,7 +75,7 @@ class Parameter:
         return self._value
 
     def get_parameter_value(self) -> Any:
-        """As rcl_interfaces/msg/ParameterValue: the field of the type holds the value, the others are empty."""
+        """As rcl_interfaces/msg/ParameterValue: one field holds the value, the others are empty."""
         empty: tuple[Any, ...] = (None, False, 0, 0.0, "", [], [], [], [], [])
         fields = {name: empty[index] for index, name in enumerate(_FIELDS) if name}
         if isinstance(self._value, Unknown):
