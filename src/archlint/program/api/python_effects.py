@@ -179,7 +179,23 @@ def _default_dict(run: Run, args: list[Value], keywords: dict[str, Value], e: fa
     return expressions.new_dict(run, {}, True)
 
 
+def _of_setup(name: str) -> Plain:
+    """What only means something while a setup.py is read."""
+
+    def handler(run: Run, args: list[Value], keywords: dict[str, Value], e: facts.Call | None) -> Value:
+        from archlint.program import entry_points
+
+        function: Plain = getattr(entry_points, name)
+        return function(run, args, keywords, e)
+
+    return handler
+
+
 PLAIN: dict[str, Plain] = {
+    "setuptools.setup": _of_setup("record_setup"),
+    "distutils.core.setup": _of_setup("record_setup"),
+    "glob.glob": _of_setup("glob_pattern"),
+    "glob.iglob": _of_setup("glob_pattern"),
     "copy.copy": _copy,
     "copy.deepcopy": _copy,
     "collections.OrderedDict": _builtin("dict"),

@@ -1,0 +1,238 @@
+"""Executables: what setup.py, setup.cfg, pyproject.toml and CMakeLists.txt start, and the files they install.
+
+setup.py is never executed: its module is run symbolically, and the keywords of its ``setup(…)`` call are
+read, so that variables, f-strings and comprehensions resolve.
+"""
+
+from __future__ import annotations
+
+import posixpath
+from collections.abc import Callable, Iterable, Sequence
+from typing import TYPE_CHECKING, Protocol
+
+from archlint.facts import model as facts
+from archlint.facts.entry_point_tables import (
+    ScriptEntry,
+    entries_of_pyproject,
+    entries_of_setup_cfg,
+    parse_entry,
+)
+from archlint.finding import Place
+from archlint.program import model
+from archlint.program.installs import Executable, InstalledFiles, Installs, read_cmake
+from archlint.program.link import EntryPoint
+from archlint.program.modules import Module, ModuleIndex
+from archlint.program.run import Run
+from archlint.program.store import Store
+from archlint.program.values import DictValue, Known, OneOf, Unknown, Value
+
+if TYPE_CHECKING:
+    from archlint.workspace.model import SourceFile
+
+FactsOf = Callable[["SourceFile"], "facts.Facts | None"]
+
+
+class PackageFolder(Protocol):
+    """A package of the workspace: its name and the shown path of the folder of its package.xml."""
+
+    @property
+    def name(self) -> str: ...
+
+    @property
+    def relative(self) -> str: ...
+
+
+class Tree(Protocol):
+    def text(self, path: str) -> str | None: ...
+
+    def is_file(self, path: str) -> bool: ...
+
+    def files_below(self, folder: str) -> list[str]: ...
+
+
+class SetupRun(Run):
+    """The symbolic run of a setup.py: what it calls ``setup`` with, and where."""
+
+    keywords: dict[str, Value] | None = None
+    open = False
+    called_at: Place | None = None
+
+
+def read_installs(
+    packages: Iterable[PackageFolder], files: Sequence[SourceFile], facts_of: FactsOf, tree: Tree
+) -> dict[str, Installs]:
+    """What each package installs, by package name."""
+    index = ModuleIndex(files, facts_of)
+    setups = {file.relative: file for file in files if file.kind == "setup_py"}
+    found: dict[str, Installs] = {}
+    for package in packages:
+        installs = Installs(package.name, package.relative)
+        cmake = posixpath.normpath(posixpath.join(package.relative, "CMakeLists.txt"))
+        text = tree.text(cmake)
+        if text is not None:
+            read_cmake(installs, text, cmake)
+        _read_tables(installs, tree)
+        setup = setups.get(posixpath.normpath(posixpath.join(package.relative, "setup.py")))
+        if setup is not None:
+            module = index.module(setup)
+            if module is None:
+                installs.open_executables = installs.open_files = True
+            else:
+                _read_setup(installs, module, index)
+        found[package.name] = installs
+    return found
+
+
+def entry_points(installs: dict[str, Installs], files: Sequence[SourceFile]) -> list[EntryPoint]:
+    """Every Python executable of the workspace as the linker wants it."""
+    by_path = {file.relative: file for file in files}
+    found: list[EntryPoint] = []
+    for package in sorted(installs):
+        for executable in installs[package].executables.values():
+            if executable.module is not None:
+                found.append(EntryPoint(executable.name, package, executable.module, executable.function))
+            elif executable.script in by_path:
+                file = by_path[executable.script]
+                if file.kind in ("python", "launch_python"):
+                    found.append(EntryPoint(executable.name, package, file.module or "", None, file))
+    return found
+
+
+def _read_tables(installs: Installs, tree: Tree) -> None:
+    for name, read in (("setup.cfg", entries_of_setup_cfg), ("pyproject.toml", entries_of_pyproject)):
+        path = posixpath.normpath(posixpath.join(installs.folder, name))
+        text = tree.text(path)
+        for entry in read(text) if text is not None and "scripts" in text else ():
+            installs.build_files.append(path)
+            installs.add(_executable(entry, installs.package, path))
+
+
+def _executable(entry: ScriptEntry, package: str, path: str) -> Executable:
+    place = Place(path, entry.line, entry.column, entry.line, entry.end_column)
+    return Executable(entry.name, package, place, entry.module, entry.function)
+
+
+# ------------------------------------------------------------------------------------------------ setup.py
+
+
+def _read_setup(installs: Installs, module: Module, index: ModuleIndex) -> None:
+    installs.build_files.append(module.path)
+    place = Place(module.path, 1, 1, 1, 1)
+    program = model.Program("setup", module.file.package, module.path)
+    run = SetupRun(index, Store(), program, model.Callback("module", "setup", place, None))
+    run.import_module(module)
+    if run.keywords is None:
+        installs.open_executables = installs.open_files = True
+        return
+    keywords = run.keywords
+    installs.open_executables |= run.open
+    installs.open_files |= run.open
+    where = run.called_at or place
+    _console_scripts(installs, run, keywords.get("entry_points"), where)
+    _scripts(installs, run, keywords.get("scripts"), where)
+    _data_files(installs, run, keywords.get("data_files"))
+
+
+def _items(run: Run, value: Value | None) -> tuple[list[Value], bool]:
+    """The items of a list, and whether there may be more."""
+    from archlint.program import expressions
+
+    if value is None or (isinstance(value, Known) and value.value is None):
+        return [], False
+    items = expressions.iterate(run, value)
+    return ([], True) if items is None else (list(items.values), items.open)
+
+
+def _console_scripts(installs: Installs, run: Run, value: Value | None, where: Place) -> None:
+    from archlint.program import expressions
+
+    if value is None:
+        return
+    if not isinstance(value, DictValue):
+        installs.open_executables = True
+        return
+    entries = expressions.entries_of(run, value)
+    installs.open_executables |= entries.open
+    for key, rows in entries.entries.values():
+        if not isinstance(key, Known) or key.value != "console_scripts":
+            continue
+        texts, more = _items(run, rows)
+        if isinstance(rows, Known) and isinstance(rows.value, str):
+            texts, more = [Known(row, rows.via, rows.origin) for row in rows.value.splitlines()], False
+        installs.open_executables |= more
+        for text in texts:
+            _script_text(installs, text, where)
+
+
+def _script_text(installs: Installs, text: Value, where: Place) -> None:
+    if isinstance(text, OneOf):
+        for option in text.values:
+            _script_text(installs, option, where)
+        return
+    if not isinstance(text, Known) or not isinstance(text.value, str):
+        installs.open_executables = True
+        return
+    parsed = parse_entry(text.value)
+    if parsed is None:
+        installs.open_executables |= bool(text.value.strip())
+        return
+    name, module, function = parsed
+    installs.add(Executable(name, installs.package, text.origin or where, module, function))
+
+
+def _scripts(installs: Installs, run: Run, value: Value | None, where: Place) -> None:
+    rows, more = _items(run, value)
+    installs.open_executables |= more
+    for row in rows:
+        if isinstance(row, Known) and isinstance(row.value, str) and "*" not in row.value:
+            shown = posixpath.normpath(posixpath.join(installs.folder, row.value))
+            name = posixpath.basename(row.value)
+            installs.add(Executable(name, installs.package, row.origin or where, script=shown))
+        else:
+            installs.open_executables = True
+
+
+def _data_files(installs: Installs, run: Run, value: Value | None) -> None:
+    rows, more = _items(run, value)
+    installs.open_files |= more
+    for row in rows:
+        parts, open_ = _items(run, row)
+        if open_ or len(parts) != 2 or not isinstance(parts[0], Known):
+            installs.open_files = True
+            continue
+        destination = str(parts[0].value).lstrip("/")
+        sources, more = _items(run, parts[1])
+        patterns = [source.value for source in sources if isinstance(source, Known)]
+        installs.open_files |= len(patterns) != len(sources) or (
+            more and not any("*" in str(pattern) for pattern in patterns)
+        )
+        for pattern in patterns:
+            shown = posixpath.normpath(posixpath.join(installs.folder, str(pattern)))
+            if destination.rstrip("/") == f"lib/{installs.package}" and "*" not in str(pattern):
+                name = posixpath.basename(shown)
+                place = Place(installs.build_files[-1], 1, 1, 1, 1)
+                installs.add(Executable(name, installs.package, place, script=shown))
+            installs.files.append(InstalledFiles(shown, destination or "."))
+
+
+def record_setup(run: Run, args: list[Value], keywords: dict[str, Value], e: facts.Call | None) -> Value:
+    """A call of ``setup(…)``; what it is given is kept where a setup.py is read."""
+    if isinstance(run, SetupRun) and (run.keywords is None or "entry_points" in keywords):
+        # Of two calls (one for ROS 1, one for ROS 2) the one with entry points is that of ROS 2.
+        run.keywords = dict(keywords)
+        starred = e is not None and any(argument.star for argument in e.args)
+        run.open = starred and "entry_points" not in keywords
+        run.called_at = None if e is None else run.place(e.span)
+    return Unknown("what setup() gives")
+
+
+def glob_pattern(run: Run, args: list[Value], keywords: dict[str, Value], e: facts.Call | None) -> Value:
+    """``glob(pattern)`` in a setup.py: the pattern stands for the files."""
+    from archlint.program import expressions
+
+    if isinstance(run, SetupRun) and args and isinstance(args[0], Known):
+        return expressions.new_list(run, [args[0]])
+    return Unknown("the files that a pattern finds")
+
+
+__all__ = ["EntryPoint", "entry_points", "glob_pattern", "read_installs", "record_setup"]

@@ -1,0 +1,186 @@
+"""What packages install: from setup.py, setup.cfg, pyproject.toml and CMakeLists.txt."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from archlint.facts.cmake import parse_cmake
+from archlint.facts.compile import compile_python
+from archlint.program.entry_points import entry_points, read_installs
+from archlint.program.installs import Installs
+from archlint.workspace.discovery import find
+from archlint.workspace.tree import SourceTree
+
+MANIFEST = "<package><name>robot</name><export><build_type>ament_python</build_type></export></package>"
+
+
+@pytest.fixture
+def installs_of(tmp_path):
+    def read(**files: str) -> Installs:
+        files.setdefault("package.xml", MANIFEST)
+        for name, text in files.items():
+            path = tmp_path / "robot" / name
+            path.parent.mkdir(parents=True, exist_ok=True)
+            path.write_text(text)
+        workspace = find(["."], working_directory=str(tmp_path))
+        facts_of = lambda file: compile_python(Path(file.path).read_text())  # noqa: E731
+        installs = read_installs(workspace.packages, workspace.files, facts_of, SourceTree(tmp_path))["robot"]
+        read.entry_points = entry_points({"robot": installs}, workspace.files)
+        return installs
+
+    return read
+
+
+def test_console_scripts_through_variables_and_comprehensions(installs_of):
+    installs = installs_of(
+        **{
+            "setup.py": """\
+from setuptools import setup
+package_name = 'robot'
+nodes = ['talker', 'listener']
+setup(
+    name=package_name,
+    entry_points={
+        'console_scripts': [f'{n} = {package_name}.{n}:main' for n in nodes] + ['odd = robot.a.b:run.go'],
+    },
+)
+"""
+        }
+    )
+    found = {e.name: (e.module, e.function) for e in installs.executables.values()}
+    assert found == {
+        "talker": ("robot.talker", "main"),
+        "listener": ("robot.listener", "main"),
+        "odd": ("robot.a.b", "run.go"),
+    }
+    assert not installs.open_executables
+
+
+def test_a_console_script_shows_its_own_line(installs_of):
+    installs = installs_of(
+        **{
+            "setup.py": """\
+from setuptools import setup
+setup(entry_points={
+    'console_scripts': [
+        'talker = robot.talker:main',
+    ],
+})
+"""
+        }
+    )
+    place = installs.executables["talker"].place
+    assert (place.file, place.line, place.column) == ("robot/setup.py", 4, 9)
+
+
+def test_setup_py_is_never_executed(installs_of, tmp_path):
+    marker = tmp_path / "executed"
+    text = f"open({str(marker)!r}, 'w')\nfrom setuptools import setup\nsetup()\n"
+    installs = installs_of(**{"setup.py": text})
+    assert not marker.exists()
+    assert installs.executables == {}
+
+
+def test_what_a_setup_py_hides_is_open(installs_of):
+    hidden = (
+        "from setuptools import setup\nfrom tools import scripts\n"
+        "setup(entry_points={'console_scripts': scripts()})\n"
+    )
+    assert installs_of(**{"setup.py": hidden}).open_executables
+
+
+def test_setup_cfg_and_pyproject(installs_of):
+    installs = installs_of(
+        **{
+            "setup.cfg": "[options.entry_points]\nconsole_scripts =\n    talker = robot.talker:main\n",
+            "pyproject.toml": '[project.scripts]\nlistener = "robot.listener:main"\n',
+        }
+    )
+    places = {e.name: (e.place.file, e.place.line) for e in installs.executables.values()}
+    assert places == {"talker": ("robot/setup.cfg", 3), "listener": ("robot/pyproject.toml", 2)}
+
+
+def test_programs_of_cmake(installs_of):
+    installs = installs_of(
+        **{
+            "CMakeLists.txt": """\
+project(robot)
+set(SCRIPTS scripts/one.py scripts/two.py)  # both
+install(PROGRAMS ${SCRIPTS} DESTINATION lib/${PROJECT_NAME})
+install(PROGRAMS scripts/three.py
+  DESTINATION lib/${PROJECT_NAME} RENAME three)
+add_executable(driver src/driver.cpp)
+install(TARGETS driver DESTINATION lib/${PROJECT_NAME})
+""",
+            "scripts/one.py": "#!/usr/bin/env python3\n",
+        }
+    )
+    scripts = {e.name: e.script for e in installs.executables.values()}
+    assert scripts == {
+        "one.py": "robot/scripts/one.py",
+        "two.py": "robot/scripts/two.py",
+        "three": "robot/scripts/three.py",
+        "driver": None,
+    }
+    assert not installs.open_executables
+
+
+def test_scripts_are_entry_points_of_their_file(installs_of):
+    installs_of(
+        **{
+            "CMakeLists.txt": "project(robot)\ninstall(PROGRAMS scripts/one.py DESTINATION lib/robot)\n",
+            "scripts/one.py": "",
+        }
+    )
+    (entry,) = installs_of.entry_points
+    assert (entry.executable, entry.function, entry.file.relative) == ("one.py", None, "robot/scripts/one.py")
+
+
+@pytest.mark.parametrize(
+    ("installed", "source"),
+    [
+        ("share/robot/launch/up.launch.py", "robot/launch/up.launch.py"),
+        ("share/robot/config/deep/a.yaml", "robot/config/deep/a.yaml"),
+        ("share/robot/maps/lab.yaml", "robot/worlds/lab.yaml"),
+    ],
+)
+def test_where_an_installed_file_comes_from(installs_of, installed, source):
+    installs = installs_of(
+        **{
+            "CMakeLists.txt": """\
+project(robot)
+install(DIRECTORY launch config DESTINATION share/${PROJECT_NAME}/)
+install(DIRECTORY worlds/ DESTINATION share/${PROJECT_NAME}/maps)
+"""
+        }
+    )
+    assert list(installs.source_of(installed)) == [source]
+
+
+def test_data_files_with_a_pattern(installs_of):
+    installs = installs_of(
+        **{
+            "setup.py": """\
+import os
+from glob import glob
+from setuptools import setup
+package_name = 'robot'
+setup(data_files=[
+    ('share/' + package_name, ['package.xml']),
+    (os.path.join('share', package_name, 'launch'), glob(os.path.join('launch', '*.launch.py'))),
+])
+"""
+        }
+    )
+    assert list(installs.source_of("share/robot/launch/up.launch.py")) == ["robot/launch/up.launch.py"]
+    assert list(installs.source_of("share/robot/launch/up.yaml")) == []
+    assert not installs.open_files
+
+
+def test_cmake_comments_quotes_and_brackets():
+    text = '#[[ set(A 1) ]]\nset(B "x;y z") # set(C 1)\nset(D [=[ a ) b ]=])\nfoo(${B} "${B}")\n'
+    commands = parse_cmake(text)
+    assert [(c.name, c.texts) for c in commands][-1] == ("foo", ["x;y z", "x;y z"])
+    assert commands[-1].line == 4
