@@ -335,7 +335,9 @@ def join_texts(parts: Sequence[Value], origin: Place | None = None) -> Value:
         elif not (merged and piece is None and merged[-1] is None):
             merged.append(piece)
     if None not in merged:
-        return Known("".join(p for p in merged if p is not None), via(*parts), origin, "format")
+        defaults = any(isinstance(part, Known) and part.kind == "argument_default" for part in parts)
+        kind = "argument_default" if defaults else "format"
+        return Known("".join(p for p in merged if p is not None), via(*parts), origin, kind)
     if merged == [None]:
         return Unknown(reason(*(p for p in parts if not isinstance(p, Known))))
     return Holed(tuple(merged), reason(*(p for p in parts if not isinstance(p, Known))), via(*parts), origin)
