@@ -2,8 +2,15 @@
 
 from __future__ import annotations
 
-MODULES: tuple[str, ...] = ()
-"""The modules of this package that register rules, in the order of ``rules/``; a new theme is a new row."""
+MODULES: tuple[str, ...] = (
+    "nested_services",
+    "names",
+    "ownership",
+    "timeouts",
+    "type_mismatches",
+    "wait_loops",
+)
+"""The modules of this package that register rules; a new theme is a new row."""
 
 MADE_BY_SESSION: tuple[str, ...] = ("LNT002", "LNT003")
 """Rules that no module registers: they are about archlint's own run, so the session reports them."""

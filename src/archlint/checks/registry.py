@@ -13,7 +13,7 @@ from __future__ import annotations
 
 import importlib
 import traceback
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from fnmatch import fnmatchcase
 from pathlib import Path
@@ -24,10 +24,16 @@ from archlint.finding import Finding, Place, Related
 from archlint.rulebook import rules
 
 if TYPE_CHECKING:
+    from archlint.config import Settings
     from archlint.system.model import System
 
 ISSUE_TRACKER = "archlint's issue tracker"
 """Where a failure of ours is reported, as a message words it."""
+
+_REPORT = (
+    f"please report it on {ISSUE_TRACKER} with this message, the version that `archlint --version` prints "
+    "and, if you may share it, the smallest file that shows it"
+)
 
 OptionValue = bool | int | float | str | tuple[str, ...]
 
@@ -137,6 +143,21 @@ def finding(
     )
 
 
+def options_for(settings: Settings, codes: Iterable[str]) -> dict[str, Options]:
+    """What the configuration says to each of these rules; codes that no module registers are left out."""
+    checks = registered()
+    return {
+        code: Options(
+            distros=settings.distros,
+            shared_topics=settings.shared_topics,
+            external=settings.external,
+            own={**checks[code].defaults, **settings.rules.get(code, {})},
+        )
+        for code in codes
+        if code in checks
+    }
+
+
 def judge(system: System, selected: Mapping[str, Options]) -> Iterator[Finding]:
     """What the selected rules find in a system; a rule that raises becomes an LNT003 finding."""
     for code, check in registered().items():
@@ -158,10 +179,20 @@ def failure(what: str, error: Exception, place: Place) -> Finding:
         "LNT003",
         place,
         f"{what} failed with {type(error).__name__}: {error}{where}; everything else was checked",
-        help=f"please report it on {ISSUE_TRACKER} with this message, the version that `archlint --version` "
-        "prints and, if you may share it, the smallest file that shows it",
+        help=_REPORT,
         identity=(what, type(error).__name__),
     )
+
+
+def unreadable(file: str, line: int, column: int, message: str) -> Finding:
+    """The LNT002 finding for what could not be read, or LNT003 where reading failed by a fault of ours."""
+    from archlint.facts.compile import INTERNAL_ERROR
+
+    place = Place(file, line, column, line, column)
+    if not message.startswith(INTERNAL_ERROR):
+        return finding("LNT002", place, message, identity=(message,))
+    what = f"reading this file failed with {message.removeprefix(INTERNAL_ERROR).lstrip(': ')}"
+    return finding("LNT003", place, f"{what}; everything else was checked", help=_REPORT, identity=(message,))
 
 
 def _place_of(system: System) -> Place:

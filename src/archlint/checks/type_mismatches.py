@@ -1,0 +1,82 @@
+"""TOP001, SRV002 and ACT002: one name, two types."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from typing import TYPE_CHECKING
+
+from archlint.checks.conflicts import all_endpoints, in_source_order, meeting
+from archlint.checks.registry import Options, finding, rule
+from archlint.finding import Finding, Related
+from archlint.program.model import (
+    ACTION_CLIENT,
+    ACTION_SERVER,
+    CLIENT,
+    PUBLISHER,
+    SERVICE,
+    SUBSCRIBER,
+)
+
+if TYPE_CHECKING:
+    from archlint.system.model import Connection, Endpoint, System
+
+_DOES = {
+    PUBLISHER: "publishes",
+    SUBSCRIBER: "subscribes to",
+    SERVICE: "serves",
+    CLIENT: "calls",
+    ACTION_SERVER: "serves",
+    ACTION_CLIENT: "calls",
+}
+
+
+@rule("TOP001")
+def topic_type_mismatch(system: System, options: Options) -> Iterator[Finding]:
+    """Topics that two endpoints use with different types."""
+    yield from _mismatches("TOP001", system, system.topics)
+
+
+@rule("SRV002")
+def service_type_mismatch(system: System, options: Options) -> Iterator[Finding]:
+    """Services that two endpoints use with different types."""
+    yield from _mismatches("SRV002", system, system.services)
+
+
+@rule("ACT002")
+def action_type_mismatch(system: System, options: Options) -> Iterator[Finding]:
+    """Actions that two endpoints use with different types."""
+    yield from _mismatches("ACT002", system, system.actions)
+
+
+def _mismatches(code: str, system: System, connections: Mapping[str, Connection]) -> Iterator[Finding]:
+    for connection in connections.values():
+        if len(connection.types) < 2:
+            continue
+        pairs: dict[tuple[str, str], list[tuple[Endpoint, Endpoint]]] = {}
+        for one, other in meeting(system, all_endpoints(connection)):
+            if one.type is not None and other.type is not None and one.type != other.type:
+                first, second = sorted((one.type, other.type))
+                pairs.setdefault((first, second), []).append((one, other))
+        for types in sorted(pairs):
+            yield _mismatch(code, connection, pairs[types])
+
+
+def _mismatch(code: str, connection: Connection, pairs: list[tuple[Endpoint, Endpoint]]) -> Finding:
+    """One finding for two types of one name: at the endpoint that comes last in the source."""
+    ends = in_source_order({id(end): end for pair in pairs for end in pair}.values())
+    last = ends[-1]
+    against = [one for one, other in pairs if other is last]
+    rest = [end for end in ends if end is not last and end not in against]
+    return finding(
+        code,
+        last.place,
+        f"{last.node.name} {_DOES[last.kind]} '{connection.name}' as {last.type}, but "
+        f"{against[0].node.name} {_DOES[against[0].kind]} it as {against[0].type}: they never meet",
+        help=f"use one type at both ends of the {connection.kind}, or give the two a name each",
+        related=[
+            Related(end.place, f"{end.node.name} {_DOES[end.kind]} it as {end.type}")
+            for end in (*against, *rest)
+        ],
+        node=last.node.name,
+        identity=(connection.kind, connection.name, *sorted({end.type or "" for end in ends})),
+    )

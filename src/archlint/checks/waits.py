@@ -1,0 +1,114 @@
+"""Which calls wait for the answer of a service or an action, in which way, and for which client."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from archlint.checks.deadlock import AWAIT, CALL, SPIN
+from archlint.checks.reach import (
+    argument,
+    creations_of,
+    has_limit,
+    judged_calls,
+    once_for_each_system,
+    same_expression,
+)
+from archlint.facts import model as facts
+from archlint.program.interest import names_in
+from archlint.program.values import FutureValue, Instance
+
+if TYPE_CHECKING:
+    from archlint.program.model import ApiCall, Creation, Program
+    from archlint.system.model import System
+
+BLOCKING_CALLS = (
+    "rclpy.client.Client.call",
+    "rclpy.action.client.ActionClient.send_goal",
+    "rclpy.action.client.ClientGoalHandle.get_result",
+    "rclpy.action.client.ClientGoalHandle.cancel_goal",
+)
+SPINS_FOR_FUTURE = (
+    "rclpy.spin_until_future_complete",
+    "rclpy.executors.Executor.spin_until_future_complete",
+    "rclpy.executors.Executor.spin_once_until_future_complete",
+)
+_DONE = "rclpy.task.Future.done"
+_ADD_DONE_CALLBACK = "rclpy.task.Future.add_done_callback"
+_EVENT_WAIT = "threading.Event.wait"
+_EVENT_SET = "threading.Event.set"
+
+
+@dataclass(frozen=True)
+class Wait:
+    """A place where code stands still until an answer has come.
+
+    ``kind`` is one of those of :mod:`archlint.checks.deadlock`; ``limited`` says that a timeout ends the wait.
+    """
+
+    kind: str
+    call: ApiCall
+    client: Creation
+    program: Program
+    limited: bool = False
+
+
+@once_for_each_system
+def waits(system: System) -> list[Wait]:
+    """Every wait for an answer outside of test code, in the order of the source."""
+    found: list[Wait] = []
+    signals = _signals(system)
+    for program, call in judged_calls(system):
+        for kind, clients in _waits_of(call, signals):
+            if clients:
+                limited = any(has_limit(call, name) for name in ("timeout_sec", "timeout"))
+                found.append(Wait(kind, call, clients[0], program, limited))
+    return found
+
+
+def _waits_of(call: ApiCall, signals: dict[int, Creation]) -> Iterator[tuple[str, tuple[Creation, ...]]]:
+    if call.api in BLOCKING_CALLS:
+        yield CALL, creations_of(call.receiver)
+    elif call.api in SPINS_FOR_FUTURE:
+        yield SPIN, creations_of(argument(call, "future"))
+    elif call.api.endswith(".await"):
+        yield AWAIT, creations_of(call.receiver)
+    elif call.api == _DONE:
+        loop = _loop_until(call)
+        if loop is not None:
+            spins = not names_in(loop).isdisjoint({"spin", "spin_once", "spin_until_future_complete"})
+            yield SPIN if spins else CALL, creations_of(call.receiver)
+    elif call.api == _EVENT_WAIT and isinstance(call.receiver, Instance) and call.receiver.key in signals:
+        yield CALL, (signals[call.receiver.key],)
+
+
+def _loop_until(call: ApiCall) -> facts.While | None:
+    """The loop that goes round until a future is done: ``while not future.done()``."""
+    loop = call.loops[-1] if call.loops else None
+    if not isinstance(loop, facts.While):
+        return None
+    asked = [part for part in _conjuncts(loop.test) if isinstance(part, facts.Unary) and part.op == "not"]
+    return loop if any(same_expression(part.operand, call.expression) for part in asked) else None
+
+
+def _conjuncts(test: facts.Expr) -> list[facts.Expr]:
+    if isinstance(test, facts.Boolean) and test.op == "and":
+        return [part for value in test.values for part in _conjuncts(value)]
+    return [test]
+
+
+def _signals(system: System) -> dict[int, Creation]:
+    """Event objects that the done callback of a future sets, with the client whose answer that is."""
+    clients = {
+        call.place: creations_of(call.receiver)
+        for _, call in judged_calls(system)
+        if call.api == _ADD_DONE_CALLBACK and isinstance(call.receiver, FutureValue)
+    }
+    found: dict[int, Creation] = {}
+    for _, call in judged_calls(system):
+        if call.api == _EVENT_SET and call.context.role == "done" and isinstance(call.receiver, Instance):
+            of_future = clients.get(call.context.registered) if call.context.registered else None
+            if of_future:
+                found.setdefault(call.receiver.key, of_future[0])
+    return found
