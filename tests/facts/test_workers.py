@@ -1,4 +1,4 @@
-"""Worker processes: one answer for each text, whatever happens to the process that works on it."""
+"""Worker processes: one answer for each source, whatever happens to the process that works on it."""
 
 from __future__ import annotations
 
@@ -10,14 +10,15 @@ import time
 
 import pytest
 
-from archlint.facts.deep_stack import call_with_deep_stack, raised_recursion_limit
+from archlint.facts.deep_stack import DEEP_LIMIT, call_with_deep_stack, recursion_limit
 from archlint.facts.workers import Crashed, TimedOut, can_fork, run_in_workers
 
 pytestmark = pytest.mark.skipif(not hasattr(os, "fork"), reason="needs fork")
 
 
-def work(text: str) -> bytes:
-    """Does what the text says."""
+def work(source: bytes) -> bytes:
+    """Does what the source says."""
+    text = source.decode()
     if text == "die":
         os.kill(os.getpid(), signal.SIGKILL)
     if text == "segfault":
@@ -28,33 +29,33 @@ def work(text: str) -> bytes:
         raise ValueError(text)
     if text == "pid":
         return str(os.getpid()).encode()
-    return text.encode() * 2
+    return source * 2
 
 
 @pytest.mark.parametrize("count", [1, 2, 5])
-def test_answers_come_in_the_order_of_the_texts(count):
-    texts = [str(number) * (number % 7 + 1) for number in range(40)]
-    assert run_in_workers(work, texts, count, 30) == [text.encode() * 2 for text in texts]
+def test_answers_come_in_the_order_of_the_sources(count):
+    sources = [str(number).encode() * (number % 7 + 1) for number in range(40)]
+    assert run_in_workers(work, sources, count, 30) == [source * 2 for source in sources]
 
 
-def test_no_texts_no_processes():
+def test_nothing_to_do_takes_no_process():
     assert run_in_workers(work, [], 2, 30) == []
 
 
 def test_the_work_is_done_elsewhere():
-    (pid,) = run_in_workers(work, ["pid"], 1, 30)
+    (pid,) = run_in_workers(work, [b"pid"], 1, 30)
     assert int(pid) != os.getpid()
 
 
 def test_a_large_answer_arrives_whole():
-    text = "x" * 3_000_000
-    assert run_in_workers(work, [text], 1, 30) == [text.encode() * 2]
+    source = b"x" * 3_000_000
+    assert run_in_workers(work, [source], 1, 30) == [source * 2]
 
 
 @pytest.mark.parametrize("count", [1, 2])
-@pytest.mark.parametrize("killer", ["die", "segfault", "raise"])
+@pytest.mark.parametrize("killer", [b"die", b"segfault", b"raise"])
 def test_what_kills_its_process_is_named_and_the_rest_is_answered(killer, count):
-    answers = run_in_workers(work, ["a", killer, "b", "c"], count, 30)
+    answers = run_in_workers(work, [b"a", killer, b"b", b"c"], count, 30)
     assert isinstance(answers[1], Crashed)
     assert [answers[0], answers[2], answers[3]] == [b"aa", b"bb", b"cc"]
 
@@ -62,25 +63,25 @@ def test_what_kills_its_process_is_named_and_the_rest_is_answered(killer, count)
 def test_a_process_that_dies_once_is_forgiven(tmp_path):
     marker = tmp_path / "seen"
 
-    def dies_once(text: str) -> bytes:
+    def dies_once(source: bytes) -> bytes:
         if not marker.exists():
             marker.touch()
             os.kill(os.getpid(), signal.SIGKILL)
-        return text.encode()
+        return source
 
-    assert run_in_workers(dies_once, ["a", "b"], 1, 30) == [b"a", b"b"]
+    assert run_in_workers(dies_once, [b"a", b"b"], 1, 30) == [b"a", b"b"]
 
 
 def test_what_takes_too_long_is_given_up():
     started = time.monotonic()
-    answers = run_in_workers(work, ["a", "hang", "b"], 2, 0.5)
+    answers = run_in_workers(work, [b"a", b"hang", b"b"], 2, 0.5)
     assert [answers[0], answers[2]] == [b"aa", b"bb"]
     assert isinstance(answers[1], TimedOut)
     assert time.monotonic() - started < 20
 
 
 def test_no_process_is_left_behind():
-    run_in_workers(work, ["a", "hang", "die"], 3, 0.5)
+    run_in_workers(work, [b"a", b"hang", b"die"], 3, 0.5)
     with pytest.raises(ChildProcessError):
         os.waitpid(-1, os.WNOHANG)
 
@@ -93,7 +94,7 @@ def test_an_interrupted_run_leaves_no_process_behind():
     signal.setitimer(signal.ITIMER_REAL, 0.3)
     try:
         with pytest.raises(KeyboardInterrupt):
-            run_in_workers(work, ["hang", "hang"], 2, 30)
+            run_in_workers(work, [b"hang", b"hang"], 2, 30)
     finally:
         signal.signal(signal.SIGALRM, previous)
     with pytest.raises(ChildProcessError):
@@ -118,7 +119,7 @@ def nested(depth: int) -> int:
 
 def test_a_deep_stack_is_deep():
     def dig() -> int:
-        with raised_recursion_limit():
+        with recursion_limit(DEEP_LIMIT):
             return nested(15_000)
 
     assert call_with_deep_stack(dig) == 15_000

@@ -1,96 +1,164 @@
-"""Texts to facts: in this process or in workers, and whatever the text does, an answer comes back."""
+"""Source to facts: in this process or in workers, and whatever the source does, an answer comes back."""
 
 from __future__ import annotations
 
+import gc
 import os
 from collections.abc import Sequence
+from contextlib import contextmanager
+from typing import TYPE_CHECKING, NamedTuple
 
-from archlint.facts.deep_stack import call_with_deep_stack, raised_recursion_limit
-from archlint.facts.model import FACTS_VERSION, Facts, FileProblem, decode, encode
+from msgspec import structs
+
+from archlint.facts import gate
+from archlint.facts.deep_stack import DEEP_LIMIT, STOCK_LIMIT, call_with_deep_stack, recursion_limit
+from archlint.facts.model import FACTS_VERSION, Facts, FileProblem, encode
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator
+
+    from archlint.facts.workers import Answer
 
 INTERNAL_ERROR = "internal error"
 """How the message of a problem begins that is archlint's own fault."""
+
+CRASHED = "crashes the parser"
+"""The message for a file that kills the process that parses it."""
 
 PARALLEL_BYTES = 150_000
 """From this much source on, a second process is worth the time it takes to start."""
 
 DEADLINE = 30.0
-"""Seconds that one file may take.  The slowest that the gate lets through need a few."""
+"""Seconds that one file may take.  The slowest that the gate lets through needs a few."""
+
+
+_LASTING, _PASSING = b"+", b"-"
 
 
 def compile_python(text: str) -> Facts:
-    """The facts of one file.  Never raises for what is in the text."""
-    return call_with_deep_stack(lambda: _compile(text))
+    """The facts of one text, made in this process.  Never raises for what is in the text."""
+    with _paused_collection():
+        return call_with_deep_stack(lambda: _compile_text(text))
 
 
-def compile_texts(texts: Sequence[str], jobs: int | None = None, deadline: float = DEADLINE) -> list[bytes]:
-    """The encoded facts of many files, in their order, the same for any number of ``jobs``.
+class Compiled(NamedTuple):
+    """Encoded facts.  They are ``lasting`` where they depend on nothing but the source, and may be cached."""
 
-    ``jobs`` is the most processes that work at the same time; None leaves the number to us.
+    payload: bytes
+    lasting: bool = True
+
+
+def compile_sources(
+    sources: Sequence[bytes], jobs: int | None = None, deadline: float = DEADLINE
+) -> list[Compiled]:
+    """The facts of many files, in their order, the same for any number of ``jobs``.
+
+    ``jobs`` is the most processes that work at the same time; None leaves the number to us.  Where the system
+    allows it the work is done in other processes, even for one job: no file takes this one down.
     """
+    if not sources:
+        return []
+    import archlint.facts.python  # noqa: F401  libcst once, before the processes part
     from archlint.facts import workers
 
-    if not texts:
-        return []
     if workers.can_fork():
-        count = _worker_count(texts, jobs)
-        if count > 1:
-            import archlint.facts.python  # noqa: F401  libcst once, before the processes part
-
         try:
-            answers = workers.run_in_workers(_compile_encoded, texts, count, deadline)
+            answers = workers.run_in_workers(_encoded, sources, _worker_count(sources, jobs), deadline)
         except OSError:
             pass  # no process to be had: this one does it all
         else:
-            return [_payload(answer, deadline) for answer in answers]
-    return call_with_deep_stack(lambda: [_compile_encoded(text) for text in texts])
+            return [_compiled(answer, deadline) for answer in answers]
+    with _paused_collection():
+        return call_with_deep_stack(lambda: [_marked(_encoded(data)) for data in sources])
 
 
-def _worker_count(texts: Sequence[str], jobs: int | None) -> int:
-    if sum(map(len, texts)) < PARALLEL_BYTES:
+def _worker_count(sources: Sequence[bytes], jobs: int | None) -> int:
+    if sum(map(len, sources)) < PARALLEL_BYTES:
         return 1
-    return max(1, min(jobs or os.cpu_count() or 1, len(texts)))
+    return max(1, min(jobs or os.cpu_count() or 1, len(sources)))
 
 
-def _payload(answer: object, deadline: float) -> bytes:
+def _compiled(answer: Answer, deadline: float) -> Compiled:
     from archlint.facts.workers import TimedOut
 
     if isinstance(answer, bytes):
-        return answer
+        return _marked(answer)
     if isinstance(answer, TimedOut):
-        return encode(_failed(1, 1, f"takes longer than {deadline:g} s to parse"))
-    return encode(_failed(1, 1, "crashes the parser"))
+        return Compiled(encode(_failed(f"takes longer than {deadline:g} s to parse")), False)
+    return Compiled(encode(_failed(CRASHED)), False)
 
 
-def _compile_encoded(text: str) -> bytes:
-    facts = _compile(text)
+def _marked(answer: bytes) -> Compiled:
+    return Compiled(answer[1:], answer[:1] == _LASTING)
+
+
+@contextmanager
+def _paused_collection() -> Iterator[None]:
+    """No garbage collection: the trees hold no cycles, and looking for some costs a tenth of the time."""
+    was_enabled = gc.isenabled()
+    gc.disable()
     try:
-        with raised_recursion_limit():
-            return encode(facts)
+        yield
+    finally:
+        if was_enabled:
+            gc.enable()
+
+
+def _encoded(data: bytes) -> bytes:
+    """What a worker does with one file: a mark, and the encoded facts."""
+    text = gate.decode(data)
+    facts = _refused(text) if isinstance(text, gate.Refusal) else _compile_text(text)
+    mark = _PASSING if any(p.message.startswith(INTERNAL_ERROR) for p in facts.problems) else _LASTING
+    try:
+        return mark + encode(facts)
     except (ValueError, RecursionError) as error:
-        return encode(_failed(1, 1, f"{INTERNAL_ERROR}: facts cannot be stored: {error}"))
+        return _PASSING + encode(_failed(f"{INTERNAL_ERROR}: facts that cannot be stored: {error}"))
 
 
-def _compile(text: str) -> Facts:
-    """The facts of one file; the stack must be deep."""
+def _compile_text(text: str) -> Facts:
+    """The facts of one text; the stack must be deep."""
     from libcst import ParserSyntaxError
 
     from archlint.facts.python import lower
+    from archlint.facts.syntax_errors import explain_syntax_error, python_refusal
 
     try:
-        with raised_recursion_limit():
-            return lower(text)
+        with recursion_limit(STOCK_LIMIT):
+            refusal = gate.inspect(text)
+        if refusal is not None:
+            return _refused(refusal)
+        with recursion_limit(DEEP_LIMIT):
+            facts = lower(text)
+        with recursion_limit(STOCK_LIMIT):
+            return _with_problem(facts, gate.compile_refusal(text))
     except ParserSyntaxError as error:
-        return _failed(error.raw_line, error.raw_column + 1, "syntax error: " + error.message)
-    except RecursionError:
-        return _failed(1, 1, "nested too deeply to analyse")
-    except MemoryError:
-        return _failed(1, 1, "needs more memory to parse than there is")
+        return _facts_of(explain_syntax_error(text, error.message))
+    except (RecursionError, MemoryError):
+        return _failed("nested too deeply to analyse")
     except (KeyboardInterrupt, SystemExit):
         raise
     except BaseException as error:  # a panic of libcst's native part is not even an Exception
-        return _failed(1, 1, f"{INTERNAL_ERROR}: {type(error).__name__}: {error}")
+        # libcst finds some syntax errors only while it builds the tree, and raises whatever comes to hand.
+        problem = python_refusal(text)
+        if problem is not None:
+            return _facts_of(problem)
+        return _failed(f"{INTERNAL_ERROR}: {type(error).__name__}: {error}")
 
 
-def _failed(line: int, column: int, message: str) -> Facts:
-    return Facts(FACTS_VERSION, problems=[FileProblem(line, column, message)])
+def _with_problem(facts: Facts, refusal: gate.Refusal | None) -> Facts:
+    if refusal is None:
+        return facts
+    problem = FileProblem(refusal.line, refusal.column, refusal.message)
+    return structs.replace(facts, problems=[*facts.problems, problem])
+
+
+def _refused(refusal: gate.Refusal) -> Facts:
+    return _facts_of(FileProblem(refusal.line, refusal.column, refusal.message))
+
+
+def _failed(message: str) -> Facts:
+    return _facts_of(FileProblem(1, 1, message))
+
+
+def _facts_of(problem: FileProblem) -> Facts:
+    return Facts(FACTS_VERSION, problems=[problem])

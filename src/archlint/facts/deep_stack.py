@@ -13,13 +13,17 @@ Result = TypeVar("Result")
 STACK_BYTES = 64 * 1024 * 1024
 """Enough for the deepest code that the gate lets through; libcst overruns a stack without a warning."""
 
-RECURSION_LIMIT = 20_000
+STOCK_LIMIT = 1_000
+"""CPython's recursion limit as it comes."""
+
+DEEP_LIMIT = 20_000
+"""The recursion limit that fits a stack of :data:`STACK_BYTES`."""
 
 
 def call_with_deep_stack(function: Callable[[], Result]) -> Result:
     """What ``function`` returns or raises, called in a thread with a stack of :data:`STACK_BYTES`.
 
-    The recursion limit is left as it is: see :func:`raised_recursion_limit`.
+    The recursion limit is left as it is: see :func:`recursion_limit`.
     """
     results: list[Result] = []
     errors: list[BaseException] = []
@@ -43,10 +47,10 @@ def call_with_deep_stack(function: Callable[[], Result]) -> Result:
 
 
 @contextmanager
-def raised_recursion_limit() -> Iterator[None]:
-    """:data:`RECURSION_LIMIT` for as long as the block runs.  The limit belongs to the whole process."""
+def recursion_limit(limit: int) -> Iterator[None]:
+    """Another recursion limit for as long as the block runs.  It holds for the whole process."""
     previous = sys.getrecursionlimit()
-    sys.setrecursionlimit(max(previous, RECURSION_LIMIT))
+    sys.setrecursionlimit(limit)
     try:
         yield
     finally:

@@ -25,7 +25,7 @@ class Cache(Protocol):
 
 
 class FactsOfFiles:
-    """Facts by file.  :meth:`prepare` compiles what is new in one go; the linker asks for the rest one by one."""
+    """Facts by file: :meth:`prepare` compiles what is new in one go, the linker asks for more one by one."""
 
     def __init__(self, cache: Cache, jobs: int | None = None) -> None:
         self._cache = cache
@@ -38,7 +38,7 @@ class FactsOfFiles:
 
     def prepare(self, files: Iterable[SourceFile]) -> None:
         """Make sure that each file is known: cached, screened out, or compiled now."""
-        waiting: list[tuple[SourceFile, str, str]] = []
+        waiting: list[tuple[SourceFile, str, bytes]] = []
         for file in files:
             digest = self._known_digest(file)
             if digest is not None:
@@ -66,7 +66,7 @@ class FactsOfFiles:
         payload = self._payloads.get(file.path)
         if payload is None or payload == _IRRELEVANT:
             payload = self._on_demand(file)
-        self._facts[file.path] = None if payload is None else self._decoded(file, payload)
+        self._facts[file.path] = None if payload is None else self._decoded(payload)
         return self._facts[file.path]
 
     # --------------------------------------------------------------------------------------------- inside
@@ -79,11 +79,11 @@ class FactsOfFiles:
         self._payloads[file.path] = payload
         self._cache.remember(file.path, file.mtime_ns, file.size, file.inode, digest)
 
-    def _read(self, file: SourceFile) -> tuple[str, str] | None:
-        """``(digest, text)`` of a file that must be compiled; what needs no compiling is settled here."""
+    def _read(self, file: SourceFile) -> tuple[str, bytes] | None:
+        """``(digest, bytes)`` of a file that must be compiled; what needs no compiling is settled here."""
         data = gate.read_bytes(file.path)
         if isinstance(data, gate.Refusal):
-            self._refuse(file, None, data)
+            self._refuse(file, data)
             return None
         digest = digest_of(data, _salt())
         payload = self._cache.get(digest)
@@ -94,40 +94,30 @@ class FactsOfFiles:
             self._cache.put(digest, _IRRELEVANT)
             self._keep(file, digest, _IRRELEVANT)
             return None
-        text = gate.decode(data)
-        refusal = text if isinstance(text, gate.Refusal) else gate.inspect(text)
-        if refusal is not None:
-            self._refuse(file, digest, refusal)
-            return None
-        assert isinstance(text, str)
-        return digest, text
+        return digest, data
 
-    def _refuse(self, file: SourceFile, digest: str | None, refusal: gate.Refusal) -> None:
+    def _refuse(self, file: SourceFile, refusal: gate.Refusal) -> None:
         from archlint.facts.model import FACTS_VERSION, Facts, FileProblem, encode
 
         problem = FileProblem(refusal.line, refusal.column, refusal.message)
-        payload = encode(Facts(FACTS_VERSION, problems=[problem]))
-        if digest is None:
-            self._payloads[file.path] = payload  # not readable now: nothing to remember
-            return
-        self._cache.put(digest, payload)
-        self._keep(file, digest, payload)
+        # Not readable now: nothing to remember.
+        self._payloads[file.path] = encode(Facts(FACTS_VERSION, problems=[problem]))
 
-    def _compile(self, waiting: list[tuple[SourceFile, str, str]]) -> None:
+    def _compile(self, waiting: list[tuple[SourceFile, str, bytes]]) -> None:
         if not waiting:
             return
-        from archlint.facts.compile import compile_texts
+        from archlint.facts.compile import compile_sources
 
-        unique: dict[str, str] = {}
-        for _, digest, text in waiting:
-            unique.setdefault(digest, text)
-        payloads = dict(zip(unique, compile_texts(list(unique.values()), self._jobs), strict=True))
+        unique: dict[str, bytes] = {}
+        for _, digest, data in waiting:
+            unique.setdefault(digest, data)
+        results = dict(zip(unique, compile_sources(list(unique.values()), self._jobs), strict=True))
         self.compiled += len(unique)
-        for digest, text in unique.items():
-            payloads[digest] = _judged(text, payloads[digest])
-            self._cache.put(digest, payloads[digest])
+        for digest, result in results.items():
+            if result.lasting:
+                self._cache.put(digest, result.payload)
         for file, digest, _ in waiting:
-            self._keep(file, digest, payloads[digest])
+            self._keep(file, digest, results[digest].payload)
 
     def _on_demand(self, file: SourceFile) -> bytes | None:
         """Compile a file that the screen left out, because an import leads to it."""
@@ -137,48 +127,24 @@ class FactsOfFiles:
             payload = self._cache.get(key)
             if payload is not None:
                 return payload
-        source = gate.read_source(file.path)
-        if isinstance(source, gate.Refusal):
+        data = gate.read_bytes(file.path)
+        if isinstance(data, gate.Refusal):
             return None
-        from archlint.facts.compile import compile_texts
+        from archlint.facts.compile import compile_sources
 
-        payload = compile_texts([source.text], 1)[0]
+        (result,) = compile_sources([data], 1)
         self.compiled += 1
-        if key is not None:
-            self._cache.put(key, payload)
-        return payload
+        if key is not None and result.lasting:
+            self._cache.put(key, result.payload)
+        return result.payload
 
-    def _decoded(self, file: SourceFile, payload: bytes) -> Facts | None:
-        from archlint.facts.deep_stack import raised_recursion_limit
+    def _decoded(self, payload: bytes) -> Facts | None:
         from archlint.facts.model import decode
 
-        with raised_recursion_limit():
-            return decode(payload)
+        return decode(payload)
 
 
 def _salt() -> str:
     from archlint.facts.model import FACTS_VERSION
 
     return f"python {FACTS_VERSION}"
-
-
-def _judged(text: str, payload: bytes) -> bytes:
-    """Add what Python's compiler refuses to facts that have no problem of their own; word Python 2 as such."""
-    from archlint.facts.model import Facts, FileProblem, decode, encode
-
-    facts = decode(payload)
-    if facts is None:
-        return payload
-    if facts.problems:
-        first = facts.problems[0]
-        if first.message.startswith("syntax error") and gate.looks_like_python_2(text):
-            message = f"{first.message} (this looks like Python 2, which ROS 2 does not run)"
-            rest = facts.problems[1:]
-            problems = [FileProblem(first.line, first.column, message), *rest]
-            return encode(Facts(facts.version, facts.body, facts.suppressions, problems, facts.exports))
-        return payload
-    refusal = gate.compile_refusal(text)
-    if refusal is None:
-        return payload
-    problem = FileProblem(refusal.line, refusal.column, refusal.message)
-    return encode(Facts(facts.version, facts.body, facts.suppressions, [problem], facts.exports))

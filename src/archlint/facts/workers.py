@@ -1,11 +1,12 @@
 """Worker processes for the compiler: for speed, and to survive a file that kills the parser.
 
-A worker inherits the texts by ``fork``; only the number of a text goes to it and only bytes come back.  One
-text is under way in each worker at a time, so when a worker dies it is known on which one.
+A worker inherits the sources by ``fork``; only the number of a source goes to it and only bytes come back.
+One source is under way in each worker at a time, so when a worker dies it is known on which one.
 """
 
 from __future__ import annotations
 
+import gc
 import os
 import selectors
 import signal
@@ -20,7 +21,7 @@ from typing import NoReturn
 
 from archlint.facts.deep_stack import call_with_deep_stack
 
-Job = Callable[[str], bytes]
+Job = Callable[[bytes], bytes]
 
 _NUMBER = struct.Struct("=I")
 _SIZE = struct.Struct("=Q")
@@ -28,11 +29,11 @@ _STOP = 2**32 - 1
 
 
 class Crashed:
-    """The text killed the process that worked on it, twice."""
+    """The source killed the process that worked on it, twice."""
 
 
 class TimedOut:
-    """The text was under way for longer than allowed."""
+    """The source was under way for longer than allowed."""
 
 
 Answer = bytes | Crashed | TimedOut
@@ -45,19 +46,19 @@ def can_fork() -> bool:
     return hasattr(os, "fork") and alone
 
 
-def run_in_workers(job: Job, texts: Sequence[str], count: int, deadline: float) -> list[Answer]:
-    """One answer for each text, in their order, from up to ``count`` forked processes.
+def run_in_workers(job: Job, sources: Sequence[bytes], count: int, deadline: float) -> list[Answer]:
+    """One answer for each source, in their order, from up to ``count`` forked processes.
 
-    ``job`` is called in a thread with a deep stack.  ``deadline`` is the time in seconds that one text may
+    ``job`` is called in a thread with a deep stack.  ``deadline`` is the time in seconds that one source may
     take.  Raises ``OSError`` where the system has no process to give.
     """
-    pool = _Pool(job, texts, count, deadline)
+    pool = _Pool(job, sources, count, deadline)
     try:
         while pool.step():
             pass
     finally:
         pool.close()
-    return [pool.answers[number] for number in range(len(texts))]
+    return [pool.answers[number] for number in range(len(sources))]
 
 
 @dataclass
@@ -69,7 +70,7 @@ class _Worker:
     since: float = 0.0
 
     def give(self, number: int) -> None:
-        """Send the number of a text.  That the worker is gone shows when its answer is awaited."""
+        """Send the number of a source.  That the worker is gone shows when its answer is awaited."""
         self.number, self.since = number, time.monotonic()
         try:
             os.write(self.requests, _NUMBER.pack(number))
@@ -83,14 +84,14 @@ class _Worker:
 
 
 class _Pool:
-    def __init__(self, job: Job, texts: Sequence[str], count: int, deadline: float) -> None:
+    def __init__(self, job: Job, sources: Sequence[bytes], count: int, deadline: float) -> None:
         self.answers: dict[int, Answer] = {}
         self._job = job
-        self._texts = texts
+        self._sources = sources
         self._count = count
         self._deadline = deadline
         # The longest first: nobody waits at the end for one that was begun late.
-        self._waiting = deque(sorted(range(len(texts)), key=lambda number: -len(texts[number])))
+        self._waiting = deque(sorted(range(len(sources)), key=lambda number: -len(sources[number])))
         self._crashed_once: set[int] = set()
         self._workers: dict[int, _Worker] = {}
         self._selector = selectors.DefaultSelector()
@@ -123,7 +124,7 @@ class _Pool:
         if pid == 0:
             os.close(requests)
             os.close(answers)
-            _serve(self._job, self._texts, request_reader, answer_writer)
+            _serve(self._job, self._sources, request_reader, answer_writer)
         os.close(request_reader)
         os.close(answer_writer)
         worker = _Worker(pid, requests, answers)
@@ -168,19 +169,19 @@ class _Pool:
         os.waitpid(worker.pid, 0)
 
 
-def _serve(job: Job, texts: Sequence[str], requests: int, answers: int) -> NoReturn:
+def _serve(job: Job, sources: Sequence[bytes], requests: int, answers: int) -> NoReturn:
     """The life of a worker."""
     status = 1
     try:
-        _silence()
-        call_with_deep_stack(lambda: _answer_all(job, texts, requests, answers))
+        _settle()
+        call_with_deep_stack(lambda: _answer_all(job, sources, requests, answers))
         status = 0
     finally:
         # Without the clean-up of an interpreter that is not ours alone.
         os._exit(status)
 
 
-def _answer_all(job: Job, texts: Sequence[str], requests: int, answers: int) -> None:
+def _answer_all(job: Job, sources: Sequence[bytes], requests: int, answers: int) -> None:
     while True:
         request = _read_exactly(requests, _NUMBER.size)
         if request is None:
@@ -188,14 +189,15 @@ def _answer_all(job: Job, texts: Sequence[str], requests: int, answers: int) -> 
         (number,) = _NUMBER.unpack(request)
         if number == _STOP:
             return
-        payload = job(texts[number])
+        payload = job(sources[number])
         _write_all(answers, _SIZE.pack(len(payload)) + payload)
 
 
-def _silence() -> None:
-    """A worker has nothing to tell: its parent reports how it ended."""
+def _settle() -> None:
+    """Nothing of what a worker does shows: its parent reports how it ended."""
     signal.signal(signal.SIGINT, signal.SIG_DFL)
     signal.signal(signal.SIGTERM, signal.SIG_DFL)
+    gc.disable()  # trees hold no cycles, and a worker does not live long
     faulthandler = sys.modules.get("faulthandler")
     if faulthandler is not None:
         faulthandler.disable()
