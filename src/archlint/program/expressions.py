@@ -347,7 +347,7 @@ def get_item(run: Run, container: Value, index: Value) -> Value:
                 return member
         return container
     if isinstance(container, External):
-        return container  # a generic such as list[str]
+        return _external_item(container, index)
     if isinstance(container, Instance):
         method = get_attribute(run, container, "__getitem__")
         if isinstance(method, BoundMethod):
@@ -355,6 +355,22 @@ def get_item(run: Run, container: Value, index: Value) -> Value:
     if isinstance(container, Unknown):
         return Unknown(container.reason, container.parameter)
     return Unknown(reason(container, index))
+
+
+def _external_item(container: External, index: Value) -> Value:
+    """``os.environ['X']``, an enum by name, or a generic such as ``list[str]``."""
+    name = index.value if isinstance(index, Known) else None
+    if container.path == "os.environ":
+        if name in ENVIRONMENT:
+            return Known(ENVIRONMENT[str(name)])
+        return Unknown(f"the environment variable {name}" if name else "an environment variable")
+    if container.path.startswith("rclpy.qos.") and isinstance(name, str):
+        return External(f"{container.path}.{name.upper()}")
+    return container
+
+
+ENVIRONMENT = {"ROS_VERSION": "2", "ROS_PYTHON_VERSION": "3"}
+"""What the environment of every ROS 2 process says."""
 
 
 def get_entry(run: Run, container: DictValue, index: Value, default: Value | None) -> Value:

@@ -20,7 +20,7 @@ from archlint.program.api.callbacks import describe
 from archlint.program.attributes import bind
 from archlint.program.interest import interesting, names_in
 from archlint.program.modules import Module, ModuleIndex
-from archlint.program.run import Activation, Run
+from archlint.program.run import TEST_STEPS, Activation, Run
 from archlint.program.store import Store
 from archlint.program.values import (
     NONE,
@@ -106,20 +106,40 @@ class Linker:
     # ----------------------------------------------------------------------------------------- programs
 
     def run_all(self, entry_points: list[EntryPoint]) -> list[model.Program]:
-        started: set[str] = set()
+        started: dict[str, set[str]] = {}
         for entry in sorted(entry_points, key=lambda e: (e.package or "", e.executable)):
             module = self._module_of(entry)
             if module is not None:
-                started.add(module.file.path)
+                started.setdefault(module.file.path, set()).add(entry.function or "")
                 self.run_entry(entry, module)
         modules = [m for m in (self._relevant_module(file) for file in self.files) if m is not None]
         for test in (False, True):
             chosen = [m for m in modules if nodes.is_test_file(m.path) is test]
             for module in chosen:
-                if module.file.path not in started and (_main_guard(module) or module.state == "new"):
+                if self._is_started(module, started):
+                    continue
+                if _main_guard(module) or module.state == "new":
                     self.run_script(module)
             self._sweep(chosen, test)
         return [p for p in self.programs if p.nodes or p.calls or p.callbacks]
+
+    def _is_started(self, module: Module, started: dict[str, set[str]]) -> bool:
+        """Whether a console script runs this file just as its main guard would."""
+        functions = started.get(module.file.path)
+        guard = _main_guard(module)
+        if functions is None:
+            return False
+        if guard is None or "" in functions:
+            return True
+        calls_only = [
+            s.value.func.id
+            for s in guard.body
+            if isinstance(s, facts.Expression)
+            and isinstance(s.value, facts.Call)
+            and isinstance(s.value.func, facts.Name)
+            and not s.value.args
+        ]
+        return len(calls_only) == len(guard.body) and functions.issuperset(calls_only)
 
     def _relevant_module(self, file: SourceFile) -> Module | None:
         if file.kind not in ("python", "launch_python") or not self.relevant(file):
@@ -142,7 +162,10 @@ class Linker:
         place = Place(module.path, 1, 1, 1, 1)
         program = model.Program(name, module.file.package, module.path)
         context = model.Callback(role, name, place, None, file=module.path)
-        return Run(self.index, self.store, program, context, self.interfaces, overrides)
+        run = Run(self.index, self.store, program, context, self.interfaces, overrides)
+        if nodes.is_test_file(module.path):
+            run.allowed_steps = TEST_STEPS
+        return run
 
     def run_entry(
         self, entry: EntryPoint, module: Module, overrides: dict[str, object] | None = None
@@ -470,6 +493,9 @@ def _finish(run: Run) -> None:
     for blueprint in program.nodes:
         if from_test and not blueprint.test:
             continue  # a test makes an object of the real node: not a node of the system
+        if from_test:
+            # What a test makes the library create is no part of the system either.
+            blueprint.creations = [c for c in blueprint.creations if nodes.is_test_file(c.place.file)]
         if program.executable:
             blueprint.executables = (program.name,)
         kept.append(blueprint)

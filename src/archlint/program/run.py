@@ -33,16 +33,18 @@ from archlint.program.values import (
 )
 
 if TYPE_CHECKING:
-    from archlint.facts.interfaces import InterfaceTable
+    from archlint.program.interface_table import InterfaceTable
     from archlint.program.modules import Module, ModuleIndex
 
 DEPTH = 48
 """How many calls deep a run follows."""
-STEPS = 150_000
+STEPS = 60_000
 """How many statements one root (an entry point, a callback) may run."""
-REPEATS = 6
+TEST_STEPS = 4_000
+"""The same for test code: its nodes are shown, but what it calls in the library is not its own."""
+REPEATS = 3
 """How often one root runs a function with the same arguments."""
-RUNS = 400
+RUNS = 150
 """How often one root runs a function with any arguments."""
 UNROLL = 512
 """How many items of a known collection a loop is unrolled over."""
@@ -104,6 +106,7 @@ class Run:
         self.activations: list[Activation] = []
         self.arms: list[tuple[str, int]] = []
         self.steps = 0
+        self.allowed_steps = STEPS
         self.blueprints: dict[int, model.Blueprint] = {}
         self.nodes: dict[str, model.Blueprint] = {}
         self.instances: dict[int, Instance] = {}
@@ -218,7 +221,7 @@ class Run:
         activation = self.activation
         for statement in block:
             self.steps += 1
-            if self.steps > STEPS:
+            if self.steps > self.allowed_steps:
                 self.program.exhausted = True
                 return "raise"
             activation.statement = statement

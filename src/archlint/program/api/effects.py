@@ -316,6 +316,7 @@ EFFECTS: dict[str, Effect] = {
     "rate": entities.rate,
     "transform_listener": entities.transform_listener,
     "transform_buffer": entities.transform_buffer,
+    "parameter_client": entities.parameter_client,
     "destroy": entities.destroy,
     "callbacks": _callbacks,
     "thread": callbacks.thread,

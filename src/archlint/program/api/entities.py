@@ -19,6 +19,7 @@ from archlint.program.values import (
     Unknown,
     Value,
     alternatives,
+    join_texts,
 )
 
 if TYPE_CHECKING:
@@ -64,10 +65,11 @@ def endpoint(run: Run, call: ApiUse) -> Value:
     names = _names(call, missing)
     types = _types(call)
     made = []
-    several = len(names) * len(types) > 1
+    profiles_ = profiles.resolve_all(run, call.get(api.qos), api.default_qos, call)
+    rows = [(n, t, q) for n in names for t in types for q in profiles_][:COMBINATIONS]
     for blueprint in blueprints:
-        for number, (name, (type_, why)) in enumerate([(n, t) for n in names for t in types][:COMBINATIONS]):
-            made.append(_create(run, call, blueprint, name, type_, why, number if several else None))
+        for number, (name, (type_, why), qos) in enumerate(rows):
+            made.append(_create(run, call, blueprint, name, type_, why, qos, number if len(rows) > 1 else None))
     return EntityValue(tuple(made), api.returns or api.path, run.store.new_key())
 
 
@@ -100,13 +102,15 @@ def _create(
     name: model.Text,
     type_: str | None,
     why: str | None,
+    qos: model.Qos,
     alternative: int | None,
 ) -> model.Creation:
     place = run.place(call.expression.span) if call.expression is not None else Place("", 1, 1, 1, 1)
     arms = frozenset(run.arms)
     if alternative is not None:
         arms |= {(f"{place.file}:{place.line}:{place.column}|", alternative)}
-    key = (call.api.kind, id(blueprint), place, name.text, name.resolution, type_)
+    policies = (qos.history, qos.depth, qos.reliability, qos.durability)
+    key = (call.api.kind, id(blueprint), place, name.text, name.resolution, type_, policies)
     known = run.creations.get(key)
     if known is not None:
         if not arms:
@@ -115,7 +119,6 @@ def _create(
             known.arms &= arms
         return known
     places = argument_places(run, call.api, call.expression)
-    qos = profiles.resolve(run, call.get(call.api.qos), call.api.default_qos, call)
     creation = model.Creation(
         call.api.kind,
         call.api.path,
@@ -236,7 +239,8 @@ def transform_listener(run: Run, call: ApiUse) -> Value:
             part = ApiUse(
                 _subscription_of(call.api.path, qos, default), None, call.arguments, call.expression, False, [], {}
             )
-            creation = _create(run, part, blueprint, text, "tf2_msgs/msg/TFMessage", None, None)
+            profile = profiles.resolve(run, call.get(qos), default, call)
+            creation = _create(run, part, blueprint, text, "tf2_msgs/msg/TFMessage", None, profile, None)
             creation.group = model.Group("reentrant")
             made.append(creation)
     return EntityValue(tuple(made), call.api.path, run.store.new_key())
@@ -254,8 +258,34 @@ def transform_buffer(run: Run, call: ApiUse) -> Value:
         part = ApiUse(row, None, {}, call.expression, False, [], {})
         for blueprint in nodes.nodes_of(run, node):
             text = model.Text("tf2_frames", "exact")
-            _create(run, part, blueprint, text, "tf2_msgs/srv/FrameGraph", None, None)
+            _create(run, part, blueprint, text, "tf2_msgs/srv/FrameGraph", None, profiles.DEFAULT, None)
     return Instance(External("tf2_ros.buffer.Buffer"), run.store.new_key())
+
+
+_PARAMETER_SERVICES = (
+    ("describe_parameters", "DescribeParameters"),
+    ("get_parameter_types", "GetParameterTypes"),
+    ("get_parameters", "GetParameters"),
+    ("list_parameters", "ListParameters"),
+    ("set_parameters", "SetParameters"),
+    ("set_parameters_atomically", "SetParametersAtomically"),
+)
+
+
+def parameter_client(run: Run, call: ApiUse) -> Value:
+    """``AsyncParameterClient(node, 'other')``: a client for each of the six parameter services of the other."""
+    row = Api(call.api.path, (), "endpoint", kind=model.CLIENT, default_qos="services_default")
+    made = []
+    remote = call.get("remote_node_name") or Unknown("no name is given")
+    for blueprint in nodes.nodes_of(run, call.get("node")):
+        for name, type_ in _PARAMETER_SERVICES:
+            text = text_of_value(join_texts((remote, Known(f"/{name}"))), "no name is given")
+            part = ApiUse(row, None, {}, call.expression, False, [], {})
+            profile = profiles.resolve(run, call.get("qos_profile"), "services_default", call)
+            made.append(
+                _create(run, part, blueprint, text, f"rcl_interfaces/srv/{type_}", None, profile, None)
+            )
+    return EntityValue(tuple(made), call.api.path, run.store.new_key())
 
 
 def destroy(run: Run, call: ApiUse) -> Value:

@@ -170,7 +170,7 @@ def held_blueprint(run: Run, instance: Instance | None = None) -> model.Blueprin
     blueprint = new_blueprint(run, name, place, key, package)
     blueprint.held = True
     blueprint.name = model.Text(None, "unknown", reason="nothing in the workspace hands a node in")
-    blueprint.namespace = model.Text(None, "unknown", reason="nothing in the workspace hands a node in")
+    # Like every node that no launch file puts elsewhere, it is in the root namespace.
     return blueprint
 
 

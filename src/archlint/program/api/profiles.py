@@ -53,6 +53,7 @@ _API_DEFAULTS: dict[str, Qos] = {
     "services_default": DEFAULT,
     "default": DEFAULT,
     "1": Qos(depth=1),
+    "parameter_events": PARAMETERS,
     "tf": Qos(depth=100),
     "tf_static": Qos(depth=1, durability="transient_local"),
     "tf_static_listener": Qos(depth=100, durability="transient_local"),
@@ -120,6 +121,23 @@ def resolve(run: Run, value: Value | None, default: str, call: ApiUse) -> Qos:
     if call.get("qos_overriding_options") not in (None, Known(None)):
         found = replace(found, overridable=True)
     return found
+
+
+PROFILE_ALTERNATIVES = 4
+"""How many profiles one argument may stand for before only what they share is kept."""
+
+
+def resolve_all(run: Run, value: Value | None, default: str, call: ApiUse) -> list[Qos]:
+    """The profiles that an argument may give: several where a branch decides, or one."""
+    if isinstance(value, OneOf):
+        found: list[Qos] = []
+        for option in value.values:
+            profile = resolve(run, option, default, call)
+            if profile not in found:
+                found.append(profile)
+        if len(found) <= PROFILE_ALTERNATIVES:
+            return found
+    return [resolve(run, value, default, call)]
 
 
 def _of_value(run: Run, value: Value) -> Qos:

@@ -60,7 +60,11 @@ def path_join(run: Run, call: ApiUse) -> Value:
 
 def environment(run: Run, call: ApiUse) -> Value:
     """``os.environ.get('X', default)``: the default, or what the environment says."""
+    from archlint.program.expressions import ENVIRONMENT
+
     key = call.get("key")
+    if isinstance(key, Known) and key.value in ENVIRONMENT:
+        return Known(ENVIRONMENT[str(key.value)])
     name = f"the environment variable {key.value}" if isinstance(key, Known) else "an environment variable"
     default = call.get("default")
     return Unknown(name) if default is None else one_of((default, Unknown(name)))
@@ -87,10 +91,17 @@ def _add_argument(
     )
     if name is not None:
         what = Unknown(f"the command-line argument '{name}'")
-        default = keywords.get("default")
+        default = keywords.get("default") or _default_of_action(keywords.get("action"))
         value: Value = what if default is None else one_of((default, what))
         run.store.set(receiver.key, ("#argument", name), value)
     return NONE
+
+
+def _default_of_action(action: Value | None) -> Value | None:
+    """``store_true`` is false unless it is given, and the other way round."""
+    if isinstance(action, Known) and action.value in ("store_true", "store_false"):
+        return Known(action.value == "store_false")
+    return None
 
 
 def _parse_args(

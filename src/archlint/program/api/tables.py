@@ -251,6 +251,26 @@ ROWS = [
         default_qos="services_default",
         returns="tf2_ros.buffer_client.BufferClient",
     ),
+    _row(
+        "rclpy.parameter_client.AsyncParameterClient",
+        "node remote_node_name qos_profile callback_group",
+        effect="parameter_client",
+        node="node",
+        returns="rclpy.parameter_client.AsyncParameterClient",
+    ),
+    _row("rclpy.parameter_client.AsyncParameterClient.wait_for_services", "timeout_sec", watched=True),
+    _row(
+        "rclpy.parameter_event_handler.ParameterEventHandler",
+        "node qos_profile callback_group event_callbacks qos_overriding_options raw",
+        effect="endpoint",
+        kind=model.SUBSCRIBER,
+        node="node",
+        qos="qos_profile",
+        default_qos="parameter_events",
+        fixed_name="/parameter_events",
+        fixed_type="rcl_interfaces/msg/ParameterEvent",
+        returns="rclpy.parameter_event_handler.ParameterEventHandler",
+    ),
     # ---- callbacks handed over elsewhere
     _row(
         "message_filters.TimeSynchronizer.registerCallback",
