@@ -29,7 +29,7 @@ from system.builders import (
 
 def package(name: str, *dependencies: str, kind: str = "depend") -> Package:
     manifest = SourceFile(f"/{name}/package.xml", f"{name}/package.xml", "package_xml", name, None)
-    needs = tuple(Dependency(other, kind) for other in dependencies)
+    needs = tuple(Dependency(kind, other) for other in dependencies)
     return Package(name, f"/{name}", name, "ament_python", False, needs, manifest)
 
 
@@ -39,7 +39,7 @@ class FakeSettings:
 
 
 def load(*runs: Program, packages: tuple[Package, ...] = ()) -> System:
-    [system] = assemble(runs, Workspace("/", (), packages), FakeSettings())
+    [system] = assemble(runs, Workspace("/", (), packages, ()), FakeSettings())
     return system
 
 
@@ -259,12 +259,12 @@ class TestOneSystemOfAllNodes:
 
 def test_dependencies_are_transitive_and_stay_in_the_workspace() -> None:
     packages = [
-        package("bringup", "driver", "rclpy", kind="exec"),
+        package("bringup", "driver", "rclpy", kind="exec_depend"),
         package("driver", "interfaces"),
         package("interfaces", "rosidl_default_generators"),
         package("loop", "loop", "loop_too"),
         package("loop_too", "loop"),
-        package("tested", "driver", kind="test"),
+        package("tested", "driver", kind="test_depend"),
     ]
     assert dependencies_within(packages) == {
         "bringup": {"driver", "interfaces"},

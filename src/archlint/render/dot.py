@@ -32,18 +32,22 @@ def render(system: System) -> str:
 def write(graph: networkx.MultiDiGraph, **attributes: str) -> str:
     """``attributes`` are those of the whole graph, such as ``dpi``."""
     ids = {key: f"n{number}" for number, key in enumerate(graph.nodes)}
-    attributes = {"label": look.caption(graph), **attributes}
-    return _digraph(graph, attributes, [*_vertices(graph, ids), *_edges(graph, ids)])
+    attributes = {
+        **(_HURRY if len(graph) > CAREFUL_LAYOUT else {}),
+        "label": look.caption(graph),
+        **attributes,
+    }
+    return _digraph(attributes, [*_vertices(graph, ids), *_edges(graph, ids)])
 
 
 def write_overview(graph: networkx.MultiDiGraph, **attributes: str) -> str:
     """As :func:`write`, with one box for each group of nodes."""
-    attributes = {"label": f"{look.caption(graph)}  ·  too many to draw each", **attributes}
-    return _digraph(graph, attributes, [*_boxes(graph)])
+    attributes = {"label": f"{look.counts(graph)}  ·  too many to draw each", **attributes}
+    return _digraph(attributes, [*_boxes(graph)])
 
 
-def _digraph(graph: networkx.MultiDiGraph, attributes: dict[str, str], body: list[str]) -> str:
-    return "\n".join(["digraph archlint {", *_defaults(graph, attributes), *body, "}"]) + "\n"
+def _digraph(attributes: dict[str, str], body: list[str]) -> str:
+    return "\n".join(["digraph archlint {", *_defaults(attributes), *body, "}"]) + "\n"
 
 
 def _boxes(graph: networkx.MultiDiGraph) -> Iterator[str]:
@@ -77,7 +81,7 @@ def _attributes(values: dict[str, str]) -> str:
     return "[" + ", ".join(f"{name}={quote(value)}" for name, value in values.items()) + "]"
 
 
-def _defaults(graph: networkx.MultiDiGraph, attributes: dict[str, str]) -> Iterator[str]:
+def _defaults(attributes: dict[str, str]) -> Iterator[str]:
     whole = {
         "rankdir": "LR",
         "bgcolor": "white",
@@ -90,10 +94,7 @@ def _defaults(graph: networkx.MultiDiGraph, attributes: dict[str, str]) -> Itera
         "labelloc": "b",
         "labeljust": "l",
     }
-    if len(graph) > CAREFUL_LAYOUT:
-        whole |= _HURRY
-    whole |= attributes
-    yield f"  graph {_attributes(whole)};"
+    yield f"  graph {_attributes(whole | attributes)};"
     vertex = {"fontname": look.FONT, "style": "filled", "margin": "0.14,0.07", "height": "0.3"}
     yield f"  node {_attributes(vertex)};"
     yield f"  edge {_attributes({'fontname': look.FONT, 'arrowsize': '0.7', 'penwidth': '1.2'})};"

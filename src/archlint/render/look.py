@@ -127,9 +127,7 @@ def _package(node: Node) -> str:
 def caption(graph: networkx.MultiDiGraph) -> str:
     """One line that counts what is drawn and explains the lines that need it."""
     data = [data for _, data in graph.nodes(data=True)]
-    counts = Counter(one["kind"] for one in data)
-    words = [counted(counts[kind], kind) for kind in ("node", "topic", "service", "action") if counts[kind]]
-    sentences = [", ".join(words) or "nothing that communicates"]
+    sentences = [counts(graph)]
     if any(one["kind"] != NODE and not one["matched"] for one in data):
         sentences.append("dashed: nobody at the other end")
     if any(one["kind"] != NODE and one["resolution"] == "partial" for one in data):
@@ -137,6 +135,13 @@ def caption(graph: networkx.MultiDiGraph) -> str:
     if any(edge["endpoint"].conditional for _, _, edge in graph.edges(data=True)):
         sentences.append("dotted: only under a condition")
     return "  ·  ".join(sentences)
+
+
+def counts(graph: networkx.MultiDiGraph) -> str:
+    """``3 nodes, 1 topic, 2 services``."""
+    kinds = Counter(kind for _, kind in graph.nodes(data="kind"))
+    words = [counted(kinds[kind], kind) for kind in ("node", "topic", "service", "action") if kinds[kind]]
+    return ", ".join(words) or "no nodes"
 
 
 def counted(number: int, noun: str) -> str:

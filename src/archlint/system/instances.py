@@ -174,9 +174,13 @@ def _node_order(node: Node) -> tuple[object, ...]:
     return (node.name is None, node.name or "", *where, node.blueprint.class_name if node.blueprint else "")
 
 
+_DEPENDENCIES = ("depend", "exec_depend", "run_depend", "build_depend", "build_export_depend")
+"""All but those for tests and documentation: packages that depend on each other to test run apart."""
+
+
 def dependencies_within(packages: Iterable[Package]) -> dict[str, frozenset[str]]:
     """Package → the packages of the same workspace that it needs, directly or not."""
-    direct = {package.name: sorted(package.runtime_dependencies()) for package in packages}
+    direct = {package.name: sorted(package.depends_on(*_DEPENDENCIES)) for package in packages}
     return {name: frozenset(_reachable(name, direct)) for name in sorted(direct)}
 
 

@@ -1,0 +1,121 @@
+from __future__ import annotations
+
+from archlint.render.text import render
+from render.hostile import hostile
+from render.lesson import lesson
+from system.builders import (
+    action_client,
+    blueprint,
+    client,
+    from_parameter,
+    node,
+    place,
+    publisher,
+    subscriber,
+    system,
+    unknown,
+)
+
+LESSON = """\
+3 nodes
+
+/control_node  ControlNode  my_first_package/control_node  src/my_first_package/my_first_package/control_node\
+.py:6
+  subscribes  /sensor_data   my_robot_interfaces/msg/SensorReading  line 10, reliable, volatile, keep last 10
+  calls       /query_sensor  my_robot_interfaces/srv/GetSensorData  line 11
+  calls       /set_motor     my_robot_interfaces/srv/SetMotorSpeed  line 12
+  timer       every 2 s      ControlNode.control_loop               line 13
+
+/motor_node  MotorNode  my_first_package/motor_node  src/my_first_package/my_first_package/motor_node.py:6
+  serves  /set_motor  my_robot_interfaces/srv/SetMotorSpeed  line 10
+
+/sensor_node  SensorNode  my_first_package/sensor_node  src/my_first_package/my_first_package/sensor_node.py:6
+  publishes  /sensor_data   my_robot_interfaces/msg/SensorReading  line 10, reliable, volatile, keep last 10
+  serves     /query_sensor  my_robot_interfaces/srv/GetSensorData  line 11
+  timer      every 1 s      SensorNode.publish_sensor              line 12
+  parameter  rate           double = 1.0                           line 13
+
+1 topic
+
+/sensor_data  my_robot_interfaces/msg/SensorReading
+  published by   /sensor_node
+  subscribed by  /control_node
+
+2 services
+
+/query_sensor  my_robot_interfaces/srv/GetSensorData
+  served by      /sensor_node
+  called by      /control_node
+
+/set_motor  my_robot_interfaces/srv/SetMotorSpeed
+  served by      /motor_node
+  called by      /control_node
+"""
+
+
+def test_the_lesson() -> None:
+    assert render(lesson()) == LESSON
+
+
+def test_colour_changes_nothing_but_the_colour() -> None:
+    import re
+
+    coloured = render(lesson(), color=True)
+    assert "\x1b[" in coloured
+    assert re.sub(r"\x1b\[[0-9;]*m", "", coloured) == LESSON
+
+
+def test_an_end_that_nobody_holds() -> None:
+    assert "  published by   nobody here\n" in render(system(node("/n", subscriber("/scan"))))
+
+
+def test_types_that_differ() -> None:
+    shown = render(system(node("/a", publisher("/x", "p/msg/A")), node("/b", subscriber("/x", "p/msg/B"))))
+    assert "/x  p/msg/A ≠ p/msg/B" in shown
+
+
+def test_what_is_known_only_in_part() -> None:
+    shown = render(
+        system(
+            node(
+                "/n",
+                publisher(from_parameter("topic", "a"), conditional=True),
+                publisher(unknown("it comes from sys.argv"), None),
+                client("b c"),
+            )
+        )
+    )
+    assert "from the parameter topic, only under a condition" in shown
+    assert "topic name must not contain characters other than" in shown
+    assert shown.endswith("1 not resolved\n\n  src/demo/demo/n.py:11  publisher  it comes from sys.argv\n")
+
+
+def test_an_endpoint_of_another_file_says_so() -> None:
+    made = blueprint("n", publisher("a"), action_client("b"))
+    made.creations[0].place = place("src/demo/demo/helper.py", 3)
+    from archlint.system.instances import instantiate
+
+    shown = render(system(instantiate(made, None)))
+    assert "src/demo/demo/helper.py:3, reliable" in shown
+    assert "line 11" in shown
+
+
+def test_a_node_without_a_name() -> None:
+    from archlint.system.instances import instantiate
+
+    helper = instantiate(blueprint(unknown(), publisher("/x"), file="helper.py", class_name="Helper"), None)
+    shown = render(system(helper))
+    assert "name not known  Helper  demo  helper.py:6" in shown
+    assert "a node whose name is not known" in shown
+
+
+def test_nothing_at_all() -> None:
+    assert render(system()) == "no nodes\n"
+
+
+def test_no_name_steers_the_terminal() -> None:
+    shown = render(hostile())
+    assert "\x1b" not in shown
+    assert "\u202e" not in shown
+    assert "\r" not in shown
+    assert shown.encode("utf-8")

@@ -1,0 +1,83 @@
+from __future__ import annotations
+
+from archlint.system import qos
+from archlint.system.implicit import implicit_endpoints, with_implicit
+from archlint.system.instances import instantiate
+from archlint.system.model import Endpoint, Node
+from system.builders import action_client, action_server, blueprint, exact, node, system, unknown
+
+
+def names(endpoints: list[Endpoint], *kinds: str) -> list[str | None]:
+    return [e.name for e in endpoints if not kinds or e.kind in kinds]
+
+
+def test_every_node() -> None:
+    made = implicit_endpoints(node("/ns/talker"))
+    assert names(made, "publisher") == ["/rosout", "/parameter_events"]
+    assert names(made, "service") == [
+        "/ns/talker/describe_parameters",
+        "/ns/talker/get_parameter_types",
+        "/ns/talker/get_parameters",
+        "/ns/talker/list_parameters",
+        "/ns/talker/set_parameters",
+        "/ns/talker/set_parameters_atomically",
+        "/ns/talker/get_type_description",
+    ]
+    assert names(made, "subscriber") == []
+
+
+def test_humble_has_no_type_descriptions() -> None:
+    assert "/n/get_type_description" not in names(implicit_endpoints(node("/n"), "humble"))
+
+
+def test_what_the_constructor_turns_off() -> None:
+    quiet = node("/n", enable_rosout=False, start_parameter_services=False)
+    assert names(implicit_endpoints(quiet, "humble")) == ["/parameter_events"]
+
+
+def test_simulated_time_subscribes_to_the_clock() -> None:
+    made = implicit_endpoints(instantiate(blueprint("n"), None, overrides={"use_sim_time": True}))
+    assert names(made, "subscriber") == ["/clock"]
+
+
+def test_a_lifecycle_node() -> None:
+    made = names(implicit_endpoints(node("/n", lifecycle=True)))
+    assert "/n/transition_event" in made
+    assert "/n/change_state" in made
+    assert "/n/get_transition_graph" in made
+
+
+def test_a_node_without_a_known_name() -> None:
+    made = implicit_endpoints(instantiate(blueprint(unknown(), namespace=exact("/ns"), file="a.py"), None))
+    assert names(made, "publisher") == ["/rosout", "/parameter_events"]
+    assert set(names(made, "service")) == {None}
+
+
+def test_an_external_node_has_none_that_are_known() -> None:
+    external = Node("/x", None, "other", "x", "unknown", external=True)
+    assert implicit_endpoints(external) == []
+
+
+def test_the_hidden_half_of_an_action() -> None:
+    loaded = with_implicit(
+        system(
+            node("/server", action_server("dock", "p/action/Dock")),
+            node("/client", action_client("dock", "p/action/Dock")),
+        )
+    )
+    feedback, status = (loaded.topics[f"/dock/_action/{part}"] for part in ("feedback", "status"))
+    assert names(feedback.providers) == names(feedback.users) == ["/dock/_action/feedback"]
+    assert feedback.types == ["p/action/Dock_FeedbackMessage"]
+    assert [e.qos for e in status.providers] == [qos.ACTION_STATUS]
+    goal = loaded.services["/dock/_action/send_goal"]
+    assert [e.node.name for e in goal.providers] == ["/server"]
+    assert [e.node.name for e in goal.users] == ["/client"]
+    assert goal.types == ["p/action/Dock_SendGoal"]
+    assert loaded.services["/dock/_action/cancel_goal"].types == ["action_msgs/srv/CancelGoal"]
+
+
+def test_the_system_itself_is_left_as_it_was() -> None:
+    plain = system(node("/n"))
+    everything = with_implicit(plain)
+    assert plain.nodes[0].endpoints == []
+    assert all(e.node is everything.nodes[0] for e in everything.endpoints)
