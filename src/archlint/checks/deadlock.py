@@ -41,9 +41,7 @@ class Verdict:
 
 
 _ONE_HELD = "the executor has one thread, and the handler holds it, so the answer cannot be taken"
-_GROUP_HELD = (
-    "the handler holds the mutually exclusive group that the client is in, so the answer cannot be taken"
-)
+_GROUP_HELD = "the handler holds the mutually exclusive group of the client, so the answer cannot be taken"
 _NO_SPIN = "nothing here spins the node with several threads, and one thread cannot wait for itself"
 _NO_EXECUTOR = "it is not known which executor spins the node"
 _NO_GROUP = "it is not known which callback group the client is in"
@@ -64,9 +62,7 @@ TABLE: dict[tuple[str, str, str], Verdict] = {
     **{(AWAIT, threads, UNCLEAR): Verdict(False, _NO_GROUP) for threads in (ONE, SEVERAL, NOBODY, ANY)},
 }
 
-_NESTED = (
-    "the handler runs in an executor that already spins, so this raises, hangs or takes the node away from it"
-)
+_NESTED = "its executor is spinning already, so this raises, hangs or takes the node away from it"
 _OWN_SPIN = "a node and an executor of its own let the answer in"
 
 

@@ -126,8 +126,8 @@ def _invalid_node(node: Node) -> Iterator[Finding]:
         "NME002",
         place,
         f"ROS rejects the name of the node '{shown}': {node.error}",
-        help="a node's name is one part of letters, digits and '_' that starts with no digit; its namespace is "
-        "given apart (namespace=…)",
+        help="a node's name is one part of letters, digits and '_' that starts with no digit; its "
+        "namespace is given apart (namespace=…)",
         related=[] if place == blueprint.place else [Related(blueprint.place, "the node is defined here")],
         node=node.name,
         identity=("node", shown),
@@ -154,8 +154,8 @@ def _invalid_endpoints(node: Node) -> Iterator[Finding]:
             "NME002",
             creation.name_place or creation.place,
             f"ROS rejects the {word} name '{shown}'{default}{complete}: {endpoint.error}",
-            help="a name is made of parts of letters, digits and '_' with '/' between them; no part starts with "
-            "a digit, and '~/' stands only in front",
+            help="a name is made of parts of letters, digits and '_' with '/' between them; no part starts "
+            "with a digit, and '~/' stands only in front",
             related=_written_elsewhere([endpoint]),
             node=node.name,
             identity=(creation.function, endpoint.kind, shown),

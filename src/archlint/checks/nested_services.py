@@ -22,14 +22,14 @@ if TYPE_CHECKING:
     from archlint.system.model import System
 
 _INSTEAD = (
-    "answer from what a topic has told, or send the request with call_async(), return, and report the outcome "
-    "on a topic; a task of several steps is an action"
+    "answer from what a topic has told, or send the request with call_async(), return, and report the "
+    "outcome on a topic; a task of several steps is an action"
 )
 _HELP = {
     CALL: f"{_INSTEAD}; if the call must stay, give the client a callback group of its own and spin the node "
     "with a MultiThreadedExecutor",
-    AWAIT: "give the client a callback group of its own (callback_group=MutuallyExclusiveCallbackGroup()), or "
-    + _INSTEAD,
+    AWAIT: "give the client a callback group of its own (callback_group=MutuallyExclusiveCallbackGroup()), "
+    f"or {_INSTEAD}",
     SPIN: f"a callback cannot spin its own node: {_INSTEAD}",
 }
 _HELP_WHERE_SAFE = "the caller waits for both services, and a slow one makes the other slow: " + _INSTEAD

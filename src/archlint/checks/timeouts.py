@@ -111,7 +111,10 @@ def _limitless_call(system: System, call: ApiCall, distros: tuple[str, ...]) -> 
 
 def _help_for_call(call: ApiCall, distros: tuple[str, ...]) -> str:
     if call.api == _SEND_GOAL:
-        return "send_goal() has no timeout: use send_goal_async() with done callbacks, or spin on its future with a timeout"
+        return (
+            "send_goal() has no timeout: use send_goal_async() with done callbacks, "
+            "or spin on its future with a timeout"
+        )
     in_callback = call.context.role in _IN_CALLBACKS
     asynchronous = (
         "call_async() and a done callback"

@@ -44,7 +44,7 @@ _EVENT_SET = "threading.Event.set"
 class Wait:
     """A place where code stands still until an answer has come.
 
-    ``kind`` is one of those of :mod:`archlint.checks.deadlock`; ``limited`` says that a timeout ends the wait.
+    ``kind`` is one of those of :mod:`archlint.checks.deadlock`; ``limited`` tells that a timeout ends it.
     """
 
     kind: str
