@@ -32,6 +32,9 @@ DISTROS = ("humble", "jazzy", "kilted", "lyrical", "rolling")
 """The ROS distributions that are supported, oldest first."""
 
 
+CACHE_FOLDER = ".archlint_cache"
+
+
 @dataclass(frozen=True)
 class Settings:
     """The effective configuration.  ``origins`` says where a key that is not at its default was set."""
@@ -48,10 +51,17 @@ class Settings:
     cache_dir: str | None = None
     rules: Mapping[str, Mapping[str, OptionValue]] = field(default_factory=dict)
     origins: Mapping[str, str] = field(default_factory=dict)
+    folder: str | None = None
+    """That of the nearest configuration file; None without one."""
 
     @property
     def selection(self) -> Selection:
         return resolve(self.layers)
+
+    @property
+    def cache_folder(self) -> str:
+        """Where the cache is: as configured, else beside the configuration, else in the working directory."""
+        return self.cache_dir or (Path(self.folder or ".") / CACHE_FOLDER).as_posix()
 
     @property
     def distros(self) -> tuple[str, ...]:
@@ -86,7 +96,9 @@ def load(start: Path, file: Path | None = None) -> Settings:
     Raises :class:`ConfigurationError` for anything that cannot be read or understood.
     """
     source = read_source(file.absolute(), named=True) if file is not None else find(start.absolute())
-    return Settings() if source is None else _settings(source, ())
+    if source is None:
+        return Settings()
+    return replace(_settings(source, ()), folder=source.path.parent.as_posix())
 
 
 def find(start: Path) -> Source | None:

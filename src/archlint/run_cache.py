@@ -1,9 +1,6 @@
-"""The result of a whole run, kept for the next one: where no input changed, nothing is read but their status.
+"""The result of a whole run, kept under the content of all that it depends on.
 
-A record holds the findings and, of every input, size, time of change and content hash.  It is plain JSON from
-a folder that anybody may have written to: whatever is wrong with it, it is a miss.  Files that changed within
-:data:`RACY` of the record being written are compared by content, since a second change may not show in their
-time; so are all, where any status differs, which is what a fresh checkout looks like.
+A record is plain JSON from a folder that anybody may have written to: one with anything wrong is a miss.
 """
 
 from __future__ import annotations
@@ -11,91 +8,102 @@ from __future__ import annotations
 import hashlib
 import json
 import os
-import time
-from collections.abc import Sequence
-from contextlib import suppress
+from dataclasses import astuple
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
-from archlint import __version__
 from archlint.finding import Finding, Place, Related, Severity
 from archlint.report.json import diagnostic
-from archlint.report.model import Summary
+from archlint.report.model import Judged, Summary
+from archlint.sources import PYTHON
 
-RACY = 2_000_000_000
-"""Nanoseconds: the coarsest clock that a file system in use has."""
-
-Status = tuple[int, int]
-"""Time of change in nanoseconds, and size in bytes."""
+if TYPE_CHECKING:
+    from archlint.facts.files import FactsOfFiles
+    from archlint.facts.store import NullStore, Store
+    from archlint.session import Request
+    from archlint.workspace.model import SourceFile, Workspace
 
 
 class RunCache:
-    """The one record of a request.  ``folder`` is None where caching is off.
+    """The record of one request over one state of a workspace."""
 
-    ``request`` is all that decides the result apart from the content of ``inputs`` and archlint's own code:
-    paths, options and configuration.
-    """
+    def __init__(self, store: Store | NullStore, request: Request, workspace: Workspace) -> None:
+        self._store = store
+        self._request = request
+        self._workspace = workspace
+        self._key: str | None = None
 
-    def __init__(self, folder: Path | None, request: Sequence[object], inputs: Sequence[str]) -> None:
-        text = json.dumps([__version__, own_code(), *request], default=repr, sort_keys=True)
-        self.key = hashlib.sha256(text.encode()).hexdigest()
-        self.path = None if folder is None else folder / "runs" / f"{self.key[:32]}.json"
-        self.inputs = sorted(inputs)
-        self.statuses = [_status(path) for path in self.inputs] if folder is not None else []
-
-    def load(self) -> tuple[list[Finding], Summary, list[str]] | None:
-        """Findings, summary and notices of the last run if nothing has changed since."""
-        if self.path is None:
+    def load(self) -> Judged | None:
+        """The result of an equal run.  Of files that are unchanged nothing but the status is read."""
+        if not self._request.cached:
             return None
-        try:
-            record = json.loads(self.path.read_bytes())
-            if record["key"] != self.key or record["inputs"] != self.inputs:
-                return None
-            if not self._unchanged(record):
-                return None
-            result = record["result"]
-            findings = [_finding(entry) for entry in result["findings"]]
-            return findings, Summary(**result["summary"]), [str(notice) for notice in result["notices"]]
-        except (OSError, ValueError, KeyError, TypeError, AttributeError, RecursionError):
-            return None
+        self._key = self._key_of([self._known(file) for file in self._workspace.files])
+        return self._read()
 
-    def save(self, findings: Sequence[Finding], summary: Summary, notices: Sequence[str]) -> None:
-        """Keep a result.  A folder that cannot be written to is no reason to fail."""
-        if self.path is None:
+    def load_again(self, facts: FactsOfFiles) -> Judged | None:
+        """As :meth:`load`, once the files that had changed have been read."""
+        if not self._request.cached or self._key is not None:
+            return None
+        files = self._workspace.files
+        digests = [facts.digest(file) if file.kind in PYTHON else self._known(file) for file in files]
+        self._key = self._key_of(digests)
+        return self._read()
+
+    def save(self, judged: Judged) -> None:
+        """Keep a result, unless some input could not be read."""
+        if self._key is None:
             return
         record = {
-            "key": self.key,
-            "inputs": self.inputs,
-            "statuses": self.statuses,
-            "digests": [_digest(path) for path in self.inputs],
-            "written": time.time_ns(),
-            "result": {
-                "findings": [{**diagnostic(finding), "identity": finding.identity} for finding in findings],
-                "summary": vars(summary),
-                "notices": list(notices),
-            },
+            "findings": [
+                {**diagnostic(finding), "identity": finding.identity} for finding in judged.findings
+            ],
+            "summary": vars(judged.summary),
+            "notices": judged.notices,
         }
-        if [_status(path) for path in self.inputs] != self.statuses:
-            return  # a file was changed while it was being checked
-        temporary = self.path.with_suffix(f".{os.getpid()}.tmp")
-        try:
-            self.path.parent.mkdir(parents=True, exist_ok=True)
-            temporary.write_text(json.dumps(record, separators=(",", ":")), "utf-8")
-            temporary.replace(self.path)
-        except OSError:
-            with suppress(OSError):
-                temporary.unlink()
+        self._store.put_run(self._key, json.dumps(record).encode())
 
-    def _unchanged(self, record: dict[str, Any]) -> bool:
-        before = [None if status is None else tuple(status) for status in record["statuses"]]
-        newest = int(record["written"]) - RACY
-        if before != self.statuses:
-            suspects = list(range(len(self.inputs)))
-        else:
-            suspects = [
-                at for at, status in enumerate(self.statuses) if status is None or status[0] >= newest
-            ]
-        return all(_digest(self.inputs[at]) == record["digests"][at] for at in suspects)
+    def _read(self) -> Judged | None:
+        payload = None if self._key is None else self._store.get_run(self._key)
+        if payload is None:
+            return None
+        try:
+            record = json.loads(payload)
+            findings = [_finding(entry) for entry in record["findings"]]
+            return Judged(
+                findings, Summary(**record["summary"]), [str(notice) for notice in record["notices"]]
+            )
+        except (ValueError, KeyError, TypeError, AttributeError, RecursionError):
+            return None
+
+    def _known(self, file: SourceFile) -> str | None:
+        """The digest of a file's content; of Python only a known one, for compiling hashes it anyway."""
+        status = (file.path, file.mtime_ns, file.size, file.inode)
+        digest = self._store.lookup(*status)
+        if digest is None and file.kind not in PYTHON:
+            digest = _digest(Path(file.path))
+            if digest is not None:
+                self._store.remember(*status, digest)
+        return digest
+
+    def _key_of(self, digests: list[str | None]) -> str | None:
+        if None in digests:
+            return None
+        files = self._workspace.files
+        inputs = [
+            [file.relative, file.kind, file.package, file.module, file.context, digest]
+            for file, digest in zip(files, digests, strict=True)
+        ]
+        problems = [astuple(problem) for problem in self._workspace.problems]
+        decisive = [own_code(), repr(self._request.paths), repr(self._request.settings), inputs, problems]
+        return hashlib.sha256(json.dumps(decisive).encode()).hexdigest()
+
+
+def _digest(path: Path) -> str | None:
+    """A hash of a file's content; None for what cannot be read, or is no regular file."""
+    try:
+        return hashlib.sha256(path.read_bytes()).hexdigest() if path.is_file() else None
+    except OSError:
+        return None
 
 
 def own_code() -> list[tuple[str, int, int]]:
@@ -113,24 +121,6 @@ def own_code() -> list[tuple[str, int, int]]:
                 elif entry.name != "__pycache__" and entry.is_dir():
                     folders.append(entry.path)
     return sorted(entries)
-
-
-def _status(path: str) -> Status | None:
-    try:
-        found = os.stat(path)  # noqa: PTH116  a Path for each of thousands of files would take longer
-    except OSError:
-        return None
-    return found.st_mtime_ns, found.st_size
-
-
-def _digest(path: str) -> str | None:
-    """A hash of a file's content; None for what is no readable regular file."""
-    try:
-        if not Path(path).is_file():
-            return None
-        return hashlib.sha256(Path(path).read_bytes()).hexdigest()
-    except OSError:
-        return None
 
 
 def _finding(entry: dict[str, Any]) -> Finding:

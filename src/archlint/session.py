@@ -2,13 +2,23 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+import time
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import dataclass, replace
+from pathlib import Path
 from typing import TYPE_CHECKING
+
+from archlint.report.model import Judged, Report, summarise
+from archlint.run_cache import RunCache
+from archlint.sources import PYTHON, Sources
 
 if TYPE_CHECKING:
     from archlint.config import Settings
-    from archlint.report.model import Report
+    from archlint.facts.files import FactsOfFiles
+    from archlint.facts.store import NullStore, Store
+    from archlint.finding import Finding
     from archlint.system.model import System
+    from archlint.workspace.model import SourceFile, Workspace
 
 
 class NothingToDo(Exception):
@@ -17,7 +27,8 @@ class NothingToDo(Exception):
 
 @dataclass(frozen=True)
 class Request:
-    """What is to be analysed and how.  ``paths`` exist; ``jobs`` None leaves the number of processes to us."""
+    """What is to be analysed and how.  ``paths`` exist; ``jobs`` is the most processes, None for as many as
+    there are processors."""
 
     paths: tuple[str, ...]
     settings: Settings
@@ -27,9 +38,152 @@ class Request:
 
 def check(request: Request) -> Report:
     """Everything that the selected rules find, in order.  Raises :class:`NothingToDo`."""
-    raise NotImplementedError
+    started = time.perf_counter()
+    workspace = _found(request)
+    store = _store(request)
+    kept = RunCache(store, request, workspace)
+    judged = kept.load()
+    if judged is None:
+        facts = _compiled(request, workspace, store)
+        judged = kept.load_again(facts)
+        if judged is None:
+            judged = _judged(request, workspace, facts)
+            kept.save(judged)
+    store.close()
+    summary = replace(judged.summary, elapsed_s=time.perf_counter() - started)
+    return Report(judged.findings, summary, Sources().line, judged.notices)
 
 
 def graph(request: Request, everything: bool = False) -> System:
-    """The system of all nodes, for drawing.  Raises :class:`NothingToDo`."""
-    raise NotImplementedError
+    """The system of all nodes, for drawing; ``everything`` adds what rclpy makes for every node.
+
+    Raises :class:`NothingToDo`.
+    """
+    from archlint.system.implicit import with_implicit
+
+    workspace = _found(request)
+    store = _store(request)
+    facts = _compiled(request, workspace, store)
+    [system] = _systems(request, workspace, facts)
+    store.close()
+    asked = {file.relative for file in workspace.files if not file.context}
+    system = replace(
+        system,
+        nodes=[node for node in system.nodes if node.blueprint is None or node.blueprint.place.file in asked],
+    )
+    return with_implicit(system, request.settings.distro) if everything else system
+
+
+# --- the floors
+
+
+def _found(request: Request) -> Workspace:
+    from archlint.workspace.discovery import find
+
+    exclude = [pattern for glob in request.settings.exclude for pattern in glob.patterns()]
+    workspace = find(request.paths, exclude=exclude)
+    if not workspace.problems and not any(_is_input(file) for file in workspace.files):
+        raise NothingToDo(
+            f"nothing to check: no Python file and no launch file in {', '.join(request.paths)}"
+        )
+    return workspace
+
+
+def _is_input(file: SourceFile) -> bool:
+    return not file.context and file.kind in ("python", "launch_python", "launch_xml", "launch_yaml")
+
+
+def _python(workspace: Workspace) -> list[SourceFile]:
+    return [file for file in workspace.files if file.kind in PYTHON]
+
+
+def _store(request: Request) -> Store | NullStore:
+    from archlint import __version__
+    from archlint.facts.store import NullStore, Store
+
+    return Store(request.settings.cache_folder, __version__) if request.cached else NullStore()
+
+
+def _compiled(request: Request, workspace: Workspace, store: Store | NullStore) -> FactsOfFiles:
+    from archlint.facts.files import FactsOfFiles
+
+    facts = FactsOfFiles(store, request.jobs)
+    facts.prepare(_python(workspace))
+    return facts
+
+
+def _systems(request: Request, workspace: Workspace, facts: FactsOfFiles) -> list[System]:
+    """Link and load."""
+    from archlint.program.entry_points import entry_points, read_installs
+    from archlint.program.interface_table import InterfaceTable
+    from archlint.program.link import link_files
+    from archlint.system.instances import assemble
+    from archlint.workspace.tree import SourceTree
+
+    tree = SourceTree(Path.cwd(), Path(workspace.root))
+    installs = read_installs(workspace.packages, workspace.files, facts.facts_of, tree)
+    programs = link_files(
+        workspace.files,
+        facts.facts_of,
+        facts.relevant,
+        entry_points(installs, workspace.files),
+        InterfaceTable(workspace.files, lambda file: tree.text(file.relative)),
+    )
+    return assemble(programs, workspace, request.settings)
+
+
+def _judged(request: Request, workspace: Workspace, facts: FactsOfFiles) -> Judged:
+    from archlint import suppressions
+    from archlint.render.json import unresolved
+
+    systems = _systems(request, workspace, facts)
+    known = [file for file in _python(workspace) if facts.relevant(file)]
+    found = [*_problems(workspace, known, facts), *_rules(request.settings, systems)]
+    by_file = {file.relative: one.suppressions for file in known if (one := facts.facts_of(file)) is not None}
+    outcome = suppressions.apply(_wanted(found, request.settings, workspace), by_file)
+    findings = sorted(dict.fromkeys(outcome.kept), key=lambda finding: finding.sort_key)
+    summary = summarise(
+        findings,
+        files=sum(_is_input(file) for file in workspace.files),
+        nodes=sum(len(system.nodes) for system in systems),
+        suppressed=len(outcome.suppressed),
+        unresolved=sum(len(unresolved(system)) for system in systems),
+        elapsed_s=0.0,
+    )
+    refused = [suppressions.refusal(file, suppression) for file, suppression in outcome.refused]
+    return Judged(findings, summary, refused)
+
+
+# --- judging
+
+
+def _rules(settings: Settings, systems: Sequence[System]) -> Iterator[Finding]:
+    from archlint.checks.registry import judge, options_for
+
+    selection = settings.selection
+    for system in systems:
+        codes = [code for code in selection.codes if selection.runs(code, system.closed)]
+        yield from judge(system, options_for(settings, codes))
+
+
+def _problems(workspace: Workspace, files: Sequence[SourceFile], facts: FactsOfFiles) -> Iterator[Finding]:
+    """What could not be read: LNT002, or LNT003 where the fault is ours."""
+    from archlint.checks.registry import unreadable
+
+    for problem in workspace.problems:
+        yield unreadable(problem.file, problem.line, problem.column, problem.message)
+    for file in files:
+        found = facts.facts_of(file)
+        for fault in () if found is None else found.problems:
+            yield unreadable(file.relative, fault.line, fault.column, fault.message)
+
+
+def _wanted(findings: Iterable[Finding], settings: Settings, workspace: Workspace) -> Iterator[Finding]:
+    """The findings that the configuration does not turn off, with the severities that it wants."""
+    from archlint.filters import Filters
+
+    filters = Filters(settings, workspace)
+    for finding in findings:
+        wanted = filters.apply(finding)
+        if wanted is not None:
+            yield wanted

@@ -20,13 +20,13 @@ def test_one_line_a_finding():
     ("findings", "suppressed", "unresolved", "sentence"),
     [
         ([], 0, 0, "No findings in 42 files with 1 node."),
-        ([], 0, 1, "No findings in 42 files with 1 node; 1 name unresolved."),
+        ([], 0, 1, "No findings in 42 files with 1 node; 1 unresolved."),
         ([NESTED], 0, 0, "Found 1 error in 42 files with 1 node."),
         (
             [NESTED, UNREADABLE, UNREADABLE],
             3,
             2,
-            "Found 1 error, 2 warnings in 42 files with 1 node; 3 suppressed; 2 names unresolved.",
+            "Found 1 error, 2 warnings in 42 files with 1 node; 3 suppressed; 2 unresolved.",
         ),
     ],
 )

@@ -40,6 +40,15 @@ class Report:
     notices: Sequence[str] = ()
 
 
+@dataclass(frozen=True)
+class Judged:
+    """What is kept of a report for an equal run: all but the source, and ``elapsed_s`` of another run."""
+
+    findings: list[Finding]
+    summary: Summary
+    notices: list[str]
+
+
 def summarise(
     findings: Sequence[Finding], *, files: int, nodes: int, suppressed: int, unresolved: int, elapsed_s: float
 ) -> Summary:
@@ -61,7 +70,7 @@ def summary_line(summary: Summary) -> str:
     where = f"{_count(summary.files, 'file')} with {_count(summary.nodes, 'node')}"
     notes = [
         f"{summary.suppressed} suppressed" if summary.suppressed else "",
-        f"{_count(summary.unresolved, 'name')} unresolved" if summary.unresolved else "",
+        f"{summary.unresolved} unresolved" if summary.unresolved else "",
     ]
     tail = "".join(f"; {note}" for note in notes if note)
     if not summary.findings:
