@@ -78,7 +78,7 @@ def _limitless_wait(system: System, call: ApiCall) -> Finding:
         help=f"set a limit and look at the answer: {look}{function}(…, {limit}=5.0)"
         if call.api == WAIT_FOR_MESSAGE
         else f"set a limit and look at the answer: {look}….{function}({limit}=5.0):",
-        related=_way_to(call, call.creation if call.api != WAIT_FOR_MESSAGE else None),
+        related=way_to(call, call.creation if call.api != WAIT_FOR_MESSAGE else None),
         node=node_name(system, call.node or call.context.node),
         identity=(call.function, _name_of(call.creation), function),
     )
@@ -103,7 +103,7 @@ def _limitless_call(system: System, call: ApiCall, distros: tuple[str, ...]) -> 
         f"{function}() waits for {answer} {endpoint_words(call.creation, _kind(call))} without limit: "
         "if it is lost, this never returns",
         help=_help_for_call(call, distros),
-        related=_way_to(call, call.creation),
+        related=way_to(call, call.creation),
         node=node_name(system, call.node or call.context.node),
         identity=(call.function, _name_of(call.creation), function),
     )
@@ -153,7 +153,7 @@ def _limitless_spin(system: System, call: ApiCall) -> Finding:
         call.place,
         f"spins until {awaited} has come, without limit: if it never comes, the next line never runs",
         help="set timeout_sec, and ask future.done() afterwards",
-        related=_way_to(call, client),
+        related=way_to(call, client),
         node=node_name(system, call.context.node),
         identity=(call.function, _name_of(client), "spin_until_future_complete"),
     )
@@ -195,7 +195,7 @@ def _ignored(system: System, call: ApiCall) -> Finding:
         f"nobody looks at what {function}() says about {endpoint_words(call.creation, _kind(call))}: "
         "when the time is up, the code goes on as if it were there",
         help=f"if not ….{function}(…): do without it; or ask {ready}() before each request",
-        related=_way_to(call, call.creation),
+        related=way_to(call, call.creation),
         node=node_name(system, call.node or call.context.node),
         identity=(call.function, _name_of(call.creation), function),
     )
@@ -209,5 +209,7 @@ def _name_of(creation: Creation | None) -> str:
     return "" if creation is None else creation.name.text or ""
 
 
-def _way_to(call: ApiCall, client: Creation | None) -> list[Related]:
-    return [*related_chain(call), *related_creation(client)]
+def way_to(call: ApiCall, client: Creation | None) -> list[Related]:
+    """The calls on the way from a callback; what leads there from ``main`` goes without saying."""
+    hops = related_chain(call) if call.context.role in _IN_CALLBACKS else ()
+    return [*hops, *related_creation(client)]

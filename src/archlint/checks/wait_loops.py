@@ -11,11 +11,9 @@ from archlint.checks.reach import (
     has_limit,
     node_name,
     one_for_each_place,
-    related_chain,
-    related_creation,
 )
 from archlint.checks.registry import Options, finding, rule
-from archlint.checks.timeouts import READY, WAIT_FOR_SERVER, WAIT_FOR_SERVICE
+from archlint.checks.timeouts import READY, WAIT_FOR_SERVER, WAIT_FOR_SERVICE, way_to
 from archlint.facts import model as facts
 from archlint.finding import Finding
 
@@ -53,7 +51,7 @@ def _endless(system: System, call: ApiCall) -> Finding:
         "never goes on",
         help="count the attempts or watch the clock, then do without it; a node that is of no use without it "
         "loops while rclpy.ok()",
-        related=[*related_chain(call), *related_creation(call.creation)],
+        related=way_to(call, call.creation),
         node=node_name(system, call.node or call.context.node),
         identity=(call.function, "" if call.creation is None else call.creation.name.text or "", "loop"),
     )

@@ -1,0 +1,45 @@
+"""Every workspace of ``fixtures/`` gives the findings that its ``expected.toml`` lists, no more and no fewer."""
+
+from __future__ import annotations
+
+import sys
+from dataclasses import replace
+from pathlib import Path
+
+import pytest
+
+from archlint.config import load
+from archlint.rulebook import rules
+from archlint.session import Request, check
+
+if sys.version_info >= (3, 11):
+    import tomllib
+else:
+    import tomli as tomllib
+
+FIXTURES = Path(__file__).parents[1] / "fixtures"
+WORKSPACES = sorted(path.parent.name for path in FIXTURES.glob("*/expected.toml"))
+
+
+@pytest.mark.parametrize("closed_world", [False, True], ids=["open", "closed"])
+@pytest.mark.parametrize("name", WORKSPACES)
+def test_a_workspace_gives_the_findings_that_are_expected_of_it(
+    name: str, closed_world: bool, monkeypatch: pytest.MonkeyPatch
+):
+    monkeypatch.chdir(FIXTURES / name)
+    settings = replace(load(FIXTURES / name), closed_world=closed_world)
+
+    report = check(Request((".",), settings, cached=False, jobs=1))
+
+    found = [(finding.code, finding.place.file, finding.place.line) for finding in report.findings]
+    assert sorted(found) == sorted(expected_of(name, closed_world))
+
+
+def expected_of(name: str, closed_world: bool) -> list[tuple[str, str, int]]:
+    """What a workspace's rules must find, of the rules that have a page by now."""
+    listed = tomllib.loads((FIXTURES / name / "expected.toml").read_text("utf-8"))["finding"]
+    return [
+        (one["code"], one["file"], one["line"])
+        for one in listed
+        if one["code"] in rules() and (closed_world or not one.get("closed_world", False))
+    ]
