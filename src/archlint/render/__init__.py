@@ -59,6 +59,12 @@ def _mermaid(color: bool) -> Renderer:
     return mermaid.render
 
 
+def _html(color: bool) -> Renderer:
+    from archlint.render import html
+
+    return html.render
+
+
 FORMATS: dict[str, Callable[[bool], Renderer]] = {
     "text": _text,
     "json": _json,
@@ -67,6 +73,7 @@ FORMATS: dict[str, Callable[[bool], Renderer]] = {
     "png": _png,
     "pdf": _pdf,
     "mermaid": _mermaid,
+    "html": _html,
 }
 """Format → loader.  A loader is told whether colour is on (only ``text`` cares) and gives the renderer."""
 
@@ -83,6 +90,8 @@ _SUFFIXES = {
     "pdf": "pdf",
     "mmd": "mermaid",
     "mermaid": "mermaid",
+    "html": "html",
+    "htm": "html",
 }
 
 

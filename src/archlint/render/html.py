@@ -1,0 +1,94 @@
+"""The graph as one page for a browser: the drawing, with search and with what is behind each line.
+
+The page asks the network for nothing.  Its policy admits this script and this style alone, by their hashes;
+the data stand in a JSON block in which no ``<`` can end it.
+"""
+
+from __future__ import annotations
+
+import base64
+import hashlib
+import html
+import json
+from typing import TYPE_CHECKING, Any
+
+from archlint.render import dot, drawing, look
+from archlint.render.html_parts import SCRIPT, STYLE
+from archlint.system.graph import NODE, to_networkx
+from archlint.system.model import System
+from archlint.visible import visible
+
+if TYPE_CHECKING:
+    import networkx
+
+_PAGE = """<!DOCTYPE html>
+<html lang="en">
+<head>
+<meta charset="utf-8">
+<meta http-equiv="Content-Security-Policy" content="{policy}">
+<meta name="viewport" content="width=device-width, initial-scale=1">
+<title>{title}</title>
+<style>{style}</style>
+</head>
+<body>
+<header>
+<h1>{title}</h1>
+<input id="search" type="search" placeholder="search names, types, files" aria-label="search">
+<p id="counts">{counts}</p>
+</header>
+<main>
+<div id="drawing">
+{svg}</div>
+<aside id="details" aria-live="polite"><p>Point at a node or an interface, or click it to keep it.</p></aside>
+</main>
+<script type="application/json" id="data">{data}</script>
+<script>{script}</script>
+</body>
+</html>
+"""
+
+
+def render(system: System) -> str:
+    """Raises :class:`archlint.render.drawing.CannotDraw`."""
+    graph = to_networkx(system)
+    svg = drawing.tidy_svg(drawing.layout(dot.write(graph), "svg").decode("utf-8"))
+    return _PAGE.format(
+        policy=html.escape(_policy()),
+        title=html.escape(system.name or "ROS 2 communication graph"),
+        style=STYLE,
+        counts=html.escape(look.caption(graph)),
+        svg=svg[svg.index("<svg") :],
+        data=embedded(_data(graph)),
+        script=SCRIPT,
+    )
+
+
+def embedded(data: object) -> str:
+    """JSON for the inside of a script element."""
+    text = json.dumps(data, separators=(",", ":"))
+    return text.replace("<", "\\u003c").replace(">", "\\u003e").replace("&", "\\u0026")
+
+
+def _policy() -> str:
+    nothing = "default-src 'none'; base-uri 'none'; form-action 'none'"
+    return f"{nothing}; script-src '{_hash(SCRIPT)}'; style-src '{_hash(STYLE)}'"
+
+
+def _hash(text: str) -> str:
+    return "sha256-" + base64.b64encode(hashlib.sha256(text.encode()).digest()).decode()
+
+
+def _data(graph: networkx.MultiDiGraph) -> dict[str, Any]:
+    """Vertices by the ids that the drawing gives them, and the details of each line."""
+    ids = {key: f"n{number}" for number, key in enumerate(graph.nodes)}
+    vertices = {}
+    for key, data in graph.nodes(data=True):
+        is_node = data["kind"] == NODE
+        name = look.node_label(data["node"]) if is_node else visible(data["name"] or "?")
+        details = look.node_details(data["node"]) if is_node else look.interface_details(data)
+        vertices[ids[key]] = {"kind": data["kind"], "name": name, "details": details.split("\n")}
+    lines = [
+        {"tail": ids[tail], "head": ids[head], "details": visible(look.endpoint_details(endpoint))}
+        for tail, head, endpoint in graph.edges(data="endpoint")
+    ]
+    return {"vertices": vertices, "lines": lines}
