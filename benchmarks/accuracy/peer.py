@@ -27,12 +27,19 @@ _MIDDLE = {"publishers": "msg", "subscriptions": "msg", "services": "srv", "clie
 
 def read(command: str, checkout: Path, cache: Path) -> dict[str, Any]:
     """Run the peer on a copy of the checkout (it writes a cache into the tree) and translate its answer."""
-    arguments = [command, "nodes", "-C", str(checkout), "--format", "json", "--no-cache"]
-    done = subprocess.run(arguments, capture_output=True, text=True, cwd=cache, check=False)
-    if not done.stdout.strip():
-        raise RuntimeError(f"{command} gave nothing for {checkout}: {done.stderr.strip()[-300:]}")
-    nodes = [node for node in json.loads(done.stdout) if node["language"] == "python"]
+    nodes = [node for node in _nodes(command, checkout, cache) if node["language"] == "python"]
     return {"version": 1, "nodes": [_node(node, checkout) for node in nodes], "unresolved": []}
+
+
+def _nodes(command: str, folder: Path, cache: Path) -> list[dict[str, Any]]:
+    """What it finds in a folder; where two packages of one name make it refuse, what it finds below."""
+    arguments = [command, "nodes", "-C", str(folder), "--format", "json", "--no-cache"]
+    done = subprocess.run(arguments, capture_output=True, text=True, cwd=cache, check=False)
+    if done.stdout.strip():
+        found: list[dict[str, Any]] = json.loads(done.stdout)
+        return found
+    inner = [path for path in sorted(folder.iterdir()) if path.is_dir() and not path.name.startswith(".")]
+    return [node for path in inner for node in _nodes(command, path, cache)]
 
 
 def _node(node: dict[str, Any], checkout: Path) -> dict[str, Any]:

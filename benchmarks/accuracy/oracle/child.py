@@ -22,7 +22,7 @@ from typing import Any
 from . import finder, interfaces, resume, sandbox
 from .record import recorder
 from .sandbox import TimeUp, limited
-from .unknown import Unknown, make
+from .unknown import Unknown, make, unpacked_by
 
 _REAL_EXIT = os._exit
 _STANDINS = Path(__file__).parent / "standins"
@@ -319,6 +319,8 @@ def _call(function: Any) -> Any:
     positional: list[Any] = []
     named: dict[str, Any] = {}
     for parameter in parameters:
+        if parameter.kind is parameter.VAR_KEYWORD and _takes_node_from_keywords(function):
+            named["node"] = _node_class()(Unknown("argument node"))
         if parameter.kind in (parameter.VAR_POSITIONAL, parameter.VAR_KEYWORD):
             continue
         if parameter.default is not parameter.empty and not _wants_node(parameter):
@@ -365,14 +367,37 @@ def _argument(parameter: inspect.Parameter) -> Any:
     return _Holder(f"argument {parameter.name}")
 
 
+def _takes_node_from_keywords(function: Any) -> bool:
+    """Whether a function with `**kwargs` looks for one that is called node."""
+    code = getattr(inspect.unwrap(getattr(function, "__func__", function)), "__code__", None)
+    return code is not None and "node" in code.co_consts
+
+
 class _Holder(Unknown):
-    """An argument that nobody gave; what it calls its node is one, as with a plugin's context."""
+    """An argument that nobody gave.
+
+    What it calls its node is one, as with a plugin's context; as a collection it holds one thing, so that
+    what is done for each of its members is done once.
+    """
 
     def __getattr__(self, name: str) -> Any:
         known = object.__getattribute__(self, "_known")
-        if name in ("node", "_node", "ros_node") and name not in known:
-            known[name] = _node_class()(Unknown(f"{self._path}.{name}"))
+        if name not in known and not name.startswith("__"):
+            path = f"{self._path}.{name}"
+            is_node = name in ("node", "_node", "ros_node")
+            known[name] = _node_class()(Unknown(path)) if is_node else _Holder(path)
         return super().__getattr__(name)
+
+    def __call__(self, *args: Any, **kwargs: Any) -> Any:
+        result = super().__call__(*args, **kwargs)
+        return _Holder(result._path) if type(result) is Unknown else result
+
+    def __getitem__(self, item: Any) -> Any:
+        return _Holder(f"{self._path}[]")
+
+    def __iter__(self) -> Iterator[Any]:
+        count = unpacked_by(sys._getframe(1))
+        return iter([_Holder(f"{self._path}[{index}]") for index in range(1 if count is None else count)])
 
 
 # Code that nothing reached ----------------------------------------------------------------------

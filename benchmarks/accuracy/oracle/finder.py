@@ -26,6 +26,7 @@ _ABSENT = frozenset(
     "readline_fake",
     }
 )  # fmt: skip
+_HERE = str(Path(__file__).parent)
 _INTERFACE = re.compile(rf"^(?P<package>\w+)\.(?P<kind>{'|'.join(KINDS)})(\._\w+)?$")
 
 
@@ -87,7 +88,7 @@ def _asked_by_user() -> str | None:
     while frame is not None:
         filename = frame.f_code.co_filename
         if "importlib" not in filename:
-            return filename if filename.startswith(recorder.root) or "/oracle/" in filename else None
+            return filename if filename.startswith((recorder.root, _HERE)) else None
         frame = frame.f_back
     return None
 

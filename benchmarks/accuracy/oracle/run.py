@@ -208,7 +208,7 @@ class Oracle:
         return {"path_first": list(dict.fromkeys(own)), "path_last": others}
 
     def _sources(self) -> list[Source]:
-        passed_over = ("setup.py", "conf.py", "__init__.py")
+        passed_over = ("setup.py", "conf.py")
         return [
             source
             for source in self.workspace.sources

@@ -127,7 +127,7 @@ def make(path: str) -> Any:
     return Unknown(path)
 
 
-def _unpacked_by(frame: types.FrameType) -> int | None:
+def unpacked_by(frame: types.FrameType) -> int | None:
     """How many values the caller unpacks into, when it does `a, b = value`."""
     code, at = frame.f_code.co_code, frame.f_lasti
     name = dis.opname[code[at]]
@@ -149,6 +149,8 @@ class Unknown:
     def __getattr__(self, name: str) -> Any:
         if name == "__get_pydantic_core_schema__":
             return _any_schema
+        if name in ("__name__", "__qualname__"):
+            return str(self._path).rpartition(".")[2]
         if name.startswith("__") and name.endswith("__"):
             raise AttributeError(name)
         known = object.__getattribute__(self, "_known")
@@ -208,7 +210,7 @@ class Unknown:
 
     # A container ---------------------------------------------------------------------------------
     def __iter__(self) -> Iterator[Any]:
-        count = _unpacked_by(sys._getframe(1))
+        count = unpacked_by(sys._getframe(1))
         return iter([make(f"{self._path}[{index}]") for index in range(count or 0)])
 
     def __next__(self) -> Any:

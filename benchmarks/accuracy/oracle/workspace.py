@@ -107,7 +107,8 @@ def _sites(node: ast.AST, names: list[str]) -> Iterator[tuple[int, str]]:
         if isinstance(child, ast.Call):
             function = child.func
             name = function.attr if isinstance(function, ast.Attribute) else getattr(function, "id", "")
-            if name in _CREATORS:
+            with_node = len(child.args) > 1 or any(keyword.arg == "node" for keyword in child.keywords)
+            if name in _CREATORS and (name != "Buffer" or with_node):
                 yield child.lineno, _callable_name(names)
         yield from _sites(child, names)
 

@@ -15,10 +15,10 @@ class SimpleFilter:
     def __init__(self, *_: object, **__: object) -> None:
         self._messages = 1
 
-    def registerCallback(self, callback: Any, *args: Any) -> int:
+    def registerCallback(self, cb: Any, *args: Any) -> int:
         """Call back later with as many messages as filters feed it."""
         messages = tuple(Unknown("message") for _ in range(self._messages))
-        recorder.tasks.append((callback, messages + args))
+        recorder.tasks.append((cb, messages + args))
         return 0
 
     def signalMessage(self, *_: object) -> None:

@@ -1,0 +1,1 @@
+"""Stand-in for nav2_simple_commander."""
