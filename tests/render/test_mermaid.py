@@ -74,5 +74,10 @@ def test_no_name_leaves_its_label() -> None:
 
 def test_more_edges_than_mermaid_draws() -> None:
     crowd = system(*(node(f"/n{number}", publisher(f"/t{number}")) for number in range(501)))
-    assert render(crowd).startswith("%% 501 edges: Mermaid stops at 500")
+    assert render(crowd).startswith("%% 501 edges, and Mermaid draws 500: ")
     assert not render(lesson()).startswith("%%")
+
+
+def test_more_text_than_mermaid_reads() -> None:
+    wordy = system(*(node(f"/{'n' * 200}{number}", publisher("/" + "t" * 200)) for number in range(250)))
+    assert re.match(r"%% \d+ characters, and Mermaid reads 50000: ", render(wordy))

@@ -19,6 +19,10 @@ if TYPE_CHECKING:
 EDGE_LIMIT = 500
 """Mermaid draws no more edges than this unless its site says so (``maxEdges``)."""
 
+TEXT_LIMIT = 50_000
+"""Nor does it read more characters (``maxTextSize``)."""
+
+_ADVICE = "draw one package, or use svg"
 _SHAPES = {"node": ('(["', '"])'), "topic": ('["', '"]'), "service": ('{{"', '"}}'), "action": ('[["', '"]]')}
 
 
@@ -27,12 +31,12 @@ def render(system: System) -> str:
     ids = {key: f"n{number}" for number, key in enumerate(graph.nodes)}
     edges = list(_edges(graph, ids))
     lines = ["flowchart LR", *_vertices(graph, ids), *edges, *_styles(graph, ids)]
+    text = "\n".join(lines) + "\n"
     if len(edges) > EDGE_LIMIT:
-        warning = (
-            f"%% {len(edges)} edges: Mermaid stops at {EDGE_LIMIT}; draw a part of the workspace, or use svg"
-        )
-        lines.insert(0, warning)
-    return "\n".join(lines) + "\n"
+        return f"%% {len(edges)} edges, and Mermaid draws {EDGE_LIMIT}: {_ADVICE}\n{text}"
+    if len(text) > TEXT_LIMIT:
+        return f"%% {len(text)} characters, and Mermaid reads {TEXT_LIMIT}: {_ADVICE}\n{text}"
+    return text
 
 
 def escape(text: str) -> str:

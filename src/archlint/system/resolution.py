@@ -113,7 +113,10 @@ def _exact(name: str, weakest: Text, kind: str, own: NodeName, rules: Sequence[R
 
 
 def _rule_kind(kind: str) -> str:
-    """Which rules apply to a kind of endpoint; rcl_action resolves actions as topics."""
+    """Which rules apply to a kind of endpoint.
+
+    An action is resolved as a topic since rcl 9.2.8 (Jazzy); in Humble rules for its base name do nothing.
+    """
     return remap.SERVICE if kind in (SERVICE, CLIENT) else remap.TOPIC
 
 
