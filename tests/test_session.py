@@ -1,0 +1,374 @@
+"""Whole runs over small workspaces on disk."""
+
+from __future__ import annotations
+
+import os
+from dataclasses import replace
+from pathlib import Path
+
+import pytest
+
+from archlint.checks import registry
+from archlint.checks.registry import Options, finding, rule
+from archlint.config import load
+from archlint.finding import Place, Severity
+from archlint.report.model import Report
+from archlint.session import NothingToDo, Request, check, graph
+
+NODE = """\
+import rclpy
+from rclpy.node import Node
+from std_msgs.msg import String
+
+
+class Talker(Node):
+    def __init__(self):
+        super().__init__('talker')
+        self.create_publisher(String, 'chatter', 10)
+
+
+def main():
+    rclpy.init()
+    rclpy.spin(Talker())
+
+
+if __name__ == '__main__':
+    main()
+"""
+PACKAGE = "<package format='3'><name>{name}</name><version>0.0.0</version></package>\n"
+
+
+@pytest.fixture
+def workspace(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    monkeypatch.chdir(tmp_path)
+    return tmp_path
+
+
+@pytest.fixture(autouse=True)
+def one_rule(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Instead of the real rules one that finds every publisher, so that findings are easy to place."""
+
+    def every_publisher(system, options: Options):
+        for node in system.nodes:
+            for endpoint in node.of_kind("publisher"):
+                yield finding("OWN001", endpoint.place, f"publishes {endpoint.name}", node=node.name)
+
+    monkeypatch.setattr(registry, "_REGISTERED", {})
+    monkeypatch.setattr("archlint.checks.MODULES", ())
+    rule("OWN001")(every_publisher)
+
+
+def write(path: str, text: str | bytes = NODE) -> Path:
+    file = Path(path)
+    file.parent.mkdir(parents=True, exist_ok=True)
+    file.write_bytes(text.encode() if isinstance(text, str) else text)
+    return file
+
+
+def run(*paths: str, cached: bool = False, jobs: int | None = None) -> Report:
+    return check(Request(paths or (".",), load(Path()), cached, jobs))
+
+
+def places(report: Report) -> list[tuple[str, str, int]]:
+    return [(one.code, one.place.file, one.place.line) for one in report.findings]
+
+
+pytestmark = pytest.mark.usefixtures("workspace")
+
+
+# --- what is found
+
+
+def test_a_workspace_is_read_linked_and_judged():
+    write("src/pkg/package.xml", PACKAGE.format(name="pkg"))
+    write("src/pkg/pkg/talker.py")
+    report = run()
+    assert places(report) == [("OWN001", "src/pkg/pkg/talker.py", 9)]
+    assert report.findings[0].message == "publishes /chatter"
+    assert report.source_line("src/pkg/pkg/talker.py", 6) == "class Talker(Node):"
+    summary = report.summary
+    assert (summary.files, summary.nodes, summary.warnings, summary.errors) == (1, 1, 1, 0)
+    assert summary.elapsed_s > 0
+
+
+def test_the_order_is_by_file_line_and_column():
+    for name in ("b.py", "a.py", "sub/c.py", "B.py"):
+        write(name)
+    assert [file for _, file, _ in places(run())] == ["B.py", "a.py", "b.py", "sub/c.py"]
+
+
+def test_without_any_input_there_is_nothing_to_do():
+    with pytest.raises(NothingToDo, match="no Python file"):
+        run()
+    write("README.md", "# nothing\n")
+    with pytest.raises(NothingToDo):
+        run()
+
+
+def test_paths_are_those_a_user_would_type(workspace: Path, monkeypatch: pytest.MonkeyPatch):
+    write("src/a.py")
+    write("elsewhere/empty")
+    monkeypatch.chdir("elsewhere")
+    assert places(run("../src")) == [("OWN001", "../src/a.py", 9)]
+    assert places(run(str(workspace / "src" / "a.py"))) == [("OWN001", "../src/a.py", 9)]
+
+
+def test_only_what_was_asked_for_is_reported_but_the_package_around_it_is_read():
+    write("pkg/package.xml", PACKAGE.format(name="pkg"))
+    write("pkg/pkg/base.py", NODE.replace("Talker", "Base"))
+    write("pkg/pkg/talker.py", "from pkg.base import Base\n\n\nclass Talker(Base):\n    pass\n")
+    assert places(run("pkg/pkg/talker.py")) == []
+    assert places(run("pkg/pkg/base.py")) == [("OWN001", "pkg/pkg/base.py", 9)]
+
+
+# --- bad input
+
+
+@pytest.mark.parametrize(
+    ("content", "message"),
+    [
+        (b"import rclpy\ndef f(:\n", "syntax error"),
+        (b"import rclpy\nprint 'hello'\n", "Python 2"),
+        (b"import rclpy\nif True:\n\tx = 1\n        y = 2\n", ""),
+        (b"import rclpy\n\x00\n", "NUL"),
+        (b"import rclpy\n# \xff\n", "0xff"),
+        (b"import rclpy\nx = " + b"(" * 300 + b")" * 300 + b"\n", "nested"),
+        (b"import rclpy\nf(a=1, a=2)\n", "repeated"),
+    ],
+    ids=["syntax", "Python 2", "tabs", "NUL", "undecodable", "nesting", "does not compile"],
+)
+def test_a_file_that_cannot_be_read_is_a_finding_and_the_rest_is_checked(content: bytes, message: str):
+    write("bad.py", content)
+    write("good.py")
+    report = run()
+    assert [code for code, _, _ in places(report)] == ["LNT002", "OWN001"]
+    assert report.findings[0].place.file == "bad.py"
+    assert message in report.findings[0].message
+
+
+def test_a_malformed_manifest_is_a_finding():
+    write("pkg/package.xml", "<package><name>pkg</nam")
+    write("pkg/talker.py")
+    assert [code for code, _, _ in places(run())] == ["LNT002", "OWN001"]
+
+
+def test_ten_thousand_lines_are_no_trouble():
+    write("long.py", NODE + "x = 1\n" * 10_000)
+    assert places(run()) == [("OWN001", "long.py", 9)]
+
+
+def test_unreadable_files_count_whatever_is_selected_unless_they_are_ignored():
+    write("bad.py", "import rclpy\ndef f(:\n")
+    write("archlint.toml", "select = ['SRV']")
+    assert [code for code, _, _ in places(run())] == ["LNT002"]
+    write("archlint.toml", "select = ['SRV']\nignore = ['LNT002']")
+    assert places(run()) == []
+
+
+def test_a_rule_that_raises_is_a_finding_and_the_others_run():
+    @rule("SRV002")
+    def broken(system, options):
+        yield finding("SRV002", Place("a.py", 1, 1, 1, 1), "lost when the rule fails")
+        raise KeyError("gone")
+
+    write("a.py")
+    report = run()
+    assert [code for code, _, _ in places(report)] == ["LNT003", "OWN001"]
+    [failure] = [one for one in report.findings if one.code == "LNT003"]
+    assert failure.message.startswith("the rule SRV002 service-type-mismatch failed with KeyError: 'gone' (")
+    assert "please report it" in failure.help
+    assert failure.severity == Severity.ERROR
+
+
+# --- configuration and suppressions
+
+
+def test_findings_are_suppressed_in_place():
+    write("a.py", NODE.replace(", 10)", ", 10)  # archlint: ignore[OWN001]"))
+    write("b.py", "# archlint: ignore-file[multiple-publishers]\n" + NODE)
+    write("c.py", NODE.replace(", 10)", ", 10)  # archlint: ignore"))
+    report = run()
+    assert places(report) == [("OWN001", "c.py", 9)]
+    assert report.summary.suppressed == 2
+    assert list(report.notices) == [
+        "c.py:9:55: a bare `archlint: ignore` hides nothing; "
+        "name the rule, as in `# archlint: ignore[SRV003]`"
+    ]
+
+
+@pytest.mark.parametrize(
+    ("configuration", "files"),
+    [
+        ("ignore = ['OWN001']", []),
+        ("ignore = ['multiple-publishers']", []),
+        ("select = ['SRV']", []),
+        ("exclude = ['two']", ["one/pkg_a/a.py", "one/pkg_b/b.py"]),
+        ("exclude = ['one/**']", ["two/c.py"]),
+        ("exclude = ['*/c.py']", ["one/pkg_a/a.py", "one/pkg_b/b.py"]),
+        ("[per-file-ignores]\n'**/b.py' = ['OWN']", ["one/pkg_a/a.py", "two/c.py"]),
+        ("[per-file-ignores]\n'one' = ['OWN001']", ["two/c.py"]),
+        ("[per-file-ignores]\n'c.py' = ['SRV', 'OWN001']", ["one/pkg_a/a.py", "one/pkg_b/b.py"]),
+        ("[per-file-ignores]\n'**/c.py' = ['SRV']", ["one/pkg_a/a.py", "one/pkg_b/b.py", "two/c.py"]),
+        ("[per-package-ignores]\n'pkg_*' = ['ALL']", ["two/c.py"]),
+        ("[per-package-ignores]\npkg_b = ['OWN']", ["one/pkg_a/a.py", "two/c.py"]),
+    ],
+)
+def test_the_configuration_chooses(configuration: str, files: list[str]):
+    for name, file in (("pkg_a", "a.py"), ("pkg_b", "b.py")):
+        write(f"one/{name}/package.xml", PACKAGE.format(name=name))
+        write(f"one/{name}/{file}")
+    write("two/c.py")
+    write("archlint.toml", configuration)
+    assert [file for _, file, _ in places(run())] == files
+
+
+@pytest.mark.parametrize(
+    ("configuration", "severity"),
+    [
+        ("[severity]\nOWN001 = 'info'", Severity.INFO),
+        ("[severity]\nmultiple-publishers = 'error'", Severity.ERROR),
+        ("[severity]\nOWN001 = 'error'\nOWN = 'info'", Severity.ERROR),
+        ("[severity]\nSRV = 'error'", Severity.WARNING),
+    ],
+)
+def test_the_configuration_sets_severities(configuration: str, severity: Severity):
+    write("a.py")
+    write("archlint.toml", configuration)
+    assert [one.severity for one in run().findings] == [severity]
+
+
+def test_a_rule_is_handed_its_options():
+    handed: list[Options] = []
+
+    @rule("SRV003", rate=1.0, names=())
+    def listening(system, options):
+        handed.append(options)
+        return iter(())
+
+    write("a.py")
+    write("archlint.toml", "distro = 'humble'\nshared-topics = ['/bus/*']\nexternal = ['/joy']")
+    run()
+    [options] = handed
+    assert options.distros == ("humble",)
+    assert options.is_shared("/bus/left") and not options.is_shared("/bus")
+    assert options.is_external("/joy") and not options.is_external("/joystick")
+    assert (options.number("rate"), options.texts("names")) == (1.0, ())
+
+
+# --- the cache
+
+
+def summary_without_time(report: Report) -> list[object]:
+    return [*report.findings, *report.notices, replace(report.summary, elapsed_s=0.0)]
+
+
+def tree_of_two_packages() -> None:
+    for name in ("pkg_a", "pkg_b"):
+        write(f"{name}/package.xml", PACKAGE.format(name=name))
+        write(f"{name}/node.py", NODE + "# archlint: ignore\n")
+    write("broken.py", "import rclpy\ndef f(:\n")
+
+
+def age(*names: str) -> None:
+    """Make files look as if they had been changed long ago, so that their times can be trusted."""
+    for path in (Path(name) for name in names) if names else Path().rglob("*"):
+        status = path.stat()
+        os.utime(path, ns=(status.st_atime_ns, status.st_mtime_ns - 100 * 10**9))
+
+
+@pytest.fixture
+def no_linking(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("archlint.session._systems", lambda *_: pytest.fail("linked again"))
+
+
+def test_the_same_is_found_with_and_without_cache_and_for_any_number_of_jobs():
+    tree_of_two_packages()
+    expected = summary_without_time(run())
+    assert len(run().findings) == 3
+    for jobs in (1, 4):
+        assert summary_without_time(run(jobs=jobs)) == expected
+        assert summary_without_time(run(cached=True, jobs=jobs)) == expected
+
+
+def test_a_second_run_on_an_unchanged_workspace_links_nothing(request: pytest.FixtureRequest):
+    tree_of_two_packages()
+    age()
+    first = summary_without_time(run(cached=True))
+    request.getfixturevalue("no_linking")
+    assert summary_without_time(run(cached=True)) == first
+
+
+def test_a_file_that_was_only_touched_is_not_linked_again(request: pytest.FixtureRequest):
+    tree_of_two_packages()
+    first = summary_without_time(run(cached=True))
+    age("pkg_a/node.py")
+    request.getfixturevalue("no_linking")
+    assert summary_without_time(run(cached=True)) == first
+
+
+@pytest.mark.parametrize(
+    "change",
+    [
+        lambda: write("pkg_a/node.py", NODE.replace("chatter", "changed")),
+        lambda: write("pkg_a/other.py", NODE),
+        lambda: Path("pkg_a/node.py").unlink(),
+        lambda: write("archlint.toml", "ignore = ['OWN001']"),
+        lambda: write("archlint.toml", "exclude = ['pkg_a']"),
+        lambda: write("pkg_a/COLCON_IGNORE", ""),
+        lambda: write("pkg_a/package.xml", PACKAGE.format(name="renamed")),
+    ],
+    ids=["edit", "new file", "deletion", "ignore", "exclude", "COLCON_IGNORE", "package.xml"],
+)
+def test_any_change_that_matters_is_seen(change):
+    tree_of_two_packages()
+    age()
+    run(cached=True)
+    change()
+    assert summary_without_time(run(cached=True)) == summary_without_time(run())
+
+
+def test_a_change_of_the_same_size_within_the_same_instant_is_seen():
+    file = write("a.py")
+    run(cached=True)
+    status = file.stat()
+    file.write_text(NODE.replace("chatter", "changed"))
+    os.utime(file, ns=(status.st_atime_ns, status.st_mtime_ns))
+    assert run(cached=True).findings[0].message == "publishes /changed"
+
+
+@pytest.mark.parametrize("damage", [b"", b"\xff\x00", b"{}", b"[" * 10_000])
+def test_a_damaged_cache_is_no_cache(damage: bytes):
+    tree_of_two_packages()
+    expected = summary_without_time(run(cached=True))
+    for path in Path(".archlint_cache").rglob("*"):
+        if path.is_file():
+            path.write_bytes(damage)
+    assert summary_without_time(run(cached=True)) == expected
+    assert summary_without_time(run(cached=True)) == expected
+
+
+def test_a_cache_that_cannot_be_written_is_no_error():
+    write("a.py")
+    write(".archlint_cache", "a file, not a folder")
+    assert len(run(cached=True).findings) == 1
+
+
+def test_the_cache_lies_beside_the_configuration_and_git_does_not_see_it():
+    write("src/a.py")
+    write("archlint.toml", "")
+    check(Request(("src",), load(Path("src")), cached=True))
+    assert Path(".archlint_cache/.gitignore").read_text() == "*\n"
+    assert not Path("src/.archlint_cache").exists()
+
+
+# --- the graph
+
+
+def test_the_graph_shows_what_was_asked_for():
+    write("pkg/package.xml", PACKAGE.format(name="pkg"))
+    write("pkg/pkg/one.py")
+    write("pkg/pkg/two.py", NODE.replace("talker", "other"))
+    request = Request(("pkg/pkg/two.py",), load(Path()), cached=False)
+    assert [node.name for node in graph(request).nodes] == ["/other"]
+    implicit = {endpoint.name for endpoint in graph(request, everything=True).endpoints}
+    assert {"/other/get_parameters", "/rosout", "/chatter"} <= implicit
