@@ -29,7 +29,7 @@ from system.builders import (
 
 def package(name: str, *dependencies: str, kind: str = "depend") -> Package:
     manifest = SourceFile(f"/{name}/package.xml", f"{name}/package.xml", "package_xml", name, None)
-    needs = tuple(Dependency(kind, other) for other in dependencies)
+    needs = tuple(Dependency(kind=kind, name=other) for other in dependencies)
     return Package(name, f"/{name}", name, "ament_python", False, needs, manifest)
 
 

@@ -174,14 +174,19 @@ def _node_order(node: Node) -> tuple[object, ...]:
     return (node.name is None, node.name or "", *where, node.blueprint.class_name if node.blueprint else "")
 
 
-_DEPENDENCIES = ("depend", "exec_depend", "run_depend", "build_depend", "build_export_depend")
-"""All but those for tests and documentation: packages that depend on each other to test run apart."""
+_TOGETHER = ("depend", "exec", "run", "build", "build_export")
+"""Kinds of dependency, less ``_depend``; a package that another needs for its tests alone runs without it."""
 
 
 def dependencies_within(packages: Iterable[Package]) -> dict[str, frozenset[str]]:
     """Package → the packages of the same workspace that it needs, directly or not."""
-    direct = {package.name: sorted(package.depends_on(*_DEPENDENCIES)) for package in packages}
+    direct = {package.name: _needs(package) for package in packages}
     return {name: frozenset(_reachable(name, direct)) for name in sorted(direct)}
+
+
+def _needs(package: Package) -> list[str]:
+    entries = package.dependencies
+    return sorted({entry.name for entry in entries if entry.kind.removesuffix("_depend") in _TOGETHER})
 
 
 def _reachable(start: str, direct: Mapping[str, Sequence[str]]) -> Iterator[str]:
