@@ -1,0 +1,33 @@
+# Two commands on a fresh Debian machine with Python 3.10 or newer: `make demo` and `make test`.
+
+PYTHON ?= python3
+VENV   := .venv
+BIN    := $(VENV)/bin
+STAMP  := $(VENV)/.installed-$(shell cksum < pyproject.toml | tr -d ' ')
+
+.PHONY: demo test check lint bench clean
+
+# A Debian without python3-venv cannot make an environment with pip in it: install that package where we may.
+$(STAMP): pyproject.toml
+	@test -x $(BIN)/python && $(BIN)/python -m pip --version >/dev/null 2>&1 || { rm -rf $(VENV); \
+	  $(PYTHON) -m venv $(VENV) 2>/dev/null || { rm -rf $(VENV); \
+	    echo "installing python3-venv, which Debian's Python lacks" >&2; \
+	    sudo=; test "$$(id -u)" = 0 || sudo=sudo; \
+	    $$sudo apt-get update -qq && $$sudo apt-get install -qq -y python3-venv && $(PYTHON) -m venv $(VENV); }; }
+	$(BIN)/python -m pip install --quiet --disable-pip-version-check --upgrade "pip>=25.1"
+	$(BIN)/python -m pip install --quiet --disable-pip-version-check -e . --group dev
+	@rm -f $(VENV)/.installed-* && touch $@
+
+demo: $(STAMP)  ## lint the seed system and its broken twin, draw the graph
+	@./scripts/demo $(BIN)/archlint
+
+test: $(STAMP)  ## types, style, layers, and the whole test suite
+	$(BIN)/ruff check .
+	$(BIN)/mypy
+	$(BIN)/lint-imports
+	$(BIN)/python -m pytest
+
+check: test
+
+clean:
+	rm -rf $(VENV) demo-output dist build .pytest_cache .mypy_cache .ruff_cache .hypothesis .import_linter_cache
