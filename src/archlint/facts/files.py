@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+import re
+from collections.abc import Iterable, Sequence
 from typing import TYPE_CHECKING, Protocol
 
 from archlint.facts import gate
@@ -13,6 +14,12 @@ if TYPE_CHECKING:
     from archlint.workspace.model import SourceFile
 
 _IRRELEVANT = b"-"
+"""How the entry of a file begins that the screen left out; the modules that it imports follow, a line each."""
+
+_IMPORT = re.compile(
+    rb"^[ \t]*(?:from[ \t]+(\.*[\w.]*)[ \t]+import[ \t]*(\([^)]*\)|[^\n#]*)|import[ \t]+([^\n#]+))", re.MULTILINE
+)
+_IMPORTED_NAME = re.compile(rb"(\w[\w.]*)(?:[ \t]+as[ \t]+\w+)?")
 
 
 class Cache(Protocol):
@@ -36,8 +43,43 @@ class FactsOfFiles:
         self.compiled = 0
         """How many files had to be parsed in this run."""
 
-    def prepare(self, files: Iterable[SourceFile]) -> None:
+    def prepare(self, files: Sequence[SourceFile]) -> None:
         """Make sure that each file is known: cached, screened out, or compiled now."""
+        self._prepare(files)
+        self._widen(files)
+
+    def _widen(self, files: Sequence[SourceFile]) -> None:
+        """Take back what the screen left out but imports a module that it kept: a class derived from a node
+        class elsewhere, or a caller of a helper, may hold none of the words itself."""
+        left = [file for file in files if not self.relevant(file)]
+        kept = _names_of(file for file in files if self.relevant(file))
+        while True:
+            found = [file for file in left if not kept.isdisjoint(self._imports(file))]
+            if not found:
+                return
+            for file in found:
+                payload = self._on_demand(file)
+                if payload is not None:
+                    self._payloads[file.path] = payload
+            left = [file for file in left if file not in found]
+            kept = _names_of(found)
+
+    def _imports(self, file: SourceFile) -> set[str]:
+        """The dotted names of modules that a screened-out file may import."""
+        lines = self._payloads.get(file.path, b"").split(b"\n")[1:]
+        folder = file.path.replace("\\", "/").split("/")[:-1]
+        found = set()
+        for line in lines:
+            name = line.decode("utf-8", "replace")
+            level = len(name) - len(name.lstrip("."))
+            if level:
+                found.add("/".join((*folder[: len(folder) - level + 1], *name[level:].split("."))).rstrip("/"))
+            else:
+                found.add(name)
+                found.add("/".join((*folder, *name.split("."))))
+        return found
+
+    def _prepare(self, files: Iterable[SourceFile]) -> None:
         waiting: list[tuple[SourceFile, str, bytes]] = []
         for file in files:
             digest = self._known_digest(file)
@@ -57,14 +99,14 @@ class FactsOfFiles:
 
     def relevant(self, file: SourceFile) -> bool:
         """Whether the screen kept a file."""
-        return self._payloads.get(file.path, _IRRELEVANT) != _IRRELEVANT
+        return not self._payloads.get(file.path, _IRRELEVANT).startswith(_IRRELEVANT)
 
     def facts_of(self, file: SourceFile) -> Facts | None:
         """The facts of a file; one that the screen left out is compiled now.  None for what is no Python."""
         if file.path in self._facts:
             return self._facts[file.path]
         payload = self._payloads.get(file.path)
-        if payload is None or payload == _IRRELEVANT:
+        if payload is None or payload.startswith(_IRRELEVANT):
             payload = self._on_demand(file)
         self._facts[file.path] = None if payload is None else self._decoded(payload)
         return self._facts[file.path]
@@ -91,8 +133,9 @@ class FactsOfFiles:
             self._keep(file, digest, payload)
             return None
         if not gate.relevant(data) and b"\0" not in data:
-            self._cache.put(digest, _IRRELEVANT)
-            self._keep(file, digest, _IRRELEVANT)
+            payload = b"\n".join((_IRRELEVANT, *_imported(data)))
+            self._cache.put(digest, payload)
+            self._keep(file, digest, payload)
             return None
         return digest, data
 
@@ -148,3 +191,30 @@ def _salt() -> str:
     from archlint.facts.model import FACTS_VERSION
 
     return f"python {FACTS_VERSION}"
+
+
+def _imported(data: bytes) -> list[bytes]:
+    """The modules that a source imports, and what it imports from them, which may be modules too."""
+    found: dict[bytes, None] = {}
+    for match in _IMPORT.finditer(data):
+        origin, names, plain = match.groups()
+        if plain is not None:
+            for name in _IMPORTED_NAME.findall(plain):
+                found.setdefault(name)
+            continue
+        found.setdefault(origin)
+        dot = b"" if origin.endswith(b".") else b"."
+        for name in _IMPORTED_NAME.findall(names):
+            found.setdefault(origin + dot + name)
+    return list(found)
+
+
+def _names_of(files: Iterable[SourceFile]) -> set[str]:
+    """Under which names files can be imported: dotted, and by path without the suffix."""
+    found = set()
+    for file in files:
+        path = file.path.replace("\\", "/")
+        found.add(path.removesuffix(".py").removesuffix("/__init__"))
+        if file.module:
+            found.add(file.module)
+    return found

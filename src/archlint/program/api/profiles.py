@@ -19,6 +19,7 @@ from archlint.program.values import (
     OneOf,
     Unknown,
     Value,
+    alternatives,
     via,
 )
 
@@ -123,21 +124,44 @@ def resolve(run: Run, value: Value | None, default: str, call: ApiUse) -> Qos:
     return found
 
 
-PROFILE_ALTERNATIVES = 4
+PROFILE_ALTERNATIVES = 8
 """How many profiles one argument may stand for before only what they share is kept."""
 
 
 def resolve_all(run: Run, value: Value | None, default: str, call: ApiUse) -> list[Qos]:
     """The profiles that an argument may give: several where a branch decides, or one."""
-    if isinstance(value, OneOf):
-        found: list[Qos] = []
-        for option in value.values:
-            profile = resolve(run, option, default, call)
+    found: list[Qos] = []
+    for option in alternatives(value) if value is not None else ():
+        for variant in _variants(run, option):
+            profile = resolve(run, variant, default, call)
             if profile not in found:
                 found.append(profile)
-        if len(found) <= PROFILE_ALTERNATIVES:
-            return found
-    return [resolve(run, value, default, call)]
+    return found if 0 < len(found) <= PROFILE_ALTERNATIVES else [resolve(run, value, default, call)]
+
+
+def _variants(run: Run, value: Value) -> list[Value]:
+    """A profile whose policies depend on a branch, as one profile for each choice."""
+    if not isinstance(value, Instance) or not isinstance(value.cls, External):
+        return [value]
+    if rclpy_names.canonical(value.cls.path) != PROFILE:
+        return [value]
+    rows: list[dict[str, Value]] = [{}]
+    for name in (*_POLICIES, "depth"):
+        held = run.store.get(value.key, name)
+        if isinstance(held, OneOf):
+            rows = [{**row, name: option} for row in rows for option in held.values]
+            if len(rows) > PROFILE_ALTERNATIVES:
+                return [value]
+    if rows == [{}]:
+        return [value]
+    made: list[Value] = []
+    for row in rows:
+        variant = copy_profile(run, value)
+        assert isinstance(variant, Instance)
+        for name, option in row.items():
+            run.store.set(variant.key, name, option)
+        made.append(variant)
+    return made
 
 
 def _of_value(run: Run, value: Value) -> Qos:
