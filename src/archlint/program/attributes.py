@@ -107,7 +107,7 @@ def class_lookup(run: Run, cls: ClassValue, name: str, after: ClassValue | None 
         elif isinstance(base, External):
             if base.path in ("builtins.object", "object"):
                 continue
-            if not (base.path in rclpy_names.PLAIN_BASES):
+            if base.path not in rclpy_names.PLAIN_BASES:
                 return None, base
         elif isinstance(base, Unknown):
             return None, base
@@ -149,8 +149,7 @@ def _of_instance(run: Run, value: Instance, name: str) -> Value:
         return Unknown(owner.reason)
     getter, _ = class_lookup(run, value.cls, "__getattr__")
     if getter is not None:
-        result = run.call(bind(run, getter, value, value.cls), [Known(name)], {})
-        return result
+        return run.call(bind(run, getter, value, value.cls), [Known(name)], {})
     if name in rclpy_names.NODE_METHODS and name.startswith("create_"):
         return ApiMethod(f"rclpy.node.Node.{name}", value)
     return Unknown(f"'{value.cls.ir.name}' has no attribute '{name}'", name=f"missing:{name}")

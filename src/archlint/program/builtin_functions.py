@@ -174,8 +174,7 @@ def _zip(run: Run, args: Arguments, keywords: Keywords, e: object) -> Value:
         return Unknown(reason(*args))
     known = [column for column in columns if column is not None]
     rows: list[Value] = [
-        expressions.new_list(run, list(row), "tuple")
-        for row in zip(*(column.values for column in known), strict=False)
+        expressions.new_list(run, list(row), "tuple") for row in zip(*(column.values for column in known), strict=False)
     ]
     return expressions.new_list(run, rows, "list", any(column.open for column in known))
 
@@ -502,11 +501,30 @@ BUILTINS: dict[str, Callable[..., Value]] = {
     "slice": _unknown("a slice"),
     **{
         name: _unknown("an exception")
-        for name in (
-            "Exception BaseException RuntimeError ValueError TypeError KeyError IndexError AttributeError OSError "
-            "IOError ImportError NotImplementedError KeyboardInterrupt SystemExit TimeoutError StopIteration "
-            "AssertionError ConnectionError FileNotFoundError PermissionError ZeroDivisionError ArithmeticError"
-        ).split()
+        for name in [
+            "Exception",
+            "BaseException",
+            "RuntimeError",
+            "ValueError",
+            "TypeError",
+            "KeyError",
+            "IndexError",
+            "AttributeError",
+            "OSError",
+            "IOError",
+            "ImportError",
+            "NotImplementedError",
+            "KeyboardInterrupt",
+            "SystemExit",
+            "TimeoutError",
+            "StopIteration",
+            "AssertionError",
+            "ConnectionError",
+            "FileNotFoundError",
+            "PermissionError",
+            "ZeroDivisionError",
+            "ArithmeticError",
+        ]
     },
 }
 
@@ -514,9 +532,38 @@ BUILTINS: dict[str, Callable[..., Value]] = {
 # ------------------------------------------------------------------------------------- methods of own types
 
 _TEXT_METHODS = frozenset(
-    "lower upper strip lstrip rstrip replace title capitalize removeprefix removesuffix zfill casefold "
-    "swapcase ljust rjust center startswith endswith find rfind count index isdigit isalpha isalnum islower "
-    "isupper isidentifier isnumeric expandtabs".split()
+    [
+        "lower",
+        "upper",
+        "strip",
+        "lstrip",
+        "rstrip",
+        "replace",
+        "title",
+        "capitalize",
+        "removeprefix",
+        "removesuffix",
+        "zfill",
+        "casefold",
+        "swapcase",
+        "ljust",
+        "rjust",
+        "center",
+        "startswith",
+        "endswith",
+        "find",
+        "rfind",
+        "count",
+        "index",
+        "isdigit",
+        "isalpha",
+        "isalnum",
+        "islower",
+        "isupper",
+        "isidentifier",
+        "isnumeric",
+        "expandtabs",
+    ]
 )
 
 
@@ -668,10 +715,10 @@ def _list_method(run: Run, target: ListValue, name: str, args: Arguments, keywor
         put(tuple(values), items.open or at is None)
         return NONE
     if name == "pop":
-        at = args[0].value if args and isinstance(args[0], Known) else -1 if not args else None
-        if isinstance(at, int) and not items.open and -len(items.values) <= at < len(items.values):
+        last: object = args[0].value if args and isinstance(args[0], Known) else -1 if not args else None
+        if isinstance(last, int) and not items.open and -len(items.values) <= last < len(items.values):
             values = list(items.values)
-            taken = values.pop(at)
+            taken = values.pop(last)
             put(tuple(values), False)
             return taken
         put(items.values, True)
@@ -695,6 +742,10 @@ def _list_method(run: Run, target: ListValue, name: str, args: Arguments, keywor
     return Unknown(f"{target.kind}.{name}() is not followed")
 
 
+def _default(args: Arguments) -> Value:
+    return args[1] if len(args) > 1 else NONE
+
+
 def _dict_method(run: Run, target: DictValue, name: str, args: Arguments, keywords: Keywords) -> Value:
     from archlint.program import expressions
 
@@ -709,8 +760,7 @@ def _dict_method(run: Run, target: DictValue, name: str, args: Arguments, keywor
     if name == "values":
         return expressions.new_list(run, [value for _, value in entries.entries.values()], "list", entries.open)
     if name == "get" and args:
-        default = args[1] if len(args) > 1 else NONE
-        return one_of(expressions.get_entry(run, target, at, default) for at in alternatives(args[0]))
+        return one_of(expressions.get_entry(run, target, at, _default(args)) for at in alternatives(args[0]))
     if name == "setdefault" and args:
         at = expressions.hashable(args[0])
         if at is not None and at in entries.entries:
@@ -728,8 +778,8 @@ def _dict_method(run: Run, target: DictValue, name: str, args: Arguments, keywor
         run.store.set(target.key, "#items", Entries(updated, entries.open or not complete))
         return NONE
     if name == "pop" and args:
-        default = args[1] if len(args) > 1 else None
-        value = expressions.get_entry(run, target, args[0], default)
+        fallback = args[1] if len(args) > 1 else None
+        value = expressions.get_entry(run, target, args[0], fallback)
         expressions.delete_item(run, target, args[0])
         return value
     if name == "copy":

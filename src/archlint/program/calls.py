@@ -241,8 +241,9 @@ def call_function(
     from archlint.program.run import DEPTH, REPEATS, RUNS
 
     ir = function.ir
-    running = sum(1 for activation in run.activations if activation.function is not None
-                  and activation.function.ir is ir)
+    running = sum(
+        1 for activation in run.activations if activation.function is not None and activation.function.ir is ir
+    )
     if running > 2:
         return Unknown(f"'{function.qualified}' calls itself")
     if len(run.activations) >= DEPTH:
@@ -287,9 +288,7 @@ def enter_function(
     if expression is not None and run.activations:
         call_place = run.place(expression.span)
     depth = run.store.depth
-    activation = Activation(
-        function.qualified, module, scope, body, depth, function, self_value, call_place
-    )
+    activation = Activation(function.qualified, module, scope, body, depth, function, self_value, call_place)
     run.store.push()
     for name, value in bound.items():
         run.store.set(scope.key, name, value)
@@ -347,9 +346,7 @@ def define_function(run: Run, s: facts.Function) -> Value:
     foreign: list[Value] = []
     for decorator in s.decorators:
         _read_decorator(run, s, decorator, names, foreign)
-    value: Value = FunctionValue(
-        s, owner_scope, prefix + s.name, tuple(defaults), None, frozenset(names)
-    )
+    value: Value = FunctionValue(s, owner_scope, prefix + s.name, tuple(defaults), None, frozenset(names))
     if "setter" in names:
         before = run.store.get(owner_scope.key, s.name)
         run.store.set(owner_scope.key, f"#setter:{s.name}", value)
@@ -373,9 +370,7 @@ _KNOWN_DECORATORS = {
 }
 
 
-def _read_decorator(
-    run: Run, s: facts.Function, decorator: facts.Expr, names: set[str], foreign: list[Value]
-) -> None:
+def _read_decorator(run: Run, s: facts.Function, decorator: facts.Expr, names: set[str], foreign: list[Value]) -> None:
     if isinstance(decorator, facts.Attribute) and decorator.attr in ("setter", "getter", "deleter"):
         names.add(decorator.attr)
         return
@@ -421,9 +416,7 @@ def define_class(run: Run, s: facts.Class) -> Value:
     scope = Scope(key, activation.scope, activation.module, "class", prefix + s.name)
     cls = ClassValue(s, scope, prefix + s.name, tuple(bases), key, (), frozenset(decorators))
     object.__setattr__(cls, "mro", linearize(cls))
-    run.activations.append(
-        Activation(prefix + s.name, activation.module, scope, s.body, run.store.depth)
-    )
+    run.activations.append(Activation(prefix + s.name, activation.module, scope, s.body, run.store.depth))
     try:
         run.execute(s.body)
     finally:
@@ -474,10 +467,12 @@ def methods_of(cls: ClassValue) -> list[facts.Function]:
 
 
 def _make_members(run: Run, cls: ClassValue) -> None:
-    members = []
+    members: list[str] = []
     for statement in cls.ir.body:
-        targets = statement.targets if isinstance(statement, facts.Assign) else (
-            [statement.target] if isinstance(statement, facts.Annotated) and statement.value is not None else []
+        targets = (
+            statement.targets
+            if isinstance(statement, facts.Assign)
+            else ([statement.target] if isinstance(statement, facts.Annotated) and statement.value is not None else [])
         )
         for target in targets:
             if isinstance(target, facts.Name) and not target.id.startswith("_"):
@@ -543,12 +538,8 @@ def instantiate(
         call(run, bind(run, init, made, cls), args, keywords, expression, open_arguments)
     elif isinstance(owner, External):
         path = rclpy_names.canonical(owner.path)
-        effects.call_method(
-            run, ApiMethod(f"{path}.__init__", made), args, keywords, expression, open_arguments
-        )
-    elif any("dataclass" in name for name in _decorators(cls)):
-        _fill_dataclass(run, made, cls, args, keywords, open_arguments)
-    elif "typing.NamedTuple" in cls.external_bases():
+        effects.call_method(run, ApiMethod(f"{path}.__init__", made), args, keywords, expression, open_arguments)
+    elif any("dataclass" in name for name in _decorators(cls)) or "typing.NamedTuple" in cls.external_bases():
         _fill_dataclass(run, made, cls, args, keywords, open_arguments)
     return made
 

@@ -298,11 +298,7 @@ def _subscript(run: Run, e: facts.Subscript) -> Value:
         bounds = _slice_bounds(run, e.index)
         return one_of(_slice(run, alternative, bounds) for alternative in alternatives(value))
     index = run.evaluate(e.index)
-    found = [
-        get_item(run, container, at)
-        for container in alternatives(value)
-        for at in alternatives(index)
-    ]
+    found = [get_item(run, container, at) for container in alternatives(value) for at in alternatives(index)]
     return one_of(found[:CARTESIAN])
 
 
@@ -363,7 +359,7 @@ def _external_item(container: External, index: Value) -> Value:
     if container.path == "os.environ":
         if name in ENVIRONMENT:
             return Known(ENVIRONMENT[str(name)])
-        return Unknown(f"the environment variable {name}" if name else "an environment variable")
+        return Unknown(f"the environment variable {name!s}" if name else "an environment variable")
     if container.path.startswith("rclpy.qos.") and isinstance(name, str):
         return External(f"{container.path}.{name.upper()}")
     return container
@@ -467,11 +463,7 @@ def _binary(run: Run, e: facts.Binary) -> Value:
 
 def binary(run: Run, op: str, left: Value, right: Value, span: facts.Span) -> Value:
     """``left op right`` over all alternatives."""
-    found = [
-        _binary_one(run, op, one, other, span)
-        for one in alternatives(left)
-        for other in alternatives(right)
-    ]
+    found = [_binary_one(run, op, one, other, span) for one in alternatives(left) for other in alternatives(right)]
     return one_of(found[:CARTESIAN])
 
 
@@ -728,9 +720,7 @@ def _compare(run: Run, e: facts.Compare) -> Value:
 
 
 def _compare_values(run: Run, op: str, left: Value, right: Value) -> bool | None:
-    found = {
-        _compare_one(run, op, one, other) for one in alternatives(left) for other in alternatives(right)
-    }
+    found = {_compare_one(run, op, one, other) for one in alternatives(left) for other in alternatives(right)}
     return found.pop() if len(found) == 1 else None
 
 

@@ -45,9 +45,7 @@ INSTANCES = 24
 ROUNDS = 4
 """How often callbacks that hand over callbacks are followed."""
 
-LIFECYCLE = frozenset(
-    {"on_configure", "on_activate", "on_deactivate", "on_cleanup", "on_shutdown", "on_error"}
-)
+LIFECYCLE = frozenset({"on_configure", "on_activate", "on_deactivate", "on_cleanup", "on_shutdown", "on_error"})
 
 
 @dataclass(frozen=True)
@@ -156,9 +154,7 @@ class Linker:
         ]
         return self.index.module(found[0]) if found else None
 
-    def new_run(
-        self, name: str, module: Module, role: str = "main", overrides: dict[str, object] | None = None
-    ) -> Run:
+    def new_run(self, name: str, module: Module, role: str = "main", overrides: dict[str, object] | None = None) -> Run:
         place = Place(module.path, 1, 1, 1, 1)
         program = model.Program(name, module.file.package, module.path)
         context = model.Callback(role, name, place, None, file=module.path)
@@ -167,9 +163,7 @@ class Linker:
             run.allowed_steps = TEST_STEPS
         return run
 
-    def run_entry(
-        self, entry: EntryPoint, module: Module, overrides: dict[str, object] | None = None
-    ) -> model.Program:
+    def run_entry(self, entry: EntryPoint, module: Module, overrides: dict[str, object] | None = None) -> model.Program:
         """Run one executable; also used to run it again with parameter overrides."""
         run = self.new_run(entry.executable, module, overrides=overrides)
         run.program.package = entry.package
@@ -246,9 +240,7 @@ class Linker:
 
     def _run_rest(self, modules: list[Module], classes: list[tuple[Module, ClassValue]], test: bool) -> None:
         candidates: list[tuple[Module, ClassValue | FunctionValue]] = [
-            (module, cls)
-            for module, cls in classes
-            if interesting(cls.ir) and id(cls) not in self.made
+            (module, cls) for module, cls in classes if interesting(cls.ir) and id(cls) not in self.made
         ]
         for module in modules:
             for value in self._scope_values(module):

@@ -46,9 +46,7 @@ class Module:
 class ModuleIndex:
     """Finds modules by name, compiling on demand what the screen left out."""
 
-    def __init__(
-        self, files: Iterable[SourceFile], facts_of: Callable[[SourceFile], Facts | None]
-    ) -> None:
+    def __init__(self, files: Iterable[SourceFile], facts_of: Callable[[SourceFile], Facts | None]) -> None:
         self._facts_of = facts_of
         self._modules: dict[str, Module | None] = {}
         self._by_name: dict[str, list[SourceFile]] = {}

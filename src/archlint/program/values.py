@@ -36,7 +36,7 @@ class Known(Value):
     text is written; ``kind`` is ``literal``, ``format``, ``argument_default`` or ``other``.
     """
 
-    value: str | int | float | bool | None | bytes
+    value: str | int | float | bool | bytes | None
     via: frozenset[str] = NO_PARAMETERS
     origin: Place | None = field(default=None, compare=False)
     kind: str = field(default="other", compare=False)

@@ -97,9 +97,7 @@ def _receiver(value: Value) -> int:
     return 0
 
 
-def default_arguments(
-    run: Run, role: str, creation: model.Creation | None, call: ApiUse
-) -> tuple[Value, ...]:
+def default_arguments(run: Run, role: str, creation: model.Creation | None, call: ApiUse) -> tuple[Value, ...]:
     """What rclpy calls a callback of this role with."""
     type_ = creation.type if creation is not None else None
 
@@ -132,9 +130,7 @@ def describe(run: Run, value: Value) -> model.Callback:
         span = value.ir.name_span if isinstance(value.ir, facts.Function) else value.ir.span
         place = Place(value.scope.module.path, *span)
         is_async = isinstance(value.ir, facts.Function) and value.ir.is_async
-        return model.Callback(
-            "", value.qualified, place, value.ir, is_async=is_async, file=value.scope.module.path
-        )
+        return model.Callback("", value.qualified, place, value.ir, is_async=is_async, file=value.scope.module.path)
     if isinstance(value, BoundMethod):
         callback = describe(run, value.function)
         callback.bound_arguments += 1
@@ -178,9 +174,7 @@ def thread(run: Run, call: ApiUse) -> Value:
         if isinstance(keywords, DictValue):
             entries = expressions.entries_of(run, keywords).entries.values()
             pairs = tuple(
-                (key.value, item)
-                for key, item in entries
-                if isinstance(key, Known) and isinstance(key.value, str)
+                (key.value, item) for key, item in entries if isinstance(key, Known) and isinstance(key.value, str)
             )
             value = Partial(value, (), pairs) if pairs else value
         register(run, value, role, None, None, None, call, tuple(arguments))

@@ -238,11 +238,11 @@ def answer(run: Run, future: FutureValue) -> Value:
     for creation in future.creations:
         if creation.kind == model.ACTION_CLIENT:
             if future.api.endswith("send_goal_async"):
-                return EntityValue(
-                    future.creations, "rclpy.action.client.ClientGoalHandle", run.store.new_key()
-                )
-            return MessageValue(creation.type, "Result", run.store.new_key()) if creation.type else Unknown(
-                "the result of an action of unknown type"
+                return EntityValue(future.creations, "rclpy.action.client.ClientGoalHandle", run.store.new_key())
+            return (
+                MessageValue(creation.type, "Result", run.store.new_key())
+                if creation.type
+                else Unknown("the result of an action of unknown type")
             )
         if creation.type is not None:
             return MessageValue(creation.type, "Response", run.store.new_key())
@@ -284,9 +284,11 @@ _GET_INTERFACE = re.compile(r"^([a-z][a-z0-9_]*)/(?:(msg|srv|action)/)?([A-Z]\w*
 def _get_interface(run: Run, call: ApiUse) -> Value:
     found: list[Value] = []
     for option in alternatives(call.arguments.get("identifier", Unknown("no name"))):
-        match = _GET_INTERFACE.match(option.value) if (
-            isinstance(option, Known) and isinstance(option.value, str)
-        ) else None
+        match = (
+            _GET_INTERFACE.match(option.value)
+            if (isinstance(option, Known) and isinstance(option.value, str))
+            else None
+        )
         if match is None:
             found.append(Unknown("the interface is chosen by data"))
             continue

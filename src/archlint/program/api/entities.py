@@ -282,9 +282,7 @@ def parameter_client(run: Run, call: ApiUse) -> Value:
             text = text_of_value(join_texts((remote, Known(f"/{name}"))), "no name is given")
             part = ApiUse(row, None, {}, call.expression, False, [], {})
             profile = profiles.resolve(run, call.get("qos_profile"), "services_default", call)
-            made.append(
-                _create(run, part, blueprint, text, f"rcl_interfaces/srv/{type_}", None, profile, None)
-            )
+            made.append(_create(run, part, blueprint, text, f"rcl_interfaces/srv/{type_}", None, profile, None))
     return EntityValue(tuple(made), call.api.path, run.store.new_key())
 
 
@@ -294,6 +292,3 @@ def destroy(run: Run, call: ApiUse) -> Value:
         for creation in value.creations:
             creation.destroyed = True
     return Known(True)
-
-
-

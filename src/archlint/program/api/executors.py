@@ -19,9 +19,7 @@ def make_executor(run: Run, call: ApiUse) -> Value:
     return ExecutorValue(use, call.api.path, run.store.new_key())
 
 
-def adopt_executor(
-    run: Run, api: Api, receiver: Instance, args: list[Value], keywords: dict[str, Value]
-) -> Value:
+def adopt_executor(run: Run, api: Api, receiver: Instance, args: list[Value], keywords: dict[str, Value]) -> Value:
     """An executor class of ours: ``super().__init__()`` tells which kind it is."""
     threads = keywords.get("num_threads", args[0] if args else None)
     run.store.set(receiver.key, "#executor", _new_use(run, api.kind, threads, None))

@@ -106,7 +106,8 @@ def nodes_of(run: Run, value: Value | None, *, plausible: bool = True) -> list[m
     """The nodes that a create call makes something on; an unseen one where nobody hands it in."""
     if isinstance(value, OneOf):
         found: list[model.Blueprint] = []
-        options = [o for o in value.values if isinstance(o, (NodeValue, Instance))] or list(value.values)
+        options: list[Value] = [o for o in value.values if isinstance(o, (NodeValue, Instance))]
+        options = options or list(value.values)
         for option in options:
             found.extend(node for node in nodes_of(run, option, plausible=plausible) if node not in found)
         return found
@@ -118,8 +119,7 @@ def nodes_of(run: Run, value: Value | None, *, plausible: bool = True) -> list[m
             return [known]
         if isinstance(value.cls, ClassValue):
             foreign = any(
-                isinstance(base, Unknown)
-                or (isinstance(base, External) and base.path not in rclpy_names.PLAIN_BASES)
+                isinstance(base, Unknown) or (isinstance(base, External) and base.path not in rclpy_names.PLAIN_BASES)
                 for base in value.cls.mro
             )
             if foreign:
@@ -197,8 +197,7 @@ def create_node(run: Run, call: ApiUse) -> Value:
         known = new_blueprint(run, activation.qualified, place, key, activation.module.file.package)
         known.lifecycle = call.api.kind == "lifecycle"
         _set_names(run, known, call)
-    made = NodeValue(known, run.store.new_key())
-    return made
+    return NodeValue(known, run.store.new_key())
 
 
 def node_init(run: Run, call: ApiUse) -> Value:
@@ -233,11 +232,9 @@ def _set_names(run: Run, blueprint: model.Blueprint, call: ApiUse) -> None:
     else:
         blueprint.namespace = text_of_value(namespace, "a namespace")
     blueprint.allow_undeclared_parameters = call.get("allow_undeclared_parameters") == TRUE
-    blueprint.automatically_declare_parameters = (
-        call.get("automatically_declare_parameters_from_overrides") == TRUE
-    )
-    blueprint.enable_rosout = not call.get("enable_rosout") == Known(False)
-    blueprint.start_parameter_services = not call.get("start_parameter_services") == Known(False)
+    blueprint.automatically_declare_parameters = call.get("automatically_declare_parameters_from_overrides") == TRUE
+    blueprint.enable_rosout = call.get("enable_rosout") != Known(False)
+    blueprint.start_parameter_services = call.get("start_parameter_services") != Known(False)
     arguments = call.get("cli_args")
     if isinstance(arguments, ListValue):
         from archlint.program import expressions

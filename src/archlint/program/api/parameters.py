@@ -94,9 +94,11 @@ def from_parameter(run: Run, value: Value, name: str) -> Value:
         )
     if isinstance(value, Unknown):
         return Unknown(f"the parameter '{name}' has a default that is not known: {value.reason}", name)
-    return one_of(from_parameter(run, option, name) for option in alternatives(value)) if (
-        len(alternatives(value)) > 1
-    ) else Unknown(f"the parameter '{name}' decides it", name)
+    return (
+        one_of(from_parameter(run, option, name) for option in alternatives(value))
+        if (len(alternatives(value)) > 1)
+        else Unknown(f"the parameter '{name}' decides it", name)
+    )
 
 
 def value_from_python(run: Run, value: object) -> Value:
@@ -119,9 +121,7 @@ def declare_one(
     span_place: Place | None = None,
 ) -> Value:
     """Declare a parameter on the node of a call; returns the Parameter object."""
-    place = span_place or (
-        run.place(call.expression.span) if call.expression is not None else Place("", 1, 1, 1, 1)
-    )
+    place = span_place or (run.place(call.expression.span) if call.expression is not None else Place("", 1, 1, 1, 1))
     found = []
     for option in alternatives(name):
         text = text_of_value(option, "no name is given")
@@ -274,7 +274,7 @@ def get_parameters_by_prefix(run: Run, call: ApiUse) -> Value:
     node = nodes.known_node(run, call.receiver)
     if not isinstance(prefix, Known) or node is None:
         return Unknown("the parameters that are read are not known")
-    start = f"{prefix.value}." if prefix.value else ""
+    start = f"{prefix.value!s}." if prefix.value else ""
     entries: dict[Hashable, tuple[Value, Value]] = {}
     for declared in node.parameters:
         text = declared.name.text

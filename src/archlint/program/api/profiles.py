@@ -6,7 +6,7 @@ Presets and defaults: ``ros2-facts`` D1, from rmw's ``qos_profiles.h`` and ``rcl
 from __future__ import annotations
 
 from dataclasses import replace
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from archlint.finding import Place
 from archlint.program.api import rclpy_names
@@ -99,8 +99,7 @@ def preset_by_key(run: Run, call: ApiUse) -> Value:
 
 
 def make_duration(run: Run, call: ApiUse) -> Value:
-    made = Instance(External("rclpy.duration.Duration"), run.store.new_key(), None, dict(call.arguments))
-    return made
+    return Instance(External("rclpy.duration.Duration"), run.store.new_key(), None, dict(call.arguments))
 
 
 def preset(path: str) -> Qos | None:
@@ -193,7 +192,7 @@ def _common(profiles: list[Qos]) -> Qos:
     """What several possible profiles agree in."""
     first = profiles[0]
 
-    def same(name: str) -> object:
+    def same(name: str) -> Any:
         values = {getattr(profile, name) for profile in profiles}
         return values.pop() if len(values) == 1 else None
 

@@ -65,7 +65,7 @@ def environment(run: Run, call: ApiUse) -> Value:
     key = call.get("key")
     if isinstance(key, Known) and key.value in ENVIRONMENT:
         return Known(ENVIRONMENT[str(key.value)])
-    name = f"the environment variable {key.value}" if isinstance(key, Known) else "an environment variable"
+    name = f"the environment variable {key.value!s}" if isinstance(key, Known) else "an environment variable"
     default = call.get("default")
     return Unknown(name) if default is None else one_of((default, Unknown(name)))
 
@@ -125,9 +125,7 @@ def _parse_known_args(
     return expressions.new_list(run, [parsed, Unknown("the rest of the command line")], "tuple")
 
 
-def _group(
-    run: Run, receiver: Value, args: list[Value], keywords: dict[str, Value], e: facts.Call | None
-) -> Value:
+def _group(run: Run, receiver: Value, args: list[Value], keywords: dict[str, Value], e: facts.Call | None) -> Value:
     return receiver
 
 
@@ -162,7 +160,7 @@ def _copy(run: Run, args: list[Value], keywords: dict[str, Value], e: facts.Call
 
 
 def _builtin(name: str) -> Plain:
-    return lambda run, args, keywords, e: BUILTINS[name](run, args, keywords, e)
+    return BUILTINS[name]
 
 
 def _identity(run: Run, args: list[Value], keywords: dict[str, Value], e: facts.Call | None) -> Value:

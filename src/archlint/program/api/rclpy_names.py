@@ -62,9 +62,7 @@ _ALIASES = {
     "tf2_ros.TransformListener": "tf2_ros.transform_listener.TransformListener",
     "tf2_ros.TransformBroadcaster": "tf2_ros.transform_broadcaster.TransformBroadcaster",
     "tf2_ros.StaticTransformListener": "tf2_ros.static_transform_listener.StaticTransformListener",
-    "tf2_ros.StaticTransformBroadcaster": (
-        "tf2_ros.static_transform_broadcaster.StaticTransformBroadcaster"
-    ),
+    "tf2_ros.StaticTransformBroadcaster": ("tf2_ros.static_transform_broadcaster.StaticTransformBroadcaster"),
     "tf2_ros.transform_broadcaster.StaticTransformBroadcaster": (
         "tf2_ros.static_transform_broadcaster.StaticTransformBroadcaster"
     ),

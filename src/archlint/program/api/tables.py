@@ -336,8 +336,11 @@ ROWS = [
     _row("rclpy.action.client.ActionClient.wait_for_server", "timeout_sec", watched=True),
     _row("rclpy.action.client.ActionClient.server_is_ready", "", watched=True),
     _row(
-        "rclpy.action.client.ActionClient.send_goal", "goal feedback_callback goal_uuid",
-        effect="wait_answer", callbacks=(("feedback_callback", "feedback"),), watched=True,
+        "rclpy.action.client.ActionClient.send_goal",
+        "goal feedback_callback goal_uuid",
+        effect="wait_answer",
+        callbacks=(("feedback_callback", "feedback"),),
+        watched=True,
     ),
     _row(
         "rclpy.action.client.ActionClient.send_goal_async",

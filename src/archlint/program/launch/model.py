@@ -1,0 +1,173 @@
+"""What running a launch file yields: the processes it starts, and everything that rules ask about it."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+
+from archlint.finding import Place
+from archlint.program.model import Text
+
+Arms = frozenset[tuple[str, int]]
+
+INSTALLED = "installed"
+NOT_INSTALLED = "not installed"
+MISSING = "missing"
+EXTERNAL = "external"
+UNKNOWN = "unknown"
+
+
+@dataclass(frozen=True)
+class Remap:
+    """``source:=target`` of one node, or of a group (``SetRemap``)."""
+
+    source: Text
+    target: Text
+    place: Place
+    group: bool = False
+
+
+@dataclass(frozen=True)
+class ParameterSetting:
+    """One parameter that a launch file sets.  ``value`` is plain Python data where ``known``; ``name`` is None
+    where only data decides it.  ``shared`` settings (``SetParameter``) are for all nodes of a group."""
+
+    name: str | None
+    value: object
+    known: bool
+    place: Place
+    shared: bool = False
+
+
+@dataclass(frozen=True)
+class FileReference:
+    """A file that a launch file names: ``written`` after substitution, ``source`` where it is in this workspace.
+
+    ``status``: ``installed``, ``not installed`` (there, but no rule installs it), ``missing``, ``external`` (of
+    a package that is not here) or ``unknown``.  ``kind`` is ``launch``, ``parameters`` or ``rviz``.
+    """
+
+    kind: str
+    written: str | None
+    source: str | None
+    status: str
+    package: str | None
+    place: Place
+    reason: str | None = None
+    conditional: bool = False
+
+
+@dataclass(frozen=True)
+class ParameterFileUse:
+    reference: FileReference
+    place: Place
+    substitutions: bool = False
+    shared: bool = False
+
+
+Parameters = list["ParameterSetting | ParameterFileUse | OpenParameters"]
+
+
+@dataclass(frozen=True)
+class OpenParameters:
+    """Parameters that could not be followed, and why."""
+
+    reason: str
+    place: Place
+
+
+@dataclass(eq=False)
+class Started:
+    """A process (or a component of one) that a launch file starts.
+
+    ``kind`` is ``node``, ``container``, ``component`` or ``process``.  ``name`` and ``namespace`` are what the
+    launch file gives; None leaves the code's own.  A ``dormant`` one is started under other arguments only.
+    ``arguments`` is its command line, None for what is not known of it.
+    """
+
+    kind: str
+    package: Text
+    executable: Text
+    place: Place
+    file: str
+    name: Text | None = None
+    namespace: Text | None = None
+    remaps: list[Remap] = field(default_factory=list)
+    parameters: Parameters = field(default_factory=list)
+    arguments: list[str | None] = field(default_factory=list)
+    ros_arguments: list[str | None] = field(default_factory=list)
+    arms: Arms = frozenset()
+    dormant: bool = False
+    lifecycle: bool = False
+    places: dict[str, Place] = field(default_factory=dict)
+    container: Text | None = None
+
+
+@dataclass(frozen=True)
+class Included:
+    reference: FileReference
+    arguments: tuple[tuple[str, Place], ...]
+    place: Place
+    file: str
+    dormant: bool = False
+
+
+@dataclass(frozen=True)
+class DeclaredArgument:
+    name: str
+    default: Text | None
+    place: Place
+    file: str
+    choices: tuple[str, ...] = ()
+    dormant: bool = False
+
+
+@dataclass(frozen=True)
+class UndeclaredUse:
+    """A launch configuration that is read and that nothing has declared or set."""
+
+    name: str
+    place: Place
+    file: str
+    conditional: bool = False
+
+
+@dataclass(frozen=True)
+class UnknownAttribute:
+    """A keyword or attribute that an action does not have; ``known`` are those that it does."""
+
+    action: str
+    name: str
+    known: tuple[str, ...]
+    place: Place
+
+
+@dataclass(frozen=True)
+class Gap:
+    """What could not be followed."""
+
+    reason: str
+    place: Place
+
+
+@dataclass(eq=False)
+class Launched:
+    """One launch file with its includes, run under given arguments."""
+
+    file: str
+    package: str | None
+    arguments: dict[str, str] = field(default_factory=dict)
+    started: list[Started] = field(default_factory=list)
+    included: list[Included] = field(default_factory=list)
+    declared: list[DeclaredArgument] = field(default_factory=list)
+    undeclared: list[UndeclaredUse] = field(default_factory=list)
+    references: list[FileReference] = field(default_factory=list)
+    unknown_attributes: list[UnknownAttribute] = field(default_factory=list)
+    gaps: list[Gap] = field(default_factory=list)
+    labels: dict[tuple[str, int], str] = field(default_factory=dict)
+    """What a branch means to a user: ``use_sim:=true``."""
+    ros1: bool = False
+    is_launch_file: bool = True
+
+    def condition(self, arms: Arms) -> str:
+        """Under which arguments branches are taken, for people; empty where none is known by name."""
+        return " ".join(sorted(self.labels[arm] for arm in arms if arm in self.labels))
