@@ -26,9 +26,9 @@ from .unknown import Unknown, make, unpacked_by
 
 _REAL_EXIT = os._exit
 _STANDINS = Path(__file__).parent / "standins"
-_SECONDS_FOR_MAIN = 6.0
-_SECONDS_FOR_LATER = 5.0
-_SECONDS_FOR_ONE = 1.5
+_SECONDS_FOR_MAIN = 5.0
+_SECONDS_FOR_LATER = 4.0
+_SECONDS_FOR_ONE = 1.0
 _MOST_TASKS = 300
 
 
@@ -274,7 +274,7 @@ def _run_classes(job: dict[str, Any]) -> None:
 
 
 def _construct_and_go_on(cls: type, place: str) -> None:
-    _guarded("construct", lambda: _call(cls), 8.0, target=place)
+    _guarded("construct", lambda: _call(cls), _SECONDS_FOR_MAIN, target=place)
     _run_later()
 
 
@@ -428,7 +428,7 @@ def _force(module: types.ModuleType, qualname: str, relative: str) -> None:
         else:
             _finish(_call(getattr(owner, last)))
 
-    _guarded("forced", go, 8.0, target=f"{relative}:{qualname}")
+    _guarded("forced", go, _SECONDS_FOR_MAIN, target=f"{relative}:{qualname}")
     _run_later()
 
 

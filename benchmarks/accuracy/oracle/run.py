@@ -16,7 +16,7 @@ from typing import Any
 from .workspace import Source, Workspace, entry_point, is_test, read
 
 _PROJECT = Path(__file__).resolve().parents[3]
-_KILLED_AFTER = 25.0  # seconds; a job limits itself, this is for one that cannot
+_KILLED_AFTER = 120.0  # seconds; a job limits itself, this is for one that cannot
 
 _ENVIRONMENT = {
     "PATH": "/usr/bin:/bin",
