@@ -33,6 +33,11 @@ def certain(endpoint: Endpoint) -> bool:
     )
 
 
+def named_by_library(endpoint: Endpoint) -> bool:
+    """Whether a library, and not this code, chose the name: every ``tf2_ros.Buffer`` offers ``tf2_frames``."""
+    return endpoint.creation.name_place is None and endpoint.creation.name.origin is None
+
+
 def in_source_order(endpoints: Iterable[Endpoint]) -> list[Endpoint]:
     return sorted(endpoints, key=lambda e: (e.place, e.node.name or "", e.type or ""))
 
@@ -50,6 +55,8 @@ def meet(system: System, one: Endpoint, other: Endpoint) -> bool:
         return True
     return (
         system.together(one.node, other.node)
+        # Two nodes of one name are one node written twice, or a mistake of another kind.
+        and one.node.name != other.node.name
         and not exclusive(one.creation.arms, other.creation.arms)
         and not (_nobody_starts_both(system, one.node, other.node) and _variants(one, other))
     )
@@ -57,17 +64,31 @@ def meet(system: System, one: Endpoint, other: Endpoint) -> bool:
 
 def _nobody_starts_both(system: System, one: Node, other: Node) -> bool:
     """True where neither a launch file nor one executable is seen to start both nodes."""
-    return system.name is None and set(one.executables).isdisjoint(other.executables)
+    return system.name is None and _starters(one).isdisjoint(_starters(other))
+
+
+def _starters(node: Node) -> set[tuple[str | None, str]]:
+    return {(node.package, executable) for executable in node.executables}
 
 
 def _variants(one: Endpoint, other: Endpoint) -> bool:
     """Whether the nodes of two endpoints look like two forms of one node, of which one runs: they share their
-    name, their class or the very create call, or one class derives from the other."""
+    class, the very create call, or most of what they publish, serve, call and subscribe to."""
     return (
-        one.node.name == other.node.name
-        or _class_name(one.node) == _class_name(other.node)
+        _class_name(one.node) == _class_name(other.node)
         or one.place == other.place
+        or _much_alike(one.node, other.node)
     )
+
+
+def _much_alike(one: Node, other: Node) -> bool:
+    mine, yours = _interface(one), _interface(other)
+    shared = mine & yours
+    return len(shared) > 1 and 2 * len(shared) > len(mine | yours)
+
+
+def _interface(node: Node) -> set[tuple[str, str]]:
+    return {(endpoint.kind, endpoint.name) for endpoint in node.endpoints if endpoint.name is not None}
 
 
 def _class_name(node: Node) -> str:

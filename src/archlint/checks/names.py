@@ -75,7 +75,7 @@ def _hardcoded(endpoints: list[Endpoint]) -> Finding:
     first = endpoints[0]
     names = sorted({endpoint.written or "" for endpoint in endpoints})
     word, name = _WORDS[first.kind], first.written or ""
-    others = f" (and {len(names) - 1} more names)" if len(names) > 1 else ""
+    others = f" (one of {len(names)})" if len(names) > 1 else ""
     absolute = name.startswith("/")
     bare = name.lstrip("/") or "…"
     return finding(
@@ -141,14 +141,8 @@ def _invalid_endpoints(node: Node) -> Iterator[Finding]:
             continue
         if endpoint.resolution == "parameter" and creation.conditional:
             continue  # with that value of the parameter the branch may not be taken
-        if creation.name.origin_kind == "argument_default" and creation.context is None:
-            continue
         shown, word = endpoint.written or "", _WORDS[endpoint.kind]
-        default = (
-            f", the default of the parameter '{endpoint.parameter}'"
-            if endpoint.resolution == "parameter"
-            else ""
-        )
+        default = f", the default of the parameter '{endpoint.parameter}'" if endpoint.resolution == "parameter" else ""
         complete = f" (complete: '{endpoint.name}')" if endpoint.name not in (shown, None) else ""
         yield finding(
             "NME002",

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 from typing import TYPE_CHECKING
 
-from archlint.checks.conflicts import in_source_order, meeting
+from archlint.checks.conflicts import in_source_order, meeting, named_by_library
 from archlint.checks.registry import Options, finding, rule
 from archlint.finding import Finding, Related
 
@@ -25,12 +25,10 @@ def multiple_publishers(system: System, options: Options) -> Iterator[Finding]:
             yield _finding(
                 "OWN001",
                 owners,
-                f"{_nodes(owners)} all publish the topic '{connection.name}'"
-                if _count(owners) > 2
-                else f"{_nodes(owners)} both publish the topic '{connection.name}'",
+                f"{_nodes(owners)} publish the topic '{connection.name}'",
                 "publishes it here",
-                "let one node own the topic: give each source a topic of its own and let one node decide, or "
-                "list the topic under shared-topics if it is meant to be shared",
+                "give each a topic of its own and let one node decide what is said on this one; list it under "
+                "shared-topics if it is meant to be shared",
             )
 
 
@@ -39,12 +37,11 @@ def multiple_servers(system: System, options: Options) -> Iterator[Finding]:
     """Services and actions with servers in several nodes that run together."""
     for connection in (*system.services.values(), *system.actions.values()):
         for owners in _several_owners(system, connection):
-            both = "all" if _count(owners) > 2 else "both"
             yield _finding(
                 "OWN002",
                 owners,
-                f"{_nodes(owners)} {both} serve the {connection.kind} '{connection.name}': "
-                "a request reaches each of them",
+                f"{_nodes(owners)} serve the {connection.kind} '{connection.name}': "
+                "a request reaches every one of them",
                 "serves it here",
                 "give each server a name of its own; a private name ('~/…') puts the node's name in front",
             )
@@ -53,14 +50,15 @@ def multiple_servers(system: System, options: Options) -> Iterator[Finding]:
 def _several_owners(system: System, connection: Connection) -> Iterator[list[Endpoint]]:
     """Groups of endpoints of different nodes that meet; the last one in the source comes last."""
     groups: list[list[Endpoint]] = []
-    for one, other in meeting(system, connection.providers):
+    own = [endpoint for endpoint in connection.providers if not named_by_library(endpoint)]
+    for one, other in meeting(system, own):
         if one.node is other.node:
             continue
-        group = next((g for g in groups if one in g or other in g), None)
+        group = next((group for group in groups if one in group or other in group), None)
         if group is None:
             groups.append([one, other])
         else:
-            group.extend(e for e in (one, other) if e not in group)
+            group.extend(endpoint for endpoint in (one, other) if endpoint not in group)
     for group in groups:
         yield in_source_order(group)
 
@@ -72,20 +70,17 @@ def _finding(code: str, owners: list[Endpoint], message: str, does: str, help: s
         last.place,
         message,
         help=help,
-        related=[Related(e.place, f"{e.node.name} {does}") for e in others],
+        related=[Related(other.place, f"{other.node.name} {does}") for other in others],
         node=last.node.name,
-        identity=(last.kind, last.name or "", *sorted({e.node.name or "" for e in owners})),
+        identity=(last.kind, last.name or "", *_names(owners)),
     )
+
+
+def _nodes(owners: Iterable[Endpoint]) -> str:
+    names = _names(owners)
+    both = "both" if len(names) == 2 else "all"
+    return f"{', '.join(names[:-1])} and {names[-1]} {both}"
 
 
 def _names(owners: Iterable[Endpoint]) -> list[str]:
     return sorted({endpoint.node.name or "" for endpoint in owners})
-
-
-def _count(owners: Iterable[Endpoint]) -> int:
-    return len(_names(owners))
-
-
-def _nodes(owners: Iterable[Endpoint]) -> str:
-    *most, last = _names(owners)
-    return f"{', '.join(most)} and {last}" if most else f"several nodes called {last}"

@@ -57,12 +57,7 @@ def calls_of(system: System, apis: Iterable[str]) -> Iterator[tuple[Program, Api
 
 @once_for_each_system
 def _names_of_blueprints(system: System) -> dict[int, str]:
-    return {
-        id(blueprint): node.name
-        for node in system.nodes
-        for blueprint in node.blueprints
-        if node.name is not None
-    }
+    return {id(blueprint): node.name for node in system.nodes for blueprint in node.blueprints if node.name is not None}
 
 
 def node_name(system: System, blueprint: Blueprint | None) -> str | None:
@@ -170,7 +165,8 @@ def one_for_each_place(found: Iterable[Finding]) -> Iterator[Finding]:
 
 
 def _weight(finding: Finding) -> tuple[object, ...]:
-    return (-finding.severity, len(finding.related), finding.message, finding.related)
+    related = tuple((related.place, related.message) for related in finding.related)
+    return (-finding.severity, len(related), finding.message, related)
 
 
 def same_expression(one: facts.Expr | None, other: facts.Expr | None) -> bool:

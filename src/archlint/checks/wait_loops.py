@@ -109,9 +109,7 @@ def _exits_at(statement: facts.Stmt, guarded: bool) -> bool:
             there = statement.orelse if _negated(statement.test) else statement.body
             other = statement.body if there is statement.orelse else statement.orelse
             return _exits(other, guarded) or any(_may_raise(part) for part in there)
-        return (
-            _may_raise(statement.test) or _exits(statement.body, guarded) or _exits(statement.orelse, guarded)
-        )
+        return _may_raise(statement.test) or _exits(statement.body, guarded) or _exits(statement.orelse, guarded)
     if isinstance(statement, facts.Expression):
         return _may_raise(statement.value)
     if isinstance(statement, facts.Assign):
