@@ -49,9 +49,7 @@ def test_kinds_differ_in_shape_and_not_in_colour_alone() -> None:
 
 
 def test_an_end_that_nobody_holds_is_dashed() -> None:
-    graph = parsed(
-        system(node("/a", publisher("/used"), publisher("/unused")), node("/b", subscriber("/used")))
-    )
+    graph = parsed(system(node("/a", publisher("/used"), publisher("/unused")), node("/b", subscriber("/used"))))
     assert "dashed" in vertex(graph, "/unused").attr["style"]
     assert "dashed" not in vertex(graph, "/used").attr["style"]
     assert line(graph, "/a", "/unused").attr["style"] == "dashed"

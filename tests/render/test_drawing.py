@@ -62,9 +62,7 @@ def test_no_name_becomes_markup() -> None:
     drawn = drawing.svg(hostile())
     tree = ElementTree.fromstring(drawn)
     tags = {element.tag for element in tree.iter()}
-    assert tags <= {
-        f"{SVG}{name}" for name in ("svg", "g", "a", "title", "text", "path", "polygon", "ellipse")
-    }
+    assert tags <= {f"{SVG}{name}" for name in ("svg", "g", "a", "title", "text", "path", "polygon", "ellipse")}
     assert not any("href" in key or key.startswith("on") for element in tree.iter() for key in element.attrib)
     shown = texts(drawn)
     assert any(text.endswith("<script>alert(1)</script>") for text in shown)
@@ -126,9 +124,7 @@ def test_no_graphviz_at_all(monkeypatch: pytest.MonkeyPatch) -> None:
         drawing.svg(lesson())
 
 
-def test_the_folder_that_is_linted_provides_no_module(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_the_folder_that_is_linted_provides_no_module(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     (tmp_path / "pygraphviz.py").write_text("raise SystemExit('code of the workspace was run')\n")
     (tmp_path / "re.py").write_text("raise SystemExit('code of the workspace was run')\n")
     monkeypatch.chdir(tmp_path)

@@ -30,9 +30,7 @@ class Page(HTMLParser):
 
     def script(self, type_: str | None) -> str:
         [found] = [
-            text
-            for tag, attrs, text in self.raw
-            if tag == "script" and attrs.get("type") == type_ and text.strip()
+            text for tag, attrs, text in self.raw if tag == "script" and attrs.get("type") == type_ and text.strip()
         ]
         return found
 

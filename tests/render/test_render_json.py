@@ -141,9 +141,7 @@ def test_defaults_are_plain_json(default: object, told: object) -> None:
 
 
 def test_a_default_that_is_not_known() -> None:
-    assert (
-        first(document(system(node("/n", parameter("p", 3, known=False)))), "parameters")["default"] is None
-    )
+    assert first(document(system(node("/n", parameter("p", 3, known=False)))), "parameters")["default"] is None
 
 
 def test_how_a_name_is_known() -> None:
@@ -226,12 +224,8 @@ def test_callback_groups_and_conditions() -> None:
 
 
 def test_actions() -> None:
-    told = document(
-        system(node("/a", action_server("dock", "p/action/Dock")), node("/b", action_client("dock", None)))
-    )
-    assert told["actions"] == [
-        {"name": "/dock", "types": ["p/action/Dock"], "servers": ["/a"], "clients": ["/b"]}
-    ]
+    told = document(system(node("/a", action_server("dock", "p/action/Dock")), node("/b", action_client("dock", None))))
+    assert told["actions"] == [{"name": "/dock", "types": ["p/action/Dock"], "servers": ["/a"], "clients": ["/b"]}]
 
 
 def test_any_name_survives() -> None:

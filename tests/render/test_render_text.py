@@ -1,5 +1,6 @@
 from __future__ import annotations
 
+from archlint.program.model import Qos
 from archlint.render.text import render
 from render.hostile import hostile
 from render.lesson import lesson
@@ -72,6 +73,13 @@ def test_an_end_that_nobody_holds() -> None:
 def test_types_that_differ() -> None:
     shown = render(system(node("/a", publisher("/x", "p/msg/A")), node("/b", subscriber("/x", "p/msg/B"))))
     assert "/x  p/msg/A ≠ p/msg/B" in shown
+
+
+def test_qos_in_words() -> None:
+    nothing = Qos(history=None, reliability=None, durability=None)
+    shown = render(system(node("/n", publisher("/a", qos=nothing), publisher("/b", qos=Qos(depth=None)))))
+    assert "line 10, QoS not known\n" in shown
+    assert "line 11, reliable, volatile, keep last ?\n" in shown
 
 
 def test_what_is_known_only_in_part() -> None:

@@ -65,9 +65,7 @@ class Entity:
     options: dict[str, Any] = field(default_factory=dict)
 
 
-def publisher(
-    name: str | Text, type: str | None = "std_msgs/msg/String", qos: Qos | None = KNOWN, **options: Any
-):
+def publisher(name: str | Text, type: str | None = "std_msgs/msg/String", qos: Qos | None = KNOWN, **options: Any):
     return Entity(program.PUBLISHER, as_text(name), type, {}, {"qos": qos, **options})
 
 
@@ -79,9 +77,7 @@ def subscriber(
     callback: str = "on_message",
     **options: Any,
 ):
-    return Entity(
-        program.SUBSCRIBER, as_text(name), type, {"subscription": callback}, {"qos": qos, **options}
-    )
+    return Entity(program.SUBSCRIBER, as_text(name), type, {"subscription": callback}, {"qos": qos, **options})
 
 
 def service(

@@ -1,7 +1,7 @@
 from __future__ import annotations
 
 from archlint.system import qos
-from archlint.system.implicit import implicit_endpoints, with_implicit
+from archlint.system.implicit import implicit_endpoints, implicit_names, with_implicit
 from archlint.system.instances import instantiate
 from archlint.system.model import Endpoint, Node
 from system.builders import action_client, action_server, blueprint, exact, node, system, unknown
@@ -74,6 +74,12 @@ def test_the_hidden_half_of_an_action() -> None:
     assert [e.node.name for e in goal.users] == ["/client"]
     assert goal.types == ["p/action/Dock_SendGoal"]
     assert loaded.services["/dock/_action/cancel_goal"].types == ["action_msgs/srv/CancelGoal"]
+
+
+def test_what_a_node_may_serve_without_saying_so() -> None:
+    found = implicit_names(system(node("/ns/n")))
+    assert {"/ns/n/get_parameters", "/ns/n/set_logger_levels", "/clock", "/rosout"} <= found
+    assert "/get_parameters" not in found
 
 
 def test_the_system_itself_is_left_as_it_was() -> None:

@@ -53,9 +53,7 @@ def only(node: Node) -> Endpoint:
 
 
 def test_names_are_expanded_under_the_node() -> None:
-    made = blueprint(
-        "talker", publisher("chatter"), publisher("/absolute"), publisher("~/private"), namespace="robot"
-    )
+    made = blueprint("talker", publisher("chatter"), publisher("/absolute"), publisher("~/private"), namespace="robot")
     node = started(made)
     assert node.name == "/robot/talker"
     assert [(e.written, e.name) for e in node.endpoints] == [
@@ -165,9 +163,7 @@ class TestStartedByALaunchFile:
         assert only(started(made, remaps=[RemapRule.parse("dock:=/base/dock")])).name == "/base/dock"
 
     def test_the_nodes_own_arguments_come_first(self) -> None:
-        made = blueprint(
-            "n", publisher("x"), cli_arguments=("--ros-args", "-r", "x:=mine", "-r", "__node:=me")
-        )
+        made = blueprint("n", publisher("x"), cli_arguments=("--ros-args", "-r", "x:=mine", "-r", "__node:=me"))
         node = started(made, name="launched", remaps=[RemapRule.parse("x:=yours")])
         assert (node.name, only(node).name) == ("/me", "/mine")
 

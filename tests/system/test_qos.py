@@ -96,9 +96,7 @@ def test_history_depth_and_lifespan_never_matter() -> None:
 
 
 def test_a_verdict_shows_both_sides() -> None:
-    assert compatible(qos.SENSOR_DATA, qos.DEFAULT) == [
-        Verdict("reliability", "error", "best_effort", "reliable")
-    ]
+    assert compatible(qos.SENSOR_DATA, qos.DEFAULT) == [Verdict("reliability", "error", "best_effort", "reliable")]
 
 
 @pytest.mark.parametrize(
@@ -158,9 +156,7 @@ def test_a_known_profile_talks_to_itself(profile: Qos) -> None:
         ]
     ),
 )
-def test_asking_for_less_never_makes_an_error(
-    offered: Qos, requested: Qos, relaxed: dict[str, str | None]
-) -> None:
+def test_asking_for_less_never_makes_an_error(offered: Qos, requested: Qos, relaxed: dict[str, str | None]) -> None:
     def errors(request: Qos) -> set[str]:
         return {policy for policy, level in levels(offered, request).items() if level == "error"}
 

@@ -167,9 +167,7 @@ def test_a_remap_is_one_step(name: str, chosen: list[RemapRule]) -> None:
 
 
 @given(prefixed, rule_lists, rule_lists)
-def test_rules_after_the_first_match_do_not_matter(
-    name: str, chosen: list[RemapRule], more: list[RemapRule]
-) -> None:
+def test_rules_after_the_first_match_do_not_matter(name: str, chosen: list[RemapRule], more: list[RemapRule]) -> None:
     resolved = resolve(name, "topic", ("n", "/ns"), chosen)
     if resolved.rule is not None:
         assert resolve(name, "topic", ("n", "/ns"), chosen, more) == resolved

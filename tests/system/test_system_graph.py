@@ -67,6 +67,12 @@ def test_vertices_tell_what_is_at_their_ends() -> None:
     assert graph.nodes["topic", "/arm_*"]["resolution"] == "partial"
 
 
+def test_parameter_services_of_a_node_answer_its_clients() -> None:
+    names = ("/server/get_parameters", "/elsewhere/get_parameters")
+    graph = to_networkx(system(node("/server"), node("/asks", *map(client, names))))
+    assert [graph.nodes["service", name]["matched"] for name in names] == [True, False]
+
+
 def test_networkx_is_loaded_only_when_a_graph_is_made() -> None:
     code = "import sys, archlint.system.graph, archlint.render.dot; sys.exit('networkx' in sys.modules)"
     path = [entry for entry in sys.path if entry]

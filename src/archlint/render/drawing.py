@@ -73,9 +73,7 @@ def layout(source: str, format: str) -> bytes:
             f"Graphviz took more than {TIME_LIMIT} seconds; --format dot, json and mermaid need no layout"
         ) from late
     except subprocess.CalledProcessError as failed:
-        said = failed.stderr.decode("utf-8", "replace").strip().splitlines() or [
-            f"exit status {failed.returncode}"
-        ]
+        said = failed.stderr.decode("utf-8", "replace").strip().splitlines() or [f"exit status {failed.returncode}"]
         raise CannotDraw(f"Graphviz failed: {said[-1]}") from failed
     raise CannotDraw(
         "no Graphviz: install pygraphviz or a system 'dot'; --format dot, json, mermaid and text work without"

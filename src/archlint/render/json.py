@@ -186,9 +186,7 @@ def unresolved(system: System) -> list[dict[str, Any]]:
         for endpoint in node.endpoints:
             if endpoint.resolution == "unknown":
                 place = endpoint.place
-                found[_file(place.file), place.line, place.column, endpoint.kind, endpoint.reason or ""] = (
-                    None
-                )
+                found[_file(place.file), place.line, place.column, endpoint.kind, endpoint.reason or ""] = None
         for blueprint in node.blueprints:
             for place, reason in blueprint.gaps:
                 found[_file(place.file), place.line, place.column, "call", reason] = None

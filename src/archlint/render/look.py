@@ -92,6 +92,8 @@ def endpoint_details(endpoint: Endpoint) -> str:
 
 def qos_words(qos: Qos) -> str:
     """``reliable, volatile, keep last 10``, with ``?`` for what is not known."""
+    if qos.history is None and qos.reliability is None and qos.durability is None:
+        return "QoS not known"
     history = (qos.history or "?").replace("_", " ")
     if qos.history == "keep_last":
         history += f" {'?' if qos.depth is None else qos.depth}"

@@ -37,6 +37,4 @@ def streams(graph: networkx.MultiDiGraph) -> dict[Pair, Counter[str]]:
 
 def words(kinds: Counter[str]) -> str:
     """``3 topics\\n1 service``."""
-    return "\n".join(
-        look.counted(kinds[kind], kind) for kind in ("topic", "service", "action") if kinds[kind]
-    )
+    return "\n".join(look.counted(kinds[kind], kind) for kind in ("topic", "service", "action") if kinds[kind])

@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from archlint.program import model as program
+from archlint.system.implicit import implicit_names
 from archlint.system.model import Endpoint, Node, System
 
 if TYPE_CHECKING:
@@ -36,8 +37,8 @@ def to_networkx(system: System) -> networkx.MultiDiGraph:
     """Edges run with the data (publisher → topic → subscriber) or the request (client → service → server).
 
     Vertices are :data:`Key`; each has ``kind``, ``name`` and ``resolution``, those of interfaces also
-    ``types``, ``matched`` (somebody at either end) and ``error``, those of nodes ``node``.  Each edge has its
-    ``endpoint``.  Vertices and edges are in the order of names, the same on every run.
+    ``types``, ``matched`` (somebody at either end, be it without saying so) and ``error``, those of nodes
+    ``node``.  Each edge has its ``endpoint``.  Vertices and edges are in the order of names, the same on every run.
     """
     import networkx
 
@@ -45,8 +46,11 @@ def to_networkx(system: System) -> networkx.MultiDiGraph:
     keys = node_keys(system)
     for node in system.nodes:
         graph.add_node(keys[id(node)], kind=NODE, name=node.name, resolution=node.resolution, node=node)
+    implicit = implicit_names(system)
     for key, endpoints in sorted(_interfaces(system).items()):
-        graph.add_node(key, **_interface_attributes(key, endpoints))
+        attributes = _interface_attributes(key, endpoints)
+        attributes["matched"] = attributes["matched"] or attributes["name"] in implicit
+        graph.add_node(key, **attributes)
     for node in system.nodes:
         for endpoint in node.endpoints:
             ends = (keys[id(node)], interface_key(endpoint))

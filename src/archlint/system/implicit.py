@@ -31,9 +31,7 @@ def _service(name: str, type_: str, profile: Qos = qos.DEFAULT) -> _Entity:
 
 
 _ROSOUT = _Entity(program.PUBLISHER, "/rosout", "rcl_interfaces/msg/Log", qos.ROSOUT)
-_PARAMETER_EVENTS = _Entity(
-    program.PUBLISHER, "/parameter_events", "rcl_interfaces/msg/ParameterEvent", qos.PARAMETERS
-)
+_PARAMETER_EVENTS = _Entity(program.PUBLISHER, "/parameter_events", "rcl_interfaces/msg/ParameterEvent", qos.PARAMETERS)
 _CLOCK = _Entity(program.SUBSCRIBER, "/clock", "rosgraph_msgs/msg/Clock", qos.CLOCK)
 _PARAMETER_SERVICES = tuple(
     _service(f"~/{name}", f"rcl_interfaces/srv/{type_}", qos.PARAMETERS)
@@ -47,6 +45,11 @@ _PARAMETER_SERVICES = tuple(
     )
 )
 _TYPE_DESCRIPTION = _service("~/get_type_description", "type_description_interfaces/srv/GetTypeDescription")
+_LOGGER_SERVICES = (
+    _service("~/get_logger_levels", "rcl_interfaces/srv/GetLoggerLevels"),
+    _service("~/set_logger_levels", "rcl_interfaces/srv/SetLoggerLevels"),
+)
+"""With ``enable_logger_service``, since Jazzy."""
 _LIFECYCLE = (
     _Entity(program.PUBLISHER, "~/transition_event", "lifecycle_msgs/msg/TransitionEvent", qos.DEFAULT),
     *(
@@ -83,6 +86,16 @@ def implicit_endpoints(node: Node, distro: str | None = None) -> list[Endpoint]:
         return []
     own = [_endpoint(entity, node.blueprint, node) for entity in _entities(node, node.blueprint, distro)]
     return [*own, *_of_actions(node)]
+
+
+def implicit_names(system: System) -> frozenset[str]:
+    """Every name that some node of the system may serve, publish or subscribe to without its code saying so.
+
+    Wider than :func:`implicit_endpoints`: with what only a parameter or a constructor's option brings about.
+    """
+    own = [entity.name for entity in (*_PARAMETER_SERVICES, _TYPE_DESCRIPTION, *_LIFECYCLE, *_LOGGER_SERVICES)]
+    below = {node.name + name[1:] for node in system.nodes if node.name is not None for name in own}
+    return frozenset(below | {_ROSOUT.name, _PARAMETER_EVENTS.name, _CLOCK.name})
 
 
 def _entities(node: Node, blueprint: Blueprint, distro: str | None) -> Iterator[_Entity]:
