@@ -138,6 +138,11 @@ class TestErrors:
     def test_what_no_hole_can_mend_is_an_error(self) -> None:
         assert only(started(blueprint("n", publisher(partial("robot *"))))).error is not None
 
+    def test_a_node_name_known_in_part_is_not_held_against_an_endpoint_that_does_not_use_it(self) -> None:
+        endpoint = only(started(blueprint(partial("connector_*"), publisher("/image"))))
+
+        assert (endpoint.name, endpoint.error) == ("/image", None)
+
 
 class TestStartedByALaunchFile:
     def test_name_and_namespace_replace_those_of_the_code(self) -> None:

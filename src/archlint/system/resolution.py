@@ -158,9 +158,10 @@ def _reason(weakest: Text, text: Text, own: NodeName) -> str:
 
 
 def _expand(name: str, own: NodeName) -> str | InvalidName:
-    """Expanded and validated.  A node name that rmw rejects is not held against the endpoint."""
-    node_name = own.name.text if own.name.text is not None else _ANY_NODE
-    namespace = own.namespace.text if own.namespace.text is not None else "/"
+    """Expanded and validated.  A node name that rmw rejects, or that is known in part, is not held against
+    the endpoint."""
+    node_name = own.name.text if own.name.text is not None and _known(own.name) else _ANY_NODE
+    namespace = own.namespace.text if own.namespace.text is not None and _known(own.namespace) else "/"
     if own.error:
         return names.validate_topic_name(name) or names.substitute(name, node_name, namespace)
     expanded = names.expand(name, node_name, namespace)
