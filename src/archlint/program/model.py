@@ -32,7 +32,8 @@ class Text:
     parameter called ``parameter``, or built from it), ``partial`` (``*`` in ``text`` stands for what only
     data decides) or ``unknown`` (``text`` is None).  ``reason`` says why for the last two.
     ``origin`` is where the text is written down, if it is written in one place; ``origin_kind`` is
-    ``literal``, ``format`` (an f-string or an operation on literals), ``argument_default`` or ``other``.
+    ``literal``, ``format`` (an f-string or an operation on literals), ``argument_default``, ``node_name`` (made
+    from the name or namespace of a node) or ``other``.
     """
 
     text: str | None

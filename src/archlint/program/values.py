@@ -33,7 +33,8 @@ class Known(Value):
     """A constant of Python.
 
     ``via`` names the ROS parameters whose defaults (or overrides) it was made from; ``origin`` is where a
-    text is written; ``kind`` is ``literal``, ``format``, ``argument_default`` or ``other``.
+    text is written; ``kind`` is ``literal``, ``format``, ``argument_default``, ``node_name`` (made from the
+    name or namespace of a node) or ``other``.
     """
 
     value: str | int | float | bool | bytes | None
@@ -335,8 +336,8 @@ def join_texts(parts: Sequence[Value], origin: Place | None = None) -> Value:
         elif not (merged and piece is None and merged[-1] is None):
             merged.append(piece)
     if None not in merged:
-        defaults = any(isinstance(part, Known) and part.kind == "argument_default" for part in parts)
-        kind = "argument_default" if defaults else "format"
+        kinds = {part.kind for part in parts if isinstance(part, Known)}
+        kind = next((kind for kind in ("argument_default", "node_name") if kind in kinds), "format")
         return Known("".join(p for p in merged if p is not None), via(*parts), origin, kind)
     if merged == [None]:
         return Unknown(reason(*(p for p in parts if not isinstance(p, Known))))

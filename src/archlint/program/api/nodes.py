@@ -249,9 +249,9 @@ def _as_value(text: model.Text) -> Value:
     if text.text is None:
         return Unknown(text.reason or "the name is not known")
     if text.resolution == "exact":
-        return Known(text.text)
+        return Known(text.text, kind="node_name")
     if text.resolution == "parameter":
-        return Known(text.text, frozenset((text.parameter or "").split(",")))
+        return Known(text.text, frozenset((text.parameter or "").split(",")), kind="node_name")
     parts: list[str | None] = []
     for number, piece in enumerate(text.text.split("*")):
         if number:
@@ -274,7 +274,7 @@ def get_namespace(run: Run, call: ApiUse) -> Value:
         return Unknown("the namespace of a node that is not known")
     value = _as_value(node.namespace)
     if isinstance(value, Known) and isinstance(value.value, str) and not value.value.startswith("/"):
-        return Known("/" + value.value, value.via)
+        return Known("/" + value.value, value.via, kind="node_name")
     return value
 
 
