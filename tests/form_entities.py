@@ -38,7 +38,7 @@ class FormEntity:
     @property
     def parameter(self) -> str | None:
         """The parameter that decides the name, if one does."""
-        return self.keys.get("resolution", "").partition(":")[2] or None
+        return self.keys.get("resolution", "").partition(":")[2] or self.keys.get("parameter")
 
 
 def read_forms(folder: Path) -> list[FormEntity]:
