@@ -16,6 +16,7 @@ from archlint.program.model import (
     SERVICE,
     SUBSCRIBER,
 )
+from archlint.system import names
 
 if TYPE_CHECKING:
     from archlint.finding import Place
@@ -73,9 +74,9 @@ def _conventional(name: str, allowed: tuple[str, ...]) -> bool:
 
 def _hardcoded(endpoints: list[Endpoint]) -> Finding:
     first = endpoints[0]
-    names = sorted({endpoint.written or "" for endpoint in endpoints})
+    several = len({endpoint.written for endpoint in endpoints})
     word, name = _WORDS[first.kind], first.written or ""
-    others = f" (one of {len(names)})" if len(names) > 1 else ""
+    others = f" (one of {several})" if several > 1 else ""
     absolute = name.startswith("/")
     bare = name.lstrip("/") or "…"
     return finding(
@@ -143,7 +144,8 @@ def _invalid_endpoints(node: Node) -> Iterator[Finding]:
             continue  # with that value of the parameter the branch may not be taken
         shown, word = endpoint.written or "", _WORDS[endpoint.kind]
         default = f", the default of the parameter '{endpoint.parameter}'" if endpoint.resolution == "parameter" else ""
-        complete = f" (complete: '{endpoint.name}')" if endpoint.name not in (shown, None) else ""
+        only_complete = names.validate_topic_name(shown) is None
+        complete = f" (complete: '{endpoint.name}')" if only_complete else ""
         yield finding(
             "NME002",
             creation.name_place or creation.place,
