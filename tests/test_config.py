@@ -142,7 +142,7 @@ def test_every_key(folder: Path):
 
 def test_every_key_has_a_field():
     fields = {field.replace("_", "-") for field in Settings.__dataclass_fields__}
-    assert set(KEYS) - {"extend", "select", "extend-select", "ignore"} == fields - {"layers", "origins", "folder"}
+    assert set(KEYS) - {"extend", "select", "extend-select", "ignore"} == fields - {"layers", "origins", "file"}
 
 
 def test_unset_distro_means_all_supported(folder: Path):

@@ -51,8 +51,8 @@ class Settings:
     cache_dir: str | None = None
     rules: Mapping[str, Mapping[str, OptionValue]] = field(default_factory=dict)
     origins: Mapping[str, str] = field(default_factory=dict)
-    folder: str | None = None
-    """That of the nearest configuration file; None without one."""
+    file: str | None = None
+    """The nearest configuration file; None without one."""
 
     @property
     def selection(self) -> Selection:
@@ -61,7 +61,8 @@ class Settings:
     @property
     def cache_folder(self) -> str:
         """Where the cache is: as configured, else beside the configuration, else in the working directory."""
-        return self.cache_dir or (Path(self.folder or ".") / CACHE_FOLDER).as_posix()
+        beside = Path() if self.file is None else Path(self.file).parent
+        return self.cache_dir or (beside / CACHE_FOLDER).as_posix()
 
     @property
     def distros(self) -> tuple[str, ...]:
@@ -98,7 +99,7 @@ def load(start: Path, file: Path | None = None) -> Settings:
     source = read_source(file.absolute(), named=True) if file is not None else find(start.absolute())
     if source is None:
         return Settings()
-    return replace(_settings(source, ()), folder=source.path.parent.as_posix())
+    return replace(_settings(source, ()), file=source.path.as_posix())
 
 
 def find(start: Path) -> Source | None:
@@ -183,8 +184,7 @@ def _merged(parent: Settings, values: dict[str, Any], source: Source) -> Setting
         name = key.replace("-", "_")
         if key == "rules":
             changes[name] = {
-                code: {**parent.rules.get(code, {}), **value.get(code, {})}
-                for code in (*parent.rules, *value)
+                code: {**parent.rules.get(code, {}), **value.get(code, {})} for code in (*parent.rules, *value)
             }
         elif isinstance(value, dict):
             changes[name] = {**getattr(parent, name), **value}

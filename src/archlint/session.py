@@ -48,7 +48,8 @@ def check(request: Request) -> Report:
         judged = kept.load_again(facts)
         if judged is None:
             judged = _judged(request, workspace, facts)
-            kept.save(judged)
+            if facts.lasting and not any(finding.code == "LNT003" for finding in judged.findings):
+                kept.save(judged)
     store.close()
     summary = replace(judged.summary, elapsed_s=time.perf_counter() - started)
     return Report(judged.findings, summary, Sources().line, judged.notices)
@@ -66,11 +67,7 @@ def graph(request: Request, everything: bool = False) -> System:
     facts = _compiled(request, workspace, store)
     [system] = _systems(request, workspace, facts)
     store.close()
-    asked = {file.relative for file in workspace.files if not file.context}
-    system = replace(
-        system,
-        nodes=[node for node in system.nodes if node.blueprint is None or node.blueprint.place.file in asked],
-    )
+    system = _asked_for(system, workspace)
     return with_implicit(system, request.settings.distro) if everything else system
 
 
@@ -83,9 +80,7 @@ def _found(request: Request) -> Workspace:
     exclude = [pattern for glob in request.settings.exclude for pattern in glob.patterns()]
     workspace = find(request.paths, exclude=exclude)
     if not workspace.problems and not any(_is_input(file) for file in workspace.files):
-        raise NothingToDo(
-            f"nothing to check: no Python file and no launch file in {', '.join(request.paths)}"
-        )
+        raise NothingToDo(f"nothing to check: no Python file and no launch file in {', '.join(request.paths)}")
     return workspace
 
 
@@ -132,6 +127,13 @@ def _systems(request: Request, workspace: Workspace, facts: FactsOfFiles) -> lis
     return assemble(programs, workspace, request.settings)
 
 
+def _asked_for(system: System, workspace: Workspace) -> System:
+    """The system without the nodes of files that were only read as context."""
+    context = {file.relative for file in workspace.files if file.context}
+    nodes = [node for node in system.nodes if not node.blueprint or node.blueprint.place.file not in context]
+    return replace(system, nodes=nodes)
+
+
 def _judged(request: Request, workspace: Workspace, facts: FactsOfFiles) -> Judged:
     from archlint import suppressions
     from archlint.render.json import unresolved
@@ -142,12 +144,13 @@ def _judged(request: Request, workspace: Workspace, facts: FactsOfFiles) -> Judg
     by_file = {file.relative: one.suppressions for file in known if (one := facts.facts_of(file)) is not None}
     outcome = suppressions.apply(_wanted(found, request.settings, workspace), by_file)
     findings = sorted(dict.fromkeys(outcome.kept), key=lambda finding: finding.sort_key)
+    shown = [_asked_for(system, workspace) for system in systems]
     summary = summarise(
         findings,
         files=sum(_is_input(file) for file in workspace.files),
-        nodes=sum(len(system.nodes) for system in systems),
+        nodes=sum(len(system.nodes) for system in shown),
         suppressed=len(outcome.suppressed),
-        unresolved=sum(len(unresolved(system)) for system in systems),
+        unresolved=sum(len(unresolved(system)) for system in shown),
         elapsed_s=0.0,
     )
     refused = [suppressions.refusal(file, suppression) for file, suppression in outcome.refused]

@@ -175,9 +175,7 @@ def test_the_command_line_is_the_last_layer_of_the_configuration(run: Run):
     assert (run.request.jobs, run.request.cached) == (3, False)
 
 
-def test_findings_go_to_standard_output_and_all_else_to_standard_error(
-    run: Run, capsys: pytest.CaptureFixture[str]
-):
+def test_findings_go_to_standard_output_and_all_else_to_standard_error(run: Run, capsys: pytest.CaptureFixture[str]):
     run.findings, run.notices = [ERROR, WARNING], ["a bare ignore"]
     assert main(["--format", "concise", "--statistics"]) == 1
     assert capsys.readouterr() == (
@@ -202,10 +200,7 @@ def test_machines_are_told_nothing_but_the_findings(run: Run, capsys: pytest.Cap
 
 def test_several_formats_of_one_run(run: Run, capsys: pytest.CaptureFixture[str]):
     run.findings = [ERROR]
-    assert (
-        main(["-o", "a.txt", "--format", "concise", "--output", "json=b.json", "--output", "sarif=c.sarif"])
-        == 1
-    )
+    assert main(["-o", "a.txt", "--format", "concise", "--output", "json=b.json", "--output", "sarif=c.sarif"]) == 1
     assert capsys.readouterr().out == ""
     assert Path("a.txt").read_text() == "a.py:1:1: OWN001 two nodes publish /cmd_vel\n"
     assert Path("b.json").read_text().startswith('{\n "version": 1')

@@ -34,9 +34,7 @@ def environment(**more: str) -> dict[str, str]:
 
 def python(*arguments: str, cwd: Path, **more: str) -> subprocess.CompletedProcess[str]:
     command = [sys.executable, *arguments]
-    return subprocess.run(
-        command, cwd=cwd, env=environment(**more), capture_output=True, text=True, check=False
-    )
+    return subprocess.run(command, cwd=cwd, env=environment(**more), capture_output=True, text=True, check=False)
 
 
 def imported(cwd: Path, *arguments: str) -> set[str]:
@@ -59,9 +57,7 @@ def node(tmp_path: Path) -> Path:
     return path
 
 
-@pytest.mark.parametrize(
-    "arguments", [["--version"], ["--help"], ["explain", "SRV003"], ["rules"], ["config"]]
-)
+@pytest.mark.parametrize("arguments", [["--version"], ["--help"], ["explain", "SRV003"], ["rules"], ["config"]])
 def test_small_commands_import_nothing_heavy(tmp_path: Path, arguments: list[str]):
     assert not HEAVY & imported(tmp_path, *arguments)
 
@@ -88,9 +84,7 @@ def test_a_pipe_gets_no_colours_and_no_cursor_control(node: Path):
 
 def test_a_reader_that_goes_away_ends_it_quietly(tmp_path: Path):
     command = [sys.executable, "-m", "archlint", "rules", "--format", "json"]
-    process = subprocess.Popen(
-        command, cwd=tmp_path, env=environment(), stdout=subprocess.PIPE, stderr=subprocess.PIPE
-    )
+    process = subprocess.Popen(command, cwd=tmp_path, env=environment(), stdout=subprocess.PIPE, stderr=subprocess.PIPE)
     assert process.stdout is not None and process.stderr is not None
     process.stdout.close()
     told = process.stderr.read()
@@ -119,7 +113,6 @@ def test_ctrl_c_ends_it_quietly(tmp_path: Path):
 def test_results_do_not_depend_on_the_order_of_hashes(node: Path):
     (node.parent / "other.py").write_text(NODE.replace("talker", "other"))
     outputs = {
-        python("-m", "archlint", "--no-cache", cwd=node.parent, PYTHONHASHSEED=seed).stdout
-        for seed in ("0", "1", "2")
+        python("-m", "archlint", "--no-cache", cwd=node.parent, PYTHONHASHSEED=seed).stdout for seed in ("0", "1", "2")
     }
     assert len(outputs) == 1

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import argparse
 import sys
+from typing import TYPE_CHECKING
 
 from archlint import report as reports
 from archlint.cli import console, exits
@@ -21,23 +22,20 @@ from archlint.finding import Severity
 from archlint.report.model import Report, statistics, summary_line
 from archlint.session import NothingToDo, Request, check
 
+if TYPE_CHECKING:
+    from archlint.config import Settings
+
 
 def parser() -> argparse.ArgumentParser:
-    made = Parser(
-        "check", "Find what is wrong between the nodes of a ROS 2 system and inside their callbacks."
-    )
+    made = Parser("check", "Find what is wrong between the nodes of a ROS 2 system and inside their callbacks.")
     add_paths(made)
-    rules = made.add_argument_group(
-        "rules", "CODES: codes, prefixes such as SRV, names, ALL; with commas; repeatable"
-    )
+    rules = made.add_argument_group("rules", "CODES: codes, prefixes such as SRV, names, ALL; with commas; repeatable")
     rules.add_argument("--select", metavar="CODES", action="append", help="run these rules only")
     rules.add_argument("--extend-select", metavar="CODES", action="append", help="run these rules too")
     rules.add_argument("--ignore", metavar="CODES", action="append", help="do not run these rules")
     output = made.add_argument_group("output")
     formats = ", ".join(reports.FORMATS)
-    output.add_argument(
-        "--format", metavar="F", choices=reports.FORMATS, default="text", help=f"one of {formats}"
-    )
+    output.add_argument("--format", metavar="F", choices=reports.FORMATS, default="text", help=f"one of {formats}")
     output.add_argument("-o", metavar="FILE", dest="file", help="write the findings to FILE")
     output.add_argument(
         "--output",
@@ -79,7 +77,7 @@ def run(arguments: argparse.Namespace) -> int:
     except NothingToDo as error:
         raise UsageError(str(error)) from None
     _write(report, arguments)
-    _tell(report, arguments)
+    _tell(report, settings, arguments)
     return exit_status(report, Severity.parse(arguments.severity), arguments.exit_zero)
 
 
@@ -91,7 +89,7 @@ def _write(report: Report, arguments: argparse.Namespace) -> None:
         console.write(reports.render(format, report), file)
 
 
-def _tell(report: Report, arguments: argparse.Namespace) -> None:
+def _tell(report: Report, settings: Settings, arguments: argparse.Namespace) -> None:
     """What is to be said beside the findings."""
     if arguments.quiet:
         return
@@ -103,6 +101,8 @@ def _tell(report: Report, arguments: argparse.Namespace) -> None:
     if arguments.format in reports.FOR_PEOPLE or arguments.file is not None:
         console.note(summary_line(report.summary))
     if arguments.verbose:
+        cache = "none" if arguments.no_cache else settings.cache_folder
+        console.note(f"configuration: {settings.file or 'none'}; cache: {cache}")
         console.note(f"took {report.summary.elapsed_s:.2f} s")
 
 

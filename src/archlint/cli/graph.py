@@ -30,9 +30,7 @@ def parser() -> argparse.ArgumentParser:
         choices=list(render.FORMATS),
         help=f"one of {', '.join(render.FORMATS)} (default: the suffix of -o, else text)",
     )
-    output.add_argument(
-        "-o", metavar="FILE", dest="file", help="write to FILE; its suffix chooses the format"
-    )
+    output.add_argument("-o", metavar="FILE", dest="file", help="write to FILE; its suffix chooses the format")
     output.add_argument("--all", action="store_true", help="with what rclpy makes for every node")
     add_configuration(made)
     add_running(made)

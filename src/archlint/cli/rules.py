@@ -25,9 +25,7 @@ def run(arguments: argparse.Namespace) -> int:
 
 def _text(book: list[Rule]) -> str:
     rows = [["code", "name", "severity", "default", "fix", "finds"]]
-    rows += [
-        [one.code, one.name, one.severity.label, one.default, one.fix or "-", one.summary] for one in book
-    ]
+    rows += [[one.code, one.name, one.severity.label, one.default, one.fix or "-", one.summary] for one in book]
     widths = [max(map(len, column)) for column in zip(*rows, strict=True)]
     lines = ("  ".join(map(str.ljust, row, widths)).rstrip() for row in rows)
     return "".join(f"{line}\n" for line in lines)

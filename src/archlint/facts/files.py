@@ -42,6 +42,8 @@ class FactsOfFiles:
         self._facts: dict[str, Facts | None] = {}
         self.compiled = 0
         """How many files had to be parsed in this run."""
+        self.lasting = True
+        """False where a file failed for a passing reason: nothing may be concluded for the next run."""
 
     def prepare(self, files: Sequence[SourceFile]) -> None:
         """Make sure that each file is known: cached, screened out, or compiled now."""
@@ -157,6 +159,7 @@ class FactsOfFiles:
         results = dict(zip(unique, compile_sources(list(unique.values()), self._jobs), strict=True))
         self.compiled += len(unique)
         for digest, result in results.items():
+            self.lasting &= result.lasting
             if result.lasting:
                 self._cache.put(digest, result.payload)
         for file, digest, _ in waiting:
@@ -177,6 +180,7 @@ class FactsOfFiles:
 
         (result,) = compile_sources([data], 1)
         self.compiled += 1
+        self.lasting &= result.lasting
         if key is not None and result.lasting:
             self._cache.put(key, result.payload)
         return result.payload
