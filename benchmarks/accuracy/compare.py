@@ -138,9 +138,7 @@ def _score_site(
     score = result.scores[site[2]]
     score.sites += 1
     resolved = {
-        each["name"]: each
-        for each in ours
-        if each.get("name") and each.get("resolution") in ("exact", "parameter")
+        each["name"]: each for each in ours if each.get("name") and each.get("resolution") in ("exact", "parameter")
     }
     true_names = {each["name"] for each in seen if each["name"] and each["phase"] != "forced"}
     if resolved and true_names and not true_names & set(resolved):
@@ -224,18 +222,14 @@ def _share(part: int, whole: int) -> str:
 
 def main() -> None:
     """Compare each repository that has an oracle record, then all of them together."""
-    parser = argparse.ArgumentParser(
-        description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
-    )
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("oracle", type=Path, help="the folder that benchmarks.accuracy.run wrote")
     parser.add_argument("checkouts", type=Path, help="the folder of repositories that it ran")
     parser.add_argument("names", nargs="*", help="only these repositories (default: all)")
     parser.add_argument("--peer", metavar="COMMAND", help="score this ros2inspector instead")
     parser.add_argument("--graphs", type=Path, help="read <repository>.json here instead of running archlint")
     parser.add_argument("--misses", action="store_true", help="list what was missed, and what no run came to")
-    parser.add_argument(
-        "--without-forced", action="store_true", help="leave out what only a direct call reached"
-    )
+    parser.add_argument("--without-forced", action="store_true", help="leave out what only a direct call reached")
     options = parser.parse_args()
     everything: dict[str, Comparison] = {}
     for record in sorted(options.oracle.glob("*.json")):
@@ -249,16 +243,10 @@ def main() -> None:
         graph, asked = _answer(options, checkout)
         elapsed = time.monotonic() - started
         everything[record.stem] = comparison = compare(oracle, graph, **asked)
-        print(
-            f"\n## {record.stem} ({elapsed:.1f} s)\n\n{table({**comparison.scores, 'all': comparison.total})}"
-        )
+        print(f"\n## {record.stem} ({elapsed:.1f} s)\n\n{table({**comparison.scores, 'all': comparison.total})}")
         for title, lines in (
             ("wrong", comparison.wrong),
-            *(
-                (("missed", comparison.misses), ("not seen by a run", comparison.unseen))
-                if options.misses
-                else ()
-            ),
+            *((("missed", comparison.misses), ("not seen by a run", comparison.unseen)) if options.misses else ()),
         ):
             if lines:
                 print(f"\n{title}:\n" + "\n".join(f"  {line}" for line in lines))

@@ -21,9 +21,7 @@ def main() -> None:
     options = parser.parse_args()
     options.output.mkdir(parents=True, exist_ok=True)
     folders = (
-        [options.checkouts]
-        if options.one
-        else sorted(path for path in options.checkouts.iterdir() if path.is_dir())
+        [options.checkouts] if options.one else sorted(path for path in options.checkouts.iterdir() if path.is_dir())
     )
     for folder in folders:
         if options.names and folder.name not in options.names:

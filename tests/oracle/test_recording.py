@@ -214,3 +214,36 @@ def test_lifecycle_transitions_and_callbacks_run_once(entities):
             main()
         """
     ) == [(7, "publisher", "/out"), (8, "timer", None), (12, "subscriber", "/late")]
+
+
+def test_a_nodes_own_arguments_rename_it_and_its_topics(execute):
+    record = execute(
+        """
+        from rclpy.node import Node
+        from std_msgs.msg import String
+
+
+        class Talker(Node):
+            def __init__(self):
+                super().__init__(
+                    "old", cli_args=["--ros-args", "-r", "__node:=new", "-r", "a:=b", "-r", "b:=c", "-p", "rate:=4"]
+                )
+                self.create_publisher(String, "~/x", 10)
+                self.create_publisher(String, "a", self.declare_parameter("rate", 1).value)
+        """
+    )
+    assert [(each["name"], each["qos"]["depth"]) for each in record["entities"]] == [("/new/x", 10), ("/b", 4)]
+
+
+def test_timers_of_one_line_are_told_apart_by_their_period(execute):
+    record = execute(
+        """
+        import rclpy
+
+        if __name__ == "__main__":
+            node = rclpy.create_node("clock")
+            for period in (0.5, 2.0):
+                node.create_timer(period, print)
+        """
+    )
+    assert sorted(each["period_s"] for each in record["entities"]) == [0.5, 2.0]

@@ -235,3 +235,64 @@ def test_interface_folders_of_the_workspace_do_not_hide_the_interfaces(execute):
         }
     )["entities"]
     assert entity["type"] == "robot_msgs/srv/Move"
+
+
+def test_star_imports_of_messages_give_what_the_packages_hold(execute):
+    record = execute(
+        """
+        import rclpy
+        from sensor_msgs.msg import *
+        from std_msgs.msg import *
+        from vendor_msgs.msg import *
+
+        if __name__ == "__main__":
+            node = rclpy.create_node("mixed")
+            for kind in (Image, String, MotorState):
+                node.create_publisher(kind, "out", 10)
+        """
+    )
+    assert {each["type"] for each in record["entities"]} == {
+        "sensor_msgs/msg/Image",
+        "std_msgs/msg/String",
+        "vendor_msgs/msg/MotorState",
+    }
+
+
+def test_what_differs_from_run_to_run_is_unknown(execute):
+    record = execute(
+        """
+        import os
+        import socket
+        import uuid
+        import rclpy
+        from std_msgs.msg import String
+
+        if __name__ == "__main__":
+            node = rclpy.create_node(f"worker_{os.getpid()}")
+            node.create_publisher(String, f"{socket.gethostname()}/out", 10)
+            node.create_publisher(String, "session_" + uuid.uuid4().hex, 10)
+            node.create_publisher(String, os.environ["ROBOT_NAME"] + "/out", 10)
+        """
+    )
+    patterns = [(each["name"], each["pattern"], each["node"]) for each in record["entities"]]
+    assert patterns == [
+        (None, "/*/out", "/worker_*"),
+        (None, "/session_*", "/worker_*"),
+        (None, "/*/out", "/worker_*"),
+    ]
+
+
+def test_a_loop_without_end_does_not_fill_the_record(execute):
+    record = execute(
+        """
+        import itertools
+        import rclpy
+        from std_msgs.msg import String
+
+        if __name__ == "__main__":
+            node = rclpy.create_node("endless")
+            for number in itertools.count():
+                node.create_publisher(String, f"out_{number}", 10)
+        """
+    )
+    assert len(record["entities"]) == 500

@@ -154,9 +154,7 @@ def _guarded(step: str, program: Callable[[], Any], seconds: float = _SECONDS_FO
         if leaving.code in (None, 0) and _left_from_main(leaving):
             recorder.write("ran", step=step, **about)
             return True
-        recorder.write(
-            "failed", step=step, reason=f"SystemExit: {leaving.code}"[:300], where=_where(leaving), **about
-        )
+        recorder.write("failed", step=step, reason=f"SystemExit: {leaving.code}"[:300], where=_where(leaving), **about)
     except BaseException as error:
         recorder.write(
             "failed", step=step, reason=f"{type(error).__name__}: {error}"[:300], where=_where(error), **about
@@ -169,21 +167,13 @@ def _guarded(step: str, program: Callable[[], Any], seconds: float = _SECONDS_FO
 
 def _where(error: BaseException) -> str | None:
     """The user's innermost line in a traceback."""
-    own = [
-        frame
-        for frame in traceback.extract_tb(error.__traceback__)
-        if frame.filename.startswith(recorder.root)
-    ]
+    own = [frame for frame in traceback.extract_tb(error.__traceback__) if frame.filename.startswith(recorder.root)]
     return f"{own[-1].filename[len(recorder.root) :]}:{own[-1].lineno}" if own else None
 
 
 def _left_from_main(error: BaseException) -> bool:
     """Whether the program left where programs end: at module level, or in a function called main."""
-    own = [
-        frame
-        for frame in traceback.extract_tb(error.__traceback__)
-        if frame.filename.startswith(recorder.root)
-    ]
+    own = [frame for frame in traceback.extract_tb(error.__traceback__) if frame.filename.startswith(recorder.root)]
     return not own or own[-1].name in ("<module>", "main")
 
 
@@ -280,18 +270,12 @@ def _construct_and_go_on(cls: type, place: str) -> None:
 
 def _import(job: dict[str, Any]) -> types.ModuleType | None:
     found: list[types.ModuleType] = []
-    ok = _guarded(
-        "import", lambda: found.append(importlib.import_module(job["module"])), target=job["relative"]
-    )
+    ok = _guarded("import", lambda: found.append(importlib.import_module(job["module"])), target=job["relative"])
     return found[0] if ok else sys.modules.get(job["module"])
 
 
 def _classes_of(module: types.ModuleType) -> list[type]:
-    own = [
-        value
-        for value in vars(module).values()
-        if isinstance(value, type) and value.__module__ == module.__name__
-    ]
+    own = [value for value in vars(module).values() if isinstance(value, type) and value.__module__ == module.__name__]
     return list(dict.fromkeys(own))
 
 
@@ -353,9 +337,7 @@ def _wants_node(parameter: inspect.Parameter) -> bool:
     if parameter.default is not parameter.empty and parameter.default is not None:
         return False
     annotation = parameter.annotation
-    word = (
-        annotation if isinstance(annotation, str) else getattr(annotation, "__name__", "") or str(annotation)
-    )
+    word = annotation if isinstance(annotation, str) else getattr(annotation, "__name__", "") or str(annotation)
     is_node = isinstance(annotation, type) and issubclass(annotation, _node_class())
     named = re.fullmatch(r"(?:Optional\[)?(?:\w+\.)*\w*Node\]?(?: \| None)?", word.replace("typing.", ""))
     return is_node or parameter.name in _node_words or named is not None

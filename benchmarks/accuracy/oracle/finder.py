@@ -126,9 +126,7 @@ class _NoAccidentalPackages(importlib.abc.MetaPathFinder):
         spec = importlib.machinery.PathFinder.find_spec(fullname, path)
         if spec is None or spec.origin is not None or not spec.submodule_search_locations:
             return None
-        if any(
-            _holds_python(Path(place), interface is not None) for place in spec.submodule_search_locations
-        ):
+        if any(_holds_python(Path(place), interface is not None) for place in spec.submodule_search_locations):
             return None
         return self._standins.find_spec(fullname, None)
 

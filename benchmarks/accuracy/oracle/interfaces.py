@@ -7,12 +7,16 @@ A class knows its ROS type name. Constants and field defaults are read from the 
 from __future__ import annotations
 
 import ast
+import builtins
 import re
+import sys
 import types
 from functools import cache
 from pathlib import Path
 from typing import Any
 
+from .record import recorder
+from .standard_interfaces import EVERY_NAME, STANDARD
 from .unknown import Unknown, make
 
 KINDS = ("msg", "srv", "action")
@@ -82,22 +86,14 @@ def interface(package: str, kind: str, name: str) -> type:
     """The stand-in class of one interface; nested Request, Goal ... included."""
     ros_type = f"{package}/{kind}/{name}"
     sections = _sections(ros_type)
-    result = _class(
-        f"{package}.{kind}", name, ros_type, sections[0] if kind == "msg" and sections else ({}, {})
-    )
+    result = _class(f"{package}.{kind}", name, ros_type, sections[0] if kind == "msg" and sections else ({}, {}))
     for index, part in enumerate(_PARTS.get(kind, ())):
         members = sections[index] if index < len(sections) else ({}, {})
-        type.__setattr__(
-            result, part, _class(f"{package}.{kind}", f"{name}.{part}", f"{ros_type}_{part}", members)
-        )
+        type.__setattr__(result, part, _class(f"{package}.{kind}", f"{name}.{part}", f"{ros_type}_{part}", members))
     if kind == "action":
         impl = types.SimpleNamespace(
-            SendGoalService=interface(package, "action", f"{name}_SendGoal")
-            if "_" not in name
-            else Unknown(),
-            GetResultService=interface(package, "action", f"{name}_GetResult")
-            if "_" not in name
-            else Unknown(),
+            SendGoalService=interface(package, "action", f"{name}_SendGoal") if "_" not in name else Unknown(),
+            GetResultService=interface(package, "action", f"{name}_GetResult") if "_" not in name else Unknown(),
             FeedbackMessage=_class(
                 f"{package}.action", f"{name}_FeedbackMessage", f"{ros_type}_FeedbackMessage", ({}, {})
             ),
@@ -156,6 +152,17 @@ def _literal(text: str, base: str) -> Any:
         return text if base in ("string", "wstring") else Unknown(text)
 
 
+def _words_of_importer() -> set[str]:
+    """The capitalised names that the importing file uses: what a star import from an unknown package may give."""
+    frame: types.FrameType | None = sys._getframe(1)
+    while frame is not None and not frame.f_code.co_filename.startswith(recorder.root):
+        frame = frame.f_back
+    if frame is None:
+        return set()
+    text = Path(frame.f_code.co_filename).read_text(encoding="utf-8", errors="replace")
+    return set(re.findall(r"\b[A-Z]\w*[a-z]\w*", text)) - set(dir(builtins))
+
+
 class InterfaceModule(types.ModuleType):
     """`pkg.msg`, `pkg.srv`, `pkg.action` and their generated submodules (`pkg.msg._string`)."""
 
@@ -164,13 +171,19 @@ class InterfaceModule(types.ModuleType):
         self._package, self._kind = package, kind
         self.__path__: list[str] = []
 
+    def _names(self) -> set[str]:
+        """What a star import gives: what is known of the package, or else the words that no known package has."""
+        prefix = f"{self._package}/{self._kind}"
+        own = {name.rpartition("/")[2] for name in _sources if name.startswith(f"{prefix}/")}
+        return own or set(STANDARD.get(prefix, ())) or _words_of_importer() - EVERY_NAME
+
     def __getattr__(self, name: str) -> Any:
+        if name == "__all__":
+            return sorted(self._names())
         if name.startswith("__"):
             raise AttributeError(name)
         value: Any = (
-            interface(self._package, self._kind, name)
-            if name[:1].isupper()
-            else Unknown(f"{self.__name__}.{name}")
+            interface(self._package, self._kind, name) if name[:1].isupper() else Unknown(f"{self.__name__}.{name}")
         )
         setattr(self, name, value)
         return value

@@ -70,6 +70,39 @@ def node_identity(name: str, namespace: str | None) -> tuple[str, str]:
     return name, namespace
 
 
+class Remapping:
+    """The remap rules and parameters of a node's own `cli_args`; the first rule that matches is taken."""
+
+    def __init__(self, arguments: object) -> None:
+        self._rules: list[tuple[str | None, str, str]] = []
+        self.parameters: list[tuple[str, str]] = []
+        words = [str(word) for word in arguments] if isinstance(arguments, (list, tuple)) else []
+        inside = False
+        for index, word in enumerate(words):
+            inside = (inside or word == "--ros-args") and word != "--"
+            following = words[index + 1] if index + 1 < len(words) else ""
+            if inside and ":=" in following:
+                left, _, right = following.partition(":=")
+                if word in ("-r", "--remap"):
+                    node, _, match = left.rpartition(":")
+                    self._rules.append((node or None, match, right))
+                elif word in ("-p", "--param"):
+                    self.parameters.append((left, right))
+
+    def special(self, word: str, node: str) -> str | None:
+        """What a rule for `__node` or `__ns` says."""
+        wanted = {"__node": ("__node", "__name")}.get(word, (word,))
+        rules = [right for only, match, right in self._rules if match in wanted and only in (None, node)]
+        return rules[0] if rules else None
+
+    def apply(self, full: str, node: str, namespace: str) -> str:
+        """The name under which a fully qualified name goes."""
+        for only, match, right in self._rules:
+            if only in (None, node) and not match.startswith("__") and expand(match, node, namespace) == full:
+                return expand(right, node, namespace)
+        return full
+
+
 def _validate_written(name: str) -> None:
     if not name:
         raise NameError_(name, "topic name must not be empty string")
@@ -78,15 +111,11 @@ def _validate_written(name: str) -> None:
     if name.endswith("/"):
         raise NameError_(name, "topic name must not end with a forward slash")
     if re.search(r"[^A-Za-z0-9_/~{}]", name):
-        raise NameError_(
-            name, "topic name must not contain characters other than alphanumerics, '_', '~', '{', or '}'"
-        )
+        raise NameError_(name, "topic name must not contain characters other than alphanumerics, '_', '~', '{', or '}'")
     if "~" in name[1:]:
         raise NameError_(name, "topic name must not have tilde '~' unless it is the first character")
     if name[0] == "~" and len(name) > 1 and name[1] != "/":
-        raise NameError_(
-            name, "topic name must not have a tilde '~' that is not followed by a forward slash '/'"
-        )
+        raise NameError_(name, "topic name must not have a tilde '~' that is not followed by a forward slash '/'")
     rest = re.sub(r"\{([A-Za-z0-9_]*)\}", "", name)
     if "{" in rest or "}" in rest:
         raise NameError_(name, "topic name must have balanced curly braces around plain words")

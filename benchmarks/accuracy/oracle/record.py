@@ -6,12 +6,14 @@ import ast
 import json
 import sys
 import types
+from collections import Counter
 from functools import cache, partial
 from pathlib import Path
 from typing import Any, TextIO
 
 from .unknown import is_tainted, pattern
 
+_MOST_AT_ONE_PLACE = 500  # more come from a loop without end
 KINDS = ("publisher", "subscriber", "service", "client", "action_server", "action_client", "timer")
 
 
@@ -22,6 +24,7 @@ class Recorder:
         self.root = ""
         self.phase = "main"
         self._out: TextIO | None = None
+        self._at: Counter[tuple[str, int]] = Counter()
         self.nodes: list[Any] = []
         self.tasks: list[Any] = []  # (callable, arguments) that a running system would execute later
 
@@ -52,6 +55,9 @@ class Recorder:
         site = self.site()
         if site is None:
             return
+        self._at[site["file"], site["line"]] += 1
+        if self._at[site["file"], site["line"]] > _MOST_AT_ONE_PLACE:
+            raise KeyboardInterrupt(f"endpoints without end at {site['file']}:{site['line']}")
         self.write(
             "entity",
             kind=kind,

@@ -113,14 +113,10 @@ class Oracle:
                 noise = f"killed after {_KILLED_AFTER:.0f} s"
             if out.exists():
                 job.lines = [
-                    json.loads(line)
-                    for line in out.read_text(encoding="utf-8").splitlines()
-                    if line.endswith("}")
+                    json.loads(line) for line in out.read_text(encoding="utf-8").splitlines() if line.endswith("}")
                 ]
             if noise:
-                job.lines.append(
-                    {"what": "failed", "phase": "main", "step": "process", "reason": noise, "where": None}
-                )
+                job.lines.append({"what": "failed", "phase": "main", "step": "process", "reason": noise, "where": None})
         return job
 
     # What to run ---------------------------------------------------------------------------------
@@ -148,13 +144,9 @@ class Oracle:
 
     def _scripts(self) -> list[tuple[str, Path]]:
         setups = [
-            path
-            for path in self.workspace.setups
-            if not is_test(path.relative_to(self.workspace.root).as_posix())
+            path for path in self.workspace.setups if not is_test(path.relative_to(self.workspace.root).as_posix())
         ]
-        jobs = [
-            Job("setup", str(path), {"file": str(path), "path_first": [str(path.parent)]}) for path in setups
-        ]
+        jobs = [Job("setup", str(path), {"file": str(path), "path_first": [str(path.parent)]}) for path in setups]
         found = list(self.workspace.configured)
         for path, job in zip(setups, self._pool.map(self._execute, jobs), strict=True):
             for line in job.lines:
@@ -182,9 +174,7 @@ class Oracle:
         jobs = []
         for source in self._sources():
             sites = [
-                (line, name)
-                for line, name in source.create_sites()
-                if (source.relative, line) not in seen and name
+                (line, name) for line, name in source.create_sites() if (source.relative, line) not in seen and name
             ]
             if sites:
                 functions = sorted({name for _, name in sites})
@@ -223,10 +213,7 @@ class Oracle:
             return True
         near = self.workspace.own_roots(source.path)[:1]
         return any(
-            other.mentions_ros
-            for other in self.workspace.sources
-            for root in near
-            if other.path.is_relative_to(root)
+            other.mentions_ros for other in self.workspace.sources for root in near if other.path.is_relative_to(root)
         )
 
     def _lines(self, what: str) -> list[Line]:
@@ -251,7 +238,7 @@ def _merged(workspace: Workspace, jobs: list[Job]) -> dict[str, Any]:
             key = json.dumps(
                 [
                     line.get(name)
-                    for name in ("kind", "file", "line", "column", "name", "type", "qos", "node", "class")
+                    for name in ("kind", "file", "line", "column", "name", "type", "period_s", "qos", "node", "class")
                 ]
             )
             kept = records.setdefault(
@@ -264,9 +251,7 @@ def _merged(workspace: Workspace, jobs: list[Job]) -> dict[str, Any]:
         "version": 1,
         "repository": workspace.root.name,
         "entities": entities,
-        "nodes": _unique(
-            line for job in jobs for line in job.lines if line["what"] == "node" and line.get("file")
-        ),
+        "nodes": _unique(line for job in jobs for line in job.lines if line["what"] == "node" and line.get("file")),
         "refused": _unique(line for job in jobs for line in job.lines if line["what"] == "refused"),
         "runs": [_report(job) for job in jobs],
         "unreached": _unreached(workspace, entities),
@@ -285,9 +270,7 @@ def _rank(job: Job, line: Line) -> int:
 
 
 def _report(job: Job) -> Line:
-    failures = [
-        {name: line.get(name) for name in ("step", "target", "reason", "where")} for line in job.failures
-    ]
+    failures = [{name: line.get(name) for name in ("step", "target", "reason", "where")} for line in job.failures]
     broken = [
         {name: line.get(name) for name in ("step", "reason", "where")}
         for line in job.lines
@@ -303,9 +286,7 @@ def _report(job: Job) -> Line:
 
 def _unique(lines: Iterable[Line]) -> list[Line]:
     found = {
-        json.dumps(
-            {key: value for key, value in line.items() if key not in ("what", "via")}, sort_keys=True
-        ): line
+        json.dumps({key: value for key, value in line.items() if key not in ("what", "via")}, sort_keys=True): line
         for line in lines
     }
     return [{key: value for key, value in found[key].items() if key != "what"} for key in sorted(found)]

@@ -10,18 +10,23 @@ from __future__ import annotations
 import asyncio
 import builtins
 import concurrent.futures
+import getpass
 import io
 import json
 import logging
 import os
+import platform
+import random
 import select
 import signal
+import socket
 import subprocess
 import sys
 import termios
 import threading
 import time
 import tty
+import uuid
 from argparse import ArgumentParser
 from collections import Counter
 from collections.abc import Callable, Iterator
@@ -34,7 +39,7 @@ import yaml
 
 from .finder import UnknownModule
 from .record import recorder
-from .unknown import Unknown, is_tainted
+from .unknown import Unknown, VaryingInt, is_tainted
 
 _PATIENCE = 10  # how often one place may wait before it is interrupted
 _SPINS = 3  # how often one place hears that ROS is still up
@@ -113,6 +118,7 @@ def close(scratch: Path) -> None:
     _do_not_wait()
     _do_not_start_processes()
     _do_not_start_threads()
+    _do_not_vary()
     _do_not_require_settings()
     _do_not_require_arguments()
 
@@ -294,6 +300,18 @@ def _do_not_start_threads() -> None:
         process.BaseProcess.join = _returning(None)  # type: ignore[method-assign]
     except ImportError:
         pass
+
+
+def _do_not_vary() -> None:
+    """What is another in each run, or on each machine, must not get into a name unnoticed."""
+    pid = VaryingInt(os.getpid())
+    os.getpid = lambda: pid  # type: ignore[assignment]
+    for name in ("uuid1", "uuid4"):
+        setattr(uuid, name, lambda *_, **__: Unknown("uuid"))
+    socket.gethostname = platform.node = lambda: str(Unknown("host name"))  # type: ignore[assignment]
+    getpass.getuser = lambda: str(Unknown("user name"))  # type: ignore[assignment]
+    plain = random.randint
+    random.randint = lambda low, high: VaryingInt(plain(low, high))  # type: ignore[assignment]
 
 
 def _do_not_require_settings() -> None:

@@ -332,17 +332,24 @@ class Decorated(Unknown):
             given = signature.bind_partial(*args).arguments if len(args) <= len(signature.parameters) else {}
             for name, parameter in signature.parameters.items():
                 plain = parameter.kind not in (parameter.VAR_POSITIONAL, parameter.VAR_KEYWORD)
-                if (
-                    plain
-                    and parameter.default is parameter.empty
-                    and name not in given
-                    and name not in kwargs
-                ):
+                if plain and parameter.default is parameter.empty and name not in given and name not in kwargs:
                     kwargs[name] = Unknown(f"argument {name}")
         return function(*args, **kwargs)
 
     def __get__(self, instance: object, owner: type | None = None) -> Any:
         return self if instance is None else types.MethodType(self, instance)
+
+
+class VaryingInt(int):
+    """A number that is another in each run; as text it is unknown."""
+
+    def __str__(self) -> str:
+        return f"{OPEN}varying{CLOSE}"
+
+    __repr__ = __str__
+
+    def __format__(self, spec: str) -> str:
+        return str(self)
 
 
 def _operator(name: str) -> Any:

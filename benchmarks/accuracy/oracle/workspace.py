@@ -12,9 +12,7 @@ from dataclasses import dataclass, field
 from functools import cached_property
 from pathlib import Path
 
-_SKIPPED = frozenset(
-    {"build", "install", "log", "node_modules", "__pycache__", "site-packages", "venv", ".venv"}
-)
+_SKIPPED = frozenset({"build", "install", "log", "node_modules", "__pycache__", "site-packages", "venv", ".venv"})
 _CREATORS = frozenset(
     {
     "create_publisher", "create_subscription", "create_service", "create_client", "create_timer",
@@ -70,9 +68,7 @@ class Source:
             return False
         if any(_is_main_guard(node) for node in self.tree.body):
             return True
-        calls = any(
-            isinstance(node, ast.Expr) and isinstance(node.value, ast.Call) for node in self.tree.body
-        )
+        calls = any(isinstance(node, ast.Expr) and isinstance(node.value, ast.Call) for node in self.tree.body)
         return calls and self.text.startswith("#!")
 
     def guard_calls(self) -> str | None:
@@ -83,26 +79,20 @@ class Source:
                     case ast.Expr(value=ast.Call(func=ast.Name(id=name))):
                         return name
                     case ast.Expr(
-                        value=ast.Call(
-                            func=ast.Attribute(attr="exit"), args=[ast.Call(func=ast.Name(id=name))]
-                        )
+                        value=ast.Call(func=ast.Attribute(attr="exit"), args=[ast.Call(func=ast.Name(id=name))])
                     ):
                         return name
         return None
 
 
 def _is_main_guard(node: ast.stmt) -> bool:
-    return (
-        isinstance(node, ast.If) and "__main__" in ast.dump(node.test) and "__name__" in ast.dump(node.test)
-    )
+    return isinstance(node, ast.If) and "__main__" in ast.dump(node.test) and "__name__" in ast.dump(node.test)
 
 
 def _sites(node: ast.AST, names: list[str]) -> Iterator[tuple[int, str]]:
     for child in ast.iter_child_nodes(node):
         if isinstance(child, (ast.FunctionDef, ast.AsyncFunctionDef, ast.ClassDef)):
-            yield from _sites(
-                child, [*names, ("." if isinstance(child, ast.ClassDef) else "()") + child.name]
-            )
+            yield from _sites(child, [*names, ("." if isinstance(child, ast.ClassDef) else "()") + child.name])
             continue
         if isinstance(child, ast.Call):
             function = child.func
@@ -137,9 +127,7 @@ class Workspace:
 
     def own_roots(self, file: Path) -> list[Path]:
         """The Python roots of a file, nearest first."""
-        return sorted(
-            (root for root in self.roots if file.is_relative_to(root)), key=lambda root: -len(root.parts)
-        )
+        return sorted((root for root in self.roots if file.is_relative_to(root)), key=lambda root: -len(root.parts))
 
     def module_of(self, file: Path) -> tuple[str, Path]:
         """The dotted name under which a file is imported, and the folder that must be on the path."""
@@ -213,9 +201,7 @@ def _package_above(path: Path) -> str | None:
     for folder in path.parents[:4]:
         manifest = folder / "package.xml"
         if manifest.is_file():
-            found = re.search(
-                r"<name>\s*([\w-]+)\s*</name>", manifest.read_text(encoding="utf-8", errors="replace")
-            )
+            found = re.search(r"<name>\s*([\w-]+)\s*</name>", manifest.read_text(encoding="utf-8", errors="replace"))
             return found[1] if found else None
     return None
 

@@ -31,9 +31,7 @@ class Subscriber(SimpleFilter):
     def __init__(self, node: Any, msg_type: Any, topic: Any, qos_profile: Any = None, **kwargs: Any) -> None:
         super().__init__()
         self.node, self.topic = node, topic
-        self.sub = node.create_subscription(
-            msg_type, topic, None, qos_profile or QoSProfile(depth=10), **kwargs
-        )
+        self.sub = node.create_subscription(msg_type, topic, None, qos_profile or QoSProfile(depth=10), **kwargs)
 
     def getTopic(self) -> Any:
         """The topic as it was written."""

@@ -5,8 +5,9 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any
 
+import yaml
 from benchmarks.accuracy.oracle.interfaces import interface, ros_type_of
-from benchmarks.accuracy.oracle.names import NameError_, expand, node_identity
+from benchmarks.accuracy.oracle.names import NameError_, Remapping, expand, node_identity
 from benchmarks.accuracy.oracle.record import recorder
 from benchmarks.accuracy.oracle.sandbox import waited
 from benchmarks.accuracy.oracle.unknown import Unknown, UnknownType, make
@@ -23,6 +24,7 @@ from .exceptions import (
     InvalidTopicNameException,
 )
 from .logging import get_logger
+from .parameter import Parameter
 from .parameters import ParameterStore
 from .qos import QoSProfile, qos_profile_parameter_events, qos_profile_services_default
 
@@ -52,8 +54,11 @@ class Node(ParameterStore):
         enable_logger_service: bool = False,
     ) -> None:
         name, space = _as_text(node_name), _as_text(namespace) if namespace else ""
+        remapping = self._oracle_remapping = Remapping(cli_args)
         try:
-            self._oracle_name, self._oracle_namespace = node_identity(name, space)
+            name, space = node_identity(name, space)
+            name = remapping.special("__node", name) or name
+            self._oracle_name, self._oracle_namespace = node_identity(name, remapping.special("__ns", name) or space)
         except NameError_ as error:
             kind = InvalidNodeNameException if "node name" in error.reason else InvalidNamespaceException
             raise kind(str(error)) from None
@@ -63,8 +68,11 @@ class Node(ParameterStore):
         self._oracle_clock = ROSClock()
         self.executor: Any = None
         recorder.node(self, lifecycle=self._lifecycle)
+        given = [Parameter(key, value=yaml.safe_load(value)) for key, value in remapping.parameters]
         self._start_parameters(
-            parameter_overrides, allow_undeclared_parameters, automatically_declare_parameters_from_overrides
+            [*given, *(parameter_overrides or ())],
+            allow_undeclared_parameters,
+            automatically_declare_parameters_from_overrides,
         )
 
     # What it is ----------------------------------------------------------------------------------
@@ -136,9 +144,7 @@ class Node(ParameterStore):
     ) -> Any:
         """Record a subscription."""
         name = self._oracle_record("subscriber", msg_type, topic, qos_profile, callback)
-        made = Subscription(
-            msg_type=msg_type, topic=topic, topic_name=name, callback=callback, qos_profile=qos_profile
-        )
+        made = Subscription(msg_type=msg_type, topic=topic, topic_name=name, callback=callback, qos_profile=qos_profile)
         return self._oracle_keep("subscriptions", made)
 
     def create_client(
@@ -178,9 +184,7 @@ class Node(ParameterStore):
         """Record a timer."""
         period = None if isinstance(timer_period_sec, Unknown) else float(timer_period_sec)
         recorder.entity("timer", self, callback=callback, period=period)
-        made = Timer(
-            callback=callback, timer_period_ns=int((period or 0) * 1e9), clock=clock or self._oracle_clock
-        )
+        made = Timer(callback=callback, timer_period_ns=int((period or 0) * 1e9), clock=clock or self._oracle_clock)
         return self._oracle_keep("timers", made)
 
     def create_rate(self, frequency: Any, clock: Any = None) -> Rate:
@@ -330,9 +334,7 @@ def record(
 
 
 def _check_kind(kind: str, ros_type: str | None) -> None:
-    expected = {"publisher": "msg", "subscriber": "msg", "service": "srv", "client": "srv"}.get(
-        kind, "action"
-    )
+    expected = {"publisher": "msg", "subscriber": "msg", "service": "srv", "client": "srv"}.get(kind, "action")
     if ros_type and f"/{expected}/" not in ros_type and "/action/" not in ros_type:
         raise RuntimeError(f"expected a type of kind {expected}, got {ros_type}")
 
@@ -340,7 +342,9 @@ def _check_kind(kind: str, ros_type: str | None) -> None:
 def qualified(node: Any, kind: str, written: str) -> str:
     """The fully qualified name; the exceptions are rclpy's."""
     try:
-        return expand(written, node.get_name(), node.get_namespace())
+        name, namespace = node.get_name(), node.get_namespace()
+        full = expand(written, name, namespace)
+        return full if kind.startswith("action") else node._oracle_remapping.apply(full, name, namespace)
     except NameError_ as error:
         recorder.refusal(kind, written, error.reason)
         wrong = InvalidServiceNameException if kind in ("service", "client") else InvalidTopicNameException

@@ -86,9 +86,7 @@ class Parameter:
 
     def to_parameter_msg(self) -> Any:
         """As rcl_interfaces/msg/Parameter."""
-        return interface("rcl_interfaces", "msg", "Parameter")(
-            name=self._name, value=self.get_parameter_value()
-        )
+        return interface("rcl_interfaces", "msg", "Parameter")(name=self._name, value=self.get_parameter_value())
 
     @classmethod
     def from_parameter_msg(cls, msg: Any) -> Parameter:

@@ -51,13 +51,9 @@ class AsyncParameterClient:
         return future
 
     list_parameters = get_parameters = set_parameters = describe_parameters = get_parameter_types = _answer
-    set_parameters_atomically = delete_parameters = load_parameter_file = load_parameter_file_atomically = (
-        _answer
-    )
+    set_parameters_atomically = delete_parameters = load_parameter_file = load_parameter_file_atomically = _answer
 
-    def on_parameter_event(
-        self, callback: Any, qos_profile: Any = qos_profile_parameter_events, **_: object
-    ) -> Any:
+    def on_parameter_event(self, callback: Any, qos_profile: Any = qos_profile_parameter_events, **_: object) -> Any:
         """Record the subscription to the events."""
         type_ = interface("rcl_interfaces", "msg", "ParameterEvent")
         return self.node.create_subscription(type_, "/parameter_events", callback, qos_profile)

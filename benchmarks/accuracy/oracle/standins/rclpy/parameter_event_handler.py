@@ -14,9 +14,7 @@ from .qos import normal_form, qos_profile_parameter_events
 class ParameterEventHandler:
     """Listens to /parameter_events."""
 
-    def __init__(
-        self, node: Node, qos_profile: Any = qos_profile_parameter_events, *_: object, **__: object
-    ) -> None:
+    def __init__(self, node: Node, qos_profile: Any = qos_profile_parameter_events, *_: object, **__: object) -> None:
         type_ = interface("rcl_interfaces", "msg", "ParameterEvent")
         record(node, "subscriber", type_, "/parameter_events", normal_form(qos_profile))
 

@@ -36,9 +36,7 @@ class ParameterStore:
         """Declare one parameter."""
         return self._oracle_declare(name, value, descriptor, ignore_override)
 
-    def declare_parameters(
-        self, namespace: str, parameters: Any, ignore_override: bool = False
-    ) -> list[Parameter]:
+    def declare_parameters(self, namespace: str, parameters: Any, ignore_override: bool = False) -> list[Parameter]:
         """Declare several: (name[, value[, descriptor]]) each."""
         declared = []
         for name, *rest in parameters:
@@ -101,9 +99,7 @@ class ParameterStore:
     def get_parameters_by_prefix(self, prefix: str) -> dict[str, Parameter]:
         """The parameters below a prefix, by the rest of their name."""
         start = f"{prefix}." if prefix else ""
-        return {
-            name[len(start) :]: each for name, each in self._oracle_values.items() if name.startswith(start)
-        }
+        return {name[len(start) :]: each for name, each in self._oracle_values.items() if name.startswith(start)}
 
     def set_parameters(self, parameter_list: Any) -> list[Any]:
         """Set parameters one after the other."""
@@ -111,9 +107,7 @@ class ParameterStore:
             if parameter.name not in self._oracle_values and not self._oracle_allow_undeclared:
                 raise ParameterNotDeclaredException(parameter.name)
             self._oracle_values[parameter.name] = parameter
-        return [
-            interface("rcl_interfaces", "msg", "SetParametersResult")(successful=True) for _ in parameter_list
-        ]
+        return [interface("rcl_interfaces", "msg", "SetParametersResult")(successful=True) for _ in parameter_list]
 
     def set_parameters_atomically(self, parameter_list: Any) -> Any:
         """Set parameters together."""
@@ -136,9 +130,9 @@ class ParameterStore:
     def describe_parameter(self, name: str) -> Any:
         """The descriptor given at declaration."""
         self.get_parameter(name)
-        return self._oracle_descriptors.get(name) or interface(
-            "rcl_interfaces", "msg", "ParameterDescriptor"
-        )(name=name)
+        return self._oracle_descriptors.get(name) or interface("rcl_interfaces", "msg", "ParameterDescriptor")(
+            name=name
+        )
 
     def describe_parameters(self, names: Any) -> list[Any]:
         """Several descriptors."""

@@ -124,9 +124,7 @@ class QoSProfile:
         self.durability = _policy(DurabilityPolicy, policies.get("durability", DurabilityPolicy.VOLATILE))
         self.lifespan = policies.get("lifespan")
         self.deadline = policies.get("deadline")
-        self.liveliness = _policy(
-            LivelinessPolicy, policies.get("liveliness", LivelinessPolicy.SYSTEM_DEFAULT)
-        )
+        self.liveliness = _policy(LivelinessPolicy, policies.get("liveliness", LivelinessPolicy.SYSTEM_DEFAULT))
         self.liveliness_lease_duration = policies.get("liveliness_lease_duration")
         self.avoid_ros_namespace_conventions = policies.get("avoid_ros_namespace_conventions", False)
 

@@ -15,9 +15,7 @@ from .duration import NANOSECONDS, Duration
 class Time:
     """A point in time."""
 
-    def __init__(
-        self, *, seconds: Any = 0, nanoseconds: Any = 0, clock_type: Any = ClockType.SYSTEM_TIME
-    ) -> None:
+    def __init__(self, *, seconds: Any = 0, nanoseconds: Any = 0, clock_type: Any = ClockType.SYSTEM_TIME) -> None:
         self._nanoseconds = int(float(seconds) * NANOSECONDS) + int(nanoseconds)
         self.clock_type = clock_type
 
@@ -46,11 +44,7 @@ class Time:
 
     def __sub__(self, other: Any) -> Any:
         nanoseconds = self._nanoseconds - other.nanoseconds
-        return (
-            Time(nanoseconds=nanoseconds)
-            if isinstance(other, Duration)
-            else Duration(nanoseconds=nanoseconds)
-        )
+        return Time(nanoseconds=nanoseconds) if isinstance(other, Duration) else Duration(nanoseconds=nanoseconds)
 
     def to_msg(self) -> Any:
         """As builtin_interfaces/msg/Time."""

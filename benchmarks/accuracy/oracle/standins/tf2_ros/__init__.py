@@ -107,9 +107,7 @@ class Buffer(BufferInterface):
 class BufferClient(BufferInterface):
     """Record the action client to a buffer server."""
 
-    def __init__(
-        self, node: Any, ns: str, check_frequency: float = 10.0, timeout_padding: Any = None
-    ) -> None:
+    def __init__(self, node: Any, ns: str, check_frequency: float = 10.0, timeout_padding: Any = None) -> None:
         super().__init__()
         self.action_client = ActionClient(node, interface("tf2_msgs", "action", "LookupTransform"), ns)
 

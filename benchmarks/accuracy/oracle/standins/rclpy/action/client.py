@@ -81,9 +81,7 @@ class ActionClient(Entity):
         """A result."""
         return ClientGoalHandle(self._action_type).get_result()
 
-    def send_goal_async(
-        self, goal: object, feedback_callback: Any = None, goal_uuid: object = None
-    ) -> Future:
+    def send_goal_async(self, goal: object, feedback_callback: Any = None, goal_uuid: object = None) -> Future:
         """Accepted; the feedback callback is called once, later."""
         if feedback_callback is not None:
             recorder.tasks.append((feedback_callback, (Unknown("feedback"),)))

@@ -86,9 +86,7 @@ class LifecycleNodeMixin(ManagedEntity):
 class LifecycleNode(LifecycleNodeMixin, _PlainNode):
     """A managed node."""
 
-    def __init__(
-        self, node_name: str, *, enable_communication_interface: bool = True, **options: Any
-    ) -> None:
+    def __init__(self, node_name: str, *, enable_communication_interface: bool = True, **options: Any) -> None:
         _PlainNode.__init__(self, node_name, **options)
 
 
