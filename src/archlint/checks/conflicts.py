@@ -58,7 +58,7 @@ def meet(system: System, one: Endpoint, other: Endpoint) -> bool:
         # Two nodes of one name are one node written twice, or a mistake of another kind.
         and one.node.name != other.node.name
         and not exclusive(one.creation.arms, other.creation.arms)
-        and not (_nobody_starts_both(system, one.node, other.node) and _variants(one, other))
+        and not (_nobody_starts_both(system, one.node, other.node) and _apart(one, other))
     )
 
 
@@ -69,6 +69,18 @@ def _nobody_starts_both(system: System, one: Node, other: Node) -> bool:
 
 def _starters(node: Node) -> set[tuple[str | None, str]]:
     return {(node.package, executable) for executable in node.executables}
+
+
+def _apart(one: Endpoint, other: Endpoint) -> bool:
+    """Whether two nodes of different executables are probably never started together."""
+    return _tries_out(one.node) or _tries_out(other.node) or _variants(one, other)
+
+
+def _tries_out(node: Node) -> bool:
+    """A program called ``test_…`` is there to try something out by hand."""
+    return bool(node.executables) and all(
+        name.startswith("test_") or name.endswith("_test") for name in node.executables
+    )
 
 
 def _variants(one: Endpoint, other: Endpoint) -> bool:

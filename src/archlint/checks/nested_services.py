@@ -10,7 +10,6 @@ from archlint.checks.deadlock import AWAIT, CALL, SPIN, Verdict, judge_wait
 from archlint.checks.reach import (
     endpoint_words,
     node_name,
-    one_for_each_place,
     related_chain,
     related_creation,
 )
@@ -19,7 +18,11 @@ from archlint.checks.waits import Wait, waits
 from archlint.finding import Finding, Related, Severity
 
 if TYPE_CHECKING:
+    from archlint.finding import Place
+    from archlint.program.model import Callback
     from archlint.system.model import System
+
+_OTHERS_SHOWN = 5
 
 _INSTEAD = (
     "answer from what a topic has told, or send the request with call_async(), return, and report the "
@@ -37,14 +40,24 @@ _HELP_WHERE_SAFE = "the caller waits for both services, and a slow one makes the
 
 @rule("SRV003")
 def nested_service_call(system: System, options: Options) -> Iterator[Finding]:
-    """Waits that the handler of a service reaches."""
-    nested = [wait for wait in waits(system) if wait.call.context.role == "service"]
-    yield from one_for_each_place(_nested(system, wait) for wait in nested)
+    """Waits that the handler of a service reaches; one finding a place, for the handler that is worst off."""
+    judged: dict[Place, list[tuple[Wait, Verdict]]] = {}
+    for wait in waits(system):
+        if wait.call.context.role == "service":
+            verdict = judge_wait(wait.kind, wait.call, wait.client, wait.program)
+            judged.setdefault(wait.call.place, []).append((wait, verdict))
+    for place in sorted(judged):
+        ordered = sorted(judged[place], key=_worst_first)
+        yield _nested(system, *ordered[0], [wait for wait, _ in ordered[1:]])
 
 
-def _nested(system: System, wait: Wait) -> Finding:
+def _worst_first(row: tuple[Wait, Verdict]) -> tuple[object, ...]:
+    wait, verdict = row
+    return (verdict.safe, len(wait.call.chain), wait.call.context.place, wait.call.context.name)
+
+
+def _nested(system: System, wait: Wait, verdict: Verdict, others: list[Wait]) -> Finding:
     call, handler = wait.call, wait.call.context
-    verdict = judge_wait(wait.kind, call, wait.client, wait.program)
     service = endpoint_words(handler.creation)
     found = finding(
         "SRV003",
@@ -55,11 +68,23 @@ def _nested(system: System, wait: Wait) -> Finding:
             Related(handler.place, f"{handler.name} handles {service}"),
             *related_chain(call),
             *related_creation(wait.client),
+            *_other_handlers(handler, others),
         ],
         node=node_name(system, handler.node),
         identity=(handler.name, wait.client.name.text or "", call.api),
     )
     return replace(found, severity=Severity.WARNING) if verdict.safe else found
+
+
+def _other_handlers(first: Callback, waits: list[Wait]) -> Iterator[Related]:
+    """Further handlers that reach the same call."""
+    seen = {first.name}
+    for wait in waits:
+        handler = wait.call.context
+        if handler.name not in seen and len(seen) <= _OTHERS_SHOWN:
+            seen.add(handler.name)
+            service = endpoint_words(handler.creation)
+            yield Related(handler.place, f"{handler.name}, which handles {service}, gets there too")
 
 
 def _outcome(wait: Wait, verdict: Verdict) -> str:
