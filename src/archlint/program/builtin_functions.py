@@ -596,6 +596,11 @@ def _text_method(
     assert isinstance(text, str)
     if name == "format":
         return _format(run, target, args, keywords, e)
+    if name in ("joinpath", "as_posix", "resolve", "absolute", "expanduser"):  # of a pathlib.Path
+        rest = [arg.value for arg in args if isinstance(arg, Known)]
+        if name != "joinpath" or len(rest) == len(args):
+            return Known("/".join([text, *map(str, rest)]) if name == "joinpath" else text, target.via)
+        return Unknown(reason(*args))
     if name == "join" and args:
         items = expressions.iterate(run, args[0])
         if items is None or items.open:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import operator
+import posixpath
 from collections.abc import Callable, Hashable, Sequence
 from typing import TYPE_CHECKING, Any
 
@@ -477,6 +478,8 @@ def _binary_one(run: Run, op: str, left: Value, right: Value, span: facts.Span) 
         if both_known and not (_is_text(left) and _is_text(right)):
             return Unknown("adding a text and something else fails")
         return join_texts((left, right), run.place(span))
+    if op == "/" and isinstance(left, Known) and isinstance(right, Known) and _is_text(left) and _is_text(right):
+        return Known(posixpath.join(str(left.value), str(right.value)), via(left, right))  # of a pathlib.Path
     if op == "%" and _is_text(left):
         return percent_format(run, left, right, span)
     if op == "+" and isinstance(left, ListValue) and isinstance(right, ListValue):

@@ -307,7 +307,11 @@ from archlint.program.api import (  # noqa: E402
     python_effects,
 )
 
+from archlint.program.launch import effects as launch_effects  # noqa: E402
+
 adopt = nodes.adopt
+python_effects.METHODS.update(launch_effects.METHODS)
+python_effects.PLAIN.update(launch_effects.PLAIN)
 
 EFFECTS: dict[str, Effect] = {
     "none": _none,
@@ -351,6 +355,8 @@ EFFECTS: dict[str, Effect] = {
     "path_join": python_effects.path_join,
     "environment": python_effects.environment,
     "argument_parser": python_effects.argument_parser,
+    "launch_object": launch_effects.launch_object,
+    "package_path": launch_effects.package_path,
 }
 
 __all__ = ["EFFECTS", "ApiUse", "ClassValue", "ExecutorValue", "NodeValue", "adopt"]

@@ -497,4 +497,8 @@ def find(path: str) -> Api | None:
         return TABLE.get(f"threading.Event.{name}")
     if cls.startswith("rclpy.lifecycle.") and not name.startswith("__"):
         return TABLE.get(f"rclpy.node.Node.{name}")
+    if path.startswith(("launch", "ament_index_python.")):
+        from archlint.program.api import launch_tables
+
+        return launch_tables.find(path)
     return None

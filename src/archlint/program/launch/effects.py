@@ -1,0 +1,165 @@
+"""Calls of launch's API in a launch file's own code."""
+
+from __future__ import annotations
+
+import posixpath
+from typing import TYPE_CHECKING
+
+from archlint.facts import model as facts
+from archlint.program.launch.substitutions import SUBSTITUTIONS, package_share, perform
+from archlint.program.store import Items
+from archlint.program.values import (
+    NONE,
+    External,
+    Instance,
+    Known,
+    ListValue,
+    Unknown,
+    Value,
+    alternatives,
+    one_of,
+    reason,
+)
+
+if TYPE_CHECKING:
+    from archlint.program.api.effects import ApiUse
+    from archlint.program.run import Run
+
+
+def launch_object(run: Run, call: ApiUse) -> Value:
+    """An action, substitution, condition … with its arguments by name, where each is written, and the branches
+    of the launch file's own code that it is made in."""
+    from archlint.program.api.effects import argument_places
+
+    place = run.place(call.expression.span) if call.expression is not None and run.activations else None
+    made = Instance(External(call.api.path), run.store.new_key(), place, dict(call.arguments))
+    run.store.set(made.key, "#arms", frozenset(run.arms))
+    run.store.set(made.key, "#places", argument_places(run, call.api, call.expression))
+    run.store.set(made.key, "#rest", tuple(call.rest))
+    run.store.set(made.key, "#open", call.open)
+    if call.api.kind == "LaunchDescription":
+        entities = call.arguments.get("initial_entities")
+        run.store.set(made.key, "#entities", _items(run, entities))
+    return made
+
+
+def _items(run: Run, value: Value | None) -> Items:
+    from archlint.program import expressions
+
+    if value is None or value == NONE:
+        return Items(())
+    found = expressions.iterate(run, value)
+    return Items((value,), True) if found is None else found
+
+
+def package_path(run: Run, call: ApiUse) -> Value:
+    """``get_package_share_directory('pkg')``."""
+    from archlint.program.launch.run import LaunchRun
+
+    if not isinstance(run, LaunchRun):
+        return Unknown("the path of an installed package")
+    rows: list[Value] = []
+    for option in alternatives(call.get("package_name") or Unknown("no package is given")):
+        name = perform(run, option)
+        if not isinstance(name, Known):
+            rows.append(Unknown(reason(name)))
+        elif call.api.kind == "share":
+            rows.append(package_share(str(name.value)))
+        else:
+            rows.append(Known(f"$(find-pkg-prefix {name.value})"))
+    return one_of(rows)
+
+
+def _add(run: Run, receiver: Value, args: list[Value], keywords: dict[str, Value], e: facts.Call | None) -> Value:
+    """``LaunchDescription.add_action``."""
+    if not isinstance(receiver, Instance):
+        return NONE
+    known = run.store.get(receiver.key, "#entities")
+    items = known if isinstance(known, Items) else Items(())
+    for value in [*args, *keywords.values()]:
+        items = Items((*items.values, _in_branch(run, value)), items.open)
+    run.store.set(receiver.key, "#entities", items)
+    return NONE
+
+
+def _in_branch(run: Run, value: Value) -> Value:
+    """An action that is added in a branch of the code is conditional, wherever it was made."""
+    if not run.arms:
+        return value
+    made = Instance(External("launch.Branch"), run.store.new_key(), None, {"action": value})
+    run.store.set(made.key, "#arms", frozenset(run.arms))
+    return made
+
+
+def _perform(run: Run, receiver: Value, args: list[Value], keywords: dict[str, Value], e: facts.Call | None) -> Value:
+    from archlint.program.launch.run import LaunchRun
+
+    return perform(run, receiver) if isinstance(run, LaunchRun) else Unknown("a substitution outside of a launch")
+
+
+def _perform_argument(
+    run: Run, receiver: Value, args: list[Value], keywords: dict[str, Value], e: facts.Call | None
+) -> Value:
+    values = [*args, *keywords.values()]
+    return _perform(run, values[-1] if values else NONE, [], {}, e)
+
+
+def _find(run: Run, receiver: Value, args: list[Value], keywords: dict[str, Value], e: facts.Call | None) -> Value:
+    """``FindPackageShare('pkg').find('pkg')``."""
+    given = [*args, *keywords.values()]
+    rows = alternatives(given[0]) if given else ()
+    return one_of(
+        package_share(str(row.value)) if isinstance(row, Known) else Unknown(reason(row)) for row in rows
+    )
+
+
+METHODS = {
+    "launch.LaunchDescription.add_action": _add,
+    "launch.LaunchDescription.add_entity": _add,
+    "launch.LaunchContext.perform_substitution": _perform_argument,
+    "launch.FindPackageShare.find": _find,
+    "launch.FindPackagePrefix.find": _find,
+    **{f"launch.{name}.perform": _perform for name in SUBSTITUTIONS},
+}
+
+
+def _perform_all(run: Run, args: list[Value], keywords: dict[str, Value], e: facts.Call | None) -> Value:
+    return _perform_argument(run, NONE, args, keywords, e)
+
+
+def _same(run: Run, args: list[Value], keywords: dict[str, Value], e: facts.Call | None) -> Value:
+    return args[0] if args else Unknown("no argument")
+
+
+def _path(run: Run, args: list[Value], keywords: dict[str, Value], e: facts.Call | None) -> Value:
+    """``Path(a, b)`` in a launch file is a text for us: launch takes both."""
+    from archlint.program.launch.run import LaunchRun
+
+    if not isinstance(run, LaunchRun):
+        return Instance(External("pathlib.Path"), run.store.new_key(), None, {str(i): a for i, a in enumerate(args)})
+    texts = [part.value for part in args if isinstance(part, Known)]
+    if len(texts) != len(args) or not args:
+        return Unknown(reason(*args))
+    return Known(posixpath.join(*map(str, texts)))
+
+
+def _same_path(run: Run, args: list[Value], keywords: dict[str, Value], e: facts.Call | None) -> Value:
+    from archlint.program.launch.run import LaunchRun
+
+    if isinstance(run, LaunchRun) and args and isinstance(args[0], Known):
+        return Known(posixpath.normpath(str(args[0].value)))
+    return Unknown("a path of this machine")
+
+
+PLAIN = {
+    "launch.utilities.perform_substitutions": _perform_all,
+    "launch.utilities.normalize_to_list_of_substitutions": _same,
+    "launch.some_substitutions_type.SomeSubstitutionsType": _same,
+    "pathlib.Path": _path,
+    "pathlib.PurePath": _path,
+    "os.path.abspath": _same_path,
+    "os.path.realpath": _same_path,
+    "os.path.normpath": _same_path,
+}
+
+__all__ = ["METHODS", "PLAIN", "ListValue", "launch_object", "package_path"]

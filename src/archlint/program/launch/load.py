@@ -1,0 +1,255 @@
+"""Loads launch files: Python through the symbolic run, XML and YAML through the frontends, includes with them."""
+
+from __future__ import annotations
+
+import posixpath
+import re
+from collections.abc import Callable, Mapping, Sequence
+from typing import TYPE_CHECKING, Protocol
+
+from archlint.facts import model as facts
+from archlint.facts.launch_model import LaunchFacts
+from archlint.facts.launch_xml import read_launch_xml
+from archlint.facts.launch_yaml import read_launch_yaml
+from archlint.facts.parameters import ParameterFacts, read_parameters
+from archlint.finding import Place
+from archlint.program import calls
+from archlint.program.installs import Installs
+from archlint.program.launch import actions
+from archlint.program.launch.frontends import Frontend
+from archlint.program.launch.model import (
+    EXTERNAL,
+    INSTALLED,
+    MISSING,
+    NOT_INSTALLED,
+    UNKNOWN,
+    FileReference,
+    Launched,
+)
+from archlint.program.launch.run import LaunchRun
+from archlint.program.modules import ModuleIndex
+from archlint.program.store import Store
+from archlint.program.values import FunctionValue, Known, Value, reason
+
+if TYPE_CHECKING:
+    from archlint.workspace.model import SourceFile
+
+INCLUDE_DEPTH = 24
+INCLUDES = 400
+"""How many includes one launch file may come to."""
+
+FRONTENDS = (".xml", ".launch", ".yaml", ".yml")
+GENERATE = "generate_launch_description"
+
+
+class Tree(Protocol):
+    def text(self, path: str) -> str | None: ...
+
+    def is_file(self, path: str) -> bool: ...
+
+    def is_folder(self, path: str) -> bool: ...
+
+
+class LaunchLoader:
+    """Reads launch files of one workspace; facts are read once, each launch is a run of its own."""
+
+    def __init__(
+        self,
+        files: Sequence[SourceFile],
+        facts_of: Callable[[SourceFile], facts.Facts | None],
+        installs: Mapping[str, Installs],
+        tree: Tree,
+    ) -> None:
+        self._files = files
+        self._facts_of = facts_of
+        self.installs = installs
+        self.tree = tree
+        self._by_path = {file.relative: file for file in files}
+        self._frontend_facts: dict[str, LaunchFacts] = {}
+        self._parameter_facts: dict[str, ParameterFacts] = {}
+        self.index = ModuleIndex(files, facts_of)
+        self.store = Store()
+
+    # ---------------------------------------------------------------------------------------------- files
+
+    def launch_files(self) -> list[str]:
+        """Every launch file of the workspace, sorted."""
+        found = []
+        for file in self._files:
+            if file.context or _is_test(file.relative):
+                continue
+            if file.kind == "launch_python" or (file.kind == "python" and self._in_launch_folder(file)):
+                if self.defines_launch(file.relative):
+                    found.append(file.relative)
+            elif file.kind in ("launch_xml", "launch_yaml") and self.frontend(file.relative).root is not None:
+                found.append(file.relative)
+        return sorted(found)
+
+    @staticmethod
+    def _in_launch_folder(file: SourceFile) -> bool:
+        return "launch" in file.relative
+
+    def defines_launch(self, path: str) -> bool:
+        file = self._by_path.get(path)
+        found = None if file is None else self._facts_of(file)
+        return found is not None and any(
+            isinstance(s, facts.Function) and s.name == GENERATE or _star_import(s) for s in found.body
+        )
+
+    def frontend(self, path: str) -> LaunchFacts:
+        if path not in self._frontend_facts:
+            text = self.tree.text(path)
+            read = read_launch_yaml if path.endswith((".yaml", ".yml")) else read_launch_xml
+            self._frontend_facts[path] = LaunchFacts() if text is None else read(text)
+        return self._frontend_facts[path]
+
+    def parameters(self, path: str) -> ParameterFacts:
+        if path not in self._parameter_facts:
+            text = self.tree.text(path)
+            self._parameter_facts[path] = ParameterFacts() if text is None else read_parameters(text)
+        return self._parameter_facts[path]
+
+    def package_of(self, path: str) -> str | None:
+        file = self._by_path.get(path)
+        if file is not None:
+            return file.package
+        inside = [i for i in self.installs.values() if path.startswith(i.folder + "/") or i.folder == "."]
+        return max(inside, key=lambda i: len(i.folder)).package if inside else None
+
+    # ------------------------------------------------------------------------------------------- launches
+
+    def launch(self, path: str, arguments: Mapping[str, str] | None = None) -> Launched:
+        """Run a launch file as ``ros2 launch path name:=value …``; without arguments the defaults hold."""
+        result = Launched(path, self.package_of(path), dict(arguments or {}))
+        run = LaunchRun(self.index, self.store, self, path, result)
+        self.includes = 0
+        for name, value in (arguments or {}).items():
+            run.launch.configurations[name] = Known(value)
+        depth = self.store.depth
+        self.store.push()
+        try:
+            self._enter(run, path)
+        finally:
+            self.store.cut(depth)
+        return result
+
+    def include(self, run: LaunchRun, reference: FileReference) -> None:
+        """Run an included file in the same context: includes are not scoped."""
+        self.includes += 1
+        if reference.source is None:
+            if reference.status == UNKNOWN:
+                run.gap(f"an included file: {reference.reason}")
+            return
+        if reference.source in run.stack:
+            run.gap(f"{reference.source} includes itself")
+            return
+        if len(run.stack) >= INCLUDE_DEPTH or self.includes > INCLUDES:
+            run.gap("more includes than can be followed")
+            return
+        self._enter(run, reference.source)
+
+    def _enter(self, run: LaunchRun, path: str) -> None:
+        kept, kept_place = run.file, run.place_now
+        run.file = path
+        run.place_now = Place(path, 1, 1, 1, 1)
+        run.stack.append(path)
+        try:
+            if path.endswith(FRONTENDS):
+                self._enter_frontend(run, path)
+            else:
+                self._enter_python(run, path)
+        finally:
+            run.stack.pop()
+            run.file, run.place_now = kept, kept_place
+
+    def _enter_frontend(self, run: LaunchRun, path: str) -> None:
+        found = self.frontend(path)
+        if found.ros1:
+            run.result.ros1 = run.result.ros1 or len(run.stack) == 1
+            if len(run.stack) > 1:
+                run.gap(f"{path} is a launch file of ROS 1")
+        elif found.root is not None:
+            frontend = Frontend(run, path)
+            for element in found.root.children:
+                for action in frontend.actions([element]):
+                    actions.visit(run, action)
+        else:
+            why = found.problems[0].message if found.problems else "it is no launch file"
+            run.gap(f"{path} cannot be read: {why}")
+
+    def _enter_python(self, run: LaunchRun, path: str) -> None:
+        file = self._by_path.get(path)
+        module = None if file is None else self.index.module(file)
+        if module is None:
+            run.gap(f"{path} cannot be read")
+            return
+        with run.root(module):
+            run.import_module(module)
+            assert module.scope is not None
+            run.activations[0].scope = module.scope
+            function = run.module_attribute(module, GENERATE)
+            if not isinstance(function, FunctionValue):
+                run.result.is_launch_file = run.result.is_launch_file and len(run.stack) > 1
+                run.gap(f"{path} has no {GENERATE}()")
+                return
+            description = calls.call(run, function, [], {})
+        actions.visit(run, description)
+
+    # ---------------------------------------------------------------------------------------------- paths
+
+    def resolve(self, run: LaunchRun, kind: str, path: Value, place: Place) -> FileReference:
+        """Which file of the workspace a path means."""
+        conditional = run.is_conditional
+        if not isinstance(path, Known) or not str(path.value):
+            return FileReference(kind, None, None, UNKNOWN, None, place, reason(path), conditional)
+        written = str(path.value)
+        shared = _SHARE.match(written)
+        if shared is not None:
+            package, rest = shared[1], posixpath.normpath(shared[2].lstrip("/") or ".")
+            source, status = self._in_package(package, rest)
+        elif written.startswith("$(workspace)/"):
+            package = self.package_of(run.file)
+            source, status = self._beside(written.removeprefix("$(workspace)/"), package)
+        else:
+            return FileReference(kind, written, None, EXTERNAL, None, place, "a path of the machine", conditional)
+        return FileReference(kind, written, source, status, package, place, None, conditional)
+
+    def _in_package(self, package: str, rest: str) -> tuple[str | None, str]:
+        installs = self.installs.get(package)
+        if installs is None:
+            return None, EXTERNAL
+        for source in installs.source_of(f"share/{package}/{rest}"):
+            if self.tree.is_file(source) or self.tree.is_folder(source):
+                return source, INSTALLED
+        direct = posixpath.normpath(posixpath.join(installs.folder, rest))
+        if self.tree.is_file(direct) or self.tree.is_folder(direct):
+            return direct, INSTALLED if installs.open_files or not installs.build_files else NOT_INSTALLED
+        return None, UNKNOWN if installs.open_files or not installs.build_files else MISSING
+
+    def _beside(self, source: str, package: str | None) -> tuple[str | None, str]:
+        """A path that starts at the launch file itself."""
+        source = posixpath.normpath(source)
+        if self.tree.is_file(source):
+            return source, INSTALLED
+        installs = self.installs.get(package or "")
+        if installs is None:
+            return None, UNKNOWN
+        # The launch file runs from where it is installed: the same way from there.
+        if source.startswith(installs.folder + "/"):
+            found, status = self._in_package(installs.package, source[len(installs.folder) + 1 :])
+            if found is not None:
+                return found, status
+        return None, UNKNOWN if installs.open_files else MISSING
+
+
+_SHARE = re.compile(r"^\$\(find-pkg-share ([\w.-]+)\)(.*)$", re.DOTALL)
+
+
+def _star_import(statement: facts.Stmt) -> bool:
+    return isinstance(statement, facts.ImportFrom) and any(name == GENERATE for name, _ in statement.names)
+
+
+def _is_test(path: str) -> bool:
+    from archlint.program.api.nodes import is_test_file
+
+    return is_test_file(path)

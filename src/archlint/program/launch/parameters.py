@@ -1,0 +1,182 @@
+"""The ``parameters=`` of a node: dicts, files and single parameters, with the types that ROS gives them."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from archlint.facts.safe_yaml import YamlError, YamlReader, plain_scalar
+from archlint.finding import Place
+from archlint.program.launch.model import (
+    OpenParameters,
+    ParameterFileUse,
+    ParameterSetting,
+)
+from archlint.program.launch.substitutions import SUBSTITUTIONS, argument, kind_of, perform
+from archlint.program.values import (
+    Builtin,
+    DictValue,
+    External,
+    Holed,
+    Instance,
+    Known,
+    ListValue,
+    OneOf,
+    Unknown,
+    Value,
+    reason,
+)
+
+if TYPE_CHECKING:
+    from archlint.program.launch.run import LaunchRun
+
+Parameter = ParameterSetting | ParameterFileUse | OpenParameters
+
+CONSTANT_LIMIT = 20_000
+
+
+def parameters_of(run: LaunchRun, value: Value | None, place: Place) -> list[Parameter]:
+    """What a list of parameters sets, in order."""
+    from archlint.program import expressions
+
+    if value is None:
+        return []
+    items = expressions.iterate(run, value) if isinstance(value, (ListValue, OneOf)) else None
+    if items is None:
+        if isinstance(value, (DictValue, Known)) or kind_of(value):
+            return list(_one(run, value, place))
+        return [OpenParameters(reason(value), place)]
+    found: list[Parameter] = []
+    for item in items.values:
+        found.extend(_one(run, item, place))
+    if items.open:
+        found.append(OpenParameters("a list of parameters that is not known", place))
+    return found
+
+
+def _one(run: LaunchRun, item: Value, place: Place) -> Iterator[Parameter]:
+    kind = kind_of(item)
+    if isinstance(item, Instance) and item.place is not None:
+        place = item.place
+    if isinstance(item, OneOf):
+        yield OpenParameters("one of several parameters", place)
+        for option in item.values:
+            yield from _one(run, option, place)
+    elif isinstance(item, DictValue):
+        yield from _entries(run, item, "", place)
+    elif kind == "Parameter":
+        yield setting(run, perform(run, argument(item, "name")), _given(item, "value"), place)
+    elif kind == "ParameterFile":
+        substitutions = argument(item, "allow_substs") == Known(True)
+        yield file_use(run, argument(item, "param_file"), place, substitutions)
+    elif isinstance(item, Known) or kind in SUBSTITUTIONS or isinstance(item, (ListValue, Holed)):
+        yield file_use(run, item, place)
+    else:
+        yield OpenParameters(reason(item), place)
+
+
+def file_use(run: LaunchRun, value: Value | None, place: Place, substitutions: bool = False) -> ParameterFileUse:
+    if isinstance(value, Known) and value.origin is not None:
+        place = value.origin
+    reference = run.reference("parameters", perform(run, value), place)
+    return ParameterFileUse(reference, place, substitutions)
+
+
+def _given(item: Value, name: str) -> Value:
+    found = item.arguments.get(name) if isinstance(item, Instance) else None
+    return found if found is not None else Known(None)
+
+
+def _entries(run: LaunchRun, item: DictValue, prefix: str, place: Place) -> Iterator[Parameter]:
+    from archlint.program import expressions
+
+    entries = expressions.entries_of(run, item)
+    for key, value in entries.entries.values():
+        name = perform(run, key)
+        where = key.origin if isinstance(key, Known) and key.origin is not None else place
+        if isinstance(name, Known) and prefix:
+            name = Known(f"{prefix}.{name.value}")
+        if isinstance(value, DictValue) and isinstance(name, Known):
+            yield from _entries(run, value, str(name.value), where)
+        else:
+            yield setting(run, name, value, where)
+    if entries.open:
+        yield OpenParameters("a dict of parameters with entries that are not known", place)
+
+
+def setting(run: LaunchRun, name: Value, value: Value, place: Place) -> ParameterSetting:
+    text = str(name.value) if isinstance(name, Known) else None
+    python, known = python_of(run, value)
+    return ParameterSetting(text, python, known, place)
+
+
+def python_of(run: LaunchRun, value: Value) -> tuple[object, bool]:
+    """The value of a parameter and whether it is known: constants as they are, the text of a substitution as
+    YAML."""
+    if isinstance(value, Known):
+        return value.value, value.value is not None
+    kind = kind_of(value)
+    if kind == "ParameterValue":
+        return _typed(run, value)
+    if kind in SUBSTITUTIONS:
+        text = perform(run, value)
+        return from_yaml(str(text.value)) if isinstance(text, Known) else (None, False)
+    if isinstance(value, ListValue):
+        return _list(run, value)
+    return None, False
+
+
+def _list(run: LaunchRun, value: ListValue) -> tuple[object, bool]:
+    """A list of constants is an array; one with substitutions among texts is one text."""
+    from archlint.program import expressions
+
+    items = expressions.items_of(run, value)
+    if items.open:
+        return None, False
+    if any(kind_of(item) in SUBSTITUTIONS for item in items.values):
+        if all(kind_of(item) in SUBSTITUTIONS for item in items.values) and len(items.values) > 1:
+            return None, False
+        text = perform(run, value)
+        return from_yaml(str(text.value)) if isinstance(text, Known) else (None, False)
+    rows = [python_of(run, item) for item in items.values]
+    return [row for row, _ in rows], all(known for _, known in rows)
+
+
+_TYPES = {"str": str, "int": int, "float": float, "bool": bool}
+
+
+def _typed(run: LaunchRun, value: Value) -> tuple[object, bool]:
+    """``ParameterValue(value, value_type=str)``."""
+    inner = _given(value, "value")
+    kind = argument(value, "value_type")
+    name = kind.name if isinstance(kind, Builtin) else kind.path.rpartition(".")[2] if isinstance(kind, External) else ""
+    if not name:
+        return python_of(run, inner)
+    if name not in _TYPES:
+        return None, False
+    text = perform(run, inner)
+    if not isinstance(text, Known):
+        return None, False
+    if name == "str":
+        return str(text.value), True
+    found, known = from_yaml(str(text.value))
+    if name == "float" and isinstance(found, int) and not isinstance(found, bool):
+        return float(found), True
+    return (found, known) if isinstance(found, _TYPES[name]) else (None, False)
+
+
+def from_yaml(text: str) -> tuple[object, bool]:
+    """A text as launch_ros reads a parameter without a type: as YAML."""
+    if len(text) > CONSTANT_LIMIT:
+        return None, False
+    if not text[:1] or text[0] not in "[{\"'!&*":
+        return (text if ": " in text or "\n" in text else plain_scalar(text.strip())), True
+    try:
+        reader = YamlReader(text)
+        found = reader.value(reader.root) if reader.root is not None else None
+    except (YamlError, RecursionError):
+        return text, True
+    return found, not isinstance(found, dict)
+
+
+__all__ = ["Parameter", "Unknown", "file_use", "from_yaml", "parameters_of", "python_of", "setting"]

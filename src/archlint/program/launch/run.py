@@ -1,0 +1,200 @@
+"""The symbolic run of one launch file: a run with a launch context, and what it has found so far."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from contextlib import contextmanager
+from typing import TYPE_CHECKING
+
+from archlint.finding import Place
+from archlint.program import model
+from archlint.program.launch.conditions import Verdict
+from archlint.program.launch.context import Context
+from archlint.program.launch.model import (
+    Arms,
+    FileReference,
+    Gap,
+    Launched,
+    UndeclaredUse,
+    UnknownAttribute,
+)
+from archlint.program.modules import Module, ModuleIndex
+from archlint.program.run import Run
+from archlint.program.store import Store
+from archlint.program.values import DictValue, External, Instance, Known, OneOf, Unknown, Value
+
+if TYPE_CHECKING:
+    from archlint.program.launch.load import LaunchLoader
+
+
+class LaunchRun(Run):
+    """``launch`` is the launch context; ``file`` the launch file whose actions are visited now."""
+
+    def __init__(self, index: ModuleIndex, store: Store, loader: LaunchLoader, file: str, result: Launched) -> None:
+        place = Place(file, 1, 1, 1, 1)
+        super().__init__(
+            index, store, model.Program(file, None, file), model.Callback("launch", file, place, None, file=file)
+        )
+        self.loader = loader
+        self.launch = Context()
+        self.file = file
+        self.result = result
+        self.place_now = place
+        self.visits = 0
+        self.current_arms: Arms = frozenset()
+        self.code_arms: Arms = frozenset()
+        """Branches of the code that have already been taken note of."""
+        self.dormant = 0
+        self.undecided = 0
+        self.stack: list[str] = []
+        self._values: dict[str, list[str]] = {}
+        self._seen: set[object] = set()
+
+    # -------------------------------------------------------------------------------------------- where
+
+    @property
+    def file_path(self) -> str:
+        """The path of the current launch file, as its own code sees it."""
+        return f"$(workspace)/{self.file}"
+
+    @property
+    def is_dormant(self) -> bool:
+        return self.dormant > 0
+
+    @property
+    def is_conditional(self) -> bool:
+        return self.dormant > 0 or self.undecided > 0 or bool(self.arms)
+
+    def gap(self, reason: str) -> None:
+        gap = Gap(reason, self.place_now)
+        if gap not in self._seen:
+            self._seen.add(gap)
+            self.result.gaps.append(gap)
+
+    def note_undeclared(self, use: UndeclaredUse) -> None:
+        if use not in self._seen:
+            self._seen.add(use)
+            self.result.undeclared.append(use)
+
+    def note_unknown_attribute(self, wrong: UnknownAttribute) -> None:
+        if wrong not in self._seen:
+            self._seen.add(wrong)
+            self.result.unknown_attributes.append(wrong)
+
+    def reference(self, kind: str, path: Value, place: Place) -> FileReference:
+        found = self.loader.resolve(self, kind, path, place)
+        if found not in self._seen:
+            self._seen.add(found)
+            self.result.references.append(found)
+        return found
+
+    # ------------------------------------------------------------------------------------------- values
+
+    def items(self, value: Value | None) -> list[Value]:
+        """The known items of a list, dict (as pairs) or ``dict.items()``."""
+        from archlint.program import expressions
+
+        if value is None:
+            return []
+        if isinstance(value, DictValue):
+            rows = expressions.entries_of(self, value).entries.values()
+            return [expressions.new_list(self, pair, "tuple") for pair in rows]
+        if isinstance(value, OneOf):
+            return [item for option in value.values for item in self.items(option)]
+        items = expressions.iterate(self, value)
+        return [] if items is None else list(items.values)
+
+    def is_open(self, value: Value) -> bool:
+        from archlint.program import expressions
+
+        items = expressions.iterate(self, value)
+        return items is None or items.open
+
+    def places_of(self, entity: Instance) -> dict[str, Place]:
+        found = self.store.get(entity.key, "#places")
+        return found if isinstance(found, dict) else {}
+
+    # ----------------------------------------------------------------------------------------- branches
+
+    def label(self, arm: tuple[str, int], text: str) -> tuple[str, int]:
+        self.result.labels.setdefault(arm, text)
+        return arm
+
+    def number_of_value(self, name: str, value: str) -> int:
+        """A number for one value of an argument that is compared with several."""
+        values = self._values.setdefault(name, [])
+        if value not in values:
+            values.append(value)
+        return values.index(value)
+
+    @contextmanager
+    def branch(self, own: Arms, verdict: Verdict, place: Place) -> Iterator[None]:
+        """An action under a condition: one that does not hold leaves no trace in the context, one that is not
+        decided leaves both."""
+        if verdict.holds is True and not own:
+            yield
+            return
+        arms = own if verdict.branch is None else own | {verdict.branch}
+        kept, kept_code, before = self.current_arms, self.code_arms, self.launch.fork()
+        asleep = verdict.holds is False or (verdict.branch is not None and self._excluded(verdict.branch))
+        self.current_arms, self.code_arms = kept | arms, kept_code | own
+        self.dormant += asleep
+        self.undecided += not asleep
+        try:
+            yield
+        finally:
+            self.dormant -= asleep
+            self.undecided -= not asleep
+            self.current_arms, self.code_arms = kept, kept_code
+            if asleep:
+                self.launch.restore(before)
+            else:
+                self.launch.join(before, "a branch that the arguments do not decide")
+
+    def _excluded(self, branch: tuple[str, int]) -> bool:
+        """Whether an outer branch already says the opposite."""
+        return any(name == branch[0] and arm != branch[1] for name, arm in self.current_arms)
+
+    # --------------------------------------------------------------------------------------------- code
+
+    @contextmanager
+    def root(self, module: Module) -> Iterator[None]:
+        """Run code of a module, from a fresh chain of calls."""
+        from archlint.program.link import _enter_root
+
+        kept, kept_arms = self.activations, self.arms
+        self.steps, self.repeats, self.runs = 0, {}, {}
+        self.activations, self.arms = [], sorted(self.code_arms)
+        _enter_root(self, module)
+        depth = self.store.depth
+        self.store.push()
+        try:
+            yield
+        finally:
+            layer = self.store.cut(depth)
+            self.store.merge([layer])
+            self.activations, self.arms = kept, kept_arms
+
+    def call_opaque(self, function: Value, args: list[Value], kwargs: Value | None) -> Value:
+        """Call the function of an OpaqueFunction with a launch context; what it sets there stays set."""
+        from archlint.program import calls, expressions
+        from archlint.program.link import _module_of
+
+        module = _module_of(function)
+        if module is None:
+            return Unknown("an OpaqueFunction whose function is not followed")
+        context = Instance(External("launch.LaunchContext"), self.store.new_key())
+        entries = {expressions.hashable(Known(n)): (Known(n), v) for n, v in self.launch.configurations.items()}
+        known = expressions.new_dict(self, {key: row for key, row in entries.items() if key is not None})
+        self.store.set(context.key, "launch_configurations", known)
+        keywords = {}
+        if isinstance(kwargs, DictValue):
+            for key, value in expressions.entries_of(self, kwargs).entries.values():
+                if isinstance(key, Known):
+                    keywords[str(key.value)] = value
+        with self.root(module):
+            result = calls.call(self, function, [context, *args], keywords)
+        for key, value in expressions.entries_of(self, known).entries.values():
+            if isinstance(key, Known):
+                self.launch.configurations[str(key.value)] = value
+        return result

@@ -1,0 +1,297 @@
+"""Substitutions: what their text is in a launch context."""
+
+from __future__ import annotations
+
+import posixpath
+from collections.abc import Callable, Sequence
+from typing import TYPE_CHECKING
+
+from archlint.program.launch import expression
+from archlint.program.launch.model import UndeclaredUse
+from archlint.program.values import (
+    External,
+    Holed,
+    Instance,
+    Known,
+    ListValue,
+    OneOf,
+    Unknown,
+    Value,
+    alternatives,
+    join_texts,
+    one_of,
+    reason,
+)
+
+if TYPE_CHECKING:
+    from archlint.program.launch.run import LaunchRun
+
+COMBINATIONS = 12
+
+
+def kind_of(value: Value | None) -> str:
+    """``Node`` for an object of launch's or launch_ros' ``Node`` …; empty for anything else."""
+    if isinstance(value, Instance) and isinstance(value.cls, External) and value.cls.path.startswith("launch."):
+        return value.cls.path.removeprefix("launch.")
+    return ""
+
+
+def argument(value: Value | None, name: str) -> Value | None:
+    """A constructor argument; None where it was not given, or is None."""
+    found = value.arguments.get(name) if isinstance(value, Instance) else None
+    return None if isinstance(found, Known) and found.value is None else found
+
+
+def perform(run: LaunchRun, value: Value | None) -> Value:
+    """The text of what launch takes for one: a text, a substitution, a path, or a list of these."""
+    if value is None:
+        return Known("")
+    if isinstance(value, Known):
+        return Known(str(value.value), value.via, value.origin, value.kind) if value.value is not None else Known("")
+    if isinstance(value, OneOf):
+        return one_of(perform(run, option) for option in value.values)
+    if isinstance(value, ListValue):
+        from archlint.program import expressions
+
+        items = expressions.items_of(run, value)
+        if items.open:
+            return Unknown("a text of parts that are not known")
+        return concatenate([perform(run, item) for item in items.values])
+    kind = kind_of(value)
+    if kind in _SUBSTITUTIONS:
+        assert isinstance(value, Instance)
+        return _SUBSTITUTIONS[kind](run, value)
+    if isinstance(value, (Unknown, Holed)):
+        return value
+    return Unknown(reason(value))
+
+
+def concatenate(parts: Sequence[Value], joint: str = "") -> Value:
+    """The parts one after the other, over all their alternatives."""
+    rows: list[list[Value]] = [[]]
+    for number, part in enumerate(parts):
+        options = alternatives(part)
+        if len(rows) * len(options) > COMBINATIONS:
+            options = (Unknown("more values than can be followed"),)
+        between = [Known(joint)] if joint and number else []
+        rows = [[*row, *between, option] for row in rows for option in options]
+    return one_of(row[0] if len(row) == 1 else join_texts(row) for row in rows)
+
+
+def _parts(run: LaunchRun, value: Value | None) -> list[Value]:
+    from archlint.program import expressions
+
+    if isinstance(value, ListValue):
+        return list(expressions.items_of(run, value).values)
+    return [] if value is None else [value]
+
+
+def _configuration(run: LaunchRun, value: Instance) -> Value:
+    name = perform(run, argument(value, "variable_name"))
+    if not isinstance(name, Known):
+        return Unknown("the name of a launch configuration is not known")
+    text = str(name.value)
+    found = run.launch.configurations.get(text)
+    if found is not None:
+        return found
+    default = value.arguments.get("default")
+    if default is not None and default != Known(None):
+        return perform(run, default)
+    if value.place is not None:
+        run.note_undeclared(UndeclaredUse(text, value.place, run.file, run.is_conditional))
+    return Unknown(f"the launch configuration '{text}' is not set")
+
+
+def _text(run: LaunchRun, value: Instance) -> Value:
+    return perform(run, argument(value, "text"))
+
+
+def _path_join(run: LaunchRun, value: Instance) -> Value:
+    parts = [perform(run, part) for part in _parts(run, argument(value, "substitutions"))]
+    if all(isinstance(part, Known) for part in parts):
+        return Known(posixpath.join(*(str(part.value) for part in parts if isinstance(part, Known)) or [""]))
+    return concatenate(parts, "/")
+
+
+def _string_join(run: LaunchRun, value: Instance) -> Value:
+    joint = perform(run, argument(value, "delimiter"))
+    parts = [perform(run, part) for part in _parts(run, argument(value, "substitutions"))]
+    return concatenate(parts, str(joint.value)) if isinstance(joint, Known) else Unknown(reason(joint))
+
+
+def _environment(run: LaunchRun, value: Instance) -> Value:
+    name = perform(run, argument(value, "name"))
+    if not isinstance(name, Known):
+        return Unknown("the name of an environment variable is not known")
+    found = run.launch.environment.get(str(name.value))
+    if found is not None:
+        return found
+    unknown = Unknown(f"the environment variable {name.value}")
+    default = value.arguments.get("default_value")
+    return unknown if default is None or default == Known(None) else perform(run, default)
+
+
+def package_share(name: str) -> Known:
+    """The share folder of a package, as a path that says so."""
+    return Known(f"$(find-pkg-share {name})")
+
+
+def _share(run: LaunchRun, value: Instance) -> Value:
+    rows = alternatives(perform(run, argument(value, "package")))
+    return one_of(package_share(str(n.value)) if isinstance(n, Known) else Unknown(reason(n)) for n in rows)
+
+
+def _prefix(run: LaunchRun, value: Instance) -> Value:
+    name = perform(run, argument(value, "package"))
+    return Known(f"$(find-pkg-prefix {name.value})") if isinstance(name, Known) else Unknown(reason(name))
+
+
+def _executable(run: LaunchRun, value: Instance) -> Value:
+    package = perform(run, argument(value, "package"))
+    name = perform(run, argument(value, "executable"))
+    parts = [Known("$(find-pkg-prefix "), package, Known(")/lib/"), package, Known("/"), name]
+    return concatenate(parts)
+
+
+def _here(run: LaunchRun, value: Instance) -> Value:
+    return Known(posixpath.dirname(run.file_path))
+
+
+def _this_file(run: LaunchRun, value: Instance) -> Value:
+    return Known(run.file_path)
+
+
+def _anonymous(run: LaunchRun, value: Instance) -> Value:
+    name = perform(run, argument(value, "name"))
+    return join_texts((name, Known("_"), Unknown("a name that launch makes unique")))
+
+
+def expression_template(run: LaunchRun, value: Instance) -> Value:
+    """The text of a Python expression, before it is evaluated."""
+    return perform(run, argument(value, "expression"))
+
+
+def _python(run: LaunchRun, value: Instance) -> Value:
+    found: list[Value] = []
+    for option in alternatives(expression_template(run, value)):
+        if not isinstance(option, Known):
+            found.append(Unknown(reason(option)))
+            continue
+        try:
+            found.append(Known(str(expression.evaluate(str(option.value)))))
+        except expression.NotFollowed as error:
+            found.append(Unknown(str(error)))
+    return one_of(found)
+
+
+_TRUE = frozenset({"true", "1"})
+_FALSE = frozenset({"false", "0"})
+_YES = _TRUE | {"on", "yes", "y"}
+_NO = _FALSE | {"off", "no", "n"}
+
+
+def truth_of(value: Value, loose: bool = False) -> bool | None:
+    """Whether the text of a condition holds; None where it is not known or launch refuses it."""
+    verdicts = set()
+    for option in alternatives(value):
+        text = str(option.value).strip().lower() if isinstance(option, Known) else None
+        yes, no = (_YES, _NO) if loose else (_TRUE, _FALSE)
+        verdicts.add(True if text in yes else False if text in no else None)
+    return verdicts.pop() if len(verdicts) == 1 else None
+
+
+def _told(verdict: bool | None, *values: Value) -> Value:
+    return Unknown(reason(*values)) if verdict is None else Known(str(verdict).lower())
+
+
+def _not(run: LaunchRun, value: Instance) -> Value:
+    inner = perform(run, argument(value, "value"))
+    verdict = truth_of(inner, loose=True)
+    return _told(None if verdict is None else not verdict, inner)
+
+
+def _several(stop: bool) -> Callable[[LaunchRun, Instance], Value]:
+    def evaluate(run: LaunchRun, value: Instance) -> Value:
+        given = [value.arguments[name] for name in ("left", "right") if name in value.arguments]
+        rest = run.store.get(value.key, "#rest")
+        inner = [perform(run, part) for part in [*given, *(rest if isinstance(rest, tuple) else ())]]
+        verdicts = [truth_of(part, loose=True) for part in inner]
+        if stop in verdicts:
+            return _told(stop)
+        return _told(None if None in verdicts else not stop, *inner)
+
+    return evaluate
+
+
+def _equals(run: LaunchRun, value: Instance) -> Value:
+    left, right = perform(run, argument(value, "left")), perform(run, argument(value, "right"))
+    verdicts = {
+        str(one.value).lower() == str(other.value).lower()
+        if isinstance(one, Known) and isinstance(other, Known)
+        else None
+        for one in alternatives(left)
+        for other in alternatives(right)
+    }
+    return _told(verdicts.pop() if len(verdicts) == 1 else None, left, right)
+
+
+def _not_equals(run: LaunchRun, value: Instance) -> Value:
+    same = _equals(run, value)
+    return Known("false" if same.value == "true" else "true") if isinstance(same, Known) else same
+
+
+def _if_else(run: LaunchRun, value: Instance) -> Value:
+    test = perform(run, argument(value, "condition"))
+    verdict = truth_of(test, loose=True)
+    rows = {True: "if_value", False: "else_value"}
+    if verdict is not None:
+        return perform(run, argument(value, rows[verdict]))
+    return one_of(perform(run, argument(value, name)) for name in rows.values())
+
+
+def _boolean(run: LaunchRun, value: Instance) -> Value:
+    inner = perform(run, argument(value, "value"))
+    return _told(truth_of(inner, loose=True), inner)
+
+
+def _value(run: LaunchRun, value: Instance) -> Value:
+    return perform(run, argument(value, "value"))
+
+
+def _not_here(what: str) -> Callable[[LaunchRun, Instance], Value]:
+    return lambda run, value: Unknown(what)
+
+
+_SUBSTITUTIONS: dict[str, Callable[[LaunchRun, Instance], Value]] = {
+    "LaunchConfiguration": _configuration,
+    "TextSubstitution": _text,
+    "PathJoinSubstitution": _path_join,
+    "StringJoinSubstitution": _string_join,
+    "EnvironmentVariable": _environment,
+    "FindPackageShare": _share,
+    "FindPackagePrefix": _prefix,
+    "ExecutableInPackage": _executable,
+    "ThisLaunchFileDir": _here,
+    "ThisLaunchFile": _this_file,
+    "AnonName": _anonymous,
+    "PythonExpression": _python,
+    "NotSubstitution": _not,
+    "AndSubstitution": _several(False),
+    "AllSubstitution": _several(False),
+    "OrSubstitution": _several(True),
+    "AnySubstitution": _several(True),
+    "EqualsSubstitution": _equals,
+    "NotEqualsSubstitution": _not_equals,
+    "IfElseSubstitution": _if_else,
+    "BooleanSubstitution": _boolean,
+    "ParameterValue": _value,
+    "Command": _not_here("the output of a command"),
+    "FindExecutable": _not_here("the path of an executable"),
+    "FileContent": _not_here("the content of a file"),
+    "LocalSubstitution": _not_here("what an event handler is told"),
+    "ForLoopIndex": _not_here("the index of a loop"),
+    "ForEachVar": _not_here("the variable of a loop"),
+    "ParameterSubstitution": _not_here("the value of a parameter"),
+}
+
+SUBSTITUTIONS = tuple(_SUBSTITUTIONS)
