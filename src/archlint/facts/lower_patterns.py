@@ -13,8 +13,8 @@ from archlint.facts.model import Expr, Pattern
 class PatternLowering:
     """Lowers patterns.
 
-    Class and mapping patterns are of kind ``other``: whether they match is not followed, but the names that
-    they bind are among the parts.
+    Class patterns are of kind ``other``: whether they match is not followed, but the names that they bind are
+    among the parts.
     """
 
     def __init__(self, expressions: ExpressionLowering) -> None:
@@ -38,10 +38,12 @@ class PatternLowering:
             parts = [self.lower(e.value if hasattr(e, "value") else e.pattern) for e in elements]
             return Pattern("other", value=self._value(node.cls), parts=parts)
         if isinstance(node, cst.MatchMapping):
-            parts = [self.lower(element.pattern) for element in node.elements]
-            if node.rest is not None:
-                parts.append(self._capture(node.rest))
-            return Pattern("other", parts=parts)
+            entries = [
+                Pattern("entry", value=self._value(element.key), parts=[self.lower(element.pattern)])
+                for element in node.elements
+            ]
+            rest = [] if node.rest is None else [Pattern("rest", parts=[self._capture(node.rest)])]
+            return Pattern("mapping", parts=entries + rest)
         return Pattern("other")
 
     def _value(self, node: cst.BaseExpression) -> Expr:

@@ -15,7 +15,7 @@ from typing import Union
 
 import msgspec
 
-FACTS_VERSION = 1
+FACTS_VERSION = 2
 """Raised whenever the shape or the meaning of the facts changes: old cache entries are then misses."""
 
 Span = tuple[int, int, int, int]
@@ -335,7 +335,8 @@ class Pattern(Base, frozen=True):
     """A ``case`` pattern.
 
     ``kind``: ``value`` (compare with ``value``), ``capture`` (bind ``name``; ``None`` is the wildcard),
-    ``or`` (any of ``parts``), ``sequence`` (``parts``), ``as`` (``parts[0]`` bound to ``name``), ``other``.
+    ``or`` (any of ``parts``), ``sequence`` (``parts``), ``as`` (``parts[0]`` bound to ``name``), ``mapping``
+    (parts are ``entry`` with a key as ``value`` and a pattern, and at most one ``rest``), ``other``.
     """
 
     kind: str

@@ -10,6 +10,7 @@ from archlint.program.store import Items
 from archlint.program.values import (
     NONE,
     ApiMethod,
+    AttributesValue,
     BoundMethod,
     Builtin,
     ClassValue,
@@ -142,7 +143,7 @@ def _of_instance(run: Run, value: Instance, name: str) -> Value:
     if name == "__class__":
         return value.cls
     if name == "__dict__":
-        return Unknown("the attributes of an object as a dict")
+        return AttributesValue(value)
     if isinstance(owner, External):
         return _inherited(run, value, rclpy_names.canonical(owner.path), name)
     if isinstance(owner, Unknown):
@@ -185,7 +186,7 @@ def _of_foreign_instance(run: Run, value: Instance, cls: External, name: str) ->
         if name == "value":
             return held if isinstance(held, Value) else Unknown("the parameter has no value here")
         answer = held if isinstance(held, Value) else Unknown("the parameter has no value here")
-        return PythonValue("get_parameter_value", lambda *_: answer_of(run, answer))
+        return PythonValue("get_parameter_value", lambda *_, **__: answer_of(run, answer))
     if path in rclpy_names.PARAMETER_VALUES:
         held = run.store.get(value.key, "value")
         if isinstance(held, Value) and name.endswith("_value"):
@@ -266,7 +267,7 @@ def _of_super(run: Run, value: SuperValue, name: str) -> Value:
         return _inherited(run, instance, path, name) if name != "__init__" else ApiMethod(f"{path}.__init__", instance)
     if isinstance(owner, Unknown):
         return ApiMethod(f"?.{name}", instance)
-    return PythonValue(f"object.{name}", lambda *_: NONE)
+    return PythonValue(f"object.{name}", lambda *_, **__: NONE)
 
 
 def _next_init(run: Run, cls: ClassValue, owner: ClassValue) -> tuple[Value | None, Value]:

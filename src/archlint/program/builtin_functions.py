@@ -6,11 +6,13 @@ from collections.abc import Callable, Hashable
 from typing import TYPE_CHECKING, Any
 
 from archlint.facts import model as facts
+from archlint.program.api import rclpy_names
 from archlint.program.store import Entries, Items
 from archlint.program.values import (
     FALSE,
     NONE,
     TRUE,
+    ApiMethod,
     BoundMethod,
     Builtin,
     ClassValue,
@@ -21,6 +23,7 @@ from archlint.program.values import (
     Instance,
     Known,
     ListValue,
+    MessageValue,
     OneOf,
     Partial,
     Unknown,
@@ -271,13 +274,23 @@ def _getattr(run: Run, args: Arguments, keywords: Keywords, e: object) -> Value:
     for name in alternatives(args[1]):
         if isinstance(name, Known) and isinstance(name.value, str):
             value = get_attribute(run, args[0], name.value)
-            missing = isinstance(value, Unknown) and (value.name or "").startswith("missing:")
+            missing = _is_missing(value)
             found.append(args[2] if missing and len(args) > 2 else value)
             if isinstance(value, Unknown) and not missing and len(args) > 2:
                 found.append(args[2])
         else:
             found.append(Unknown(reason(name)))
     return one_of(found)
+
+
+def _is_missing(value: Value) -> bool:
+    """Whether an object certainly lacks an attribute: neither its class here nor rclpy's Node has it."""
+    if isinstance(value, Unknown):
+        return (value.name or "").startswith("missing:")
+    if isinstance(value, ApiMethod):
+        owner, _, name = value.path.rpartition(".")
+        return owner in rclpy_names.NODE_CLASSES and not rclpy_names.is_node_attribute(name)
+    return False
 
 
 def _setattr(run: Run, args: Arguments, keywords: Keywords, e: object) -> Value:
@@ -296,10 +309,9 @@ def _hasattr(run: Run, args: Arguments, keywords: Keywords, e: object) -> Value:
     if not isinstance(args[0], Instance) or not isinstance(args[0].cls, ClassValue):
         return Unknown("hasattr() of an object that is not followed")
     value = get_attribute(run, args[0], args[1].value)
-    if isinstance(value, Unknown):
-        missing = (value.name or "").startswith("missing:") and run.context.role == "init"
-        return FALSE if missing else Unknown(value.reason)
-    return TRUE
+    if _is_missing(value):
+        return FALSE if run.context.role in ("init", "main") else Unknown("whether it is set by then")
+    return Unknown(value.reason) if isinstance(value, Unknown) else TRUE
 
 
 _TYPES: dict[str, tuple[type, ...]] = {
@@ -410,6 +422,8 @@ def _type(run: Run, args: Arguments, keywords: Keywords, e: object) -> Value:
     value = _first(args)
     if isinstance(value, Instance):
         return value.cls
+    if isinstance(value, MessageValue) and not value.part:
+        return External(value.type.replace("/", "."))
     return Unknown("the type of a value")
 
 
@@ -433,7 +447,13 @@ def _same(run: Run, args: Arguments, keywords: Keywords, e: object) -> Value:
     return _first(args)
 
 
+def _object_setattr(run: Run, args: Arguments, keywords: Keywords, e: object) -> Value:
+    """``object.__setattr__(self, 'x', value)``: how frozen dataclasses fill themselves."""
+    return _setattr(run, args, keywords, e)
+
+
 BUILTINS: dict[str, Callable[..., Value]] = {
+    "object.__setattr__": _object_setattr,
     "print": _nothing,
     "str": _str,
     "repr": _unknown("a repr"),

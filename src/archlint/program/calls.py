@@ -130,7 +130,7 @@ def call(
         merged = {**dict(function.keywords), **keywords}
         return call(run, function.function, [*function.args, *args], merged, expression, open_arguments)
     if isinstance(function, PythonValue):
-        return function.function(*args)
+        return function.function(*args, **keywords)
     if isinstance(function, ApiMethod):
         return effects.call_method(run, function, args, keywords, expression, open_arguments)
     if isinstance(function, External):
@@ -587,6 +587,8 @@ def _fill_dataclass(
             if isinstance(value, Instance) and value.note == "dataclasses.field":
                 value = _field_default(run, value)
         run.store.set(made.key, name, value if isinstance(value, Value) else Unknown(f"the field '{name}' is not set"))
+    if "typing.NamedTuple" in cls.external_bases():
+        run.store.set(made.key, "#fields", tuple(fields))
     after = get_attribute(run, made, "__post_init__")
     if isinstance(after, BoundMethod):
         call(run, after, [], {})

@@ -16,6 +16,7 @@ from archlint.program.values import (
     NONE,
     TRUE,
     ApiMethod,
+    AttributesValue,
     BoundMethod,
     Builtin,
     ClassValue,
@@ -72,9 +73,27 @@ def _name(run: Run, e: facts.Name) -> Value:
         return value
     if e.id in calls.BUILTINS:
         return Builtin(e.id)
-    for foreign in run.activation.module.star_externals:
-        return External(f"{foreign}.{e.id}")
+    foreign = star_imported(run, run.activation.module.star_externals, e.id)
+    if foreign is not None:
+        return foreign
     return Unknown(f"'{e.id}' is not defined where this file can be read alone", name=e.id)
+
+
+def star_imported(run: Run, packages: Sequence[str], name: str) -> Value | None:
+    """A name that may come from a star import of a foreign package; None where there is no such import.
+
+    Interface packages hold class names only; where several could have it, the table of interfaces decides, and
+    where that does not know either, the name is unknown.
+    """
+    interfaces = [package for package in packages if package.endswith((".msg", ".srv", ".action"))]
+    candidates = [p for p in packages if p in interfaces] if name[:1].isupper() and interfaces else list(packages)
+    defines = getattr(run.interfaces, "defines", None)
+    if len(candidates) > 1 and defines is not None:
+        sure = [p for p in candidates if defines(*p.rsplit(".", 1), name) is True]
+        candidates = sure or [p for p in candidates if defines(*p.rsplit(".", 1), name) is not False]
+    if len(set(candidates)) == 1:
+        return External(f"{candidates[0]}.{name}")
+    return Unknown(f"'{name}' comes from one of several star imports") if candidates else None
 
 
 def _attribute(run: Run, e: facts.Attribute) -> Value:
@@ -165,6 +184,8 @@ def iterate(run: Run, value: Value) -> Items | None:
     if isinstance(value, ClassValue):
         members = enum_members(run, value)
         return Items(tuple(members)) if members else None
+    if isinstance(value, Instance):
+        return _fields_of_tuple(run, value)
     if isinstance(value, OneOf):
         rows = [iterate(run, alternative) for alternative in value.values]
         known = [row for row in rows if row is not None]
@@ -176,6 +197,15 @@ def iterate(run: Run, value: Value) -> Items | None:
         same = len(known) == len(rows) and all(row == known[0] for row in known)
         return Items(tuple(union), not same or known[0].open)
     return None
+
+
+def _fields_of_tuple(run: Run, value: Instance) -> Items | None:
+    """The items of a named tuple."""
+    names = run.store.get(value.key, "#fields")
+    if not isinstance(names, tuple):
+        return None
+    fields = [run.store.get(value.key, name) for name in names]
+    return Items(tuple(field for field in fields if isinstance(field, Value)))
 
 
 def unknown_item(run: Run, iterable: Value, why: str) -> Value:
@@ -346,9 +376,14 @@ def get_item(run: Run, container: Value, index: Value) -> Value:
     if isinstance(container, External):
         return _external_item(container, index)
     if isinstance(container, Instance):
+        items_ = _fields_of_tuple(run, container)
+        if items_ is not None and isinstance(index, Known) and isinstance(index.value, int):
+            return items_.values[index.value] if abs(index.value) < len(items_.values) else Unknown("no such item")
         method = get_attribute(run, container, "__getitem__")
         if isinstance(method, BoundMethod):
             return run.call(method, [index], {})
+    if isinstance(container, AttributesValue) and isinstance(index, Known) and isinstance(index.value, str):
+        return get_attribute(run, container.instance, index.value)
     if isinstance(container, Unknown):
         return Unknown(container.reason, container.parameter)
     return Unknown(reason(container, index))
@@ -361,6 +396,8 @@ def _external_item(container: External, index: Value) -> Value:
         if name in ENVIRONMENT:
             return Known(ENVIRONMENT[str(name)])
         return Unknown(f"the environment variable {name!s}" if name else "an environment variable")
+    if container.path == "sys.version_info" and name == 0:
+        return Known(PYTHON[0])
     if container.path.startswith("rclpy.qos.") and isinstance(name, str):
         return External(f"{container.path}.{name.upper()}")
     return container
@@ -381,13 +418,25 @@ def get_entry(run: Run, container: DictValue, index: Value, default: Value | Non
         if entries.open:
             why = Unknown("the dict has entries that are not known")
             return why if default is None else one_of((default, why))
-        return Unknown("the dict has no such key") if default is None else default
+        if default is None:
+            return _made_entry(run, container, index)
+        return default
     values = [value for _, value in entries.entries.values()]
     if default is not None:
         values.append(default)
     if entries.open or not values:
         return Unknown(reason(index, *values[:1]))
     return one_of(values)
+
+
+def _made_entry(run: Run, container: DictValue, index: Value) -> Value:
+    """What a ``defaultdict`` makes for a new key."""
+    factory = run.store.get(container.key, "#factory")
+    if not isinstance(factory, Value):
+        return Unknown("the dict has no such key")
+    made = run.call(factory, [], {})
+    set_item(run, container, index, made)
+    return made
 
 
 def _with_via(value: Value, parameters: frozenset[str]) -> Value:
@@ -423,6 +472,9 @@ def set_item(run: Run, container: Value, index: Value, value: Value) -> None:
                     run.store.set(target.key, "#items", Items(tuple(values)))
             else:
                 run.store.set(target.key, "#items", Items((*items.values, value)[:ITEM_LIMIT], True))
+        elif isinstance(target, AttributesValue):
+            if isinstance(index, Known) and isinstance(index.value, str):
+                set_attribute(run, target.instance, index.value, value)
         elif isinstance(target, Instance):
             method = get_attribute(run, target, "__setitem__")
             if isinstance(method, BoundMethod):
@@ -473,6 +525,7 @@ def _is_text(value: Value) -> bool:
 
 
 def _binary_one(run: Run, op: str, left: Value, right: Value, span: facts.Span) -> Value:
+    left, right = plain_text(run, left), plain_text(run, right)
     if op == "+" and (_is_text(left) or _is_text(right)):
         both_known = isinstance(left, Known) and isinstance(right, Known)
         if both_known and not (_is_text(left) and _is_text(right)):
@@ -592,6 +645,15 @@ def _combine(run: Run, parts: Sequence[Value], span: facts.Span | None) -> Value
         rows = [[*row, option] for row in rows for option in options]
     place = None if span is None else run.place(span)
     return one_of(join_texts([text_of(run, part) for part in row], place) for row in rows)
+
+
+def plain_text(run: Run, value: Value) -> Value:
+    """A member of ``class X(str, Enum)`` is the text it holds; everything else is itself."""
+    if isinstance(value, Instance) and isinstance(value.cls, ClassValue) and run.store.get(value.key, "#enum"):
+        held = run.store.get(value.key, "value")
+        if {"str", "enum.StrEnum"} & set(value.cls.external_bases()) and isinstance(held, Value):
+            return held
+    return value
 
 
 def text_of(run: Run, value: Value) -> Value:
@@ -742,6 +804,8 @@ def _compare_one(run: Run, op: str, left: Value, right: Value) -> bool | None:
         return None if verdict is None else not verdict
     if op == "in":
         return _contains(run, left, right)
+    if isinstance(left, External) and left.path == "sys.version_info":
+        return _compare_version(run, op, right)
     if isinstance(left, Known) and isinstance(right, Known):
         if op == "==":
             return bool(left.value == right.value)
@@ -753,6 +817,22 @@ def _compare_one(run: Run, op: str, left: Value, right: Value) -> bool | None:
             return None
     if op in ("==", "is"):
         return _same(left, right)
+    return None
+
+
+PYTHON = (3, 10)
+"""The oldest Python of a supported distribution: humble's."""
+
+
+def _compare_version(run: Run, op: str, right: Value) -> bool | None:
+    """``sys.version_info >= (3, 8)``: decided where it is the same for every supported Python."""
+    if not isinstance(right, ListValue):
+        return None
+    numbers = tuple(item.value for item in items_of(run, right).values if isinstance(item, Known))
+    if not numbers or not all(isinstance(number, int) for number in numbers):
+        return None
+    if numbers <= PYTHON:
+        return {">=": True, ">": True, "<": False, "<=": False}.get(op)
     return None
 
 
@@ -901,6 +981,8 @@ def matches(run: Run, pattern: facts.Pattern, subject: Value) -> bool | None:
         return True if True in verdicts else None if None in verdicts else False
     if pattern.kind == "as" and pattern.parts:
         return matches(run, pattern.parts[0], subject)
+    if pattern.kind == "mapping" and isinstance(subject, DictValue):
+        return _matches_mapping(run, pattern, subject)
     if pattern.kind == "sequence" and isinstance(subject, ListValue):
         items = items_of(run, subject)
         if items.open or any(part.kind == "other" for part in pattern.parts):
@@ -912,9 +994,33 @@ def matches(run: Run, pattern: facts.Pattern, subject: Value) -> bool | None:
     return None
 
 
+def _matches_mapping(run: Run, pattern: facts.Pattern, subject: DictValue) -> bool | None:
+    entries = entries_of(run, subject)
+    verdicts: list[bool | None] = []
+    for part in pattern.parts:
+        if part.kind != "entry" or part.value is None:
+            continue
+        at = hashable(run.evaluate(part.value))
+        found = entries.entries.get(at) if at is not None else None
+        if found is None:
+            verdicts.append(None if entries.open or at is None else False)
+        else:
+            verdicts.append(matches(run, part.parts[0], found[1]))
+    return False if False in verdicts else None if None in verdicts else True
+
+
 def bind_pattern(run: Run, pattern: facts.Pattern, subject: Value) -> None:
     if pattern.name is not None:
         run.assign_name(pattern.name, subject)
+    if pattern.kind == "mapping" and isinstance(subject, DictValue):
+        entries = entries_of(run, subject).entries
+        for part in pattern.parts:
+            at = hashable(run.evaluate(part.value)) if part.value is not None else None
+            if part.kind == "entry" and at in entries:
+                bind_pattern(run, part.parts[0], entries[at][1])
+            else:
+                bind_pattern(run, part.parts[0], Unknown("part of a mapping"))
+        return
     items = iterate(run, subject) if pattern.kind == "sequence" else None
     for number, part in enumerate(pattern.parts):
         if pattern.kind in ("as", "or"):

@@ -14,7 +14,11 @@ _QUIET = frozenset(
 )
 
 WORDS = (
-    frozenset(row.path.rpartition(".")[2] for row in tables.ROWS if row.effect != "none" or row.watched)
+    frozenset(
+        row.path.rpartition(".")[2]
+        for row in tables.ROWS
+        if row.effect != "none" or (row.watched and row.kind != tables.OUTSIDE)
+    )
     | rclpy_names.NODE_METHODS
     | {"Node", "LifecycleNode", "sleep", "wait", "result", "call"}
 ) - {"__init__", "join", "get", "path", "set"}

@@ -159,6 +159,7 @@ class Linker:
         program = model.Program(name, module.file.package, module.path)
         context = model.Callback(role, name, place, None, file=module.path)
         run = Run(self.index, self.store, program, context, self.interfaces, overrides)
+        run.at_spin = run_pending
         if nodes.is_test_file(module.path):
             run.allowed_steps = TEST_STEPS
         return run
@@ -344,23 +345,24 @@ def _definitions(body: list[facts.Stmt]) -> list[facts.Function | facts.Class]:
 
 def run_callbacks(run: Run) -> None:
     """Run what was handed over, then the methods that nothing calls; again where they hand over more."""
-    again: list[tuple[model.Callback, Value, tuple[Value, ...]]] = []
-    stateful = False
     for _ in range(ROUNDS):
-        while run.pending:
-            pending = run.pending.pop(0)
-            stateful |= run_root(run, pending.callback, pending.value, pending.arguments)
-            again.append((pending.callback, pending.value, pending.arguments))
-        stateful |= _run_methods(run)
+        run_pending(run)
+        run.stateful |= _run_methods(run)
         if not run.pending:
             break
-    if stateful:
+    if run.stateful:
         # What one callback leaves in an attribute, another may use: each sees the joined state once.
-        for callback, value, arguments in again:
-            run_root(run, callback, value, arguments)
-        while run.pending:
-            pending = run.pending.pop(0)
+        for pending in list(run.started):
             run_root(run, pending.callback, pending.value, pending.arguments)
+        run_pending(run)
+
+
+def run_pending(run: Run) -> None:
+    """Run the callbacks that were handed over so far, and those that they hand over."""
+    while run.pending:
+        pending = run.pending.pop(0)
+        run.started.append(pending)
+        run.stateful |= run_root(run, pending.callback, pending.value, pending.arguments)
 
 
 def run_root(
@@ -368,10 +370,12 @@ def run_root(
 ) -> bool:
     """Run one callback on the state so far; True where it left an object in an attribute."""
     kept_context, kept_activations = run.context, run.activations
+    kept_bounds = run.steps, run.repeats, run.runs, run.arms
     run.context = callback
     run.steps = 0
     run.repeats = {}
     run.runs = {}
+    run.arms = []
     module = _module_of(value) or kept_activations[0].module
     run.activations = []
     _enter_root(run, module)
@@ -382,6 +386,7 @@ def run_root(
     finally:
         layer = run.store.cut(depth)
         run.context, run.activations = kept_context, kept_activations
+        run.steps, run.repeats, run.runs, run.arms = kept_bounds
     run.store.merge([layer] if certain else [layer, {}])
     objects = (EntityValue, NodeValue, ExecutorValue)
     return any(key in run.instances and isinstance(v, objects) for (key, _), v in layer.items())

@@ -215,6 +215,10 @@ class ApiCall:
     conditional: bool = False
     awaited: bool = False
     in_try: bool = False
+    looped: bool = False
+    """True where a loop, be it in a caller, goes round it."""
+    ways: list[tuple[Frame, ...]] = field(default_factory=list)
+    """Other chains that lead to the same call from the same context."""
 
 
 @dataclass(eq=False)
@@ -263,6 +267,8 @@ class ExecutorUse:
     place: Place | None
     in_thread: bool = False
     spun: bool = False
+    spun_at: Place | None = None
+    """The first call that spins it."""
 
 
 @dataclass(eq=False)

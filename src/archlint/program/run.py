@@ -111,6 +111,12 @@ class Run:
         self.nodes: dict[str, model.Blueprint] = {}
         self.instances: dict[int, Instance] = {}
         self.pending: list[Pending] = []
+        self.started: list[Pending] = []
+        """Callbacks that ran, in their order."""
+        self.stateful = False
+        """Whether a callback left an object in an attribute that another may use."""
+        self.at_spin: Callable[[Run], None] | None = None
+        """Runs what is pending when main spins: callbacks see the state of then, not what main does at the end."""
         self.registered: set[tuple[Any, ...]] = set()
         self.creations: dict[tuple[Any, ...], model.Creation] = {}
         self.calls: dict[tuple[Any, ...], model.ApiCall] = {}
@@ -211,9 +217,7 @@ class Run:
             below = self.index.find(module, name, level=1)
             if below is not None and below is not module:
                 return self.import_module(below)
-        for foreign in module.star_externals:
-            return External(f"{foreign}.{name}")
-        return None
+        return expressions.star_imported(self, module.star_externals, name)
 
     # ----------------------------------------------------------------------------------------- statements
 
@@ -504,7 +508,7 @@ def _try(run: Run, s: facts.Try) -> Status:
     results: list[tuple[Status, Layer]] = [(status, {})]
     key = run.key_of(s.span)
     for arm, handler in enumerate(s.handlers, start=1):
-        if _is_import_error(handler.type) and status is None:
+        if status is None and (_cannot_raise(s.body) or _is_import_error(handler.type)):
             continue
         with run.arm(key, arm) as taken:
             if handler.name is not None:
@@ -516,6 +520,16 @@ def _try(run: Run, s: facts.Try) -> Status:
         final = run.execute(s.final)
         return final or status
     return status
+
+
+def _cannot_raise(body: list[facts.Stmt]) -> bool:
+    """Whether a block only binds constants."""
+    return all(
+        isinstance(statement, facts.Assign)
+        and isinstance(statement.value, facts.Literal)
+        and all(isinstance(target, facts.Name) for target in statement.targets)
+        for statement in body
+    )
 
 
 def _is_import_error(expression: facts.Expr | None) -> bool:

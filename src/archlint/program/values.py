@@ -240,6 +240,13 @@ class FutureValue(Value):
 
 
 @dataclass(frozen=True, slots=True)
+class AttributesValue(Value):
+    """``object.__dict__``: its items are the object's attributes."""
+
+    instance: Value
+
+
+@dataclass(frozen=True, slots=True)
 class SuperValue(Value):
     owner: ClassValue
     self_value: Value

@@ -208,9 +208,9 @@ _Placed = TypeVar("_Placed", "Creation", "ParameterDeclaration")
 
 
 def _once_for_each_place(items: Iterable[_Placed]) -> list[_Placed]:
-    found: dict[tuple[Place, str], _Placed] = {}
+    found: dict[tuple[Place, str, float], _Placed] = {}
     for item in items:
-        found.setdefault((item.place, item.name.text or ""), item)
+        found.setdefault((item.place, item.name.text or "", getattr(item, "period", None) or 0.0), item)
     return [found[key] for key in sorted(found)]
 
 

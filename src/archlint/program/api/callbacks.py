@@ -71,7 +71,7 @@ def register(
         callback.role = role
         callback.node = node
         callback.creation = creation
-        callback.group = None if role in ("execute", "done", "task", "thread", "feedback") else group
+        callback.group = None if role in ("execute", "done", "task", "thread") else group
         callback.registered = run.place(call.expression.span) if call.expression is not None else None
         key = (role, callback.registered, callback.name, callback.place, id(creation), _receiver(option))
         if key in run.registered:
@@ -178,5 +178,22 @@ def thread(run: Run, call: ApiUse) -> Value:
             )
             value = Partial(value, (), pairs) if pairs else value
         register(run, value, role, None, None, None, call, tuple(arguments))
+        _run_foreign_target(run, value, arguments)
     place = run.place(call.expression.span) if call.expression is not None else None
     return Instance(External(call.api.path), run.store.new_key(), place)
+
+
+def _run_foreign_target(run: Run, value: Value, arguments: list[Value]) -> None:
+    """``Thread(target=executor.spin)`` and ``Thread(target=rclpy.spin, args=(node,))``: no function of ours, so
+    nothing is left to be run later."""
+    for option in alternatives(value):
+        target = option
+        while isinstance(target, Partial):
+            target = target.function
+        if isinstance(target, (ApiMethod, External)):
+            kept = run.context
+            run.context = model.Callback("thread", target.path, kept.place, None, file=kept.file)
+            try:
+                run.call(option, list(arguments), {})
+            finally:
+                run.context = kept

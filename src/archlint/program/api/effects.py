@@ -98,7 +98,7 @@ def call_external(
     api = tables.find(path)
     if api is not None:
         receiver = None
-        if _is_method(path) and args and api.node is None:
+        if _is_method(path) and args and api.node is None and api.effect != "qos_preset":
             receiver, args = args[0], args[1:]  # Node.__init__(self, …) and the like
         return use(run, api, receiver, args, keywords, expression, open_arguments)
     plain = python_effects.PLAIN.get(path)
@@ -186,6 +186,10 @@ def record(run: Run, api: Api, receiver: Value | None, bound: dict[str, Value], 
         if known.creation is None and len(on) == 1:
             known.creation = on[0]
         known.conditional = known.conditional and bool(run.arms)
+        known.looped = known.looped or any(one.loops for one in run.activations)
+        way = run.chain()
+        if way != known.chain and way not in known.ways:
+            known.ways.append(way)
         return
     first = on[0] if len(on) == 1 else None
     node = first.node if first is not None else nodes.known_node(run, receiver)
@@ -208,6 +212,7 @@ def record(run: Run, api: Api, receiver: Value | None, bound: dict[str, Value], 
         bool(run.arms),
         False,
         activation.tries > 0,
+        any(one.loops for one in run.activations),
     )
     run.calls[key] = call
     run.program.calls.append(call)
@@ -253,8 +258,15 @@ def _none(run: Run, call: ApiUse) -> Value:
     return Unknown(f"what {call.api.path}() gives")
 
 
+def _register_on_client(run: Run, call: ApiUse) -> None:
+    """What a client is given: a feedback callback runs in the client's group."""
+    on = creations_of(call.receiver)
+    node, group = (on[0].node, on[0].group) if on else (None, None)
+    callbacks.register_row(run, call, node, None, group)
+
+
 def _wait_answer(run: Run, call: ApiUse) -> Value:
-    callbacks.register_row(run, call, None, None)
+    _register_on_client(run, call)
     on = creations_of(call.receiver)
     if on:
         return answer(run, FutureValue(on, call.api.path))
@@ -262,7 +274,7 @@ def _wait_answer(run: Run, call: ApiUse) -> Value:
 
 
 def _call_async(run: Run, call: ApiUse) -> Value:
-    callbacks.register_row(run, call, None, None)
+    _register_on_client(run, call)
     place = run.place(call.expression.span) if call.expression is not None else None
     return FutureValue(creations_of(call.receiver), call.api.path, place)
 
@@ -274,7 +286,10 @@ def _future_result(run: Run, call: ApiUse) -> Value:
 
 
 def _callbacks(run: Run, call: ApiUse) -> Value:
-    callbacks.register_row(run, call, nodes.known_node(run, call.receiver), None)
+    node = nodes.known_node(run, call.receiver)
+    if node is None and isinstance(call.receiver, FutureValue) and call.receiver.creations:
+        node = call.receiver.creations[0].node
+    callbacks.register_row(run, call, node, None)
     return Unknown(f"what {call.api.path}() gives")
 
 

@@ -62,7 +62,7 @@ def endpoint(run: Run, call: ApiUse) -> Value:
     if not blueprints:
         return Unknown("a create call on something that is no node")
     missing = "passed by * or **" if call.open else "no name is given"
-    names = _names(call, missing)
+    names = _names(run, call, missing)
     types = _types(call)
     made = []
     profiles_ = profiles.resolve_all(run, call.get(api.qos), api.default_qos, call)
@@ -73,14 +73,16 @@ def endpoint(run: Run, call: ApiUse) -> Value:
     return EntityValue(tuple(made), api.returns or api.path, run.store.new_key())
 
 
-def _names(call: ApiUse, missing: str) -> list[model.Text]:
+def _names(run: Run, call: ApiUse, missing: str) -> list[model.Text]:
+    from archlint.program.expressions import plain_text
+
     api = call.api
     if api.fixed_name is not None:
         return [model.Text(api.fixed_name, "exact")]
     value = call.get(api.name)
     if value is None:
         return [text_of_value(None, missing)]
-    return [text_of_value(option, missing) for option in alternatives(value)]
+    return [text_of_value(plain_text(run, option), missing) for option in alternatives(value)]
 
 
 def _types(call: ApiUse) -> list[tuple[str | None, str | None]]:

@@ -70,6 +70,13 @@ def _put(use: model.ExecutorUse, node: model.Blueprint) -> None:
         node.executor = "multi_threaded" if "multi_threaded" in (node.executor, kind) else "unknown"
 
 
+def _spins(run: Run, use: model.ExecutorUse, call: ApiUse) -> None:
+    use.spun = True
+    use.in_thread = use.in_thread or run.context.role == "thread"
+    if use.spun_at is None and call.expression is not None:
+        use.spun_at = run.place(call.expression.span)
+
+
 def spin(run: Run, call: ApiUse) -> Value:
     """``rclpy.spin(node)`` and its relatives."""
     given = call.get("executor")
@@ -77,12 +84,19 @@ def spin(run: Run, call: ApiUse) -> Value:
     if use is None:
         unknown = given is not None and not (isinstance(given, Known) and given.value is None)
         use = model.ExecutorUse("unknown", None, [], None) if unknown else _global_use(run)
-    use.spun = True
-    use.in_thread = use.in_thread or run.context.role == "thread"
+    _spins(run, use, call)
     if run.context.role in ("init", "main", "module", "thread", "method"):
         for node in nodes.nodes_of(run, call.get("node"), plausible=False):
             _put(use, node)
+    _serve(run, call)
     return Unknown("what a spin gives")
+
+
+def _serve(run: Run, call: ApiUse) -> None:
+    """A spin without end is where callbacks run."""
+    endless = call.api.path in ("rclpy.spin", "rclpy.executors.Executor.spin")
+    if endless and run.context.role in ("main", "module") and run.at_spin is not None:
+        run.at_spin(run)
 
 
 def add_node(run: Run, call: ApiUse) -> Value:
@@ -96,6 +110,6 @@ def add_node(run: Run, call: ApiUse) -> Value:
 def executor_spin(run: Run, call: ApiUse) -> Value:
     use = use_of(run, call.receiver)
     if use is not None:
-        use.spun = True
-        use.in_thread = use.in_thread or run.context.role == "thread"
+        _spins(run, use, call)
+    _serve(run, call)
     return Unknown("what a spin gives")

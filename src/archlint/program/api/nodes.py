@@ -235,6 +235,7 @@ def _set_names(run: Run, blueprint: model.Blueprint, call: ApiUse) -> None:
     blueprint.automatically_declare_parameters = call.get("automatically_declare_parameters_from_overrides") == TRUE
     blueprint.enable_rosout = call.get("enable_rosout") != Known(False)
     blueprint.start_parameter_services = call.get("start_parameter_services") != Known(False)
+    _note_overrides(run, call)
     arguments = call.get("cli_args")
     if isinstance(arguments, ListValue):
         from archlint.program import expressions
@@ -243,6 +244,20 @@ def _set_names(run: Run, blueprint: model.Blueprint, call: ApiUse) -> None:
         blueprint.cli_arguments = tuple(
             item.value for item in items.values if isinstance(item, Known) and isinstance(item.value, str)
         )
+
+
+def _note_overrides(run: Run, call: ApiUse) -> None:
+    """``parameter_overrides=[Parameter(…)]``: the constructor wins over every default and the command line."""
+    from archlint.program import expressions
+
+    given = call.get("parameter_overrides")
+    items = expressions.iterate(run, given) if given is not None else None
+    key = call.receiver.key if isinstance(call.receiver, Instance) else None
+    for item in items.values if items is not None else ():
+        if key is not None and isinstance(item, Instance):
+            name, value = run.store.get(item.key, "name"), run.store.get(item.key, "value")
+            if isinstance(name, Known) and isinstance(value, Value):
+                run.store.set(key, ("#override", name.value), value)
 
 
 def _as_value(text: model.Text) -> Value:

@@ -131,7 +131,10 @@ def declare_one(
         for blueprint in nodes.nodes_of(run, call.receiver):
             _note(run, blueprint, text, kind, default if has_default else None, place, ignore_override)
         value: Value
-        if text.text is None or text.resolution not in ("exact", "parameter"):
+        override = run.store.get(nodes.node_key(run, call.receiver), ("#override", text.text))
+        if isinstance(override, Value) and text.text is not None and not ignore_override:
+            value = from_parameter(run, override, text.text)
+        elif text.text is None or text.resolution not in ("exact", "parameter"):
             value = Unknown("the parameter's name is not known")
         elif text.text in run.overrides and not ignore_override:
             value = from_parameter(run, value_from_python(run, run.overrides[text.text]), text.text)

@@ -18,6 +18,7 @@ from archlint.program.values import (
     MessageValue,
     OneOf,
     Partial,
+    PythonValue,
     Unknown,
     Value,
     alternatives,
@@ -185,7 +186,47 @@ def _auto(run: Run, args: list[Value], keywords: dict[str, Value], e: facts.Call
 def _default_dict(run: Run, args: list[Value], keywords: dict[str, Value], e: facts.Call | None) -> Value:
     from archlint.program import expressions
 
-    return expressions.new_dict(run, {}, True)
+    made = expressions.new_dict(run, {}, len(args) > 1)
+    if args:
+        run.store.set(made.key, "#factory", args[0])
+    return made
+
+
+def _named_tuple(run: Run, args: list[Value], keywords: dict[str, Value], e: facts.Call | None) -> Value:
+    """``namedtuple('Point', 'x y')``: a class whose objects have these fields."""
+    from archlint.program import expressions
+
+    fields = args[1] if len(args) > 1 else keywords.get("field_names")
+    if isinstance(fields, Known) and isinstance(fields.value, str):
+        names: list[Value] = [Known(name) for name in fields.value.replace(",", " ").split()]
+    else:
+        items = expressions.iterate(run, fields) if fields is not None else None
+        if items is None or items.open:
+            return Unknown("a named tuple whose fields are not known")
+        names = list(items.values)
+    texts = tuple(name.value for name in names if isinstance(name, Known) and isinstance(name.value, str))
+
+    def make(*values: Value, **named: Value) -> Value:
+        made = Instance(External("collections.namedtuple"), run.store.new_key())
+        for number, name in enumerate(texts):
+            given = values[number] if number < len(values) else named.get(name, Unknown("a field that is not set"))
+            run.store.set(made.key, name, given)
+        run.store.set(made.key, "#fields", texts)
+        return made
+
+    return PythonValue("namedtuple", make)
+
+
+def _product(run: Run, args: list[Value], keywords: dict[str, Value], e: facts.Call | None) -> Value:
+    from archlint.program import expressions
+
+    rows: list[list[Value]] = [[]]
+    for arg in args:
+        items = expressions.iterate(run, arg)
+        if items is None or items.open or "repeat" in keywords or len(rows) * len(items.values) > 4096:
+            return Unknown("the combinations are not known")
+        rows = [[*row, item] for row in rows for item in items.values]
+    return expressions.new_list(run, [expressions.new_list(run, row, "tuple") for row in rows])
 
 
 def _of_setup(name: str) -> Plain:
@@ -210,6 +251,8 @@ PLAIN: dict[str, Plain] = {
     "collections.OrderedDict": _builtin("dict"),
     "collections.deque": _builtin("list"),
     "collections.defaultdict": _default_dict,
+    "collections.namedtuple": _named_tuple,
+    "itertools.product": _product,
     "types.SimpleNamespace": _namespace,
     "enum.auto": _auto,
     "asyncio.run": _identity,

@@ -11,6 +11,10 @@ from dataclasses import dataclass, field
 from archlint.program import model
 
 
+OUTSIDE = "outside"
+"""The kind of what waits for the network, a process or a file: nothing of ROS."""
+
+
 @dataclass(frozen=True)
 class Api:
     """One callable.  ``effect`` names what the run does with a call; the other fields say which parameter
@@ -229,6 +233,7 @@ ROWS = [
         "buffer node * spin_thread qos static_qos tf_topic tf_static_topic static_only",
         effect="transform_listener",
         node="node",
+        watched=True,
         returns="tf2_ros.transform_listener.TransformListener",
     ),
     _row(
@@ -418,6 +423,32 @@ ROWS = [
     _row("threading.Event.wait", "timeout", watched=True),
     _row("threading.Event.set", "", watched=True),
     _row("builtins.input", "prompt", watched=True),
+    *(
+        _row(path, signature, kind=OUTSIDE, watched=True)
+        for path, signature in (
+            ("urllib.request.urlopen", "url data timeout"),
+            ("urllib.request.urlretrieve", "url filename"),
+            ("requests.get", "url params"),
+            ("requests.post", "url data json"),
+            ("requests.put", "url data"),
+            ("requests.patch", "url data"),
+            ("requests.delete", "url"),
+            ("requests.head", "url"),
+            ("requests.request", "method url"),
+            ("requests.Session.get", "url"),
+            ("requests.Session.post", "url data json"),
+            ("subprocess.run", "args"),
+            ("subprocess.call", "args"),
+            ("subprocess.check_call", "args"),
+            ("subprocess.check_output", "args"),
+            ("subprocess.getoutput", "cmd"),
+            ("subprocess.getstatusoutput", "cmd"),
+            ("subprocess.Popen.wait", "timeout"),
+            ("subprocess.Popen.communicate", "input timeout"),
+            ("os.system", "command"),
+            ("socket.create_connection", "address timeout"),
+        )
+    ),
     # ---- parameters
     _row(
         "rclpy.node.Node.declare_parameter",

@@ -160,9 +160,7 @@ def _declare(run: LaunchRun, entity: Instance) -> None:
     choices = argument(entity, "choices")
     allowed = [str(c.value) for c in run.items(choices) if isinstance(c, Known)] if choices is not None else []
     shown = None if value is None else text_of_value(value, "no default")
-    run.result.declared.append(
-        DeclaredArgument(text, shown, run.place_now, run.file, tuple(allowed), run.is_dormant)
-    )
+    run.result.declared.append(DeclaredArgument(text, shown, run.place_now, run.file, tuple(allowed), run.is_dormant))
 
 
 def _let(run: LaunchRun, entity: Instance) -> None:

@@ -108,9 +108,7 @@ def _find(run: Run, receiver: Value, args: list[Value], keywords: dict[str, Valu
     """``FindPackageShare('pkg').find('pkg')``."""
     given = [*args, *keywords.values()]
     rows = alternatives(given[0]) if given else ()
-    return one_of(
-        package_share(str(row.value)) if isinstance(row, Known) else Unknown(reason(row)) for row in rows
-    )
+    return one_of(package_share(str(row.value)) if isinstance(row, Known) else Unknown(reason(row)) for row in rows)
 
 
 METHODS = {

@@ -228,7 +228,9 @@ class Frontend:
         if not known:
             return Unknown("a value that a parameter cannot have")
         if isinstance(found, list):
-            return self.list([Known(item) if not isinstance(item, (list, dict)) else Unknown("nested") for item in found])
+            return self.list(
+                [Known(item) if not isinstance(item, (list, dict)) else Unknown("nested") for item in found]
+            )
         assert found is None or isinstance(found, (str, int, float, bool))
         return Known(found)
 

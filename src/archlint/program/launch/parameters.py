@@ -149,7 +149,9 @@ def _typed(run: LaunchRun, value: Value) -> tuple[object, bool]:
     """``ParameterValue(value, value_type=str)``."""
     inner = _given(value, "value")
     kind = argument(value, "value_type")
-    name = kind.name if isinstance(kind, Builtin) else kind.path.rpartition(".")[2] if isinstance(kind, External) else ""
+    name = (
+        kind.name if isinstance(kind, Builtin) else kind.path.rpartition(".")[2] if isinstance(kind, External) else ""
+    )
     if not name:
         return python_of(run, inner)
     if name not in _TYPES:
