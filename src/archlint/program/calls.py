@@ -289,6 +289,7 @@ def enter_function(
         call_place = run.place(expression.span)
     depth = run.store.depth
     activation = Activation(function.qualified, module, scope, body, depth, function, self_value, call_place)
+    activation.scopes.append(scope.key)
     run.store.push()
     for name, value in bound.items():
         run.store.set(scope.key, name, value)
@@ -315,6 +316,7 @@ def _leave_function(run: Run, ir: facts.Function, activation: object, status: st
 
     assert isinstance(activation, Activation) and isinstance(layer, dict)
     captured = [kept for _, kept in activation.returns if kept is not None]
+    activation.forget([*captured, layer])
     falls_through = status not in ("return", "raise")
     straight = any(kept is None for _, kept in activation.returns)
     if not captured:
@@ -336,6 +338,7 @@ def _leave_function(run: Run, ir: facts.Function, activation: object, status: st
 
 def define_function(run: Run, s: facts.Function) -> Value:
     activation = run.activation
+    activation.closed_over = True
     defaults = []
     for param in s.params:
         if param.default is not None:
@@ -389,6 +392,7 @@ def _as_default(value: Value) -> Value:
 
 
 def define_lambda(run: Run, e: facts.Lambda) -> Value:
+    run.activation.closed_over = True
     defaults = []
     for param in e.params:
         if param.default is not None:
@@ -400,6 +404,7 @@ def define_class(run: Run, s: facts.Class) -> Value:
     from archlint.program.run import Activation
 
     activation = run.activation
+    activation.closed_over = True
     bases: list[Value] = []
     for argument in s.bases:
         if argument.keyword is None and not argument.star:

@@ -267,6 +267,7 @@ def _comprehension(run: Run, e: facts.Comprehension) -> Value:
     activation = run.activation
     scope = run.new_scope(activation.scope, activation.module, "comprehension", activation.qualified)
     kept, activation.scope = activation.scope, scope
+    activation.scopes.append(scope.key)
     rows: list[tuple[Value, Value]] = []
     open_ = False
 

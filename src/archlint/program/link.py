@@ -45,6 +45,8 @@ INSTANCES = 24
 ROUNDS = 4
 """How often callbacks that hand over callbacks are followed."""
 
+NOT_PASSED = "nothing in the workspace passes"
+
 LIFECYCLE = frozenset({"on_configure", "on_activate", "on_deactivate", "on_cleanup", "on_shutdown", "on_error"})
 
 
@@ -119,6 +121,7 @@ class Linker:
                 if _main_guard(module) or module.state == "new":
                     self.run_script(module)
             self._sweep(chosen, test)
+        _prune(self.programs)
         return [p for p in self.programs if p.nodes or p.calls or p.callbacks]
 
     def _is_started(self, module: Module, started: dict[str, set[str]]) -> bool:
@@ -264,6 +267,36 @@ class Linker:
                     run.program.executable = False
                     with _Program(self, run, module):
                         calls.call(run, value, [], {})
+
+
+def _prune(programs: list[model.Program]) -> None:
+    """Drop what a method would create if anybody called it, where others show what it creates when called.
+
+    A wrapper that every node inherits and few call is tried on each of them; it is kept where nothing better is
+    known of its create call, and then once.
+    """
+    sites: dict[Place, list[model.Creation]] = {}
+    for program in programs:
+        for node in program.nodes:
+            for creation in node.creations:
+                sites.setdefault(creation.place, []).append(creation)
+    dropped: set[int] = set()
+    for creations in sites.values():
+        uncalled = [creation for creation in creations if _is_uncalled(creation)]
+        kept = uncalled[:1] if len(uncalled) == len(creations) else []
+        dropped.update(id(creation) for creation in uncalled if creation not in kept)
+    for program in programs:
+        for node in program.nodes:
+            node.creations = [creation for creation in node.creations if id(creation) not in dropped]
+
+
+def _is_uncalled(creation: model.Creation) -> bool:
+    return (
+        creation.context is not None
+        and creation.context.role == "method"
+        and creation.name.text is None
+        and (creation.name.reason or "").startswith(NOT_PASSED)
+    )
 
 
 class _Program:
@@ -453,7 +486,7 @@ def _run_methods(run: Run) -> bool:
             callback.node = run.blueprints.get(instance.key)
             run.program.callbacks.append(callback)
             arguments = tuple(
-                Unknown(f"nothing in the workspace passes '{p.name}'", name=p.name)
+                Unknown(f"{NOT_PASSED} '{p.name}'", name=p.name)
                 for p in ir.params[callback.bound_arguments :]
                 if p.kind in ("positional_only", "normal") and p.default is None
             )

@@ -71,6 +71,18 @@ class Activation:
     tries: int = 0
     returns: list[tuple[Value, Layer | None]] = field(default_factory=list)
     yields: list[Value] = field(default_factory=list)
+    scopes: list[int] = field(default_factory=list)
+    """Scopes that end with it: its own, and those of its comprehensions."""
+    closed_over: bool = False
+    """Whether a function defined inside may outlive it."""
+
+    def forget(self, layers: list[Layer]) -> None:
+        """Drop the variables of a function that has ended, unless an inner function still needs them."""
+        if self.closed_over:
+            return
+        for layer in layers:
+            for at in [at for at in layer if at[0] in self.scopes]:
+                del layer[at]
 
     def place(self, span: facts.Span) -> Place:
         return Place(self.module.path, *span)

@@ -67,20 +67,36 @@ class Store:
         taken from the branches that have it.
         """
         changed = False
+        if len(branches) == 1:
+            # One way on: what it wrote is what holds.
+            self.layers[-1].update(branches[0])
+            return False
         slots: dict[Slot, None] = {}
         for branch in branches:
-            for at in branch:
-                slots.setdefault(at)
+            slots.update(dict.fromkeys(branch))
+        below = self.layers[::-1]
+        top = self.layers[-1]
         for at in slots:
-            before = self.get(*at, default=_MISSING)
-            found: list[object] = []
+            before: object = _MISSING
+            for layer in below:
+                if at in layer:
+                    before = layer[at]
+                    break
+            first: object = _MISSING
+            found: list[object] | None = None
             for branch in branches:
                 value = branch.get(at, before)
-                if value is not _MISSING and not any(value is other for other in found):
+                if value is _MISSING or value is first:
+                    continue
+                if first is _MISSING:
+                    first = value
+                elif found is None:
+                    found = [first, value]
+                elif not any(value is other for other in found):
                     found.append(value)
-            joined = found[0] if len(found) == 1 else _join(found)
+            joined = first if found is None else _join(found)
             if joined is not before:
-                self.set(at[0], at[1], joined)
+                top[at] = joined
                 changed = changed or before is _MISSING or joined != before
         return changed
 

@@ -178,12 +178,12 @@ def thread(run: Run, call: ApiUse) -> Value:
             )
             value = Partial(value, (), pairs) if pairs else value
         register(run, value, role, None, None, None, call, tuple(arguments))
-        _run_foreign_target(run, value, arguments)
+        _run_foreign_target(run, value, arguments, call)
     place = run.place(call.expression.span) if call.expression is not None else None
     return Instance(External(call.api.path), run.store.new_key(), place)
 
 
-def _run_foreign_target(run: Run, value: Value, arguments: list[Value]) -> None:
+def _run_foreign_target(run: Run, value: Value, arguments: list[Value], call: ApiUse) -> None:
     """``Thread(target=executor.spin)`` and ``Thread(target=rclpy.spin, args=(node,))``: no function of ours, so
     nothing is left to be run later."""
     for option in alternatives(value):
@@ -192,7 +192,8 @@ def _run_foreign_target(run: Run, value: Value, arguments: list[Value]) -> None:
             target = target.function
         if isinstance(target, (ApiMethod, External)):
             kept = run.context
-            run.context = model.Callback("thread", target.path, kept.place, None, file=kept.file)
+            place = kept.place if call.expression is None else run.place(call.expression.span)
+            run.context = model.Callback("thread", target.path, place, None, file=place.file)
             try:
                 run.call(option, list(arguments), {})
             finally:

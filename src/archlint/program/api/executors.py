@@ -73,8 +73,9 @@ def _put(use: model.ExecutorUse, node: model.Blueprint) -> None:
 def _spins(run: Run, use: model.ExecutorUse, call: ApiUse) -> None:
     use.spun = True
     use.in_thread = use.in_thread or run.context.role == "thread"
-    if use.spun_at is None and call.expression is not None:
-        use.spun_at = run.place(call.expression.span)
+    if use.spun_at is None:
+        # A thread whose target is the spin itself: there is no call, but the place where it is handed over.
+        use.spun_at = run.context.place if call.expression is None else run.place(call.expression.span)
 
 
 def spin(run: Run, call: ApiUse) -> Value:
