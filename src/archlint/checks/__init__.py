@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 MODULES: tuple[str, ...] = (
+    "callback_waits",
     "nested_services",
     "names",
     "ownership",

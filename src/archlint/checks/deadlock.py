@@ -1,96 +1,141 @@
-"""Whether a call that waits inside a callback can ever get its answer: the executor's rules as data.
+"""Whether a call that waits inside a callback can ever get its answer: which row of the matrix it is.
 
-The answer to a request is an entity of the client's callback group.  It can be taken only while a thread of
-the executor is free and that group is not held; a mutually exclusive group is held from a callback's start
-until it has ended, also across ``await``.  The table was gained by running rclpy's own executors of all
-supported distributions; they agree in it, but for the nested spin (see :data:`SPIN`).
+The rows are in :mod:`archlint.checks.blocking`; here the executor and the groups of a program are read.
 """
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING
+
+from archlint.checks.blocking import (
+    ANY,
+    AWAIT,
+    CALL,
+    FINE,
+    LIMITED_CALL,
+    LIMITED_SPIN,
+    NOBODY,
+    ONE,
+    OTHER,
+    REENTRANT,
+    SAME,
+    SEVERAL,
+    SPIN,
+    STEAL,
+    TIMED_CALL,
+    UNCLEAR,
+    UNKNOWN,
+    Verdict,
+    look_up,
+)
+from archlint.config import DISTROS
+from archlint.finding import Related
 
 if TYPE_CHECKING:
     from archlint.program.model import ApiCall, Blueprint, Creation, ExecutorUse, Group, Program
 
-CALL = "call"
-"""The thread stands still until the answer is there: ``call``, ``send_goal``, a loop, an event."""
-AWAIT = "await"
-"""The callback is put aside until the answer is there; the thread is free meanwhile."""
-SPIN = "spin"
-"""The callback spins the node itself."""
+__all__ = [
+    "AWAIT",
+    "CALL",
+    "SPIN",
+    "Verdict",
+    "executors_of",
+    "group_relation",
+    "judge_wait",
+    "related_executor",
+    "threads_of",
+]
 
-ONE = "one thread"
-SEVERAL = "several threads"
-NOBODY = "nobody seen to spin it"
-ANY = "executor not known"
+_TIMED = "rclpy.client.Client.call"
 
-SAME = "same group"
-OTHER = "other group"
-REENTRANT = "reentrant group"
-UNCLEAR = "group not known"
-
-
-@dataclass(frozen=True)
-class Verdict:
-    """Whether the wait is proved to end, and why (not) in words that follow "…: "."""
-
-    safe: bool
-    why: str
-
-
-_ONE_HELD = "the executor has one thread, and the handler holds it, so the answer cannot be taken"
-_GROUP_HELD = "the handler holds the mutually exclusive group of the client, so the answer cannot be taken"
+_ONE_HELD = "the executor has one thread, and the {who} holds it, so the answer cannot be taken"
+_GROUP_HELD = "the {who} holds the mutually exclusive group of the client, so the answer cannot be taken"
 _NO_SPIN = "nothing here spins the node with several threads, and one thread cannot wait for itself"
 _NO_EXECUTOR = "it is not known which executor spins the node"
 _NO_GROUP = "it is not known which callback group the client is in"
 _THREADS = "several threads and a group apart let the answer in"
 _FREE = "the client is in a group apart, so the answer is let in"
-
-TABLE: dict[tuple[str, str, str], Verdict] = {
-    **{(CALL, threads, SAME): Verdict(False, _GROUP_HELD) for threads in (SEVERAL, ANY)},
-    (CALL, SEVERAL, OTHER): Verdict(True, _THREADS),
-    (CALL, SEVERAL, REENTRANT): Verdict(True, _THREADS),
-    (CALL, SEVERAL, UNCLEAR): Verdict(False, _NO_GROUP),
-    **{(CALL, ANY, group): Verdict(False, _NO_EXECUTOR) for group in (OTHER, REENTRANT, UNCLEAR)},
-    **{(CALL, ONE, group): Verdict(False, _ONE_HELD) for group in (SAME, OTHER, REENTRANT, UNCLEAR)},
-    **{(CALL, NOBODY, group): Verdict(False, _NO_SPIN) for group in (SAME, OTHER, REENTRANT, UNCLEAR)},
-    **{(AWAIT, threads, SAME): Verdict(False, _GROUP_HELD) for threads in (ONE, SEVERAL, NOBODY, ANY)},
-    **{(AWAIT, threads, OTHER): Verdict(True, _FREE) for threads in (ONE, SEVERAL, NOBODY, ANY)},
-    **{(AWAIT, threads, REENTRANT): Verdict(True, _FREE) for threads in (ONE, SEVERAL, NOBODY, ANY)},
-    **{(AWAIT, threads, UNCLEAR): Verdict(False, _NO_GROUP) for threads in (ONE, SEVERAL, NOBODY, ANY)},
-}
-
-_NESTED = "its executor is spinning already, so this raises, hangs or takes the node away from it"
+_NESTED = "its executor is spinning already"
+_STOLEN = "its node is spun by another executor"
 _OWN_SPIN = "a node and an executor of its own let the answer in"
 
 
-def judge_wait(kind: str, call: ApiCall, client: Creation | None, program: Program) -> Verdict:
-    """Whether a wait of the callback ``call.context`` for the answer of ``client`` is proved to end."""
-    handler = call.context
+def judge_wait(
+    kind: str,
+    call: ApiCall,
+    client: Creation | None,
+    program: Program,
+    limited: bool = False,
+    distros: Sequence[str] = DISTROS,
+) -> Verdict:
+    """What becomes of a wait of the callback ``call.context`` for the answer of ``client``."""
+    callback = call.context
     if kind == SPIN:
-        return _judge_spin(call, client, program)
-    if client is not None and handler.node is not None and client.node is not handler.node:
-        return _judge_two_nodes(kind, handler.node, client.node, program)
-    relation = group_relation(handler.group, client.group if client is not None else None)
-    return TABLE[kind, threads_of(handler.node, program), relation]
+        return judge_spin(call, None if client is None else client.node, client, program, limited, distros)
+    node = callback.node
+    form = _form(kind, call, limited)
+    if client is not None and node is not None and client.node is not node:
+        return _judge_two_nodes(form, node, client.node, program, distros)
+    relation = group_relation(callback.group, client.group if client is not None else None)
+    threads = threads_of(node, program)
+    return look_up(form, threads, relation, _why(form, threads, relation, callback.role), distros)
+
+
+def _form(kind: str, call: ApiCall, limited: bool) -> str:
+    if kind != CALL or not limited:
+        return kind
+    return TIMED_CALL if call.api == _TIMED else LIMITED_CALL
+
+
+def _why(form: str, threads: str, relation: str, role: str) -> str:
+    who = "handler" if role == "service" else "callback"
+    if form == AWAIT:
+        return {SAME: _GROUP_HELD.format(who=who), UNCLEAR: _NO_GROUP}.get(relation, _FREE)
+    if threads == ONE:
+        return _ONE_HELD.format(who=who)
+    if relation == SAME and threads != NOBODY:
+        return _GROUP_HELD.format(who=who)
+    if threads == SEVERAL:
+        return _NO_GROUP if relation == UNCLEAR else _THREADS
+    return _NO_SPIN if threads == NOBODY else _NO_EXECUTOR
 
 
 def threads_of(node: Blueprint | None, program: Program) -> str:
     """How many threads run a node's callbacks."""
     if node is None or node.executor == "unknown":
         return ANY
+    if node.executor == "none":
+        # What nothing starts may be spun by whoever makes it elsewhere.
+        return NOBODY if program.executable and not node.held else ANY
     uses = [use for use in executors_of(node, program) if use.kind == "multi_threaded"]
     if node.executor == "multi_threaded":
         # Without a number there are as many threads as processors.
         return ONE if uses and all(use.threads == 1 for use in uses) else SEVERAL
-    return NOBODY if node.executor == "none" else ONE
+    return ONE
 
 
 def executors_of(node: Blueprint, program: Program) -> list[ExecutorUse]:
     """The executors that spin a node."""
     return [use for use in program.executors if use.spun and node in use.nodes]
+
+
+def related_executor(node: Blueprint | None, program: Program) -> Iterator[Related]:
+    """Where the executor of a node is made and spun."""
+    for use in executors_of(node, program) if node is not None else ():
+        place = use.spun_at or use.place
+        if place is not None:
+            yield Related(place, f"{_executor_words(use)} spins the node")
+
+
+def _executor_words(use: ExecutorUse) -> str:
+    if use.kind == "multi_threaded":
+        return "a MultiThreadedExecutor" + (f" with num_threads={use.threads}" if use.threads is not None else "")
+    if use.kind == "events":
+        return "an EventsExecutor, which has one thread,"
+    if use.kind == "unknown":
+        return "an executor that is not known"
+    return "a single-threaded executor"
 
 
 def group_relation(one: Group | None, other: Group | None) -> str:
@@ -106,30 +151,51 @@ def group_relation(one: Group | None, other: Group | None) -> str:
     return OTHER
 
 
-def _judge_two_nodes(kind: str, handler: Blueprint, client: Blueprint, program: Program) -> Verdict:
+def _judge_two_nodes(
+    form: str, node: Blueprint, client: Blueprint, program: Program, distros: Sequence[str]
+) -> Verdict:
     """The client belongs to another node: it matters who spins that one."""
-    if kind == AWAIT:
-        return Verdict(True, _FREE)
+    if form == AWAIT:
+        return look_up(AWAIT, ANY, OTHER, _FREE, distros)
     spinners = executors_of(client, program)
-    shared = [use for use in spinners if use in executors_of(handler, program)]
+    shared = [use for use in spinners if use in executors_of(node, program)]
     if not shared and any(use.in_thread for use in spinners):
-        return Verdict(True, "another thread spins the client's node, so the answer is let in")
+        why = "another thread spins the client's node, so the answer is let in"
+        return look_up(form, SEVERAL, OTHER, why, distros)
     if not spinners:
-        return Verdict(False, "nothing here spins the client's node meanwhile")
-    return TABLE[kind, threads_of(handler, program), OTHER]
+        return look_up(form, ANY, OTHER, "nothing here spins the client's node meanwhile", distros)
+    threads = threads_of(node, program)
+    return look_up(form, threads, OTHER, _why(form, threads, OTHER, ""), distros)
 
 
-def _judge_spin(call: ApiCall, client: Creation | None, program: Program) -> Verdict:
+def judge_spin(
+    call: ApiCall,
+    spun: Blueprint | None,
+    client: Creation | None,
+    program: Program,
+    limited: bool = False,
+    distros: Sequence[str] = DISTROS,
+) -> Verdict:
     """A spin inside a callback ends well only for another node on an executor that is not running."""
-    handler = call.context.node
-    if client is None or handler is None or client.node is handler:
-        return Verdict(False, _NESTED)
-    running = executors_of(handler, program)
-    if call.api.startswith("rclpy.spin") and not _given(call, "executor"):
-        globally = any(use.place is None for use in running)
-        return Verdict(False, _NESTED) if globally or not running else Verdict(True, _OWN_SPIN)
-    shared = any(client.node in use.nodes for use in running)
-    return Verdict(False, _NESTED) if shared or not running else Verdict(True, _OWN_SPIN)
+    callback = call.context
+    node = callback.node
+    running = executors_of(node, program) if node is not None else []
+    relation = group_relation(callback.group, client.group if client is not None else None)
+    if client is not None and node is not None and client.node is not node:
+        relation = OTHER
+    globally = call.api.startswith("rclpy.spin") and not _given(call, "executor")
+    form = LIMITED_SPIN if limited else SPIN
+    if globally and any(use.place is None for use in running):
+        return look_up(form, ANY, relation, _NESTED, distros)
+    if spun is None or node is None:
+        return Verdict(dict.fromkeys(distros, UNKNOWN), "it is not known which node is spun")
+    if spun is not node:
+        if not running or any(spun in use.nodes for use in running):
+            return Verdict(dict.fromkeys(distros, UNKNOWN), "it is not known whether its executor is spinning already")
+        return Verdict(dict.fromkeys(distros, FINE), _OWN_SPIN)
+    if globally and running:
+        return look_up(STEAL, ANY, relation, _STOLEN, distros)
+    return look_up(form, ANY, relation, _NESTED, distros)
 
 
 def _given(call: ApiCall, name: str) -> bool:

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
-from archlint.checks.deadlock import AWAIT, CALL, SPIN, Verdict, judge_wait
+from archlint.checks.deadlock import AWAIT, CALL, SPIN, Verdict, judge_wait, related_executor
 from archlint.checks.reach import (
     endpoint_words,
     node_name,
@@ -62,7 +62,7 @@ def _nested(system: System, wait: Wait, verdict: Verdict, others: list[Wait]) ->
     found = finding(
         "SRV003",
         call.place,
-        f"the handler of {service} waits for {endpoint_words(wait.client)}: {_outcome(wait, verdict)}",
+        f"the handler of {service} waits for {endpoint_words(wait.client)}{_outcome(verdict)}",
         help=_HELP_WHERE_SAFE if verdict.safe else _HELP[wait.kind],
         related=[
             Related(handler.place, f"{handler.name} handles {service}"),
@@ -87,9 +87,9 @@ def _other_handlers(first: Callback, waits: list[Wait]) -> Iterator[Related]:
             yield Related(handler.place, f"{handler.name}, which handles {service}, gets there too")
 
 
-def _outcome(wait: Wait, verdict: Verdict) -> str:
+def _outcome(verdict: Verdict) -> str:
     if verdict.safe:
-        return f"{verdict.why}, and so it only blocks"
-    if wait.kind == CALL and wait.limited:
-        return f"{verdict.why} before the time is up"
-    return verdict.why
+        return f", which only stalls its callback group: {verdict.why}"
+    if verdict.unknown:
+        return f", which may never come: {verdict.why}"
+    return f" and {verdict.words}: {verdict.why}"

@@ -1,0 +1,191 @@
+"""EXE001, EXE002 and CBG001: callbacks that spin, or wait for what their own executor or group keeps out."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import replace
+from typing import TYPE_CHECKING
+
+from archlint.checks import blocking
+from archlint.checks.callback_roles import callback_words, related_to, runs_in_executor
+from archlint.checks.deadlock import Verdict, group_relation, judge_spin, judge_wait, threads_of
+from archlint.checks.early_results import EarlyResult, early_results
+from archlint.checks.event_waits import EventWait, event_waits
+from archlint.checks.reach import (
+    argument,
+    creations_of,
+    endpoint_words,
+    has_limit,
+    judged_calls,
+    node_name,
+    one_for_each_place,
+)
+from archlint.checks.registry import Options, finding, rule
+from archlint.checks.waits import Wait, waits
+from archlint.finding import Finding, Severity
+from archlint.program.values import Instance, NodeValue, alternatives
+
+if TYPE_CHECKING:
+    from archlint.program.model import ApiCall, Blueprint, Program
+    from archlint.system.model import System
+
+_SPINS = ("rclpy.spin", "rclpy.spin_once", "rclpy.spin_until_future_complete")
+_EXECUTOR = "rclpy.executors.Executor."
+_EXECUTOR_SPINS = ("spin", "spin_once", "spin_until_future_complete", "spin_once_until_future_complete")
+
+_DONE = "send the request with call_async(), return, and go on in a done callback"
+_GROUP_HELP = (
+    "give the client a callback group of its own (callback_group=MutuallyExclusiveCallbackGroup()), or " + _DONE
+)
+
+
+# --------------------------------------------------------------------------------------------------- EXE001
+
+
+@rule("EXE001")
+def spin_in_callback(system: System, options: Options) -> Iterator[Finding]:
+    """Spins that a callback reaches."""
+    yield from one_for_each_place(
+        found
+        for program, call in judged_calls(system)
+        if _is_spin(call) and runs_in_executor(call.context)
+        for found in _nested_spin(system, program, call, options)
+    )
+
+
+def _is_spin(call: ApiCall) -> bool:
+    return call.api in _SPINS or call.api in {_EXECUTOR + name for name in _EXECUTOR_SPINS}
+
+
+def _nested_spin(system: System, program: Program, call: ApiCall, options: Options) -> Iterator[Finding]:
+    future = argument(call, "future")
+    clients = creations_of(future)
+    client = clients[0] if clients else None
+    spun = _spun_node(call, program)
+    limited = has_limit(call, "timeout_sec")
+    verdict = judge_spin(call, spun, client, program, limited, options.distros)
+    if verdict.safe and set(verdict.outcomes.values()) == {blocking.FINE} and spun is not call.context.node:
+        return
+    if verdict.unknown:
+        return
+    function = call.api.rpartition(".")[2]
+    found = finding(
+        "EXE001",
+        call.place,
+        f"{callback_words(call.context)} calls {function}(), and {verdict.why}: it {verdict.words}",
+        help=_DONE if future is not None else "return: whoever spins the node goes on when the callback has ended",
+        related=tuple(related_to(call, program, client)),
+        node=node_name(system, call.context.node),
+        identity=(call.context.name, function),
+    )
+    yield replace(found, severity=Severity.WARNING) if verdict.safe else found
+
+
+def _spun_node(call: ApiCall, program: Program) -> Blueprint | None:
+    """The node that a spin runs, where there is one for certain."""
+    if call.api.startswith(_EXECUTOR):
+        use = getattr(call.receiver, "use", None)
+        nodes = list(getattr(use, "nodes", ()))
+        return nodes[0] if len(nodes) == 1 else call.context.node if call.context.node in nodes else None
+    value = argument(call, "node")
+    options = [one for one in alternatives(value) if isinstance(one, (Instance, NodeValue))] if value else []
+    if len(options) != 1:
+        return None
+    if isinstance(options[0], NodeValue):
+        return options[0].blueprint
+    return _blueprint_of(options[0], program)
+
+
+def _blueprint_of(value: Instance, program: Program) -> Blueprint | None:
+    return next((node for node in program.nodes if node.key.endswith(f"#{value.key}")), None)
+
+
+# ------------------------------------------------------------------------------------------- EXE002, CBG001
+
+
+@rule("EXE002")
+def blocking_call_in_callback(system: System, options: Options) -> Iterator[Finding]:
+    """Waits of callbacks that can never get what they wait for."""
+    yield from one_for_each_place(
+        (
+            *(_stuck("EXE002", system, wait, v, options) for wait, v in _judged(system, options) if not _by_group(wait)),
+            *(_no_answer_yet(system, early) for early in early_results(system)),
+            *(_deaf(system, wait) for wait in event_waits(system)),
+        )
+    )
+
+
+@rule("CBG001")
+def shared_exclusive_group(system: System, options: Options) -> Iterator[Finding]:
+    """Waits of callbacks that several threads could serve, if they did not hold the client's group."""
+    yield from one_for_each_place(
+        _stuck("CBG001", system, wait, verdict, options)
+        for wait, verdict in _judged(system, options)
+        if _by_group(wait)
+    )
+
+
+def _judged(system: System, options: Options) -> Iterator[tuple[Wait, Verdict]]:
+    """The waits of callbacks other than service handlers that do not end well, for certain."""
+    for wait in waits(system):
+        callback = wait.call.context
+        if wait.kind == blocking.SPIN or callback.role == "service" or not runs_in_executor(callback):
+            continue
+        verdict = judge_wait(wait.kind, wait.call, wait.client, wait.program, wait.limited, options.distros)
+        if not verdict.safe and not verdict.unknown:
+            yield wait, verdict
+
+
+def _by_group(wait: Wait) -> bool:
+    """Whether the callback group alone keeps the answer out, though there are threads."""
+    callback = wait.call.context
+    return (
+        threads_of(callback.node, wait.program) == blocking.SEVERAL
+        and wait.client.node is callback.node
+        and group_relation(callback.group, wait.client.group) == blocking.SAME
+    )
+
+
+def _stuck(code: str, system: System, wait: Wait, verdict: Verdict, options: Options) -> Finding:
+    call, callback = wait.call, wait.call.context
+    several = threads_of(callback.node, wait.program) == blocking.SEVERAL
+    one_group = group_relation(callback.group, wait.client.group) == blocking.SAME
+    help_ = _GROUP_HELP if (wait.kind == blocking.AWAIT or several) and one_group else _DONE
+    return finding(
+        code,
+        call.place,
+        f"{callback_words(callback)} waits for {endpoint_words(wait.client)} and {verdict.words}: {verdict.why}",
+        help=help_,
+        related=tuple(related_to(call, wait.program, wait.client)),
+        node=node_name(system, callback.node),
+        identity=(callback.name, wait.client.name.text or "", call.api),
+    )
+
+
+def _no_answer_yet(system: System, early: EarlyResult) -> Finding:
+    call, callback = early.call, early.call.context
+    return finding(
+        "EXE002",
+        call.place,
+        f"{callback_words(callback)} reads result() straight after call_async(): {endpoint_words(early.client)} "
+        "cannot have answered yet, so it is None",
+        help="future.add_done_callback(...) and read the result there",
+        related=tuple(related_to(call, early.program, early.client)),
+        node=node_name(system, callback.node),
+        identity=(callback.name, early.client.name.text or "", "result"),
+    )
+
+
+def _deaf(system: System, wait: EventWait) -> Finding:
+    call, callback = wait.call, wait.call.context
+    end = blocking.TIMES_OUT if wait.limited else blocking.HANGS
+    return finding(
+        "EXE002",
+        call.place,
+        f"{callback_words(callback)} waits for an event that {wait.setter.name} sets, and {end}: {wait.why}",
+        help="keep what has come in an attribute and go on in the callback that gets it, or let a thread of "
+        "its own wait",
+        related=tuple(related_to(call, wait.program)),
+        node=node_name(system, callback.node),
+        identity=(callback.name, wait.setter.name, "event"),
+    )
