@@ -386,7 +386,7 @@ def _read_decorator(run: Run, s: facts.Function, decorator: facts.Expr, names: s
 
 
 def _as_default(value: Value) -> Value:
-    if isinstance(value, Known) and isinstance(value.value, str):
+    if isinstance(value, Known):
         return Known(value.value, value.via, value.origin, "argument_default")
     return value
 
