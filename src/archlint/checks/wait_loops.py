@@ -10,7 +10,6 @@ from archlint.checks.reach import (
     endpoint_words,
     has_limit,
     node_name,
-    one_for_each_place,
 )
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.timeouts import READY, WAIT_FOR_SERVER, WAIT_FOR_SERVICE, way_to
@@ -26,7 +25,8 @@ _ASKS = frozenset({"wait_for_service", "wait_for_server", "service_is_ready", "s
 
 _PASTIMES = frozenset(
     {"debug", "info", "warn", "warning", "error", "fatal", "critical", "exception", "log", "print"}
-    | {"sleep", "spin_once", "get_logger", "format", "str", "get_clock", "now", "sleep_for", "flush", "join"}
+    | {"sleep", "spin_once", "get_logger", "get_clock", "now", "sleep_for", "flush", "format", "join"}
+    | {"str", "len", "range", "time", "monotonic"}
     | _ASKS
 )
 """Calls of which none ends a loop; any other may raise, so a loop with one is not judged."""
@@ -35,11 +35,11 @@ _PASTIMES = frozenset(
 @rule("TMO004")
 def endless_wait_loop(system: System, options: Options) -> Iterator[Finding]:
     """Loops that go round until a server appears, and that nothing else ends."""
-    yield from one_for_each_place(
-        _endless(system, call)
-        for _, call in calls_of(system, (WAIT_FOR_SERVICE, WAIT_FOR_SERVER, *READY))
-        if (call.api in READY or has_limit(call, "timeout_sec")) and _only_the_server_ends(call)
-    )
+    loops: dict[tuple[str, facts.Span], ApiCall] = {}
+    for _, call in calls_of(system, (WAIT_FOR_SERVICE, WAIT_FOR_SERVER, *READY)):
+        if (call.api in READY or has_limit(call, "timeout_sec")) and _only_the_server_ends(call):
+            loops.setdefault((call.place.file, call.loops[-1].span), call)
+    yield from (_endless(system, loops[key]) for key in sorted(loops))
 
 
 def _endless(system: System, call: ApiCall) -> Finding:
@@ -59,34 +59,38 @@ def _endless(system: System, call: ApiCall) -> Finding:
 
 def _only_the_server_ends(call: ApiCall) -> bool:
     loop = call.loops[-1] if call.loops else None
-    if not isinstance(loop, facts.While) or call.expression is None:
+    if not isinstance(loop, facts.While):
         return False
-    if _asks(loop.test):
-        return not _exits(loop.body, guarded=False)
+    if _says(loop.test, there=False):
+        return not _leaves(loop.body)
     if isinstance(loop.test, facts.Literal) and loop.test.value:
-        return not _exits(loop.body, guarded=True) and _leaves_when_there(loop.body)
-    answer = _answer_variable(loop)
-    return answer is not None and not _exits(loop.body, guarded=True)
+        return _leaves_when_there(loop.body) and not _leaves(loop.body, unless_there=True)
+    return _asks_a_variable(loop) and not _leaves(loop.body, unless_there=True)
 
 
-def _asks(test: facts.Expr) -> bool:
-    """Whether a condition depends on nothing but whether servers are there."""
+def _says(test: facts.Expr, there: bool) -> bool:
+    """Whether a condition holds just as long as servers are there, or (``there`` false) are missing."""
     if isinstance(test, facts.Unary) and test.op == "not":
-        return _asks(test.operand)
+        return _says(test.operand, not there)
     if isinstance(test, facts.Boolean):
-        return all(_asks(value) for value in test.values)
+        return all(_says(value, there) for value in test.values)
     if isinstance(test, facts.Compare):
-        return _asks(test.left) and all(isinstance(other, facts.Literal) for other in test.comparators)
+        [wanted, *more] = test.comparators
+        same = isinstance(wanted, facts.Literal) and isinstance(wanted.value, bool) and not more
+        if not same or test.ops[0] not in ("==", "is") or not isinstance(wanted, facts.Literal):
+            return False
+        return _says(test.left, there if wanted.value else not there)
     if isinstance(test, facts.Assigned):
-        return _asks(test.value)
-    return isinstance(test, facts.Call) and isinstance(test.func, facts.Attribute) and test.func.attr in _ASKS
+        return _says(test.value, there)
+    asks = isinstance(test, facts.Call) and isinstance(test.func, facts.Attribute) and test.func.attr in _ASKS
+    return there and asks
 
 
-def _answer_variable(loop: facts.While) -> str | None:
-    """The variable that a loop asks and that only an answer about a server sets: ``while not ready``."""
+def _asks_a_variable(loop: facts.While) -> bool:
+    """``while not ready``, where nothing in the loop but an answer about a server sets ``ready``."""
     test = loop.test
     if not (isinstance(test, facts.Unary) and test.op == "not" and isinstance(test.operand, facts.Name)):
-        return None
+        return False
     name = test.operand.id
     values = [
         statement.value
@@ -94,44 +98,48 @@ def _answer_variable(loop: facts.While) -> str | None:
         if isinstance(statement, facts.Assign)
         and any(isinstance(target, facts.Name) and target.id == name for target in statement.targets)
     ]
-    return name if values and all(_asks(value) for value in values) else None
+    return bool(values) and all(_says(value, there=True) for value in values)
 
 
-def _exits(block: Sequence[facts.Stmt], guarded: bool) -> bool:
-    """Whether something in a loop's body may end it; where ``guarded``, leaving because the server is there
-    does not count."""
-    return any(_exits_at(statement, guarded) for statement in block)
+def _leaves(block: Sequence[facts.Stmt], *, unless_there: bool = False, inner: bool = False) -> bool:
+    """Whether something in a loop's body may end the loop; with ``unless_there``, other than because the
+    server is there.  ``inner`` is set within a loop inside, whose ``break`` ends that one only."""
+    return any(_leaves_at(statement, unless_there, inner) for statement in block)
 
 
-def _exits_at(statement: facts.Stmt, guarded: bool) -> bool:
+def _leaves_at(statement: facts.Stmt, unless_there: bool, inner: bool) -> bool:
     if isinstance(statement, facts.If):
-        if guarded and _asks(statement.test):
-            there = statement.orelse if _negated(statement.test) else statement.body
-            other = statement.body if there is statement.orelse else statement.orelse
-            return _exits(other, guarded) or any(_may_raise(part) for part in there)
-        return _may_raise(statement.test) or _exits(statement.body, guarded) or _exits(statement.orelse, guarded)
-    if isinstance(statement, facts.Expression):
+        blocks = [statement.body, statement.orelse]
+        if unless_there and _says(statement.test, there=True):
+            blocks = [statement.orelse]
+        elif unless_there and _says(statement.test, there=False):
+            blocks = [statement.body]
+        return _may_raise(statement.test) or any(
+            _leaves(block, unless_there=unless_there, inner=inner) for block in blocks
+        )
+    if isinstance(statement, (facts.For, facts.While)):
+        head = statement.iterable if isinstance(statement, facts.For) else statement.test
+        return _may_raise(head) or _leaves(statement.body, unless_there=unless_there, inner=True)
+    if isinstance(statement, (facts.Expression, facts.Assign)):
         return _may_raise(statement.value)
-    if isinstance(statement, facts.Assign):
+    if isinstance(statement, facts.Augmented):
         return _may_raise(statement.value)
     if isinstance(statement, facts.With):
-        return _exits(statement.body, guarded)
+        return _leaves(statement.body, unless_there=unless_there, inner=inner)
     if isinstance(statement, facts.Jump):
-        return statement.kind == "break"
+        return statement.kind == "break" and not inner
     return not isinstance(statement, (facts.Import, facts.ImportFrom, facts.Global))
-
-
-def _negated(test: facts.Expr) -> bool:
-    return isinstance(test, facts.Unary) and test.op == "not"
 
 
 def _leaves_when_there(block: Sequence[facts.Stmt]) -> bool:
     """Whether a body leaves its loop once the server is there."""
     for statement in block:
-        if isinstance(statement, facts.If) and _asks(statement.test):
-            there = statement.orelse if _negated(statement.test) else statement.body
-            if any(isinstance(part, facts.Return) for part in there) or any(
-                isinstance(part, facts.Jump) and part.kind == "break" for part in there
+        if isinstance(statement, facts.If):
+            there = statement.body if _says(statement.test, there=True) else []
+            there = statement.orelse if _says(statement.test, there=False) else there
+            if any(
+                isinstance(part, facts.Return) or (isinstance(part, facts.Jump) and part.kind == "break")
+                for part in there
             ):
                 return True
     return False

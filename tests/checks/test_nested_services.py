@@ -1,0 +1,362 @@
+from __future__ import annotations
+
+from archlint.finding import Severity
+from checks.judging import Judge
+
+GRIPPER = """
+    import rclpy
+    from rclpy.callback_groups import MutuallyExclusiveCallbackGroup, ReentrantCallbackGroup
+    from rclpy.executors import MultiThreadedExecutor, SingleThreadedExecutor
+    from rclpy.node import Node
+    from std_srvs.srv import SetBool, Trigger
+
+
+    class Gripper(Node):
+        def __init__(self):
+            super().__init__('gripper')
+            {init}
+
+        def close(self, request, response):
+            {body}
+
+
+    def main():
+        rclpy.init()
+        {main}
+
+
+    if __name__ == '__main__':
+        main()
+"""
+CLIENT = "self.motor = self.create_client(SetBool, 'enable_motor'{group})"
+SERVICE = "self.create_service(Trigger, 'close_gripper', self.close{group})"
+SPIN = ["rclpy.spin(Gripper())"]
+THREADS = ["executor = MultiThreadedExecutor()", "executor.add_node(Gripper())", "executor.spin()"]
+CALL = ["self.motor.call(SetBool.Request(), timeout_sec=1.0)  # here", "return response"]
+
+
+def gripper(body: list[str], main: list[str] = SPIN, client: str = "", service: str = "", extra: str = "") -> str:
+    init = [
+        "self.apart = MutuallyExclusiveCallbackGroup()",
+        "self.free = ReentrantCallbackGroup()",
+        CLIENT.format(group=client),
+        SERVICE.format(group=service),
+    ]
+    source = GRIPPER.format(
+        init="\n            ".join(init), body="\n            ".join(body), main="\n        ".join(main)
+    )
+    return source.replace("    def main():", extra + "\n    def main():", 1)
+
+
+class TestWaysToWait:
+    def test_a_call(self, judge: Judge):
+        [found] = judge("SRV003", gripper(CALL))
+
+        assert found.severity is Severity.ERROR
+        assert found.node == "/gripper"
+        assert "'close_gripper'" in found.message
+        assert "'enable_motor'" in found.message
+
+    def test_a_loop_until_the_future_is_done(self, judge: Judge):
+        judge(
+            "SRV003",
+            gripper(
+                [
+                    "future = self.motor.call_async(SetBool.Request())",
+                    "while rclpy.ok() and not future.done():  # here",
+                    "    pass",
+                    "return response",
+                ]
+            ),
+        )
+
+    def test_a_loop_that_spins_the_node_once_and_again(self, judge: Judge):
+        [found] = judge(
+            "SRV003",
+            gripper(
+                [
+                    "future = self.motor.call_async(SetBool.Request())",
+                    "while not future.done():  # here",
+                    "    rclpy.spin_once(self)",
+                    "return response",
+                ],
+                main=THREADS,
+                client=", callback_group=self.apart",
+            ),
+        )
+
+        assert found.severity is Severity.ERROR
+
+    def test_an_event_that_the_done_callback_sets(self, judge: Judge):
+        judge(
+            "SRV003",
+            gripper(
+                [
+                    "import threading",
+                    "answered = threading.Event()",
+                    "future = self.motor.call_async(SetBool.Request())",
+                    "future.add_done_callback(lambda _: answered.set())",
+                    "answered.wait()  # here",
+                    "return response",
+                ]
+            ),
+        )
+
+    def test_an_event_that_something_else_sets_is_no_wait_for_a_service(self, judge: Judge):
+        judge(
+            "SRV003",
+            gripper(["import threading", "moved = threading.Event()", "moved.wait(1.0)", "return response"]),
+        )
+
+    def test_a_request_without_a_wait(self, judge: Judge):
+        judge("SRV003", gripper(["self.motor.call_async(SetBool.Request())", "return response"]))
+
+    def test_a_look_at_a_future_that_may_not_be_done_waits_for_nothing(self, judge: Judge):
+        judge(
+            "SRV003",
+            gripper(
+                [
+                    "future = self.motor.call_async(SetBool.Request())",
+                    "response.success = future.done()",
+                    "return response",
+                ]
+            ),
+        )
+
+
+class TestExecutorsAndGroups:
+    def test_several_threads_and_a_group_apart_only_block(self, judge: Judge):
+        [found] = judge("SRV003", gripper(CALL, THREADS, client=", callback_group=self.apart"))
+
+        assert found.severity is Severity.WARNING
+
+    def test_several_threads_and_the_default_group_deadlock(self, judge: Judge):
+        [found] = judge("SRV003", gripper(CALL, THREADS))
+
+        assert found.severity is Severity.ERROR
+
+    def test_one_exclusive_group_for_both_deadlocks(self, judge: Judge):
+        group = ", callback_group=self.apart"
+        [found] = judge("SRV003", gripper(CALL, THREADS, client=group, service=group))
+
+        assert found.severity is Severity.ERROR
+
+    def test_one_reentrant_group_for_both_only_blocks(self, judge: Judge):
+        group = ", callback_group=self.free"
+        [found] = judge("SRV003", gripper(CALL, THREADS, client=group, service=group))
+
+        assert found.severity is Severity.WARNING
+
+    def test_a_pool_of_one_thread_deadlocks(self, judge: Judge):
+        main = ["executor = MultiThreadedExecutor(num_threads=1)", *THREADS[1:]]
+        [found] = judge("SRV003", gripper(CALL, main, client=", callback_group=self.apart"))
+
+        assert found.severity is Severity.ERROR
+
+    def test_a_node_that_nobody_here_spins_is_not_proved_safe(self, judge: Judge):
+        [found] = judge("SRV003", gripper(CALL, ["Gripper()"], client=", callback_group=self.apart"))
+
+        assert found.severity is Severity.ERROR
+
+    def test_a_spin_of_the_own_node_is_never_safe(self, judge: Judge):
+        body = [
+            "future = self.motor.call_async(SetBool.Request())",
+            "rclpy.spin_until_future_complete(self, future, timeout_sec=1.0)  # here",
+            "return response",
+        ]
+        [found] = judge("SRV003", gripper(body, THREADS, client=", callback_group=self.apart"))
+
+        assert found.severity is Severity.ERROR
+
+    def test_a_spin_of_another_node_on_an_executor_of_its_own_only_blocks(self, judge: Judge):
+        [found] = judge(
+            "SRV003",
+            gripper(
+                [
+                    "helper = rclpy.create_node('helper')",
+                    "client = helper.create_client(SetBool, 'enable_motor')",
+                    "future = client.call_async(SetBool.Request())",
+                    "executor = SingleThreadedExecutor()",
+                    "executor.add_node(helper)",
+                    "executor.spin_until_future_complete(future, timeout_sec=1.0)  # here",
+                    "return response",
+                ]
+            ),
+        )
+
+        assert found.severity is Severity.WARNING
+
+
+class TestTheWayThere:
+    HELPER = """
+    class Motor:
+        def __init__(self, client):
+            self.client = client
+
+        def enable(self):
+            return self.client.call(SetBool.Request(), timeout_sec=1.0)  # here
+
+"""
+
+    def test_every_hop_is_listed_in_order(self, judge: Judge):
+        [found] = judge(
+            "SRV003",
+            gripper(["Motor(self.motor).enable()", "return response"], extra=self.HELPER),
+        )
+
+        assert [related.message for related in found.related] == [
+            "Gripper.close handles the service 'close_gripper'",
+            "Gripper.close calls Motor.enable here",
+            "the client is created here",
+        ]
+
+    def test_a_function_that_is_handed_over(self, judge: Judge):
+        judge(
+            "SRV003",
+            """
+            from functools import partial
+
+            import rclpy
+            from std_srvs.srv import Trigger
+
+
+            def relay(client, request, response):
+                return client.call(request)  # here
+
+
+            def main():
+                rclpy.init()
+                node = rclpy.create_node('relay')
+                client = node.create_client(Trigger, 'far')
+                node.create_service(Trigger, 'near', partial(relay, client))
+                rclpy.spin(node)
+
+
+            if __name__ == '__main__':
+                main()
+            """,
+        )
+
+    def test_a_lambda(self, judge: Judge):
+        judge(
+            "SRV003",
+            """
+            import rclpy
+            from std_srvs.srv import Trigger
+
+
+            def main():
+                rclpy.init()
+                node = rclpy.create_node('relay')
+                client = node.create_client(Trigger, 'far')
+                node.create_service(Trigger, 'near', lambda request, response: client.call(request))  # here
+                rclpy.spin(node)
+
+
+            if __name__ == '__main__':
+                main()
+            """,
+        )
+
+    def test_an_inherited_method(self, judge: Judge):
+        [found] = judge(
+            "SRV003",
+            """
+            import rclpy
+            from rclpy.node import Node
+            from std_srvs.srv import Trigger
+
+
+            class Base(Node):
+                def ask(self):
+                    return self.far.call(Trigger.Request())  # here
+
+
+            class Relay(Base):
+                def __init__(self):
+                    super().__init__('relay')
+                    self.far = self.create_client(Trigger, 'far')
+                    self.create_service(Trigger, 'near', self.on_near)
+
+                def on_near(self, request, response):
+                    return self.ask()
+
+
+            def main():
+                rclpy.init()
+                rclpy.spin(Relay())
+
+
+            if __name__ == '__main__':
+                main()
+            """,
+        )
+
+        assert found.node == "/relay"
+
+    def test_two_handlers_and_one_call_are_one_finding(self, judge: Judge):
+        [found] = judge(
+            "SRV003",
+            """
+            import rclpy
+            from rclpy.node import Node
+            from std_srvs.srv import Trigger
+
+
+            class Relay(Node):
+                def __init__(self):
+                    super().__init__('relay')
+                    self.far = self.create_client(Trigger, 'far')
+                    self.create_service(Trigger, 'left', self.on_left)
+                    self.create_service(Trigger, 'right', self.on_right)
+
+                def on_left(self, request, response):
+                    return self.ask()
+
+                def on_right(self, request, response):
+                    return self.ask()
+
+                def ask(self):
+                    return self.far.call(Trigger.Request())  # here
+
+
+            def main():
+                rclpy.init()
+                rclpy.spin(Relay())
+
+
+            if __name__ == '__main__':
+                main()
+            """,
+        )
+
+        assert found.related[-1].message == "Relay.on_right, which handles the service 'right', gets there too"
+
+    def test_the_same_call_in_a_timer_is_another_rules_matter(self, judge: Judge):
+        judge(
+            "SRV003",
+            """
+            import rclpy
+            from rclpy.node import Node
+            from std_srvs.srv import Trigger
+
+
+            class Asker(Node):
+                def __init__(self):
+                    super().__init__('asker')
+                    self.far = self.create_client(Trigger, 'far')
+                    self.create_timer(1.0, self.ask)
+
+                def ask(self):
+                    return self.far.call(Trigger.Request())
+
+
+            def main():
+                rclpy.init()
+                rclpy.spin(Asker())
+
+
+            if __name__ == '__main__':
+                main()
+            """,
+        )

@@ -1,0 +1,105 @@
+from __future__ import annotations
+
+import pytest
+
+from checks.judging import Judge
+
+SCRIPT = """
+    import sys
+    import time
+
+    import rclpy
+    from example_interfaces.action import Fibonacci
+    from rclpy.action import ActionClient
+    from std_srvs.srv import Trigger
+
+
+    def main():
+        rclpy.init()
+        node = rclpy.create_node('script')
+        near = node.create_client(Trigger, 'near')
+        far = node.create_client(Trigger, 'far')
+        action = ActionClient(node, Fibonacci, 'count')
+        tries = 0
+        {lines}
+
+
+    if __name__ == '__main__':
+        main()
+"""
+WAIT = "far.wait_for_service(timeout_sec=1.0)"
+
+
+def script(*lines: str) -> str:
+    return SCRIPT.format(lines="\n        ".join(lines))
+
+
+@pytest.mark.parametrize(
+    "lines",
+    [
+        (f"while not {WAIT}:  # here", "    node.get_logger().info('waiting')"),
+        (f"while not {WAIT}:  # here", "    pass"),
+        (f"while {WAIT} is False:  # here", "    print('waiting')"),
+        (
+            f"while not (near.wait_for_service(timeout_sec=1.0) and {WAIT}):  # here",
+            "    time.sleep(0.1)",
+        ),
+        ("while not action.wait_for_server(timeout_sec=1.0):  # here", "    print('waiting')"),
+        ("while not far.service_is_ready():  # here", "    rclpy.spin_once(node)"),
+        ("while True:", f"    if {WAIT}:  # here", "        break", "    print('waiting')"),
+        ("while True:", f"    if not {WAIT}:  # here", "        print('waiting')", "    else:", "        break"),
+        ("ready = False", "while not ready:", f"    ready = {WAIT}  # here"),
+        (f"while not {WAIT}:  # here", "    for second in range(3):", "        print(second)"),
+    ],
+    ids=[
+        "tutorial",
+        "empty",
+        "compared",
+        "two servers",
+        "action",
+        "poll",
+        "break when there",
+        "break unless missing",
+        "variable",
+        "a loop inside",
+    ],
+)
+def test_only_the_server_ends_it(judge: Judge, lines: tuple[str, ...]):
+    judge("TMO004", script(*lines))
+
+
+@pytest.mark.parametrize(
+    "lines",
+    [
+        (f"while rclpy.ok() and not {WAIT}:", "    pass"),
+        (f"while not {WAIT} and tries < 5:", "    tries += 1"),
+        (f"while not {WAIT}:", "    tries += 1", "    if tries > 5:", "        break"),
+        (f"while not {WAIT}:", "    if not rclpy.ok():", "        return"),
+        (f"while not {WAIT}:", "    raise RuntimeError('no server')"),
+        (f"while not {WAIT}:", "    sys.exit(1)"),
+        ("while True:", f"    if {WAIT}:", "        break", "    tries += 1", "    if tries > 5:", "        break"),
+        ("while rclpy.ok():", f"    if {WAIT}:", "        break"),
+        ("for attempt in range(5):", f"    if {WAIT}:", "        break"),
+        (f"while not {WAIT}:", "    give_up_after_a_while()"),
+        (f"while {WAIT}:", "    print('still there')"),
+    ],
+    ids=[
+        "ok",
+        "counted in the test",
+        "counted",
+        "returns on shutdown",
+        "raises",
+        "exits",
+        "counted poll",
+        "poll while ok",
+        "bounded",
+        "a call that may raise",
+        "until it goes away",
+    ],
+)
+def test_something_else_ends_it(judge: Judge, lines: tuple[str, ...]):
+    judge("TMO004", script(*lines))
+
+
+def test_a_first_wait_without_limit_is_another_rules_matter(judge: Judge):
+    judge("TMO004", script("while not far.wait_for_service():", "    pass"))
