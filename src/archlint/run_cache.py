@@ -95,6 +95,7 @@ class RunCache:
         ]
         problems = [astuple(problem) for problem in self._workspace.problems]
         decisive = [own_code(), repr(self._request.paths), repr(self._request.settings), inputs, problems]
+        decisive.append([self._request.launch, self._request.launch_arguments])
         return hashlib.sha256(json.dumps(decisive).encode()).hexdigest()
 
 

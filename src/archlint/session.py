@@ -34,6 +34,9 @@ class Request:
     settings: Settings
     cached: bool = True
     jobs: int | None = None
+    launch: str | None = None
+    """The launch file that is the only system, as a path from the working directory."""
+    launch_arguments: tuple[tuple[str, str], ...] = ()
 
 
 def check(request: Request) -> Report:
@@ -65,7 +68,7 @@ def graph(request: Request, everything: bool = False) -> System:
     workspace = _found(request)
     store = _store(request)
     facts = _compiled(request, workspace, store)
-    [system] = _systems(request, workspace, facts)
+    system = _systems(request, workspace, facts)[0]
     store.close()
     system = _asked_for(system, workspace)
     return with_implicit(system, request.settings.distro) if everything else system
@@ -111,20 +114,34 @@ def _systems(request: Request, workspace: Workspace, facts: FactsOfFiles) -> lis
     """Link and load."""
     from archlint.program.entry_points import entry_points, read_installs
     from archlint.program.interface_table import InterfaceTable
-    from archlint.program.link import link_files
+    from archlint.facts.deep_stack import call_with_deep_stack
+    from archlint.program.launch.load import LaunchLoader
+    from archlint.program.link import Linker
     from archlint.system.instances import assemble
+    from archlint.system.launched import World
+    from archlint.system.launches import launch_systems
     from archlint.workspace.tree import SourceTree
 
     tree = SourceTree(Path.cwd(), Path(workspace.root))
     installs = read_installs(workspace.packages, workspace.files, facts.facts_of, tree)
-    programs = link_files(
-        workspace.files,
-        facts.facts_of,
-        facts.relevant,
-        entry_points(installs, workspace.files),
-        InterfaceTable(workspace.files, lambda file: tree.text(file.relative)),
+    interfaces = InterfaceTable(workspace.files, lambda file: tree.text(file.relative))
+    linker = Linker(workspace.files, facts.facts_of, facts.relevant, interfaces)
+    entries = entry_points(installs, workspace.files)
+    programs = call_with_deep_stack(lambda: linker.run_all(entries))
+    [opened] = assemble(programs, workspace, request.settings)
+    loader = LaunchLoader(workspace.files, facts.facts_of, installs, tree)
+    if request.launch is not None and not loader.is_launch_file(request.launch):
+        raise NothingToDo(f"{request.launch} is no launch file in {', '.join(request.paths)}")
+    return launch_systems(
+        opened,
+        linker,
+        entries,
+        loader,
+        World(installs, {package.name: package for package in workspace.packages}, loader=loader),
+        closed=request.settings.closed_world,
+        chosen=request.launch,
+        arguments=dict(request.launch_arguments),
     )
-    return assemble(programs, workspace, request.settings)
 
 
 def _asked_for(system: System, workspace: Workspace) -> System:
@@ -136,15 +153,21 @@ def _asked_for(system: System, workspace: Workspace) -> System:
 
 def _judged(request: Request, workspace: Workspace, facts: FactsOfFiles) -> Judged:
     from archlint import suppressions
+    from archlint.checks.merge import merged
+    from archlint.checks.registry import unreadable
     from archlint.render.json import unresolved
 
     systems = _systems(request, workspace, facts)
     known = [file for file in _python(workspace) if facts.relevant(file)]
-    found = [*_problems(workspace, known, facts), *_rules(request.settings, systems)]
+    loader = systems[0].world.loader if systems[0].world is not None else None
+    found = [*_problems(workspace, known, facts), *merged(_rules(request.settings, systems))]
     by_file = {file.relative: one.suppressions for file in known if (one := facts.facts_of(file)) is not None}
+    if loader is not None:
+        found.extend(unreadable(*problem) for problem in loader.problems())
+        by_file.update(loader.suppressions())
     outcome = suppressions.apply(_wanted(found, request.settings, workspace), by_file)
     findings = sorted(dict.fromkeys(outcome.kept), key=lambda finding: finding.sort_key)
-    shown = [_asked_for(system, workspace) for system in systems]
+    shown = [_asked_for(systems[0], workspace)]
     summary = summarise(
         findings,
         files=sum(_is_input(file) for file in workspace.files),

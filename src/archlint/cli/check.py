@@ -12,9 +12,11 @@ from archlint.cli.exits import UsageError
 from archlint.cli.options import (
     Parser,
     add_configuration,
+    add_launch,
     add_paths,
     add_running,
     add_talking,
+    launch_of,
     paths_of,
     settings_of,
 )
@@ -55,6 +57,7 @@ def parser() -> argparse.ArgumentParser:
         help="what fails the run: info, warning (default) or error",
     )
     levels.add_argument("--exit-zero", action="store_true", help="findings do not fail the run")
+    add_launch(made)
     add_configuration(made)
     add_running(made)
     add_talking(made)
@@ -69,9 +72,17 @@ def _output(text: str) -> tuple[str, str]:
 
 
 def run(arguments: argparse.Namespace) -> int:
+    launch, launch_arguments = launch_of(arguments)
     paths = paths_of(arguments)
     settings = settings_of(arguments, paths[0])
-    request = Request(paths, settings, cached=not arguments.no_cache, jobs=arguments.jobs)
+    request = Request(
+        paths,
+        settings,
+        cached=not arguments.no_cache,
+        jobs=arguments.jobs,
+        launch=launch,
+        launch_arguments=launch_arguments,
+    )
     try:
         report = check(request)
     except NothingToDo as error:

@@ -11,9 +11,11 @@ from archlint.cli.exits import UsageError
 from archlint.cli.options import (
     Parser,
     add_configuration,
+    add_launch,
     add_paths,
     add_running,
     add_talking,
+    launch_of,
     paths_of,
     settings_of,
 )
@@ -32,6 +34,7 @@ def parser() -> argparse.ArgumentParser:
     )
     output.add_argument("-o", metavar="FILE", dest="file", help="write to FILE; its suffix chooses the format")
     output.add_argument("--all", action="store_true", help="with what rclpy makes for every node")
+    add_launch(made)
     add_configuration(made)
     add_running(made)
     add_talking(made)
@@ -42,9 +45,17 @@ def run(arguments: argparse.Namespace) -> int:
     from archlint.render.drawing import CannotDraw
 
     format = _format(arguments.format, arguments.file)
+    launch, launch_arguments = launch_of(arguments)
     paths = paths_of(arguments)
     settings = settings_of(arguments, paths[0])
-    request = Request(paths, settings, cached=not arguments.no_cache, jobs=arguments.jobs)
+    request = Request(
+        paths,
+        settings,
+        cached=not arguments.no_cache,
+        jobs=arguments.jobs,
+        launch=launch,
+        launch_arguments=launch_arguments,
+    )
     to_terminal = arguments.file in (None, "-")
     color = to_terminal and console.wants_color(arguments.color, sys.stdout)
     try:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import argparse
+import os
 from collections.abc import Sequence
 from dataclasses import replace
 from difflib import get_close_matches
@@ -50,6 +51,31 @@ def add_running(parser: argparse.ArgumentParser) -> None:
     group.add_argument("--no-cache", action="store_true", help="neither read nor write the cache")
     group.add_argument("--cache-dir", metavar="DIR", help="where the cache is")
     group.add_argument("--jobs", metavar="N", type=_positive, help="the most processes at a time")
+
+
+def add_launch(parser: argparse.ArgumentParser) -> None:
+    parser.add_argument(
+        "--launch",
+        metavar=("FILE", "ARG:=VALUE"),
+        nargs="+",
+        help="the system that this launch file starts, with these arguments, and no other",
+    )
+
+
+def launch_of(arguments: argparse.Namespace) -> tuple[str | None, tuple[tuple[str, str], ...]]:
+    """The launch file from the working directory and its arguments; words after them are paths.
+
+    Raises :class:`UsageError` for a file that does not exist.
+    """
+    if not arguments.launch:
+        return None, ()
+    file, *words = arguments.launch
+    if not Path(file).is_file():
+        raise UsageError(f"--launch: no such file: {file}")
+    given = [word for word in words if ":=" in word]
+    arguments.paths = [*arguments.paths, *(word for word in words if ":=" not in word)]
+    pairs = tuple((name, value) for name, _, value in (word.partition(":=") for word in given))
+    return Path(os.path.relpath(file)).as_posix(), pairs
 
 
 def add_talking(parser: argparse.ArgumentParser) -> None:

@@ -12,6 +12,7 @@ if TYPE_CHECKING:
     from collections.abc import Iterable, Iterator
 
     from archlint.finding import Place
+    from archlint.program.launch.model import Launched
     from archlint.program.model import (
         ApiCall,
         Blueprint,
@@ -21,6 +22,7 @@ if TYPE_CHECKING:
         Program,
         Qos,
     )
+    from archlint.system.launched import World
 
 
 @dataclass(eq=False)
@@ -151,6 +153,18 @@ class System:
     package_dependencies: dict[str, frozenset[str]] = field(default_factory=dict)
     """Package → packages of this workspace it depends on (transitively)."""
 
+    launched: Launched | None = None
+    """The launch that starts this system."""
+    world: World | None = None
+    apart: frozenset[frozenset[object]] = frozenset()
+    """Pairs of node classes, each as ``(place, class name)``, that some launch file starts together."""
+
+    def _started_together(self, one: Node, other: Node) -> bool:
+        if not self.apart or one.blueprint is None or other.blueprint is None:
+            return False
+        pair = [(b.place, b.class_name) for b in (one.blueprint, other.blueprint)]
+        return frozenset(pair) in self.apart
+
     @property
     def endpoints(self) -> Iterator[Endpoint]:
         return (endpoint for node in self.nodes for endpoint in node.endpoints)
@@ -193,6 +207,8 @@ class System:
             return False
         if exclusive(one.alternatives, other.alternatives):
             return False
+        if self.name is None and self._started_together(one, other):
+            return False  # the launch file's own system judges them, under their final names
         if self.name is not None or self.closed:
             return True
         if one.package is None or other.package is None:

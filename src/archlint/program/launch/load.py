@@ -85,6 +85,28 @@ class LaunchLoader:
                 found.append(file.relative)
         return sorted(found)
 
+    def is_launch_file(self, path: str) -> bool:
+        """Whether a file of the workspace can be launched."""
+        if path not in self._by_path:
+            return False
+        return self.frontend(path).root is not None if path.endswith(FRONTENDS) else self.defines_launch(path)
+
+    def problems(self) -> list[tuple[str, int, int, str]]:
+        """``(file, line, column, message)`` of each launch file that is broken, and of each parameter file
+        that a launch file loads."""
+        for file in self._files:
+            if file.kind in ("launch_xml", "launch_yaml") and not file.context:
+                self.frontend(file.relative)
+        rows = [(path, one.problems) for path, one in self._frontend_facts.items()]
+        rows += [(path, one.problems) for path, one in self._parameter_facts.items()]
+        return sorted((path, p.line, p.column, p.message) for path, problems in rows for p in problems)
+
+    def suppressions(self) -> dict[str, list[facts.Suppression]]:
+        """What XML, YAML and parameter files suppress in place."""
+        rows = [(path, one.suppressions) for path, one in self._frontend_facts.items()]
+        rows += [(path, one.suppressions) for path, one in self._parameter_facts.items()]
+        return {path: list(found) for path, found in rows if found}
+
     @staticmethod
     def _in_launch_folder(file: SourceFile) -> bool:
         return "launch" in file.relative

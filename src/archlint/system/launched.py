@@ -1,0 +1,227 @@
+"""Load: the system that a launch file starts, each node under its final name and with its parameters."""
+
+from __future__ import annotations
+
+import posixpath
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from dataclasses import dataclass, field, replace
+from typing import TYPE_CHECKING
+
+from archlint.program.launch.model import Launched, Started
+from archlint.program.model import Blueprint, Program, Text
+from archlint.system import names
+from archlint.system.instances import instantiate
+from archlint.system.model import Endpoint, Node, System
+from archlint.system.overrides import overrides_of
+from archlint.system.remap import RemapRule, rules_of_arguments
+
+if TYPE_CHECKING:
+    from archlint.facts.parameters import ParameterFacts
+    from archlint.program.installs import Installs
+    from archlint.program.launch.load import LaunchLoader
+    from archlint.program.link import EntryPoint, Linker
+    from archlint.program.modules import Module
+    from archlint.workspace.model import Package
+
+RERUNS = 600
+"""How many programs one session may run again with parameters from outside."""
+
+
+@dataclass(eq=False)
+class World:
+    """What rules about launch files and packages may ask, the same for all systems of a run."""
+
+    installs: Mapping[str, Installs] = field(default_factory=dict)
+    packages: Mapping[str, Package] = field(default_factory=dict)
+    launched: list[Launched] = field(default_factory=list)
+    """Every launch file of the workspace, run with its defaults (or the one that was asked for)."""
+    parameters_of: Callable[[str], ParameterFacts] | None = None
+    systems: list[System] = field(default_factory=list)
+    loader: LaunchLoader | None = None
+    explicit: bool = False
+    """True where a launch file was named: the only system then."""
+
+
+class LaunchSystems:
+    """Makes systems from launches, running executables again where parameters from outside change them."""
+
+    def __init__(
+        self,
+        linker: Linker,
+        entries: Iterable[EntryPoint],
+        parameters_of: Callable[[str], ParameterFacts],
+        installs: Mapping[str, Installs],
+    ) -> None:
+        self.linker = linker
+        self.entries = {(entry.package, entry.executable): entry for entry in entries}
+        self.parameters_of = parameters_of
+        self.installs = installs
+        self._programs: dict[tuple[object, ...], Program | None] = {}
+        self._modules: dict[tuple[str | None, str], Module | None] = {}
+
+    def system(self, launched: Launched, closed: bool, dependencies: dict[str, frozenset[str]]) -> System:
+        nodes: list[Node] = []
+        for started in launched.started:
+            if not started.dormant and started.kind != "process":
+                nodes.extend(self.nodes(started, launched.file))
+        programs = list({id(node.program): node.program for node in nodes if node.program is not None}.values())
+        return System(
+            name=launched.file,
+            nodes=sorted(nodes, key=_order),
+            programs=programs,
+            closed=closed,
+            package_dependencies=dependencies,
+        )
+
+    # --------------------------------------------------------------------------------------------- nodes
+
+    def nodes(self, started: Started, launch_file: str) -> list[Node]:
+        """The nodes of one started process."""
+        program = self.program(started, {})
+        if program is None or not any(not blueprint.test for blueprint in program.nodes):
+            return [_external(started, launch_file)]
+        overrides = self._overrides(started, program)
+        if overrides:
+            program = self.program(started, overrides) or program
+        rules = _rules(started)
+        found = []
+        for blueprint in program.nodes:
+            if blueprint.test:
+                continue
+            node = instantiate(
+                blueprint,
+                program,
+                name=started.name,
+                namespace=started.namespace,
+                remaps=rules,
+                overrides=overrides,
+                launched_by=launch_file,
+            )
+            node.launch_place = started.place
+            node.alternatives = started.arms
+            node.package = started.package.text or node.package
+            node.executable = started.executable.text or node.executable
+            _forget_unknown_remaps(node, started)
+            found.append(node)
+        return found
+
+    def _overrides(self, started: Started, program: Program) -> dict[str, object]:
+        """What is set for any node of the process.  Nodes of one process that are set differently share the
+        values: few executables make several nodes."""
+        found: dict[str, object] = {}
+        for blueprint in program.nodes:
+            node = instantiate(blueprint, program, name=started.name, namespace=started.namespace)
+            full = node.name if node.resolution in ("exact", "parameter") else None
+            found.update(overrides_of(started, full, self.parameters_of))
+        return found
+
+    def program(self, started: Started, overrides: Mapping[str, object]) -> Program | None:
+        """The program of an executable, run with parameters from outside; None for one that is not here."""
+        package, executable = started.package.text, started.executable.text
+        if package is None or executable is None or started.kind not in ("node", "process"):
+            return None
+        entry = self.entries.get((package, executable))
+        if entry is None:
+            return None
+        key = (package, executable, *sorted((name, repr(value)) for name, value in overrides.items()))
+        if key not in self._programs:
+            if len(self._programs) > RERUNS:
+                return self._programs.get((package, executable))
+            module = self._module(entry)
+            self._programs[key] = (
+                None if module is None else self.linker.run_entry(entry, module, dict(overrides) or None)
+            )
+        return self._programs[key]
+
+    def _module(self, entry: EntryPoint) -> Module | None:
+        key = (entry.package, entry.executable)
+        if key not in self._modules:
+            self._modules[key] = self.linker._module_of(entry)
+        return self._modules[key]
+
+
+def _rules(started: Started) -> list[RemapRule]:
+    """The remap rules of the process in the order of its command line."""
+    arguments = [word for word in [*started.arguments, "--ros-args", *started.ros_arguments] if word is not None]
+    found = rules_of_arguments(arguments)
+    for remap in started.remaps:
+        if _known(remap.source) and _known(remap.target):
+            try:
+                found.append(RemapRule.parse(f"{remap.source.text}:={remap.target.text}"))
+            except ValueError:
+                continue
+    return found
+
+
+def _known(text: Text) -> bool:
+    return text.text is not None and text.resolution in ("exact", "parameter")
+
+
+def _forget_unknown_remaps(node: Node, started: Started) -> None:
+    """A remapping to a name that is not known leaves the name unknown."""
+    sources = [r.source.text for r in started.remaps if _known(r.source) and not _known(r.target)]
+    if not sources or node.name is None or node.blueprint is None:
+        return
+    namespace, _, own = node.name.rpartition("/")
+    for source in sources:
+        expanded = names.expand(source or "", own, namespace or "/")
+        for number, endpoint in enumerate(node.endpoints):
+            if endpoint.name == expanded and endpoint.resolved:
+                node.endpoints[number] = _unknown(endpoint)
+
+
+def _unknown(endpoint: Endpoint) -> Endpoint:
+    reason = "the launch file remaps it to a name that is not known"
+    return replace(endpoint, name=None, resolution="unknown", reason=reason)
+
+
+def _external(started: Started, launch_file: str) -> Node:
+    """A node whose source is not here, with what the launch file says of its name."""
+    name = started.name.text if started.name is not None and _known(started.name) else None
+    namespace: str | None = "/"
+    if started.namespace is not None:
+        namespace = started.namespace.text if _known(started.namespace) else None
+    full = None if name is None or namespace is None else names.join(namespace, name)
+    return Node(
+        name=full,
+        blueprint=None,
+        package=started.package.text,
+        executable=started.executable.text,
+        executor="unknown",
+        launched_by=launch_file,
+        external=True,
+        alternatives=started.arms,
+        launch_place=started.place,
+        resolution="exact" if full is not None else "unknown",
+    )
+
+
+def _order(node: Node) -> tuple[object, ...]:
+    place = node.launch_place
+    where = (place.file, place.line, place.column) if place else ("", 0, 0)
+    return (node.name is None, node.name or "", *where, node.blueprint.class_name if node.blueprint else "")
+
+
+def started_pairs(launches: Iterable[Launched], blueprints: Mapping[tuple[str, str], Sequence[Blueprint]]) -> set[
+    frozenset[object]
+]:
+    """Pairs of node classes that one launch file starts: it, not the open system, judges them together."""
+    found: set[frozenset[object]] = set()
+    for launched in launches:
+        keys: dict[object, None] = {}
+        for started in launched.started:
+            package, executable = started.package.text, started.executable.text
+            for blueprint in blueprints.get((package or "", executable or ""), ()):
+                keys.setdefault(key_of(blueprint))
+        every = list(keys)
+        if len(every) <= 200:
+            found.update(frozenset((one, other)) for n, one in enumerate(every) for other in every[n:])
+    return found
+
+
+def key_of(blueprint: Blueprint) -> object:
+    return (blueprint.place, blueprint.class_name)
+
+
+def display_name(launch_file: str) -> str:
+    return posixpath.basename(launch_file)

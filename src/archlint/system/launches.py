@@ -1,0 +1,83 @@
+"""Which launch files are systems, and how the open system is judged beside them."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from typing import TYPE_CHECKING
+
+from archlint.facts.deep_stack import call_with_deep_stack
+from archlint.program.launch.load import LaunchLoader
+from archlint.program.launch.model import UNKNOWN, Launched
+from archlint.program.model import Blueprint, Program
+from archlint.system.launched import LaunchSystems, World, started_pairs
+from archlint.system.model import System
+
+if TYPE_CHECKING:
+    from archlint.program.link import EntryPoint, Linker
+
+
+def launch_systems(
+    opened: System,
+    linker: Linker,
+    entries: Sequence[EntryPoint],
+    loader: LaunchLoader,
+    world: World,
+    *,
+    closed: bool,
+    chosen: str | None = None,
+    arguments: Mapping[str, str] | None = None,
+) -> list[System]:
+    """The open system and one for each launch file; only the chosen one, where one is named.
+
+    All of them share ``world``, which is filled here.
+    """
+
+    def work() -> list[System]:
+        launched = launches(loader, chosen, arguments)
+        world.launched = launched
+        world.parameters_of = loader.parameters
+        world.explicit = chosen is not None
+        maker = LaunchSystems(linker, entries, loader.parameters, loader.installs)
+        systems = []
+        for one in launched:
+            if one.ros1 or not one.is_launch_file:
+                continue
+            system = maker.system(one, closed, opened.package_dependencies)
+            system.launched = one
+            system.closed = closed or (chosen is not None and _whole(one, system))
+            systems.append(system)
+        opened.apart = frozenset(started_pairs(launched, _by_executable(opened.programs)))
+        return systems
+
+    systems = call_with_deep_stack(work)
+    found = systems if chosen is not None else [opened, *systems]
+    world.systems = found
+    for system in found:
+        system.world = world
+    return found
+
+
+def launches(
+    loader: LaunchLoader, chosen: str | None, arguments: Mapping[str, str] | None
+) -> list[Launched]:
+    """The launch files of the workspace with their defaults, or the chosen one with its arguments."""
+    if chosen is not None:
+        return [loader.launch(chosen, arguments)]
+    return [loader.launch(path) for path in loader.launch_files()]
+
+
+def _whole(launched: Launched, system: System) -> bool:
+    """Whether everything that a launch file starts is here and was followed."""
+    included = all(include.reference.status not in (UNKNOWN, "external") for include in launched.included)
+    return included and not launched.gaps and not any(node.external for node in system.nodes)
+
+
+def _by_executable(programs: Sequence[Program]) -> dict[tuple[str, str], list[Blueprint]]:
+    found: dict[tuple[str, str], list[Blueprint]] = {}
+    for program in programs:
+        if program.executable:
+            found.setdefault((program.package or "", program.name), []).extend(program.nodes)
+    return found
+
+
+Reader = Callable[[str], "str | None"]

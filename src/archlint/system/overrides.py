@@ -1,0 +1,98 @@
+"""Which parameter values a started node gets: rclpy's matching of node keys, in the order of the command line."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Iterator, Sequence
+from functools import lru_cache
+from typing import Any
+
+from archlint.facts.parameters import ParameterFacts
+from archlint.facts.safe_yaml import plain_scalar
+from archlint.program.launch.model import OpenParameters, ParameterFileUse, ParameterSetting, Started
+
+EVERY_NODE = "/**"
+
+
+class NotKnown:
+    """Stands for a value that is set from outside and not known here."""
+
+    def __repr__(self) -> str:
+        return "<not known>"
+
+
+NOT_KNOWN = NotKnown()
+
+
+@lru_cache(maxsize=10_000)
+def _pattern(key: str) -> re.Pattern[str]:
+    pieces = []
+    for token in key.strip("/").split("/"):
+        if token == "**":
+            pieces.append("(?:/[^/]+)*")
+        elif token == "*":
+            pieces.append("/[^/]+")
+        else:
+            pieces.append("/" + re.escape(token))
+    return re.compile("".join(pieces))
+
+
+def key_matches(key: str, node: str | None) -> bool:
+    """Whether a node key of a parameter file is for a node; one of unknown name is matched by ``/**`` only."""
+    if node is None:
+        return key.strip("/") == "**"
+    return _pattern(key).fullmatch(node) is not None
+
+
+def overrides_of(
+    started: Started, node: str | None, facts_of: Callable[[str], ParameterFacts]
+) -> dict[str, object]:
+    """The parameters that a launch file sets on one node, by name; :data:`NOT_KNOWN` where only the value is
+    not known."""
+    by_key: dict[str, dict[str, object]] = {}
+    for key, name, value in _in_order(started, node, facts_of):
+        by_key.setdefault(key, {})[name] = value
+    found: dict[str, object] = {}
+    for key, values in by_key.items():  # in the order in which the keys first appear
+        if key_matches(key, node):
+            found.update(values)
+    return found
+
+
+def _in_order(
+    started: Started, node: str | None, facts_of: Callable[[str], ParameterFacts]
+) -> Iterator[tuple[str, str, object]]:
+    for name, value in command_line_parameters([*started.arguments, "--ros-args", *started.ros_arguments]):
+        yield EVERY_NODE, name, value
+    own = node if node is not None and started.name is not None and started.namespace is not None else EVERY_NODE
+    for parameter in started.parameters:
+        if isinstance(parameter, ParameterSetting) and parameter.name is not None:
+            key = EVERY_NODE if parameter.shared else own
+            yield key, parameter.name, parameter.value if parameter.known else NOT_KNOWN
+        elif isinstance(parameter, ParameterFileUse) and parameter.reference.source is not None:
+            for section in facts_of(parameter.reference.source).sections:
+                for entry in section.entries:
+                    yield section.key, entry.name, file_value(entry.value, parameter)
+
+
+def file_value(value: Any, use: ParameterFileUse) -> object:
+    """A value of a parameter file; with ``allow_substs`` a ``$(…)`` in it is not known."""
+    return NOT_KNOWN if use.substitutions and "$(" in str(value) else value
+
+
+def command_line_parameters(words: Sequence[str | None]) -> Iterator[tuple[str, object]]:
+    """``-p name:=value`` between ``--ros-args`` and ``--``."""
+    inside = expect = False
+    for word in words:
+        if word in ("--ros-args", "--"):
+            inside, expect = word == "--ros-args", False
+        elif inside and expect and word is not None and ":=" in word:
+            name, _, value = word.partition(":=")
+            expect = False
+            if ":" not in name:
+                yield name, plain_scalar(value)
+        else:
+            expect = inside and word in ("-p", "--param")
+
+
+__all__ = ["NOT_KNOWN", "OpenParameters", "key_matches", "overrides_of"]
