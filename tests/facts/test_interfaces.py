@@ -20,8 +20,7 @@ def problems(text: str, kind: str = "msg") -> list[FileProblem]:
 
 def test_a_message():
     section = message(
-        "# A reading of one sensor.\n\n"
-        "std_msgs/Header header\nfloat64 value  # in m\nstring unit 'm'\nuint8 OK=0\n"
+        "# A reading of one sensor.\n\nstd_msgs/Header header\nfloat64 value  # in m\nstring unit 'm'\nuint8 OK=0\n"
     )
     assert [(field.name, field.type.name, field.line) for field in section.fields] == [
         ("header", "std_msgs/msg/Header", 3),
@@ -30,9 +29,7 @@ def test_a_message():
     ]
     assert section.field("unit").default == "m"
     assert section.field("missing") is None
-    assert [(constant.name, constant.value, constant.line) for constant in section.constants] == [
-        ("OK", 0, 6)
-    ]
+    assert [(constant.name, constant.value, constant.line) for constant in section.constants] == [("OK", 0, 6)]
 
 
 def test_a_service():

@@ -291,14 +291,11 @@ class TestCompoundStatements:
 
     def test_with(self):
         assert statement("with a as b, c:\n  f()\n") == (
-            "With([WithItem(Name('a'), Name('b')), WithItem(Name('c'))], "
-            "[Expression(Call(Name('f'), []))], False)"
+            "With([WithItem(Name('a'), Name('b')), WithItem(Name('c'))], [Expression(Call(Name('f'), []))], False)"
         )
 
     def test_async_statements(self):
-        (function,) = lower(
-            "async def f():\n  async for a in b:\n    pass\n  async with a:\n    await b\n"
-        ).body
+        (function,) = lower("async def f():\n  async for a in b:\n    pass\n  async with a:\n    await b\n").body
         loop, block = function.body
         assert (function.is_async, loop.is_async, block.is_async) == (True, True, True)
 
@@ -345,8 +342,9 @@ class TestPatterns:
             ("'a' as b", "Pattern('as', None, 'b', [Pattern('value', Literal('a'))])"),
             ("Point(0, y=c)", "Pattern('other', Name('Point'), None, "
              "[Pattern('value', Literal(0)), Pattern('capture', None, 'c')])"),
-            ("{'k': v, **rest}", "Pattern('other', None, None, "
-             "[Pattern('capture', None, 'v'), Pattern('capture', None, 'rest')])"),
+            ("{'k': v, **rest}", "Pattern('mapping', None, None, "
+             "[Pattern('entry', Literal('k'), None, [Pattern('capture', None, 'v')]), "
+             "Pattern('rest', None, None, [Pattern('capture', None, 'rest')])])"),
         ],
     )  # fmt: skip
     def test_lowered(self, pattern, expected):

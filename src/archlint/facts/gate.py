@@ -17,6 +17,8 @@ import tokenize
 import warnings
 from dataclasses import dataclass
 
+from archlint.facts import chains
+
 MAX_BYTES = 1_000_000
 MAX_DEPTH = 200
 """CPython's own limit on nested brackets."""
@@ -112,7 +114,7 @@ def decode(data: bytes) -> str | Refusal:
 
 
 _SKIP = re.compile(
-    r"(?P<string>'''(?:[^\\]|\\.)*?'''|\"\"\"(?:[^\\]|\\.)*?\"\"\"|'(?:[^\\'\n]|\\.)*'|\"(?:[^\\\"\n]|\\.)*\")"
+    rf"(?P<string>{chains.STRING})"
     r"|(?P<comment>\#[^\n]*)"
     r"|(?P<open>[(\[{])|(?P<close>[)\]}])",
     re.DOTALL,
@@ -133,33 +135,16 @@ def nesting(text: str) -> tuple[int, int]:
     return deepest, text.count("\n", 0, at) + 1
 
 
-_CHAINS = (
-    (re.compile(r"(?:[^\S\n]*[\w.'\"]+[^\S\n\\]*(?:\\\n)?\s*[-+*/%|&^@<>=]{1,2}){2500}"), "operators"),
-    (re.compile(r"(?:\.[^\S\n]*\w+[^\S\n]*(?:\([^()]*\))?[^\S\n]*\\?\n?){2500}"), "attributes"),
-    (re.compile(r"(?:(?:'[^'\n]*'|\"[^\"\n]*\")\s*){2500}"), "strings in a row"),
-    (re.compile(r"(?:\bnot\s+|[-+~]){2500}"), "operators"),
-)
 _ELIF = re.compile(r"^[ \t]*elif\b", re.MULTILINE)
 
 
 def longest_chain(text: str) -> tuple[str, int] | None:
-    """What a file strings together too long for the parser, and its line; None where nothing is.
-
-    The patterns run only over files large enough to hold such a chain.
-    """
-    if len(text) < MAX_CHAIN * 2:
-        return None
+    """What a file strings together too long for the parser, and its line; None where nothing is."""
     if sum(1 for _ in _ELIF.finditer(text)) > MAX_CHAIN:
         match = next(_ELIF.finditer(text))
         return "elif branches", text.count("\n", 0, match.start()) + 1
-    longest = max((len(line) for line in text.split("\n")), default=0)
-    if longest < MAX_CHAIN and text.count("\\\n") < 100 and len(text) < 200_000:
-        return None
-    for pattern, what in _CHAINS:
-        found = pattern.search(text)
-        if found is not None:
-            return what, text.count("\n", 0, found.start()) + 1
-    return None
+    longest, line = chains.longest_chain(text, MAX_CHAIN)
+    return ("operators", line) if longest > MAX_CHAIN else None
 
 
 def inspect(text: str) -> Refusal | None:
