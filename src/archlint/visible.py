@@ -5,7 +5,8 @@ from __future__ import annotations
 import re
 
 _UNSAFE = re.compile(
-    "[\x00-\x1f\x7f-\x9f\u061c\u200b-\u200f\u2028-\u202e\u2060-\u2064\u2066-\u2069\ufeff\ud800-\udfff\ufffe\uffff]"
+    "[\x00-\x1f\x7f-\x9f\u061c\u200b-\u200f\u2028-\u202e\u2060-\u2064\u2066-\u2069\ufeff\ufff9-\ufffb"
+    "\ud800-\udfff\ufffe\uffff\U000e0000-\U000e007f]"
 )
 
 
@@ -17,14 +18,19 @@ def _picture(match: re.Match[str]) -> str:
         return "\u2421"
     if 0xDC80 <= code <= 0xDCFF:
         return f"\\x{code - 0xDC00:02x}"  # a byte of a file name that is no UTF-8
-    return f"\\u{code:04x}"
+    if code <= 0xFF:
+        return f"\\x{code:02x}"
+    return f"\\u{code:04x}" if code <= 0xFFFF else f"\\U{code:08x}"
 
 
 def visible(text: str) -> str:
     """``text`` on one line, every character that could steer a terminal or hide something made visible.
 
-    Covers C0 and C1 controls, DEL, bidirectional and zero-width marks, line separators and lone surrogates.
+    Covers C0 and C1 controls, DEL, bidirectional and zero-width marks, line separators, tag characters, lone
+    surrogates, and what XML does not allow.
     """
+    if text.isascii() and text.isprintable():
+        return text
     return _UNSAFE.sub(_picture, text)
 
 

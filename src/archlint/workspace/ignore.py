@@ -1,64 +1,175 @@
-""".gitignore, as git reads it; pathspec does the matching and is imported only where there is such a file."""
+"""What git ignores: ``.gitignore`` files, each for its folder, and ``.git/info/exclude``.
+
+pathspec does the matching, and is imported only where there is a pattern.
+"""
 
 from __future__ import annotations
 
 import os
-from typing import Any
+import re
+import warnings
+from collections.abc import Set
+from dataclasses import dataclass
+
+GITIGNORE = ".gitignore"
+_MAX_CHARACTERS = 1_000_000
+
+_ALL_BELOW = re.compile(r"(?:/\*\*)+(/?)\s*$")
+"""``a/**`` is for what is in ``a``; pathspec takes it for ``a``, too."""
 
 
-class Ignore:
-    """The patterns of one folder and of those above it."""
+class Rule:
+    """One line of a pattern file."""
 
-    def __init__(self, parent: Ignore | None, folder: str, spec: Any) -> None:
-        self.parent = parent
-        self.folder = folder
-        self.spec = spec
+    def __init__(self, line: str) -> None:
+        """Raises ``ValueError`` or ``re.error`` for what git would not take."""
+        from pathspec import GitIgnoreSpec
 
-    def ignores(self, path: str, is_folder: bool) -> bool:
-        """Whether git would ignore a path; the nearest file that has an opinion wins."""
-        here: Ignore | None = self
-        while here is not None:
-            relative = path[len(here.folder) :].lstrip("/")
-            verdict = here.spec.check_file(relative + "/" if is_folder else relative).include
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")  # of the re module, about what a pattern becomes
+            [pattern] = GitIgnoreSpec.from_lines([_ALL_BELOW.sub(r"/**/*\1", line)]).patterns
+        if pattern.include is None:
+            raise ValueError(f"{line!r} is no pattern")
+        self.ignores = pattern.include
+        self.is_for_names = "/" not in line.rstrip().rstrip("/")
+        self._match_file = pattern.match_file
+
+    def speaks_of(self, path: str) -> bool:
+        """Whether the rule is about this very path, and not just about a folder that it is in.
+
+        The path of a folder ends in ``/``; of a rule for names it is the name alone.
+        """
+        result = self._match_file(path)
+        if result is None:
+            return False
+        # A group of the expression holds the slash that ends the folder that was matched.
+        match = result.match
+        return all(end in (-1, len(path)) for end in map(match.end, match.re.groupindex))
+
+
+class Patterns:
+    """The rules of one file, for paths below ``folder``.  The last one that speaks of a path decides.
+
+    Folders are asked about before what is in them, as git does, so each rule is held against single names or
+    whole paths, and never has to look at the folders around.
+    """
+
+    def __init__(self, folder: str, rules: list[Rule]) -> None:
+        self._base = folder.rstrip(os.sep) + os.sep
+        self._for_names = [entry for entry in enumerate(rules) if entry[1].is_for_names][::-1]
+        self._for_paths = [entry for entry in enumerate(rules) if not entry[1].is_for_names][::-1]
+        self._known: dict[str, tuple[int, bool | None]] = {}
+
+    def verdict(self, path: str, is_folder: bool) -> bool | None:
+        """Whether a path is ignored; None where no rule speaks of it."""
+        end = "/" if is_folder else ""
+        below = path[len(self._base) :].replace(os.sep, "/") + end
+        name = below.rstrip("/").rpartition("/")[2] + end
+        if name not in self._known:
+            self._known[name] = _last(self._for_names, name, -1)
+        number, verdict = self._known[name]
+        later, by_path = _last(self._for_paths, below, number)
+        return by_path if later > number else verdict
+
+
+def _last(rules: list[tuple[int, Rule]], path: str, after: int) -> tuple[int, bool | None]:
+    """Number and verdict of the last rule behind number ``after`` that speaks of a path; -1 and None if none."""
+    for number, rule in rules:
+        if number <= after:
+            break
+        if rule.speaks_of(path):
+            return number, rule.ignores
+    return -1, None
+
+
+@dataclass(frozen=True, slots=True)
+class Ignores:
+    """The patterns that hold in a folder, those of the outermost folder first."""
+
+    patterns: tuple[Patterns, ...] = ()
+
+    def entering(self, folder: str, names: Set[str]) -> Ignores:
+        """The patterns inside ``folder``, which has entries called ``names``.
+
+        A repository inside another is its own master: what holds outside does not count in it.
+        """
+        if ".git" not in names and GITIGNORE not in names:
+            return self
+        patterns = self.patterns
+        if ".git" in names:
+            patterns = _read(folder, os.path.join(folder, ".git", "info", "exclude"))
+        if GITIGNORE in names:
+            patterns += _read(folder, os.path.join(folder, GITIGNORE))
+        return Ignores(patterns)
+
+    def ignored(self, path: str, is_folder: bool = False) -> bool:
+        """Whether a path is ignored; the folders around it are known not to be.  The nearest file decides."""
+        for patterns in reversed(self.patterns):
+            verdict = patterns.verdict(path, is_folder)
             if verdict is not None:
-                return bool(verdict)
-            here = here.parent
+                return verdict
         return False
 
 
-def below(parent: Ignore | None, folder: str, file: str) -> Ignore | None:
-    """The patterns that hold in ``folder``, with those of ``file`` added; unreadable ones do not count."""
+def ignores_above(folder: str) -> Ignores:
+    """The patterns that hold in ``folder`` from the folders above it, up to the root of its repository.
+
+    None hold where they would ignore ``folder`` itself: whoever names it wants to see it.
+    """
+    chain = [folder]
+    while not _is_repository(chain[-1]):
+        parent = os.path.dirname(chain[-1])
+        if parent == chain[-1]:
+            return Ignores()
+        chain.append(parent)
+    ignores = Ignores()
+    for above, below in zip(chain[:0:-1], chain[-2::-1], strict=True):
+        names = {name for name in (".git", GITIGNORE) if os.path.lexists(os.path.join(above, name))}
+        ignores = ignores.entering(above, names)
+        if ignores.ignored(below, is_folder=True):
+            return Ignores()
+    return ignores
+
+
+def clones_in(folder: str, depth: int) -> list[str]:
+    """The repositories in an ignored folder, itself among them, as paths; at most ``depth`` folders down.
+
+    Repositories of workspaces list what to clone and ignore ``src/``; what is cloned there is to be checked.
+    """
+    if _is_repository(folder):
+        return [folder]
+    if not depth:
+        return []
     try:
-        with open(file, encoding="utf-8", errors="replace") as stream:
-            lines = stream.read().splitlines()
+        with os.scandir(folder) as entries:
+            inner = sorted(entry.path for entry in entries if entry.is_dir(follow_symlinks=False))
     except OSError:
-        return parent
-    if not any(line.strip() and not line.lstrip().startswith("#") for line in lines):
-        return parent
-    import pathspec
+        return []
+    return [clone for path in inner for clone in clones_in(path, depth - 1)]
 
+
+def _is_repository(folder: str) -> bool:
+    return os.path.lexists(os.path.join(folder, ".git"))
+
+
+def _read(folder: str, path: str) -> tuple[Patterns, ...]:
+    """The patterns of a file; none where it cannot be read.  What git would not take as a pattern is left out."""
+    rules = []
+    for line in _lines(path):
+        try:
+            rules.append(Rule(line))
+        except (ValueError, re.error):
+            continue
+    return (Patterns(folder, rules),) if rules else ()
+
+
+def _lines(path: str) -> list[str]:
     try:
-        spec = pathspec.GitIgnoreSpec.from_lines(lines)
-    except (ValueError, TypeError):
-        return parent
-    return Ignore(parent, folder, spec)
-
-
-def above(folder: str) -> Ignore | None:
-    """The patterns of the folders above, up to the top of the git repository, and of its ``info/exclude``."""
-    chain: list[str] = []
-    here = folder
-    while True:
-        chain.append(here)
-        if os.path.exists(os.path.join(here, ".git")):
-            break
-        parent = os.path.dirname(here)
-        if parent == here:
-            return None  # no repository: only the files below count
-        here = parent
-    found = below(None, here, os.path.join(here, ".git", "info", "exclude"))
-    for place in reversed(chain[1:]):
-        file = os.path.join(place, ".gitignore")
-        if os.path.isfile(file):
-            found = below(found, place, file)
-    return found
+        if not os.path.isfile(path):
+            return []
+        with open(path, encoding="utf-8", errors="surrogateescape") as stream:
+            text = stream.read(_MAX_CHARACTERS)
+    except OSError:
+        return []
+    lines = (line.removesuffix("\r") for line in text.split("\n"))
+    return [line for line in lines if line.strip() and not line.startswith("#")]

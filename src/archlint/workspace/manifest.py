@@ -28,7 +28,7 @@ class _Reader:
         self.parser.StartElementHandler = self.start
         self.parser.EndElementHandler = self.end
         self.parser.CharacterDataHandler = self.data
-        self.parser.EntityDeclHandler = self.entity
+        self.parser.StartDoctypeDeclHandler = self.doctype
         self.stack: list[str] = []
         self.text: list[str] = []
         self.attributes: dict[str, str] = {}
@@ -39,8 +39,8 @@ class _Reader:
         self.groups: list[str] = []
         self.dependencies: list[Dependency] = []
 
-    def entity(self, *_: object) -> None:
-        raise ManifestError("entities are not allowed in a package.xml", self.parser.CurrentLineNumber)
+    def doctype(self, *_: object) -> None:
+        raise ManifestError("a document type is not allowed here", self.parser.CurrentLineNumber)
 
     def start(self, tag: str, attributes: dict[str, str]) -> None:
         if not self.stack and tag != "package":
@@ -61,13 +61,16 @@ class _Reader:
         elif depth == 2 and tag in _DEPENDENCIES and text:
             condition = self.attributes.get("condition")
             self.dependencies.append(Dependency(text, _DEPENDENCIES[tag], condition, self.line))
-        elif depth == 2 and tag == "member_of_group":
+        elif depth == 2 and tag == "member_of_group" and self.holds():
             self.groups.append(text)
-        elif depth == 3 and tag == "build_type" and self.stack[1] == "export":
-            if condition_holds(self.attributes.get("condition")):
-                self.build_type = text
+        elif depth == 3 and tag == "build_type" and self.stack[1] == "export" and self.holds():
+            self.build_type = self.build_type or text
         self.stack.pop()
         self.text = []
+
+
+    def holds(self) -> bool:
+        return condition_holds(self.attributes.get("condition"))
 
 
 class ManifestError(Exception):
@@ -106,6 +109,9 @@ def read_manifest(file: SourceFile, data: bytes, root: str, relative: str) -> Pa
     )
 
 
+MAX_CONDITION = 1_000
+"""Characters of a condition that is evaluated; nobody writes longer ones."""
+
 _TOKEN = re.compile(
     r"\s*(?:(?P<op>==|!=|<=|>=|<|>|\(|\)|\band\b|\bor\b)|(?P<text>\"[^\"]*\"|'[^']*'|\$?[A-Za-z0-9_.-]+))"
 )
@@ -113,7 +119,7 @@ _TOKEN = re.compile(
 
 def condition_holds(condition: str | None, environment: dict[str, str] | None = None) -> bool:
     """Whether a ``condition`` attribute holds, in a ROS 2 world; one that cannot be read holds."""
-    if not condition:
+    if not condition or len(condition) > MAX_CONDITION:
         return True
     values = {"ROS_VERSION": "2", "ROS_PYTHON_VERSION": "3"} | (environment or {})
     tokens: list[str] = []
@@ -126,7 +132,7 @@ def condition_holds(condition: str | None, environment: dict[str, str] | None = 
         at = match.end()
     try:
         verdict, rest = _either(tokens, values)
-    except (IndexError, KeyError):
+    except (IndexError, KeyError, RecursionError):
         return True
     return verdict if not rest else True
 

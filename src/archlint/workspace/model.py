@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, slots=True)
 class Problem:
     """Why a file or folder could not be used; lines and columns start at 1."""
 
@@ -15,14 +15,15 @@ class Problem:
     message: str
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, slots=True)
 class SourceFile:
     """A file that matters.
 
     ``kind`` is ``python``, ``launch_python``, ``launch_xml``, ``launch_yaml``, ``parameters``, ``interface``,
     ``package_xml``, ``setup_py``, ``setup_cfg``, ``pyproject`` or ``cmake``.  ``relative`` is the path from the
-    working directory with ``/``; ``module`` the dotted name under which Python imports the file.  A ``context``
-    file was not asked for: it is read so that imports resolve, and nothing is reported for it.
+    working directory with ``/``; ``module`` the dotted name under which Python imports the file, None where no
+    import statement can.  A ``context`` file was not asked for: it is read so that imports resolve, and nothing
+    is reported for it.
     """
 
     path: str
@@ -34,9 +35,18 @@ class SourceFile:
     mtime_ns: int = 0
     inode: int = 0
     context: bool = False
+    ctime_ns: int = 0
+
+    @property
+    def stamp(self) -> tuple[int, int, int, int]:
+        """What is different once the file has changed.
+
+        The time of the status change is in it because tools that set the other time back cannot set this one.
+        """
+        return (self.mtime_ns, self.ctime_ns, self.size, self.inode)
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, slots=True)
 class Dependency:
     """One dependency of a package: ``kind`` is the tag without ``_depend`` (``depend`` itself stays)."""
 
@@ -46,7 +56,7 @@ class Dependency:
     line: int = 1
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, slots=True)
 class Package:
     """A package by its package.xml.  ``build_type`` is ``catkin`` where the manifest names none."""
 
@@ -65,7 +75,7 @@ class Package:
         return frozenset(d.name for d in self.dependencies if d.kind in kinds)
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, slots=True)
 class Workspace:
     """All that was found below the paths that were asked for."""
 

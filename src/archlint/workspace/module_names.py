@@ -1,35 +1,66 @@
-"""The dotted name under which Python imports a file."""
+"""The dotted names under which Python imports the files of a workspace."""
 
 from __future__ import annotations
 
 import os
-from functools import lru_cache
-
-from archlint.workspace.model import Package
+from collections.abc import Mapping, Set
 
 
-def module_name(path: str, package: Package | None) -> str:
-    """``pkg/pkg/sub/node.py`` → ``pkg.sub.node``.
+class ModuleNames:
+    """Names the modules of one ROS package, or of the files in none.
 
-    The name starts below the first folder without an ``__init__.py``; in an ament_python package a folder of
-    the package's own name counts as a package even without one, as colcon installs it.
+    ``root`` is the folder of the ROS package, above which no dotted name reaches, ``package`` its name; both
+    are None for files in no package.  ``inits`` are the folders known to hold an ``__init__.py``;
+    ``installed_as`` maps folders that are installed under a name of their own to that name.
     """
-    folder, file = os.path.split(path)
-    stem = file.removesuffix(".py")
-    parts = [] if stem == "__init__" else [stem]
-    while _is_python_package(folder) or _is_named_package(folder, package):
-        folder, name = os.path.split(folder)
-        parts.insert(0, name)
-    return ".".join(parts) or stem
 
+    def __init__(
+        self,
+        root: str | None,
+        package: str | None,
+        inits: Set[str],
+        installed_as: Mapping[str, str] | None = None,
+    ) -> None:
+        self.package = package
+        self._root = root
+        self._inits = inits
+        self._installed_as = installed_as or {}
+        self._known: dict[str, tuple[str, ...]] = {}
 
-def _is_named_package(folder: str, package: Package | None) -> bool:
-    if package is None or not folder.startswith(package.root + os.sep):
-        return False
-    inside = os.path.relpath(folder, package.root).split(os.sep)
-    return package.name in inside and package.build_type == "ament_python" and inside[0] == package.name
+    def module(self, path: str) -> str | None:
+        """``pkg/pkg/sub/node.py`` → ``pkg.sub.node``; None where no import statement can reach a file."""
+        folder, name = os.path.split(path)
+        stem, dot, _ = name.rpartition(".")
+        if not dot:  # a script, started by its path
+            return name if name.isidentifier() else None
+        packages = self._packages(folder)
+        if stem == "__init__":
+            return ".".join(packages) or None
+        return ".".join((*packages, stem)) if stem.isidentifier() else None
 
+    def _packages(self, folder: str) -> tuple[str, ...]:
+        """The names of the Python packages that a file in ``folder`` is in, the outermost first."""
+        if folder not in self._known:
+            self._known[folder] = self._find_packages(folder)
+        return self._known[folder]
 
-@lru_cache(maxsize=100_000)
-def _is_python_package(folder: str) -> bool:
-    return os.path.isfile(os.path.join(folder, "__init__.py"))
+    def _find_packages(self, folder: str) -> tuple[str, ...]:
+        if folder in self._installed_as:
+            return (self._installed_as[folder],)
+        parent, name = os.path.split(folder)
+        if folder == self._root or not name.isidentifier():
+            return ()
+        around = self._packages(parent)
+        # A folder inside a package is one too, with __init__.py or without.
+        return (*around, name) if around or self._is_package(folder) or self._is_own_folder(folder) else ()
+
+    def _is_package(self, folder: str) -> bool:
+        if folder in self._inits:
+            return True
+        # Outside of ROS packages nothing says where to stop, and files above what was asked for count too.
+        return self._root is None and os.path.isfile(os.path.join(folder, "__init__.py"))
+
+    def _is_own_folder(self, folder: str) -> bool:
+        """Whether this is the folder named as the package, which is installed even without ``__init__.py``."""
+        parent, name = os.path.split(folder)
+        return name == self.package and self._root is not None and parent in (self._root, f"{self._root}/src")
