@@ -35,7 +35,7 @@ def certain(endpoint: Endpoint) -> bool:
 
 def named_by_library(endpoint: Endpoint) -> bool:
     """Whether a library, and not this code, chose the name: every ``tf2_ros.Buffer`` offers ``tf2_frames``."""
-    return endpoint.creation.name_place is None and endpoint.creation.name.origin is None
+    return endpoint.creation.api.startswith("tf2_ros.")
 
 
 def in_source_order(endpoints: Iterable[Endpoint]) -> list[Endpoint]:

@@ -1,0 +1,141 @@
+from __future__ import annotations
+
+import pytest
+
+from archlint.checks.ownership import SHARED_BY_DESIGN, multiple_publishers, multiple_servers
+from archlint.checks.registry import Options
+from archlint.system.model import System
+from system.builders import action_server, node, partial, publisher, service, subscriber, system
+
+NOTHING_SAID = Options()
+
+
+def owners(judged: System, options: Options = NOTHING_SAID) -> list[tuple[str, ...]]:
+    """The nodes of each finding of OWN001."""
+    return [_nodes(finding.identity) for finding in multiple_publishers(judged, options)]
+
+
+def servers(judged: System) -> list[tuple[str, ...]]:
+    return [_nodes(finding.identity) for finding in multiple_servers(judged, NOTHING_SAID)]
+
+
+def _nodes(identity: tuple[str, ...]) -> tuple[str, ...]:
+    return identity[2:]
+
+
+class TestMultiplePublishers:
+    def test_two_nodes(self):
+        judged = system(node("/joystick", publisher("cmd_vel")), node("/planner", publisher("cmd_vel")))
+
+        [finding] = multiple_publishers(judged, NOTHING_SAID)
+
+        assert finding.place.file.endswith("planner.py")
+        assert [related.place.file for related in finding.related] == ["src/demo/demo/joystick.py"]
+        assert finding.message == "/joystick and /planner both publish the topic '/cmd_vel'"
+
+    def test_three_nodes_are_one_finding(self):
+        judged = system(*(node(f"/{name}", publisher("cmd_vel")) for name in "abc"))
+
+        assert owners(judged) == [("/a", "/b", "/c")]
+
+    def test_two_publishers_of_one_node_are_its_own_business(self):
+        assert owners(system(node("/joystick", publisher("cmd_vel"), publisher("cmd_vel")))) == []
+
+    def test_names_are_compared_as_they_are_at_run_time(self):
+        left, right = node("/left/arm", publisher("state")), node("/right/arm_2", publisher("state"))
+
+        assert owners(system(left, right)) == []
+
+    @pytest.mark.parametrize("topic", SHARED_BY_DESIGN)
+    def test_topics_that_are_shared_by_design(self, topic: str):
+        assert owners(system(node("/a", publisher(topic)), node("/b", publisher(topic)))) == []
+
+    def test_topics_that_the_team_shares(self):
+        judged = system(node("/a", publisher("events/door")), node("/b", publisher("events/door")))
+
+        assert owners(judged, Options(shared_topics=("/events/*",))) == []
+
+    def test_packages_that_have_nothing_to_do_with_each_other(self):
+        one, other = node("/a", publisher("x")), node("/b", publisher("x"), package="other")
+
+        assert owners(system(one, other)) == []
+        assert owners(system(one, other, name="launch/robot.launch.py")) == [("/a", "/b")]
+
+    def test_tests_are_left_out(self):
+        assert owners(system(node("/a", publisher("x")), node("/b", publisher("x"), test=True))) == []
+
+    def test_a_publisher_that_may_not_be_there(self):
+        judged = system(node("/a", publisher("x")), node("/b", publisher("x", conditional=True)))
+
+        assert owners(judged) == []
+
+    def test_a_publisher_that_is_destroyed_again(self):
+        judged = system(node("/a", publisher("x")), node("/b", publisher("x", destroyed=True)))
+
+        assert owners(judged) == []
+
+    def test_a_name_with_a_hole_is_no_proof(self):
+        judged = system(node("/a", publisher(partial("*/x"))), node("/b", publisher(partial("*/x"))))
+
+        assert owners(judged) == []
+
+
+class TestVariantsOfOneNode:
+    """Without a launch file, what looks like two forms of one node is not taken to run together."""
+
+    def test_one_class_name(self):
+        judged = system(
+            node("/talker", publisher("x"), class_name="Talker"),
+            node("/talker_slow", publisher("x"), class_name="Talker"),
+        )
+
+        assert owners(judged) == []
+
+    def test_one_node_name(self):
+        judged = system(
+            node("/talker", publisher("x"), class_name="A", file="a.py"),
+            node("/talker", publisher("x"), class_name="B", file="b.py"),
+        )
+
+        assert owners(judged) == []
+
+    def test_one_interface(self):
+        def driver(name: str):
+            return node(name, publisher("speed"), publisher("odom"), subscriber("cmd_vel"))
+
+        assert owners(system(driver("/driver_a"), driver("/driver_b"))) == []
+        together = system(driver("/driver_a"), driver("/driver_b"), name="launch/robot.launch.py")
+        assert owners(together) == [("/driver_a", "/driver_b")] * 2
+
+    def test_a_program_that_only_tries_something_out(self):
+        assert owners(system(node("/a", publisher("x")), node("/test_a", publisher("x")))) == []
+
+    def test_nodes_of_one_executable_do_run_together(self):
+        judged = system(
+            node("/front", publisher("x"), class_name="Camera", executables=("cameras",)),
+            node("/rear", publisher("x"), class_name="Camera", executables=("cameras",)),
+        )
+
+        assert owners(judged) == [("/front", "/rear")]
+
+
+class TestMultipleServers:
+    def test_a_service_and_an_action(self):
+        judged = system(
+            node("/left_arm", service("home"), action_server("grasp")),
+            node("/right_arm", service("home"), action_server("grasp")),
+            name="launch/robot.launch.py",
+        )
+
+        found = list(multiple_servers(judged, NOTHING_SAID))
+
+        assert [finding.message.partition(":")[0] for finding in found] == [
+            "/left_arm and /right_arm both serve the service '/home'",
+            "/left_arm and /right_arm both serve the action '/grasp'",
+        ]
+
+    def test_private_names(self):
+        assert servers(system(node("/left_arm", service("~/home")), node("/right_arm", service("~/home")))) == []
+
+    def test_a_service_and_a_topic_of_one_name_are_two_things(self):
+        assert servers(system(node("/a", service("x")), node("/b", publisher("x")))) == []

@@ -1,0 +1,110 @@
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+
+import pytest
+
+from archlint.checks.registry import Options
+from archlint.checks.type_mismatches import action_type_mismatch, service_type_mismatch, topic_type_mismatch
+from archlint.finding import Finding
+from archlint.system.model import System
+from system.builders import (
+    action_client,
+    action_server,
+    client,
+    node,
+    publisher,
+    service,
+    subscriber,
+    system,
+)
+
+Rule = Callable[[System, Options], Iterator[Finding]]
+
+
+def found(rule: Rule, judged: System) -> list[Finding]:
+    return list(rule(judged, Options()))
+
+
+@pytest.mark.parametrize(
+    ("rule", "provider", "user", "kind"),
+    [
+        (topic_type_mismatch, publisher, subscriber, "msg"),
+        (service_type_mismatch, service, client, "srv"),
+        (action_type_mismatch, action_server, action_client, "action"),
+    ],
+    ids=["topic", "service", "action"],
+)
+class TestTheTwoEnds:
+    def test_of_two_types(self, rule: Rule, provider: Callable, user: Callable, kind: str):
+        judged = system(node("/a", provider("x", f"p/{kind}/One")), node("/b", user("x", f"p/{kind}/Two")))
+
+        [finding] = found(rule, judged)
+
+        assert finding.node == "/b"
+        assert [related.place.file for related in finding.related] == ["src/demo/demo/a.py"]
+        assert f"p/{kind}/One" in finding.message
+        assert f"p/{kind}/Two" in finding.message
+
+    def test_of_one_type(self, rule: Rule, provider: Callable, user: Callable, kind: str):
+        judged = system(node("/a", provider("x", f"p/{kind}/One")), node("/b", user("x", f"p/{kind}/One")))
+
+        assert found(rule, judged) == []
+
+    def test_of_which_one_is_not_known(self, rule: Rule, provider: Callable, user: Callable, kind: str):
+        judged = system(node("/a", provider("x", f"p/{kind}/One")), node("/b", user("x", None)))
+
+        assert found(rule, judged) == []
+
+    def test_of_two_names(self, rule: Rule, provider: Callable, user: Callable, kind: str):
+        judged = system(node("/a", provider("x", f"p/{kind}/One")), node("/b", user("y", f"p/{kind}/Two")))
+
+        assert found(rule, judged) == []
+
+    def test_within_one_node(self, rule: Rule, provider: Callable, user: Callable, kind: str):
+        judged = system(node("/a", provider("x", f"p/{kind}/One"), user("x", f"p/{kind}/Two")))
+
+        assert len(found(rule, judged)) == 1
+
+    def test_in_packages_that_do_not_meet(self, rule: Rule, provider: Callable, user: Callable, kind: str):
+        judged = system(
+            node("/a", provider("x", f"p/{kind}/One")),
+            node("/b", user("x", f"p/{kind}/Two"), package="other"),
+        )
+
+        assert found(rule, judged) == []
+
+
+def test_the_package_belongs_to_the_type():
+    judged = system(
+        node("/a", publisher("x", "std_msgs/msg/Int32")), node("/b", subscriber("x", "example_interfaces/msg/Int32"))
+    )
+
+    assert len(found(topic_type_mismatch, judged)) == 1
+
+
+def test_one_publisher_against_many_is_one_finding():
+    wrong = node("/a", publisher("x", "p/msg/One"))
+    right = [node(f"/b{number}", subscriber("x", "p/msg/Two")) for number in range(3)]
+
+    [finding] = found(topic_type_mismatch, system(wrong, *right))
+
+    assert len(finding.related) == 3
+
+
+def test_arms_of_one_branch_are_never_both_there():
+    judged = system(
+        node(
+            "/a",
+            publisher("x", "p/msg/One", conditional=True, arms=frozenset({("a.py:9", 0)})),
+            publisher("x", "p/msg/Two", conditional=True, arms=frozenset({("a.py:9", 1)})),
+        )
+    )
+
+    assert found(topic_type_mismatch, judged) == []
+
+
+def test_an_endpoint_that_may_not_be_there_proves_nothing():
+    judged = system(node("/a", publisher("x", "p/msg/One")), node("/b", subscriber("x", "p/msg/Two", conditional=True)))
+
+    assert found(topic_type_mismatch, judged) == []
