@@ -59,10 +59,7 @@ class FactsOfFiles:
             found = [file for file in left if not kept.isdisjoint(self._imports(file))]
             if not found:
                 return
-            for file in found:
-                payload = self._on_demand(file)
-                if payload is not None:
-                    self._payloads[file.path] = payload
+            self._payloads.update(self._on_demand(found))
             left = [file for file in left if file not in found]
             kept = _names_of(found)
 
@@ -109,7 +106,7 @@ class FactsOfFiles:
             return self._facts[file.path]
         payload = self._payloads.get(file.path)
         if payload is None or payload.startswith(_IRRELEVANT):
-            payload = self._on_demand(file)
+            payload = self._on_demand([file]).get(file.path)
         self._facts[file.path] = None if payload is None else self._decoded(payload)
         return self._facts[file.path]
 
@@ -165,25 +162,32 @@ class FactsOfFiles:
         for file, digest, _ in waiting:
             self._keep(file, digest, results[digest].payload)
 
-    def _on_demand(self, file: SourceFile) -> bytes | None:
-        """Compile a file that the screen left out, because an import leads to it."""
-        digest = self._digests.get(file.path)
-        key = None if digest is None else "all-" + digest
-        if key is not None:
-            payload = self._cache.get(key)
+    def _on_demand(self, files: Iterable[SourceFile]) -> dict[str, bytes]:
+        """Compile files that the screen left out, because imports lead to them; payloads by path."""
+        payloads: dict[str, bytes] = {}
+        waiting: list[tuple[str, str | None, bytes]] = []
+        for file in files:
+            digest = self._digests.get(file.path)
+            key = None if digest is None else "all-" + digest
+            payload = None if key is None else self._cache.get(key)
             if payload is not None:
-                return payload
-        data = gate.read_bytes(file.path)
-        if isinstance(data, gate.Refusal):
-            return None
+                payloads[file.path] = payload
+                continue
+            data = gate.read_bytes(file.path)
+            if not isinstance(data, gate.Refusal):
+                waiting.append((file.path, key, data))
+        if not waiting:
+            return payloads
         from archlint.facts.compile import compile_sources
 
-        (result,) = compile_sources([data], 1)
-        self.compiled += 1
-        self.lasting &= result.lasting
-        if key is not None and result.lasting:
-            self._cache.put(key, result.payload)
-        return result.payload
+        results = compile_sources([data for _, _, data in waiting], self._jobs)
+        self.compiled += len(results)
+        for (path, key, _), result in zip(waiting, results, strict=True):
+            self.lasting &= result.lasting
+            if key is not None and result.lasting:
+                self._cache.put(key, result.payload)
+            payloads[path] = result.payload
+        return payloads
 
     def _decoded(self, payload: bytes) -> Facts | None:
         from archlint.facts.model import decode
