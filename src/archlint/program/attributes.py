@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from archlint.facts import model as facts
+from archlint.program import messages
 from archlint.program.api import rclpy_names
 from archlint.program.store import Items
 from archlint.program.values import (
@@ -42,13 +43,17 @@ if TYPE_CHECKING:
 def get_attribute(run: Run, value: Value, name: str, expression: facts.Attribute | None = None) -> Value:
     """``value.name``."""
     if isinstance(value, OneOf):
-        return one_of(get_attribute(run, option, name, expression) for option in value.values)
+        if expression is not None:
+            messages.note_use(run, value, name, expression.span, "read")
+        return one_of(get_attribute(run, option, name) for option in value.values)
     if isinstance(value, Instance):
         return _of_instance(run, value, name)
     if isinstance(value, ModuleValue):
         found = run.module_attribute(value.module, name)
         return Unknown(f"{value.module.name} has no '{name}'") if found is None else found
     if isinstance(value, External):
+        if expression is not None and value.path.endswith((".msg", ".srv", ".action")):
+            messages.note_interface(run, f"{value.path}.{name}", expression.span)
         return _of_external(run, value, name)
     if isinstance(value, ClassValue):
         return _of_class(run, value, name)
@@ -63,6 +68,8 @@ def get_attribute(run: Run, value: Value, name: str, expression: facts.Attribute
     if isinstance(value, FutureValue):
         return ApiMethod(f"rclpy.task.Future.{name}", value)
     if isinstance(value, MessageValue):
+        if expression is not None:
+            messages.note_use(run, value, name, expression.span, "read")
         return _of_message(run, value, name)
     if isinstance(value, Known) and name == "parent" and isinstance(value.value, str):
         return Known(value.value.rpartition("/")[0] or "/", value.via)  # of a pathlib.Path
@@ -308,11 +315,16 @@ def _of_message(run: Run, value: MessageValue, name: str) -> Value:
         constant = run.interfaces.constant(value.type, value.part, name)
         if constant is not None:
             return Known(constant)
-    return Unknown(f"the field '{name}' of a message")
+    nested = messages.nested(run, value, name)
+    return Unknown(f"the field '{name}' of a message") if nested is None else nested
 
 
-def set_attribute(run: Run, target: Value, name: str, value: Value) -> None:
+def set_attribute(
+    run: Run, target: Value, name: str, value: Value, expression: facts.Attribute | None = None
+) -> None:
     """``target.name = value``; where the target is one of several, each may now hold it."""
+    if expression is not None:
+        messages.note_use(run, target, name, expression.span, "write")
     if isinstance(target, OneOf):
         for option in target.values:
             before = _stored(run, option, name)

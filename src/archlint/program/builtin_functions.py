@@ -306,6 +306,9 @@ def _hasattr(run: Run, args: Arguments, keywords: Keywords, e: object) -> Value:
 
     if len(args) != 2 or not isinstance(args[1], Known) or not isinstance(args[1].value, str):
         return Unknown("hasattr() of a name that is not known")
+    if isinstance(args[0], MessageValue) and run.interfaces is not None:
+        known = run.interfaces.has(args[0].type, args[0].part, args[1].value)
+        return Unknown("hasattr() of a message that is not known") if known is None else Known(known)
     if not isinstance(args[0], Instance) or not isinstance(args[0].cls, ClassValue):
         return Unknown("hasattr() of an object that is not followed")
     value = get_attribute(run, args[0], args[1].value)
@@ -348,7 +351,9 @@ def _is_a(value: Value, cls: Value) -> bool | None:
             return cls.name == value.kind
         if isinstance(value, DictValue):
             return cls.name == "dict"
-        return False if isinstance(value, (Instance, ClassValue, FunctionValue)) else None
+        return False if isinstance(value, (Instance, ClassValue, FunctionValue, MessageValue)) else None
+    if isinstance(value, MessageValue):
+        return _is_message(value, cls)
     if isinstance(value, Instance) and isinstance(value.cls, ClassValue):
         if any(base is cls or base == cls for base in value.cls.mro):
             return True
@@ -356,6 +361,13 @@ def _is_a(value: Value, cls: Value) -> bool | None:
     if isinstance(value, (Known, ListValue, DictValue)) and isinstance(cls, (ClassValue, External)):
         return False
     return None
+
+
+def _is_message(value: MessageValue, cls: Value) -> bool | None:
+    if isinstance(cls, ClassValue):
+        return False
+    interface, part = rclpy_names.interface_and_part(cls.path) if isinstance(cls, External) else (None, "")
+    return None if interface is None else (interface, part) == (value.type, value.part)
 
 
 def _map(run: Run, args: Arguments, keywords: Keywords, e: object) -> Value:

@@ -87,10 +87,10 @@ def star_imported(run: Run, packages: Sequence[str], name: str) -> Value | None:
     """
     interfaces = [package for package in packages if package.endswith((".msg", ".srv", ".action"))]
     candidates = [p for p in packages if p in interfaces] if name[:1].isupper() and interfaces else list(packages)
-    defines = getattr(run.interfaces, "defines", None)
-    if len(candidates) > 1 and defines is not None:
-        sure = [p for p in candidates if defines(*p.rsplit(".", 1), name) is True]
-        candidates = sure or [p for p in candidates if defines(*p.rsplit(".", 1), name) is not False]
+    if len(candidates) > 1 and run.interfaces is not None:
+        verdicts = {p: run.interfaces.defines(*p.split("."), name) for p in interfaces if p.count(".") == 1}
+        sure = [p for p in candidates if verdicts.get(p)]
+        candidates = sure or [p for p in candidates if verdicts.get(p) is not False]
     if len(set(candidates)) == 1:
         return External(f"{candidates[0]}.{name}")
     return Unknown(f"'{name}' comes from one of several star imports") if candidates else None

@@ -1,11 +1,12 @@
-"""The interfaces that the workspace defines, by ROS type name; read when first asked for."""
+"""The interfaces of the workspace and the standard ones, by ROS type name; read when first asked for."""
 
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable
 from typing import TYPE_CHECKING
 
-from archlint.facts.interfaces import Interface, Section, parse_interface
+from archlint.facts.interfaces import FieldType, Interface, Section, parse_interface
+from archlint.program import standard_interfaces
 
 if TYPE_CHECKING:
     from archlint.workspace.model import SourceFile
@@ -30,32 +31,72 @@ def type_of_file(file: SourceFile) -> str | None:
 
 
 class InterfaceTable:
-    """Interfaces by name.  ``read`` gives the text of a file, None where it cannot be read."""
+    """Interfaces by name.  ``read`` gives the text of a file, None where it cannot be read.
+
+    A package of the workspace that defines interfaces hides the standard one of its name.
+    """
 
     def __init__(self, files: Iterable[SourceFile], read: Callable[[SourceFile], str | None]) -> None:
         self._files: dict[str, SourceFile] = {}
+        self._packages: set[str] = set()
+        self._unread: set[str] = set()
         for file in files:
             if file.kind == "interface":
-                name = type_of_file(file)
-                if name is not None:
-                    self._files.setdefault(name, file)
+                self._add(file)
         self._read = read
         self._parsed: dict[str, Interface | None] = {}
 
+    def _add(self, file: SourceFile) -> None:
+        name = type_of_file(file)
+        if name is not None:
+            self._files.setdefault(name, file)
+            self._packages.add(name.partition("/")[0])
+        elif file.package is not None:
+            self._unread.add(file.package)
+
     def names(self) -> list[str]:
+        """The interfaces of the workspace."""
         return sorted(self._files)
 
     def file(self, name: str) -> SourceFile | None:
         return self._files.get(name)
 
+    def defines(self, package: str, kind: str, name: str) -> bool | None:
+        """Whether a package defines an interface of that kind (``msg``, ``srv``, ``action``); None where the
+        package is not known, or only in part."""
+        if f"{package}/{kind}/{name}" in self._files:
+            return True
+        if package in self._unread:
+            return None
+        if package in self._packages:
+            return False
+        standard = standard_interfaces.table()
+        if package not in standard.packages:
+            return None
+        return f"{package}/{kind}/{name}" in standard.interfaces
+
+    def of_package(self, package: str, kind: str) -> list[str]:
+        """The names of the interfaces that a package has of one kind, sorted."""
+        start = f"{package}/{kind}/"
+        if package in self._packages:
+            return sorted(name.removeprefix(start) for name in self._files if name.startswith(start))
+        return sorted(standard_interfaces.table().names(package, kind))
+
     def get(self, name: str) -> Interface | None:
-        """The interface called ``package/kind/Name``; None where the workspace does not define it."""
+        """The interface called ``package/kind/Name``; None where it is not known."""
         if name not in self._parsed:
-            file = self._files.get(name)
-            text = None if file is None else self._read(file)
-            kind = name.split("/")[1]
+            text, kind = self._text(name), name.split("/")[1]
             self._parsed[name] = None if text is None else parse_interface(text, kind)
         return self._parsed[name]
+
+    def _text(self, name: str) -> str | None:
+        file = self._files.get(name)
+        if file is not None:
+            return self._read(file)
+        if name.partition("/")[0] in self._packages:
+            return None
+        standard = standard_interfaces.table().interfaces.get(name)
+        return None if standard is None else standard.text
 
     def section(self, name: str, part: str) -> Section | None:
         interface = self.get(name)
@@ -63,6 +104,26 @@ class InterfaceTable:
         if interface is None or wanted is None:
             return None
         return next((section for section in interface.sections if section.name == wanted), None)
+
+    def has(self, name: str, part: str, attribute: str) -> bool | None:
+        """Whether a message has a field or constant; None where its definition is not known in full."""
+        interface, section = self.get(name), self.section(name, part)
+        if interface is None or section is None or interface.problems:
+            return None
+        return section.field(attribute) is not None or any(c.name == attribute for c in section.constants)
+
+    def field_type(self, name: str, part: str, field: str) -> FieldType | None:
+        """The type of a field, its name in full; None where it is not known or differs between distributions."""
+        section = self.section(name, part)
+        found = None if section is None else section.field(field)
+        if found is None or (name not in self._files and self._varies(name, field)):
+            return None
+        kind = found.type
+        return FieldType(kind.qualified(name.partition("/")[0]), kind.array, kind.size, kind.string_bound)
+
+    def _varies(self, name: str, field: str) -> bool:
+        standard = standard_interfaces.table().interfaces.get(name)
+        return standard is not None and field in standard.varies
 
     def constant(self, name: str, part: str, constant: str) -> str | int | float | bool | None:
         """The value of a constant, or None.  Constants of services are on ``Srv.Request`` and ``Srv.Response``;

@@ -271,6 +271,36 @@ class ExecutorUse:
     """The first call that spins it."""
 
 
+@dataclass(frozen=True)
+class FieldUse:
+    """A field of a message that the code names; ``access`` is ``read``, ``write`` or ``keyword``.
+
+    ``type`` and ``part`` are those of the message.  ``exists`` is None where its definition is not known; where
+    it is False, ``fields`` are those that the message has.
+    """
+
+    place: Place
+    type: str
+    part: str
+    name: str
+    access: str
+    exists: bool | None
+    fields: tuple[str, ...] = ()
+    node: Blueprint | None = None
+
+
+@dataclass(frozen=True)
+class UnknownInterface:
+    """An interface that is imported from a package which does not define it; ``others`` are what was perhaps
+    meant, with the kind where that is another."""
+
+    place: Place
+    package: str
+    kind: str
+    name: str
+    others: tuple[str, ...] = ()
+
+
 @dataclass(eq=False)
 class Program:
     """One executable (or a class or function that no executable reaches), run symbolically."""
@@ -283,6 +313,8 @@ class Program:
     calls: list[ApiCall] = field(default_factory=list)
     callbacks: list[Callback] = field(default_factory=list)
     executors: list[ExecutorUse] = field(default_factory=list)
+    field_uses: list[FieldUse] = field(default_factory=list)
+    unknown_interfaces: list[UnknownInterface] = field(default_factory=list)
     exhausted: bool = False
     """True where a bound on depth or steps cut the run short."""
     executable: bool = True

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any
 
 from archlint.facts import model as facts
 from archlint.finding import Place
-from archlint.program import model
+from archlint.program import messages, model
 from archlint.program.store import Layer, Store
 from archlint.program.values import (
     FALSE,
@@ -23,6 +23,7 @@ from archlint.program.values import (
     FunctionValue,
     Instance,
     Known,
+    MessageValue,
     ModuleValue,
     NodeValue,
     Scope,
@@ -130,6 +131,9 @@ class Run:
         self.at_spin: Callable[[Run], None] | None = None
         """Runs what is pending when main spins: callbacks see the state of then, not what main does at the end."""
         self.registered: set[tuple[Any, ...]] = set()
+        self.fields: dict[tuple[int, str], MessageValue] = {}
+        """Messages that fields of messages hold, where nothing was assigned to them."""
+        self.field_uses: set[tuple[Any, ...]] = set()
         self.creations: dict[tuple[Any, ...], model.Creation] = {}
         self.calls: dict[tuple[Any, ...], model.ApiCall] = {}
         self.repeats: dict[tuple[Any, ...], tuple[int, Value]] = {}
@@ -305,7 +309,7 @@ def assign(run: Run, target: facts.Expr, value: Value) -> None:
         run.assign_name(target.id, value)
     elif kind is facts.Attribute:
         assert isinstance(target, facts.Attribute)
-        expressions.set_attribute(run, run.evaluate(target.value), target.attr, value)
+        expressions.set_attribute(run, run.evaluate(target.value), target.attr, value, target)
     elif kind is facts.Subscript:
         assert isinstance(target, facts.Subscript)
         expressions.set_item(run, run.evaluate(target.value), run.evaluate(target.index), value)
@@ -613,6 +617,8 @@ def _import_from(run: Run, s: facts.ImportFrom) -> Status:
                 )
         else:
             below = run.index.find(importer, f"{s.module}.{name}" if s.module else name, s.level)
+            if below is None:
+                messages.note_interface(run, f"{dotted}.{name}", s.span)
             value = External(f"{dotted}.{name}") if below is None else run.import_module(below)
         run.assign_name(bound, value)
     return None

@@ -13,6 +13,7 @@ from archlint.program.values import (
     Builtin,
     ClassValue,
     DictValue,
+    EntityValue,
     External,
     FunctionValue,
     FutureValue,
@@ -118,9 +119,20 @@ def default_arguments(run: Run, role: str, creation: model.Creation | None, call
         return (message("Goal"),)
     if role == "done":
         return (call.receiver,) if isinstance(call.receiver, FutureValue) else (Unknown("a future"),)
-    if role in ("parameter", "event", "feedback", "filter"):
+    if role == "feedback":
+        return (_feedback(run, call),)
+    if role in ("parameter", "event", "filter"):
         return (Unknown("what rclpy passes to the callback"),)
     return ()
+
+
+def _feedback(run: Run, call: ApiUse) -> Value:
+    """What a feedback callback is called with: the feedback and the goal it is for."""
+    made = Instance(External("rclpy.action.client.FeedbackMessage"), run.store.new_key())
+    creations = call.receiver.creations if isinstance(call.receiver, EntityValue) else ()
+    if len(creations) == 1 and creations[0].type is not None:
+        run.store.set(made.key, "feedback", MessageValue(creations[0].type, "Feedback", run.store.new_key()))
+    return made
 
 
 def describe(run: Run, value: Value) -> model.Callback:

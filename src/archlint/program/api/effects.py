@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 
 from archlint.facts import model as facts
 from archlint.finding import Place
-from archlint.program import model
+from archlint.program import messages, model
 from archlint.program.api import rclpy_names, tables
 from archlint.program.api.tables import Api
 from archlint.program.values import (
@@ -94,7 +94,7 @@ def call_external(
     path = rclpy_names.canonical(function.path)
     interface, part = rclpy_names.interface_and_part(path)
     if interface is not None:
-        return _make_message(run, interface, part, keywords)
+        return _make_message(run, interface, part, keywords, expression)
     api = tables.find(path)
     if api is not None:
         receiver = None
@@ -221,8 +221,11 @@ def record(run: Run, api: Api, receiver: Value | None, bound: dict[str, Value], 
 # ------------------------------------------------------------------------------------------------ messages
 
 
-def _make_message(run: Run, interface: str, part: str, keywords: dict[str, Value]) -> Value:
+def _make_message(
+    run: Run, interface: str, part: str, keywords: dict[str, Value], expression: facts.Call | None
+) -> Value:
     made = MessageValue(interface, part, run.store.new_key())
+    messages.note_keywords(run, made, expression)
     for name, value in keywords.items():
         run.store.set(made.key, name, value)
     return made
@@ -244,14 +247,20 @@ def answer(run: Run, future: FutureValue) -> Value:
         if creation.kind == model.ACTION_CLIENT:
             if future.api.endswith("send_goal_async"):
                 return EntityValue(future.creations, "rclpy.action.client.ClientGoalHandle", run.store.new_key())
-            return (
-                MessageValue(creation.type, "Result", run.store.new_key())
-                if creation.type
-                else Unknown("the result of an action of unknown type")
-            )
+            return _action_answer(run, creation.type, future.api)
         if creation.type is not None:
             return MessageValue(creation.type, "Response", run.store.new_key())
     return Unknown("what a future gives")
+
+
+def _action_answer(run: Run, type_: str | None, api: str) -> Value:
+    """What an action's server answers: to ``cancel_goal`` a message of its own; else the result and how it ended."""
+    if "cancel_goal" in api:
+        return MessageValue("action_msgs/srv/CancelGoal", "Response", run.store.new_key())
+    made = Instance(External("rclpy.action.client.GetResultResponse"), run.store.new_key())
+    if type_ is not None:
+        run.store.set(made.key, "result", MessageValue(type_, "Result", run.store.new_key()))
+    return made
 
 
 def _none(run: Run, call: ApiUse) -> Value:

@@ -183,6 +183,11 @@ _PARTS = frozenset({"Request", "Response", "Event", "Goal", "Result", "Feedback"
 _PART_NAME = re.compile(r"^(\w+)_(Request|Response|Goal|Result|Feedback)$")
 
 
+def is_part_of_interface(name: str) -> bool:
+    """Whether a class name is that of a request, response, goal … rather than of an interface."""
+    return re.search(r"_(Request|Response|Event|Goal|Result|Feedback|FeedbackMessage|SendGoal|GetResult)", name) is not None
+
+
 @lru_cache(maxsize=4096)
 def interface_and_part(path: str) -> tuple[str | None, str]:
     """``std_msgs.msg.String`` → ``("std_msgs/msg/String", "")``; with ``.Request`` and the like as part."""

@@ -1,0 +1,103 @@
+"""Messages in the symbolic run: what their fields are, and which of them the code uses.
+
+Only what is certain is noted: plain attribute names on a value whose type is known, outside of ``try``.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from archlint.facts import model as facts
+from archlint.program import model
+from archlint.program.api import rclpy_names
+from archlint.program.values import Known, MessageValue, OneOf, Value
+
+if TYPE_CHECKING:
+    from archlint.facts.model import Span
+    from archlint.program.run import Run
+
+_OF_EVERY_MESSAGE = frozenset({"get_fields_and_field_types", "SLOT_TYPES", "structure_needs_at_least_one_member"})
+"""What rosidl's generator gives each class beside its fields and constants."""
+
+
+def of_value(value: Value) -> MessageValue | None:
+    """The message that a value certainly is when an attribute of it can be read: None is no other choice, for
+    it has no attributes."""
+    if isinstance(value, MessageValue):
+        return value
+    if not isinstance(value, OneOf):
+        return None
+    rest = [option for option in value.values if not (isinstance(option, Known) and option.value is None)]
+    return rest[0] if len(rest) == 1 and isinstance(rest[0], MessageValue) else None
+
+
+def nested(run: Run, value: MessageValue, name: str) -> MessageValue | None:
+    """The message that a field holds, one and the same at each read; None for other fields."""
+    if run.interfaces is None or not value.key:
+        return None
+    made = run.fields.get((value.key, name))
+    if made is None:
+        kind = run.interfaces.field_type(value.type, value.part, name)
+        if kind is None or kind.is_primitive or kind.array or run.interfaces.get(kind.name) is None:
+            return None
+        made = run.fields[(value.key, name)] = MessageValue(kind.name, "", run.store.new_key())
+    return made
+
+
+def note_use(run: Run, value: Value, name: str, span: Span, access: str) -> None:
+    """Note that the code uses an attribute of what is certainly a message; ``access`` is ``read``, ``write`` or
+    ``keyword``."""
+    message = of_value(value)
+    if message is None or run.interfaces is None or not _certain(run):
+        return
+    if name.startswith("_") or name in _OF_EVERY_MESSAGE:
+        return
+    key = (run.activation.module.path, span, message.type, message.part)
+    if key in run.field_uses:
+        return
+    known = run.interfaces.has(message.type, message.part, name)
+    run.field_uses.add(key)
+    section = run.interfaces.section(message.type, message.part)
+    fields = () if known is not False or section is None else tuple(field.name for field in section.fields)
+    run.program.field_uses.append(
+        model.FieldUse(
+            run.place(span),
+            message.type,
+            message.part,
+            name,
+            access,
+            known,
+            fields,
+            run.context.node,
+        )
+    )
+
+
+def note_keywords(run: Run, message: MessageValue, expression: facts.Call | None) -> None:
+    """Note the fields that a constructor call names."""
+    for argument in expression.args if expression is not None else ():
+        span = getattr(argument.value, "span", None)
+        if argument.keyword is not None and not argument.star and span is not None:
+            note_use(run, message, argument.keyword, span, "keyword")
+
+
+def note_interface(run: Run, path: str, span: Span) -> None:
+    """Note an interface that the code takes from a package which does not define it.  ``path`` is dotted."""
+    interface, part = rclpy_names.interface_and_part(path)
+    if run.interfaces is None or interface is None or part or not _certain(run) or run.arms:
+        return
+    package, kind, name = interface.split("/")
+    if rclpy_names.is_part_of_interface(name) or run.interfaces.defines(package, kind, name) is not False:
+        return
+    others = tuple(
+        f"{package}/{other}/{name}" for other in ("msg", "srv", "action") if run.interfaces.defines(package, other, name)
+    )
+    run.program.unknown_interfaces.append(
+        model.UnknownInterface(
+            run.place(span), package, kind, name, (*others, *run.interfaces.of_package(package, kind))
+        )
+    )
+
+
+def _certain(run: Run) -> bool:
+    return bool(run.activations) and not any(activation.tries for activation in run.activations)
