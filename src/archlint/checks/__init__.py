@@ -4,6 +4,8 @@ from __future__ import annotations
 
 MODULES: tuple[str, ...] = (
     "callback_waits",
+    "handlers",
+    "slow_callbacks",
     "nested_services",
     "names",
     "ownership",

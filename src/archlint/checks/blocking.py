@@ -50,7 +50,7 @@ RAISES_TIMEOUT = "hangs until the timeout and raises TimeoutError"
 RAISES_NESTED = "raises 'Executor is already spinning'"
 STRANDS = "takes the node from its executor, so that none of its callbacks runs again"
 NONE_AT_ONCE = "gives None, for the answer is not there yet"
-UNKNOWN = "not known"
+UNKNOWN = "may hang"
 
 Outcomes = Mapping[str, str]
 """The outcome in each distribution."""
@@ -64,9 +64,7 @@ def _humble_and_later(humble: str, later: str) -> dict[str, str]:
     return {distro: humble if distro == "humble" else later for distro in DISTROS}
 
 
-_TIMED = {
-    distro: {"humble": NO_SUCH_ARGUMENT, "jazzy": GIVES_NONE}.get(distro, RAISES_TIMEOUT) for distro in DISTROS
-}
+_TIMED = {distro: {"humble": NO_SUCH_ARGUMENT, "jazzy": GIVES_NONE}.get(distro, RAISES_TIMEOUT) for distro in DISTROS}
 _TIMED_FINE = _humble_and_later(NO_SUCH_ARGUMENT, FINE)
 
 _GROUPS = (SAME, OTHER, REENTRANT, UNCLEAR)

@@ -108,7 +108,11 @@ def blocking_call_in_callback(system: System, options: Options) -> Iterator[Find
     """Waits of callbacks that can never get what they wait for."""
     yield from one_for_each_place(
         (
-            *(_stuck("EXE002", system, wait, v, options) for wait, v in _judged(system, options) if not _by_group(wait)),
+            *(
+                _stuck("EXE002", system, wait, v, options)
+                for wait, v in _judged(system, options)
+                if not _by_group(wait)
+            ),
             *(_no_answer_yet(system, early) for early in early_results(system)),
             *(_deaf(system, wait) for wait in event_waits(system)),
         )

@@ -183,6 +183,9 @@ def judge_spin(
     relation = group_relation(callback.group, client.group if client is not None else None)
     if client is not None and node is not None and client.node is not node:
         relation = OTHER
+    elif client is None and "future" not in call.arguments and relation == UNCLEAR:
+        # What spins without a future waits for any work, and the group keeps out that of its own.
+        relation = SAME if callback.group is not None and callback.group.kind != "reentrant" else OTHER
     globally = call.api.startswith("rclpy.spin") and not _given(call, "executor")
     form = LIMITED_SPIN if limited else SPIN
     if globally and any(use.place is None for use in running):

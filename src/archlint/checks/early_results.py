@@ -80,4 +80,3 @@ def _binds(statement: facts.Assign, name: str) -> bool:
 
 def _idle(calls: Sequence[facts.Call]) -> bool:
     return all(called_name(call) in _PASTIMES for call in calls)
-

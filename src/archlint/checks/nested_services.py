@@ -44,7 +44,7 @@ def nested_service_call(system: System, options: Options) -> Iterator[Finding]:
     judged: dict[Place, list[tuple[Wait, Verdict]]] = {}
     for wait in waits(system):
         if wait.call.context.role == "service":
-            verdict = judge_wait(wait.kind, wait.call, wait.client, wait.program)
+            verdict = judge_wait(wait.kind, wait.call, wait.client, wait.program, wait.limited, options.distros)
             judged.setdefault(wait.call.place, []).append((wait, verdict))
     for place in sorted(judged):
         ordered = sorted(judged[place], key=_worst_first)
@@ -53,7 +53,7 @@ def nested_service_call(system: System, options: Options) -> Iterator[Finding]:
 
 def _worst_first(row: tuple[Wait, Verdict]) -> tuple[object, ...]:
     wait, verdict = row
-    return (verdict.safe, len(wait.call.chain), wait.call.context.place, wait.call.context.name)
+    return (verdict.safe, verdict.unknown, len(wait.call.chain), wait.call.context.place, wait.call.context.name)
 
 
 def _nested(system: System, wait: Wait, verdict: Verdict, others: list[Wait]) -> Finding:
@@ -68,6 +68,7 @@ def _nested(system: System, wait: Wait, verdict: Verdict, others: list[Wait]) ->
             Related(handler.place, f"{handler.name} handles {service}"),
             *related_chain(call),
             *related_creation(wait.client),
+            *related_executor(handler.node, wait.program),
             *_other_handlers(handler, others),
         ],
         node=node_name(system, handler.node),
