@@ -13,6 +13,7 @@ import io
 import os
 import re
 import stat
+import sys
 import tokenize
 import warnings
 from dataclasses import dataclass
@@ -90,27 +91,44 @@ def read_bytes(path: str, limit: int = MAX_BYTES) -> bytes | Refusal:
         os.close(descriptor)
 
 
+_UTF_16_MARKS = (b"\xff\xfe", b"\xfe\xff")
+_NOT_FOR_SOURCE = ("punycode", "idna", "undefined")
+"""Encodings of host names: Python would take them, and decode a large file for hours."""
+_SURROGATE = re.compile("[\ud800-\udfff]")
+
+
 def decode(data: bytes) -> str | Refusal:
     """The text of Python source: by its byte order mark, its coding cookie, or UTF-8."""
+    if data.startswith(_UTF_16_MARKS):
+        return Refusal(1, 1, "the file is UTF-16, which Python does not read: save it as UTF-8")
     zero = data.find(b"\0")
     if zero >= 0:
-        line = data.count(b"\n", 0, zero) + 1
-        return Refusal(line, zero - (data.rfind(b"\n", 0, zero)), "the file holds a NUL byte: it is no Python source")
+        return _refused_byte(data, zero, "utf-8", "the file holds a NUL byte: it is no Python source")
     try:
         encoding, _ = tokenize.detect_encoding(io.BytesIO(data).readline)
     except SyntaxError as error:
         return Refusal(1, 1, f"the encoding of this file cannot be told: {error.msg}")
+    if encoding in _NOT_FOR_SOURCE:
+        return Refusal(1, 1, f"the encoding of this file cannot be used: {encoding} is not for source code")
     try:
-        return data.decode(encoding)
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")
+            text = data.decode(encoding)
     except UnicodeDecodeError as error:
-        line = data.count(b"\n", 0, error.start) + 1
-        column = error.start - data.rfind(b"\n", 0, error.start)
-        byte = data[error.start]
-        return Refusal(
-            line, column, f"byte 0x{byte:02x} is no {encoding}: save the file as UTF-8 or name its encoding on line 1"
-        )
+        at = error.start
+        hint = "save the file as UTF-8 or name its encoding on line 1"
+        return _refused_byte(data, at, encoding, f"byte 0x{data[at]:02x} is no {encoding}: {hint}")
     except (LookupError, ValueError) as error:
         return Refusal(1, 1, f"the encoding of this file cannot be used: {error}")
+    if "\0" in text or _SURROGATE.search(text):
+        return Refusal(1, 1, f"read as {encoding} the file holds what is no text: save it as UTF-8")
+    return text
+
+
+def _refused_byte(data: bytes, at: int, encoding: str, message: str) -> Refusal:
+    start = data.rfind(b"\n", 0, at) + 1
+    column = len(data[start:at].decode(encoding, "replace")) + 1
+    return Refusal(data.count(b"\n", 0, at) + 1, column, message)
 
 
 _SKIP = re.compile(
@@ -149,9 +167,6 @@ def longest_chain(text: str) -> tuple[str, int] | None:
 
 def inspect(text: str) -> Refusal | None:
     """Whether libcst can be trusted with a text; None where it can."""
-    depth, line = nesting(text)
-    if depth > MAX_DEPTH:
-        return Refusal(line, 1, f"brackets are nested {depth} deep, more than Python's own limit of {MAX_DEPTH}")
     chain = longest_chain(text)
     if chain is not None:
         return Refusal(chain[1], 1, f"too many {chain[0]} in one expression to analyse (more than {MAX_CHAIN})")
@@ -160,9 +175,14 @@ def inspect(text: str) -> Refusal | None:
             warnings.simplefilter("ignore")
             ast.parse(text)
     except SyntaxError as error:
+        # What ast.parse takes is within its limit.  The rest may be the syntax of a newer Python: libcst decides,
+        # and words the finding, but how deep it goes has to be known.
+        depth, line = nesting(text)
+        if depth > MAX_DEPTH:
+            return Refusal(line, 1, f"brackets are nested {depth} deep, more than Python's own limit of {MAX_DEPTH}")
         if "too many nested" in (error.msg or "") or "too deeply" in (error.msg or ""):
             return Refusal(error.lineno or 1, 1, "the code is nested too deep to analyse")
-        return None  # libcst decides, and words the finding
+        return None
     except (RecursionError, MemoryError):
         return Refusal(1, 1, "the code is nested too deep to analyse")
     except ValueError as error:
@@ -182,6 +202,12 @@ def read_source(path: str, limit: int = MAX_BYTES) -> SourceText | Refusal:
     return SourceText(text, data) if refusal is None else refusal
 
 
+_ALLOWED_LATER = (
+    () if sys.version_info >= (3, 11) else ("asynchronous comprehension outside of an asynchronous function",)
+)
+"""What only this Python refuses, and newer ones compile."""
+
+
 def compile_refusal(text: str) -> Refusal | None:
     """What Python's compiler refuses although the syntax is right: a repeated keyword argument, ``return``
     outside of a function.  Silent where this Python cannot even parse the text."""
@@ -189,20 +215,29 @@ def compile_refusal(text: str) -> Refusal | None:
         with warnings.catch_warnings():
             warnings.simplefilter("ignore")
             tree = ast.parse(text)
+    except (SyntaxError, RecursionError, MemoryError, ValueError):
+        return None
+    try:
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")
             compile(tree, "<archlint>", "exec", dont_inherit=True)
     except SyntaxError as error:
-        try:
-            with warnings.catch_warnings():
-                warnings.simplefilter("ignore")
-                ast.parse(text)
-        except SyntaxError:
-            # Python 3.10 and later find a repeated keyword while parsing; newer syntax fails there, too.
-            if "keyword argument repeated" not in (error.msg or ""):
-                return None
-        return Refusal(error.lineno or 1, error.offset or 1, f"Python refuses to compile this file: {error.msg}")
+        if error.msg in _ALLOWED_LATER:
+            return None
+        line = error.lineno or 1
+        column = _column(text, line, error.offset or 1)
+        return Refusal(line, column, f"Python refuses to compile this file: {error.msg}")
     except (RecursionError, MemoryError, ValueError):
         return None
     return None
+
+
+def _column(text: str, line: int, offset: int) -> int:
+    """The compiler counts the bytes of UTF-8; columns count characters."""
+    lines = re.split(r"\r\n|\r|\n", text)
+    if line > len(lines):
+        return offset
+    return len(lines[line - 1].encode()[: offset - 1].decode("utf-8", "replace")) + 1
 
 
 _PYTHON_2 = re.compile(
