@@ -6,11 +6,11 @@ from collections import defaultdict
 from pathlib import Path
 
 import pytest
-from form_entities import FormEntity, read_forms
 
 from archlint import session
 from archlint.config import Settings
 from archlint.render.json import document
+from form_entities import FormEntity, read_forms
 
 FORMS = Path(__file__).parents[2] / "fixtures" / "forms"
 PLURAL = {
