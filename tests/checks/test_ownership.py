@@ -50,6 +50,12 @@ class TestMultiplePublishers:
     def test_topics_that_are_shared_by_design(self, topic: str):
         assert owners(system(node("/a", publisher(topic)), node("/b", publisher(topic)))) == []
 
+    def test_markers_of_several_nodes_add_up(self):
+        def painter(name: str):
+            return node(name, publisher("markers", "visualization_msgs/msg/MarkerArray"))
+
+        assert owners(system(painter("/a"), painter("/b"))) == []
+
     def test_topics_that_the_team_shares(self):
         judged = system(node("/a", publisher("events/door")), node("/b", publisher("events/door")))
 
@@ -78,6 +84,25 @@ class TestMultiplePublishers:
         judged = system(node("/a", publisher(partial("*/x"))), node("/b", publisher(partial("*/x"))))
 
         assert owners(judged) == []
+
+
+class TestConditionsOfALaunchFile:
+    def judged(self, one: set[tuple[str, int]], other: set[tuple[str, int]]) -> System:
+        nodes = node("/a", publisher("x")), node("/b", publisher("x"))
+        nodes[0].alternatives, nodes[1].alternatives = frozenset(one), frozenset(other)
+        return system(*nodes, name="launch/robot.launch.py")
+
+    def test_one_condition(self):
+        assert owners(self.judged({("if simulated", 0)}, {("if simulated", 0)})) == [("/a", "/b")]
+
+    def test_opposite_conditions(self):
+        assert owners(self.judged({("if simulated", 0)}, {("if simulated", 1)})) == []
+
+    def test_conditions_that_may_never_hold_at_once(self):
+        assert owners(self.judged({("if robot == 'a'", 0)}, {("if robot == 'b'", 0)})) == []
+
+    def test_a_node_that_is_always_started_meets_one_that_sometimes_is(self):
+        assert owners(self.judged(set(), {("if joystick", 0)})) == [("/a", "/b")]
 
 
 class TestVariantsOfOneNode:

@@ -58,8 +58,14 @@ def meet(system: System, one: Endpoint, other: Endpoint) -> bool:
         # Two nodes of one name are one node written twice, or a mistake of another kind.
         and one.node.name != other.node.name
         and not exclusive(one.creation.arms, other.creation.arms)
+        and _started_alike(one.node, other.node)
         and not (_nobody_starts_both(system, one.node, other.node) and _apart(one, other))
     )
+
+
+def _started_alike(one: Node, other: Node) -> bool:
+    """False where a launch file starts the two under different conditions: then perhaps never both."""
+    return one.alternatives <= other.alternatives or other.alternatives <= one.alternatives
 
 
 def _nobody_starts_both(system: System, one: Node, other: Node) -> bool:

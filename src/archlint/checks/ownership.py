@@ -13,13 +13,20 @@ if TYPE_CHECKING:
     from archlint.system.model import Connection, Endpoint, System
 
 SHARED_BY_DESIGN = ("/tf", "/tf_static", "/rosout", "/parameter_events", "/diagnostics", "/joint_states")
+TYPES_SHARED_BY_DESIGN = (
+    "diagnostic_msgs/msg/DiagnosticArray",
+    "tf2_msgs/msg/TFMessage",
+    "visualization_msgs/msg/Marker",
+    "visualization_msgs/msg/MarkerArray",
+)
+"""Each message of these says whose it is, so that the ones of several nodes add up."""
 
 
 @rule("OWN001")
 def multiple_publishers(system: System, options: Options) -> Iterator[Finding]:
     """Topics with publishers in several nodes that run together."""
     for connection in system.topics.values():
-        if connection.name in SHARED_BY_DESIGN or options.is_shared(connection.name):
+        if _is_shared(connection, options):
             continue
         for owners in _several_owners(system, connection):
             yield _finding(
@@ -30,6 +37,14 @@ def multiple_publishers(system: System, options: Options) -> Iterator[Finding]:
                 "give each a topic of its own and let one node decide what is said on this one; list it under "
                 "shared-topics if it is meant to be shared",
             )
+
+
+def _is_shared(connection: Connection, options: Options) -> bool:
+    return (
+        connection.name in SHARED_BY_DESIGN
+        or options.is_shared(connection.name)
+        or (bool(connection.types) and set(connection.types) <= set(TYPES_SHARED_BY_DESIGN))
+    )
 
 
 @rule("OWN002")
