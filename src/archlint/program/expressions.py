@@ -88,7 +88,8 @@ def star_imported(run: Run, packages: Sequence[str], name: str) -> Value | None:
     interfaces = [package for package in packages if package.endswith((".msg", ".srv", ".action"))]
     candidates = [p for p in packages if p in interfaces] if name[:1].isupper() and interfaces else list(packages)
     if len(candidates) > 1 and run.interfaces is not None:
-        verdicts = {p: run.interfaces.defines(*p.split("."), name) for p in interfaces if p.count(".") == 1}
+        defines = run.interfaces.defines
+        verdicts = {p: defines(p.partition(".")[0], p.partition(".")[2], name) for p in interfaces}
         sure = [p for p in candidates if verdicts.get(p)]
         candidates = sure or [p for p in candidates if verdicts.get(p) is not False]
     if len(set(candidates)) == 1:
