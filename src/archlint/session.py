@@ -129,7 +129,7 @@ def _systems(request: Request, workspace: Workspace, facts: FactsOfFiles) -> lis
     entries = entry_points(installs, workspace.files)
     programs = call_with_deep_stack(lambda: linker.run_all(entries))
     [opened] = assemble(programs, workspace, request.settings)
-    loader = LaunchLoader(workspace.files, facts.facts_of, installs, tree)
+    loader = LaunchLoader(workspace.files, facts.facts_of, installs, tree, facts.relevant)
     if request.launch is not None and not loader.is_launch_file(request.launch):
         raise NothingToDo(f"{request.launch} is no launch file in {', '.join(request.paths)}")
     return launch_systems(

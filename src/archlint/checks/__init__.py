@@ -4,11 +4,14 @@ from __future__ import annotations
 
 MODULES: tuple[str, ...] = (
     "callback_waits",
+    "launch",
     "handlers",
     "slow_callbacks",
     "nested_services",
     "names",
     "ownership",
+    "packages",
+    "parameters",
     "timeouts",
     "type_mismatches",
     "wait_loops",

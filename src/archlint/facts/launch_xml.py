@@ -53,12 +53,14 @@ class _Reader:
         at = self.parser.CurrentByteIndex
         attributes: dict[str, Attribute] = {}
         end = at + 1 + len(tag.encode())
-        for match in iter(lambda: _ATTRIBUTE.match(self.data, end), None):
+        match = _ATTRIBUTE.match(self.data, end)
+        while match is not None:
             name = match[1].decode("utf-8", "replace")
             span = (*self.place(match.start(1)), *self.place(match.end(2)))
             end = match.end()
             if name in values:
                 attributes[name] = Attribute(values[name], span)
+            match = _ATTRIBUTE.match(self.data, end)
         close = self.data.find(b">", end)
         span = (*self.place(at), *self.place(close + 1 if close >= 0 else end))
         for name, value in values.items():

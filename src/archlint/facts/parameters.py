@@ -77,9 +77,7 @@ def _sections(
             _sections(reader, value, [*path, key], span_of(key_node), found, depth + 1)
 
 
-def _entries(
-    reader: YamlReader, node: yaml.Node, prefix: str, found: list[ParameterEntry], depth: int
-) -> None:
+def _entries(reader: YamlReader, node: yaml.Node, prefix: str, found: list[ParameterEntry], depth: int) -> None:
     import yaml
 
     for key, key_node, value in reader.pairs(node, depth):

@@ -98,6 +98,7 @@ class LaunchSystems:
                 launched_by=launch_file,
             )
             node.launch_place = started.place
+            node.started = started
             node.alternatives = started.arms
             node.package = started.package.text or node.package
             node.executable = started.executable.text or node.executable
@@ -191,6 +192,7 @@ def _external(started: Started, launch_file: str) -> Node:
         launched_by=launch_file,
         external=True,
         alternatives=started.arms,
+        started=started,
         launch_place=started.place,
         resolution="exact" if full is not None else "unknown",
     )
@@ -202,9 +204,9 @@ def _order(node: Node) -> tuple[object, ...]:
     return (node.name is None, node.name or "", *where, node.blueprint.class_name if node.blueprint else "")
 
 
-def started_pairs(launches: Iterable[Launched], blueprints: Mapping[tuple[str, str], Sequence[Blueprint]]) -> set[
-    frozenset[object]
-]:
+def started_pairs(
+    launches: Iterable[Launched], blueprints: Mapping[tuple[str, str], Sequence[Blueprint]]
+) -> set[frozenset[object]]:
     """Pairs of node classes that one launch file starts: it, not the open system, judges them together."""
     found: set[frozenset[object]] = set()
     for launched in launches:

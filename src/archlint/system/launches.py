@@ -57,9 +57,7 @@ def launch_systems(
     return found
 
 
-def launches(
-    loader: LaunchLoader, chosen: str | None, arguments: Mapping[str, str] | None
-) -> list[Launched]:
+def launches(loader: LaunchLoader, chosen: str | None, arguments: Mapping[str, str] | None) -> list[Launched]:
     """The launch files of the workspace with their defaults, or the chosen one with its arguments."""
     if chosen is not None:
         return [loader.launch(chosen, arguments)]

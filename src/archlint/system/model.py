@@ -12,7 +12,7 @@ if TYPE_CHECKING:
     from collections.abc import Iterable, Iterator
 
     from archlint.finding import Place
-    from archlint.program.launch.model import Launched
+    from archlint.program.launch.model import Launched, Started
     from archlint.program.model import (
         ApiCall,
         Blueprint,
@@ -97,6 +97,8 @@ class Node:
     """Set where ROS rejects the node's name or namespace, in rmw's words."""
     executables: tuple[str, ...] = ()
     """All executables that start this node; ``executable`` is the first of them."""
+    started: Started | None = None
+    """What the launch file says of it."""
     merged: list[Blueprint] = field(default_factory=list)
     """The same node as other executables make it; ``endpoints`` hold what these add."""
 

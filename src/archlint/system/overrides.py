@@ -4,11 +4,13 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass
 from functools import lru_cache
 from typing import Any
 
 from archlint.facts.parameters import ParameterFacts
 from archlint.facts.safe_yaml import plain_scalar
+from archlint.finding import Place
 from archlint.program.launch.model import OpenParameters, ParameterFileUse, ParameterSetting, Started
 
 EVERY_NODE = "/**"
@@ -44,35 +46,60 @@ def key_matches(key: str, node: str | None) -> bool:
     return _pattern(key).fullmatch(node) is not None
 
 
-def overrides_of(
-    started: Started, node: str | None, facts_of: Callable[[str], ParameterFacts]
-) -> dict[str, object]:
+@dataclass(frozen=True)
+class Setting:
+    """One value for one parameter from outside: for the nodes that ``key`` matches, ``written`` as it stands
+    in a parameter file (None for what the launch file itself sets)."""
+
+    key: str
+    name: str
+    value: object
+    place: Place
+    written: str | None = None
+    shared: bool = False
+
+
+def overrides_of(started: Started, node: str | None, facts_of: Callable[[str], ParameterFacts]) -> dict[str, object]:
     """The parameters that a launch file sets on one node, by name; :data:`NOT_KNOWN` where only the value is
     not known."""
-    by_key: dict[str, dict[str, object]] = {}
-    for key, name, value in _in_order(started, node, facts_of):
-        by_key.setdefault(key, {})[name] = value
-    found: dict[str, object] = {}
-    for key, values in by_key.items():  # in the order in which the keys first appear
+    return {setting.name: setting.value for setting in applied(started, node, facts_of)}
+
+
+def applied(started: Started, node: str | None, facts_of: Callable[[str], ParameterFacts]) -> list[Setting]:
+    """The settings that reach one node, each name once, as rclpy applies them."""
+    by_key: dict[str, dict[str, Setting]] = {}
+    for setting in settings_of(started, node, facts_of):
+        by_key.setdefault(setting.key, {})[setting.name] = setting
+    found: dict[str, Setting] = {}
+    for key, settings in by_key.items():  # in the order in which the keys first appear
         if key_matches(key, node):
-            found.update(values)
-    return found
+            found.update(settings)
+    return list(found.values())
 
 
-def _in_order(
-    started: Started, node: str | None, facts_of: Callable[[str], ParameterFacts]
-) -> Iterator[tuple[str, str, object]]:
-    for name, value in command_line_parameters([*started.arguments, "--ros-args", *started.ros_arguments]):
-        yield EVERY_NODE, name, value
+def settings_of(started: Started, node: str | None, facts_of: Callable[[str], ParameterFacts]) -> Iterator[Setting]:
+    """Everything that is set on the command line of a process, in its order."""
+    words = [*started.arguments, "--ros-args", *started.ros_arguments]
+    for name, value in command_line_parameters(words):
+        yield Setting(EVERY_NODE, name, value, started.places.get("arguments", started.place))
     own = node if node is not None and started.name is not None and started.namespace is not None else EVERY_NODE
     for parameter in started.parameters:
         if isinstance(parameter, ParameterSetting) and parameter.name is not None:
             key = EVERY_NODE if parameter.shared else own
-            yield key, parameter.name, parameter.value if parameter.known else NOT_KNOWN
+            value = parameter.value if parameter.known else NOT_KNOWN
+            yield Setting(key, parameter.name, value, parameter.place, shared=parameter.shared)
         elif isinstance(parameter, ParameterFileUse) and parameter.reference.source is not None:
-            for section in facts_of(parameter.reference.source).sections:
+            file = parameter.reference.source
+            for section in facts_of(file).sections:
                 for entry in section.entries:
-                    yield section.key, entry.name, file_value(entry.value, parameter)
+                    yield Setting(
+                        section.key,
+                        entry.name,
+                        file_value(entry.value, parameter),
+                        Place(file, *entry.span),
+                        section.written,
+                        parameter.shared,
+                    )
 
 
 def file_value(value: Any, use: ParameterFileUse) -> object:

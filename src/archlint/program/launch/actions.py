@@ -84,7 +84,7 @@ def _visit_one(run: LaunchRun, entity: Instance) -> None:
     kept = run.place_now
     run.place_now = place
     try:
-        with run.branch(own, verdict, place):
+        with run.under(own, verdict, place):
             act = _ACTIONS.get(kind)
             if act is not None:
                 act(run, entity)
@@ -287,7 +287,7 @@ def _started(run: LaunchRun, entity: Instance, kind: str) -> Started:
     started.remaps = [*(run.launch.remaps or ()), *_remaps(run, argument(entity, "remappings"))]
     started.parameters = [
         *(run.launch.parameters or ()),
-        *parameters_of(run, argument(entity, "parameters"), run.place_now),
+        *parameters_of(run, argument(entity, "parameters"), started.places.get("parameters", run.place_now)),
     ]
     started.arguments = _words(run, argument(entity, "arguments"))
     started.ros_arguments = _words(run, argument(entity, "ros_arguments"))
@@ -357,7 +357,7 @@ def _components(run: LaunchRun, entity: Instance, container: Text | None) -> Non
             arms = run.store.get(option.key, "#arms")
             own = frozenset(arms) - run.code_arms if isinstance(arms, frozenset) else frozenset()
             kept, run.place_now = run.place_now, option.place or run.place_now
-            with run.branch(own, verdict, run.place_now):
+            with run.under(own, verdict, run.place_now):
                 made = _started(run, option, "component")
                 made.container = container
                 run.result.started.append(made)

@@ -120,7 +120,7 @@ def _template(run: LaunchRun, value: Value | None) -> str | None:
     kind = kind_of(value)
     if kind == "LaunchConfiguration":
         name = perform(run, argument(value, "variable_name"))
-        return f"\0{name.value}\0" if isinstance(name, Known) else None
+        return f"\0{name.value!s}\0" if isinstance(name, Known) else None
     if kind == "PythonExpression":
         return _template(run, argument(value, "expression"))
     if kind == "NotSubstitution":
@@ -139,7 +139,7 @@ def _template(run: LaunchRun, value: Value | None) -> str | None:
         return None if left is None or right is None else f"{left} {word} {right}"
     if kind == "EnvironmentVariable":
         name = perform(run, argument(value, "name"))
-        return f"${name.value}" if isinstance(name, Known) else None
+        return f"${name.value!s}" if isinstance(name, Known) else None
     return None
 
 

@@ -66,7 +66,7 @@ def package_path(run: Run, call: ApiUse) -> Value:
         elif call.api.kind == "share":
             rows.append(package_share(str(name.value)))
         else:
-            rows.append(Known(f"$(find-pkg-prefix {name.value})"))
+            rows.append(Known(f"$(find-pkg-prefix {name.value!s})"))
     return one_of(rows)
 
 

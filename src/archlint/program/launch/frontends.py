@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Hashable, Iterator, Sequence
 from typing import TYPE_CHECKING
 
 from archlint.facts.launch_model import Attribute, Element
@@ -190,7 +190,7 @@ class Frontend:
         """A parameter with parameters in it: a dict."""
         from archlint.program import expressions
 
-        entries = {}
+        entries: dict[Hashable, tuple[Value, Value]] = {}
         for number, child in enumerate(element.of("param")):
             key = self.get(child, "name") or Known("")
             if isinstance(key, Known):
@@ -317,7 +317,7 @@ _ELEMENTS: dict[str, Callable[[Frontend, Element], Instance | None]] = {
     "let": _LET,
     "push_ros_namespace": _PUSH,
     "push-ros-namespace": _PUSH,
-    "set_remap": lambda frontend, element: _simple("SetRemap", **{"from": "src", "to": "dst"})(frontend, element),
+    "set_remap": _simple("SetRemap", **{"from": "src", "to": "dst"}),
     "set_parameter": _simple("SetParameter", name="name", value="value"),
     "set_parameters_from_file": _simple("SetParametersFromFile", filename="filename"),
     "set_use_sim_time": _simple("SetUseSimTime", value="value"),
@@ -326,10 +326,21 @@ _ELEMENTS: dict[str, Callable[[Frontend, Element], Instance | None]] = {
     "executable": Frontend.executable,
 }
 
-_PROCESS = (
-    "output respawn respawn_delay respawn_max_retries launch-prefix cwd on_exit shell emulate_tty sigterm_timeout "
-    "sigkill_timeout output_format exec_name"
-).split()
+_PROCESS = [
+    "output",
+    "respawn",
+    "respawn_delay",
+    "respawn_max_retries",
+    "launch-prefix",
+    "cwd",
+    "on_exit",
+    "shell",
+    "emulate_tty",
+    "sigterm_timeout",
+    "sigkill_timeout",
+    "output_format",
+    "exec_name",
+]
 _NODE = ["pkg", "exec", "name", "namespace", "args", "ros_args", *_PROCESS]
 
 _ATTRIBUTES: dict[str, list[str]] = {
@@ -379,9 +390,7 @@ def _closing(text: str, at: int) -> int:
     """Where the parenthesis opened before ``at`` closes; -1 if it does not."""
     depth = 1
     for index in range(at, len(text)):
-        if text.startswith("$(", index):
-            depth += 1
-        elif text[index] == "(" and (index == 0 or text[index - 1] != "$"):
+        if text.startswith("$(", index) or (text[index] == "(" and (index == 0 or text[index - 1] != "$")):
             depth += 1
         elif text[index] == ")":
             depth -= 1

@@ -59,16 +59,21 @@ class LaunchLoader:
         facts_of: Callable[[SourceFile], facts.Facts | None],
         installs: Mapping[str, Installs],
         tree: Tree,
+        relevant: Callable[[SourceFile], bool] = lambda file: True,
     ) -> None:
         self._files = files
         self._facts_of = facts_of
         self.installs = installs
         self.tree = tree
+        self.relevant = relevant
         self._by_path = {file.relative: file for file in files}
         self._frontend_facts: dict[str, LaunchFacts] = {}
         self._parameter_facts: dict[str, ParameterFacts] = {}
         self.index = ModuleIndex(files, facts_of)
         self.store = Store()
+        self._tops: frozenset[str] | None = None
+        self._launched: dict[str, Launched] = {}
+        self.includes = 0
 
     # ---------------------------------------------------------------------------------------------- files
 
@@ -90,6 +95,62 @@ class LaunchLoader:
         if path not in self._by_path:
             return False
         return self.frontend(path).root is not None if path.endswith(FRONTENDS) else self.defines_launch(path)
+
+    def facts_at(self, path: str) -> facts.Facts | None:
+        """The facts of a Python file by its shown path."""
+        file = self._by_path.get(path)
+        return None if file is None else self._facts_of(file)
+
+    @property
+    def top_modules(self) -> frozenset[str]:
+        """The first segments of the names under which files of the workspace are imported."""
+        if self._tops is None:
+            self._tops = frozenset(file.module.partition(".")[0] for file in self._files if file.module)
+        return self._tops
+
+    def python_facts(self) -> list[tuple[SourceFile, facts.Facts]]:
+        """The Python files that were asked for and that can matter, with their facts."""
+        rows = [(file, self._facts_of(file)) for file in self._files if self._matters(file)]
+        return [(file, found) for file, found in rows if found is not None]
+
+    def _matters(self, file: SourceFile) -> bool:
+        return not file.context and (file.kind == "launch_python" or (file.kind == "python" and self.relevant(file)))
+
+    def is_local(self, file: SourceFile, module: str) -> bool:
+        """Whether an import means a file of the same package."""
+        importer = self.index.module(file)
+        found = None if importer is None else self.index.find(importer, module)
+        return found is not None and found.file.package == file.package
+
+    def modules_of(self, package: str) -> dict[str, str]:
+        """The modules of a package by name, with their paths."""
+        return {
+            file.module: file.relative
+            for file in self._files
+            if file.package == package and file.module and file.kind in ("python", "launch_python")
+        }
+
+    def files_named(self, package: str, module: str) -> list[str]:
+        """Files of a package whose path ends like a module's name."""
+        tail = module.replace(".", "/")
+        return [
+            file.relative
+            for file in self._files
+            if file.package == package and file.relative.endswith((f"{tail}.py", f"{tail}/__init__.py"))
+        ]
+
+    def mentions(self, path: str, word: str) -> bool:
+        """Whether a word stands anywhere in a file."""
+        text = self.tree.text(path)
+        return text is not None and re.search(rf"(?<!\w){re.escape(word)}(?!\w)", text) is not None
+
+    def launched_once(self, path: str) -> Launched:
+        """A launch file run on its own with its defaults; the same answer each time."""
+        if path not in self._launched:
+            from archlint.facts.deep_stack import call_with_deep_stack
+
+            self._launched[path] = call_with_deep_stack(lambda: self.launch(path))
+        return self._launched[path]
 
     def problems(self) -> list[tuple[str, int, int, str]]:
         """``(file, line, column, message)`` of each launch file that is broken, and of each parameter file
@@ -115,7 +176,7 @@ class LaunchLoader:
         file = self._by_path.get(path)
         found = None if file is None else self._facts_of(file)
         return found is not None and any(
-            isinstance(s, facts.Function) and s.name == GENERATE or _star_import(s) for s in found.body
+            (isinstance(s, facts.Function) and s.name == GENERATE) or _star_import(s) for s in found.body
         )
 
     def frontend(self, path: str) -> LaunchFacts:
@@ -153,6 +214,8 @@ class LaunchLoader:
             self._enter(run, path)
         finally:
             self.store.cut(depth)
+        if not arguments:
+            self._launched.setdefault(path, result)
         return result
 
     def include(self, run: LaunchRun, reference: FileReference) -> None:
@@ -257,8 +320,9 @@ class LaunchLoader:
         if installs is None:
             return None, UNKNOWN
         # The launch file runs from where it is installed: the same way from there.
-        if source.startswith(installs.folder + "/"):
-            found, status = self._in_package(installs.package, source[len(installs.folder) + 1 :])
+        folder = "" if installs.folder == "." else installs.folder + "/"
+        if source.startswith(folder):
+            found, status = self._in_package(installs.package, source[len(folder) :])
             if found is not None:
                 return found, status
         return None, UNKNOWN if installs.open_files else MISSING

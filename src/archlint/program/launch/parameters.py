@@ -95,7 +95,7 @@ def _entries(run: LaunchRun, item: DictValue, prefix: str, place: Place) -> Iter
         name = perform(run, key)
         where = key.origin if isinstance(key, Known) and key.origin is not None else place
         if isinstance(name, Known) and prefix:
-            name = Known(f"{prefix}.{name.value}")
+            name = Known(f"{prefix}.{name.value!s}")
         if isinstance(value, DictValue) and isinstance(name, Known):
             yield from _entries(run, value, str(name.value), where)
         else:

@@ -128,7 +128,7 @@ class LaunchRun(Run):
         return values.index(value)
 
     @contextmanager
-    def branch(self, own: Arms, verdict: Verdict, place: Place) -> Iterator[None]:
+    def under(self, own: Arms, verdict: Verdict, place: Place) -> Iterator[None]:
         """An action under a condition: one that does not hold leaves no trace in the context, one that is not
         decided leaves both."""
         if verdict.holds is True and not own:

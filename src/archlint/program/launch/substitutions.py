@@ -109,7 +109,8 @@ def _text(run: LaunchRun, value: Instance) -> Value:
 def _path_join(run: LaunchRun, value: Instance) -> Value:
     parts = [perform(run, part) for part in _parts(run, argument(value, "substitutions"))]
     if all(isinstance(part, Known) for part in parts):
-        return Known(posixpath.join(*(str(part.value) for part in parts if isinstance(part, Known)) or [""]))
+        texts = [str(part.value) for part in parts if isinstance(part, Known)]
+        return Known(posixpath.join("", *texts))
     return concatenate(parts, "/")
 
 
@@ -126,7 +127,7 @@ def _environment(run: LaunchRun, value: Instance) -> Value:
     found = run.launch.environment.get(str(name.value))
     if found is not None:
         return found
-    unknown = Unknown(f"the environment variable {name.value}")
+    unknown = Unknown(f"the environment variable {name.value!s}")
     default = value.arguments.get("default_value")
     return unknown if default is None or default == Known(None) else perform(run, default)
 
@@ -143,7 +144,7 @@ def _share(run: LaunchRun, value: Instance) -> Value:
 
 def _prefix(run: LaunchRun, value: Instance) -> Value:
     name = perform(run, argument(value, "package"))
-    return Known(f"$(find-pkg-prefix {name.value})") if isinstance(name, Known) else Unknown(reason(name))
+    return Known(f"$(find-pkg-prefix {name.value!s})") if isinstance(name, Known) else Unknown(reason(name))
 
 
 def _executable(run: LaunchRun, value: Instance) -> Value:

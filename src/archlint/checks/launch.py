@@ -1,0 +1,333 @@
+"""LCH001 to LCH005, NME004 and GRF002: what a launch file gets wrong about what it starts."""
+
+from __future__ import annotations
+
+import posixpath
+import re
+from collections.abc import Iterator
+from itertools import groupby
+from typing import TYPE_CHECKING
+
+from archlint.checks.near import did_you_mean
+from archlint.checks.registry import Options, finding, rule
+from archlint.checks.whole import is_whole
+from archlint.finding import Finding, Related
+from archlint.program.launch.model import MISSING, NOT_INSTALLED
+from archlint.program.model import ACTION_CLIENT, ACTION_SERVER
+from archlint.system import names
+from archlint.system.instances import instantiate
+
+if TYPE_CHECKING:
+    from archlint.program.launch.model import Included, Launched, Remap, Started, UnknownAttribute
+    from archlint.system.model import Node, System
+
+
+# ------------------------------------------------------------------------------------------------- LCH001
+
+
+@rule("LCH001")
+def unknown_executable(system: System, options: Options) -> Iterator[Finding]:
+    """Started executables that their package does not install."""
+    if system.launched is None or system.world is None:
+        return
+    for started in system.launched.started:
+        installs = system.world.installs.get(started.package.text or "")
+        name = started.executable.text
+        if installs is None or name is None or started.kind not in ("node", "container"):
+            continue
+        if started.executable.resolution != "exact" or name in installs.executables:
+            continue
+        package = system.world.packages.get(installs.package)
+        unread = package is None or package.build_type not in ("ament_python", "ament_cmake")
+        if unread or installs.open_executables or not installs.build_files or name in installs.words:
+            continue
+        known = sorted(installs.executables)
+        listed = f"it installs {', '.join(known[:8])}" if known else "it installs none"
+        yield finding(
+            "LCH001",
+            started.places.get("executable", started.place),
+            f"package '{installs.package}' installs no executable '{name}'{did_you_mean(name, known)}",
+            help=f"{listed}; add it to {posixpath.basename(installs.build_files[0])}, or start one of these",
+            identity=(installs.package, name),
+        )
+
+
+# ------------------------------------------------------------------------------------------------- LCH002
+
+
+@rule("LCH002")
+def dead_remapping(system: System, options: Options) -> Iterator[Finding]:
+    """Remappings whose source is no name of any node of the process."""
+    if system.launched is None:
+        return
+    started_nodes: dict[int, list[Node]] = {}
+    for node in system.nodes:
+        if node.started is not None and not node.external:
+            started_nodes.setdefault(id(node.started), []).append(node)
+    for nodes in started_nodes.values():
+        started = nodes[0].started
+        assert started is not None
+        if all(is_whole(system.world, node) for node in nodes):
+            for remap in started.remaps:
+                if not remap.group:
+                    yield from _dead(remap, nodes, started)
+
+
+_PLAIN_SOURCE = re.compile(r"~?/?[A-Za-z_][\w/]*")
+
+
+def _dead(remap: Remap, nodes: list[Node], started: Started) -> Iterator[Finding]:
+    source = remap.source.text
+    if source is None or remap.source.resolution != "exact" or not _PLAIN_SOURCE.fullmatch(source):
+        return
+    if source.startswith("__"):
+        return
+    known: set[str] = set()
+    expanded = ""
+    for node in nodes:
+        own = _before_remapping(node, started)
+        if own is None:
+            return
+        names_of_node, name, namespace = own
+        full = names.expand(source, name, namespace)
+        if not isinstance(full, str) or full in names_of_node or _implicit(full, name, namespace):
+            return
+        expanded = full
+        known |= names_of_node
+    shown = [n.rpartition("/")[2] if "/" not in source.strip("/") and not source.startswith("/") else n for n in known]
+    node_name = nodes[0].name
+    yield finding(
+        "LCH002",
+        remap.place,
+        f"nothing in {node_name} is called '{expanded}', so this remapping does nothing" + did_you_mean(source, shown),
+        help=f"names in it: {', '.join(sorted(known)[:8]) or 'none'}; only whole names match, with their namespace",
+        node=node_name,
+        identity=(node_name or "", expanded),
+    )
+
+
+def _before_remapping(node: Node, started: Started) -> tuple[set[str], str, str] | None:
+    """The names of a node without the launch file's remappings, its own name and its namespace."""
+    if node.blueprint is None or node.name is None:
+        return None
+    plain = instantiate(
+        node.blueprint, node.program, name=started.name, namespace=started.namespace, overrides=node.overrides
+    )
+    if plain.name is None or any(endpoint.name is None for endpoint in plain.endpoints):
+        return None
+    namespace, _, name = plain.name.rpartition("/")
+    found: set[str] = set()
+    for endpoint in plain.endpoints:
+        assert endpoint.name is not None
+        found.add(endpoint.name)
+        if endpoint.kind in (ACTION_SERVER, ACTION_CLIENT):
+            found.update(names.action_entities(endpoint.name).values())
+    return found, name, namespace or "/"
+
+
+_EVERY_NODE = frozenset({"/rosout", "/parameter_events", "/clock", "/tf", "/tf_static"})
+_SERVICES = frozenset(
+    {
+        "describe_parameters",
+        "get_parameters",
+        "get_parameter_types",
+        "list_parameters",
+        "set_parameters",
+        "set_parameters_atomically",
+        "get_logger_levels",
+        "set_logger_levels",
+        "get_type_description",
+        "transition_event",
+        "change_state",
+        "get_state",
+        "get_available_states",
+        "get_available_transitions",
+        "get_transition_graph",
+    }
+)
+
+
+def _implicit(full: str, name: str, namespace: str) -> bool:
+    """Names that rclpy gives every node.  Remapping /tf is a habit that harms nobody."""
+    if full in _EVERY_NODE or full.rpartition("/")[2] in ("tf", "tf_static"):
+        return True
+    below = names.join(namespace, name) + "/"
+    return full.startswith(below) and full[len(below) :] in _SERVICES
+
+
+# ------------------------------------------------------------------------------------------------- LCH003
+
+
+@rule("LCH003")
+def undeclared_launch_argument(system: System, options: Options) -> Iterator[Finding]:
+    """Launch configurations that are read and never set, and arguments that an include does not take."""
+    launched = system.launched
+    if launched is None or system.world is None:
+        return
+    includers = _includers(system.world.launched)
+    for use in launched.undeclared:
+        alone = use.file == launched.file
+        if use.conditional or (alone and includers.get(use.file)):
+            continue  # whoever includes it may pass it: that system tells
+        declared = sorted({argument.name for argument in launched.declared})
+        yield finding(
+            "LCH003",
+            use.place,
+            f"no launch argument '{use.name}' is declared, and nothing sets it" + did_you_mean(use.name, declared),
+            help=f"declare it before it is read: DeclareLaunchArgument('{use.name}', default_value=…)",
+            identity=(use.file, use.name),
+        )
+    for include in launched.included:
+        yield from _unknown_arguments(system, include)
+
+
+def _includers(launches: list[Launched]) -> dict[str, bool]:
+    found: dict[str, bool] = {}
+    for launched in launches:
+        for include in launched.included:
+            if include.reference.source is not None and include.reference.source != launched.file:
+                found[include.reference.source] = True
+    return found
+
+
+def _unknown_arguments(system: System, include: Included) -> Iterator[Finding]:
+    world = system.world
+    source = include.reference.source
+    if world is None or world.loader is None or source is None:
+        return
+    target = world.loader.launched_once(source)
+    if target.gaps or target.ros1 or not target.is_launch_file:
+        return
+    declared = sorted({argument.name for argument in target.declared})
+    files = {source, *(i.reference.source for i in target.included if i.reference.source is not None)}
+    outside = any(i.reference.source is None for i in target.included)
+    for name, place in include.arguments:
+        if name in declared or outside or any(world.loader.mentions(file, name) for file in files):
+            continue
+        listed = f"it declares {', '.join(declared[:8])}" if declared else "it declares none"
+        yield finding(
+            "LCH003",
+            place,
+            f"{posixpath.basename(source)} declares no launch argument '{name}'" + did_you_mean(name, declared),
+            help=listed,
+            identity=(source, name),
+        )
+
+
+# ------------------------------------------------------------------------------------------ LCH004, LCH005
+
+_WHAT = {"launch": "launch file", "parameters": "parameter file", "rviz": "RViz configuration"}
+
+
+@rule("LCH004")
+def missing_launch_file(system: System, options: Options) -> Iterator[Finding]:
+    """Included files, parameter files and RViz configurations that are not where the launch file looks."""
+    for reference in system.launched.references if system.launched is not None else ():
+        if reference.status not in (MISSING, NOT_INSTALLED) or reference.written is None:
+            continue
+        what = _WHAT.get(reference.kind, "file")
+        shown = re.sub(r"^\$\((?:find-pkg-share [\w.-]+|workspace)\)/?", "", reference.written)
+        if reference.status == MISSING:
+            message = f"package '{reference.package}' has no {what} '{shown}'"
+            help = "check the path; it starts at the package's share folder, where the build installs it"
+        else:
+            message = f"package '{reference.package}' does not install the {what} '{shown}'"
+            help = f"{reference.source} is there: install it (data_files in setup.py, install(DIRECTORY …) in CMake)"
+        yield finding(
+            "LCH004", reference.place, message, help=help, identity=(reference.package or "", reference.written)
+        )
+
+
+_RENAMED = {
+    "node_name": "name",
+    "node_executable": "executable",
+    "node_namespace": "namespace",
+    "node_plugin": "plugin",
+    "type": "exec",
+    "ns": "namespace",
+    "launch_description_sources": "launch_description_source",
+}
+
+
+@rule("LCH005")
+def unknown_launch_attribute(system: System, options: Options) -> Iterator[Finding]:
+    """Keywords and attributes that an action does not have."""
+    for wrong in system.launched.unknown_attributes if system.launched is not None else ():
+        renamed = _RENAMED.get(wrong.name)
+        hint = f"; it is called '{renamed}'" if renamed in wrong.known else did_you_mean(wrong.name, wrong.known)
+        kind = "attribute" if wrong.action.startswith("<") else "argument"
+        yield finding(
+            "LCH005",
+            wrong.place,
+            f"{wrong.action} has no {kind} '{wrong.name}'{hint}",
+            help="launch stops with an error when it comes to this action",
+            identity=(wrong.action, wrong.name),
+        )
+
+
+# ------------------------------------------------------------------------------------------ NME004, GRF002
+
+
+@rule("NME004")
+def duplicate_node_name(system: System, options: Options) -> Iterator[Finding]:
+    """Nodes of one launched system under one name."""
+    if system.launched is None:
+        return
+    named = [n for n in system.nodes if n.name is not None and n.resolution == "exact" and n.launch_place]
+    for name, group in groupby(sorted(named, key=lambda node: node.name or ""), key=lambda node: node.name):
+        first, *others = list(group)
+        other = next((node for node in others if _certainly_together(first, node)), None)
+        if other is None or other.launch_place is None or first.launch_place is None:
+            continue
+        one_process = first.started is other.started
+        message = f"two nodes of this system are called '{name}'"
+        if one_process:
+            message = f"name= renames every node of this executable: several are then called '{name}'"
+        yield finding(
+            "NME004",
+            other.launch_place,
+            message,
+            help="ROS starts both; give each a name or namespace of its own",
+            related=[] if one_process else [Related(first.launch_place, "the other one is started here")],
+            node=name,
+            identity=(name or "",),
+        )
+
+
+def _certainly_together(one: Node, other: Node) -> bool:
+    """Whether the one always runs when the other does."""
+    return one.alternatives <= other.alternatives or other.alternatives <= one.alternatives
+
+
+@rule("GRF002")
+def node_not_launched(system: System, options: Options) -> Iterator[Finding]:
+    """Nodes that an executable starts and no launch file does."""
+    world = system.world
+    if system.launched is not None or world is None or not world.launched:
+        return
+    started = {(s.package.text, s.executable.text) for one in world.launched for s in one.started}
+    for node in system.nodes:
+        blueprint = node.blueprint
+        if blueprint is None or node.test or not node.executables or blueprint.held:
+            continue
+        runs = {(run_package(node), name) for name in node.executables}
+        installed = world.installs.get(run_package(node) or "")
+        runs = {run for run in runs if installed is not None and run[1] in installed.executables}
+        if not runs or not runs.isdisjoint(started):
+            continue
+        shown = node.name or blueprint.class_name
+        yield finding(
+            "GRF002",
+            blueprint.place,
+            f"no launch file of this workspace starts {shown}",
+            help=f"it runs with `ros2 run {run_package(node)} {min(name for _, name in runs)}` only",
+            node=node.name,
+            identity=(blueprint.class_name,),
+        )
+
+
+def run_package(node: Node) -> str | None:
+    return node.program.package if node.program is not None else node.package
+
+
+__all__ = ["UnknownAttribute"]

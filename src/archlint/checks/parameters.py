@@ -1,0 +1,373 @@
+"""PRM002 to PRM008: parameters that are declared, read and set, and how these fit together."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from typing import TYPE_CHECKING
+
+from archlint.checks.near import did_you_mean
+from archlint.checks.registry import Options, finding, rule
+from archlint.checks.whole import declares_all, enclosing_function, facts_at, walk
+from archlint.facts import model as facts
+from archlint.finding import Finding, Place, Related
+from archlint.program.launch.model import ParameterFileUse
+from archlint.program.values import Known
+from archlint.system.overrides import NOT_KNOWN, Setting, applied, key_matches
+
+if TYPE_CHECKING:
+    from archlint.program.model import ApiCall, Blueprint, ParameterDeclaration
+    from archlint.system.launched import World
+    from archlint.system.model import Node, System
+
+_ALWAYS = frozenset({"use_sim_time", "start_type_description_service"})
+"""Parameters that rclpy declares for every node."""
+
+
+def _always(name: str) -> bool:
+    return name in _ALWAYS or name.startswith("qos_overrides.")
+
+
+def _declared(node: Node) -> dict[str, list[ParameterDeclaration]] | None:
+    """The declarations of a node by name; None where not all of them can be known."""
+    found: dict[str, list[ParameterDeclaration]] = {}
+    for blueprint in node.blueprints:
+        if blueprint.allow_undeclared_parameters or blueprint.automatically_declare_parameters:
+            return None
+        for declaration in blueprint.parameters:
+            name = declaration.name
+            if name.text is None or name.resolution not in ("exact", "parameter"):
+                return None
+            found.setdefault(name.text, []).append(declaration)
+    return found
+
+
+# ------------------------------------------------------------------------------------------------- PRM002
+
+
+def _type_of(value: object) -> str | None:
+    """The ROS type of a value of a launch or parameter file."""
+    if isinstance(value, bool):
+        return "bool"
+    if isinstance(value, int):
+        return "integer"
+    if isinstance(value, float):
+        return "double"
+    if isinstance(value, str):
+        return "string"
+    if isinstance(value, list) and value:
+        kinds = {_type_of(item) for item in value}
+        kind = kinds.pop() if len(kinds) == 1 else None
+        return None if kind is None or kind.endswith("_array") else f"{kind}_array"
+    return None
+
+
+@rule("PRM002")
+def parameter_type_mismatch(system: System, options: Options) -> Iterator[Finding]:
+    """Values from outside whose type is not the declared one."""
+    for node, settings in _set_nodes(system):
+        declared: dict[str | None, list[ParameterDeclaration]] = {}
+        for blueprint in node.blueprints:
+            for declaration in blueprint.parameters:
+                declared.setdefault(declaration.name.text, []).append(declaration)
+        for setting in settings:
+            rows = declared.get(setting.name, [])
+            given = _type_of(setting.value)
+            if len(rows) != 1 or given is None or rows[0].type in (None, given) or rows[0].dynamic:
+                continue
+            if rows[0].ignore_override or rows[0].conditional or rows[0].name.resolution != "exact":
+                continue
+            yield finding(
+                "PRM002",
+                setting.place,
+                f"parameter '{setting.name}' of {node.name} is declared as {rows[0].type} and set to "
+                f"{_shown(setting.value)}, of type {given}",
+                help=_write(setting.value, rows[0].type),
+                related=[Related(rows[0].place, "it is declared here")],
+                node=node.name,
+                identity=(node.name or "", setting.name),
+            )
+
+
+def _shown(value: object) -> str:
+    text = repr(value)
+    return text if len(text) <= 40 else text[:37] + "…"
+
+
+def _write(value: object, wanted: str | None) -> str:
+    if wanted == "double" and isinstance(value, int):
+        return f"write {float(value)}: rclpy does not turn an integer into a double"
+    if wanted == "double_array" and isinstance(value, list):
+        return "write each number with a decimal point: rclpy does not turn integers into doubles"
+    if wanted == "string":
+        return "put it in quotes; in a launch file wrap it: ParameterValue(…, value_type=str)"
+    return f"give it a value of type {wanted}: the node stops with an exception when it declares the parameter"
+
+
+def _set_nodes(system: System) -> Iterator[tuple[Node, list[Setting]]]:
+    """The nodes of a launched system whose source is here, with what is set on each."""
+    world = system.world
+    if system.launched is None or world is None or world.parameters_of is None:
+        return
+    for node in system.nodes:
+        if node.started is not None and node.blueprint is not None and not node.blueprint.held:
+            full = node.name if node.resolution in ("exact", "parameter") else None
+            yield node, applied(node.started, full, world.parameters_of)
+
+
+# ------------------------------------------------------------------------------------------------- PRM003
+
+_READS = {"rclpy.node.Node.get_parameter": "name", "rclpy.node.Node.get_parameters": "names"}
+
+
+@rule("PRM003")
+def undeclared_parameter(system: System, options: Options) -> Iterator[Finding]:
+    """Parameters that are read and never declared."""
+    for node in system.nodes:
+        declared = _declared(node)
+        if node.blueprint is None or declared is None or node.program is None or node.blueprint.held:
+            continue
+        if not declares_all(system.world, node.blueprint):
+            continue
+        calls = [call for call in node.program.calls if call.node is node.blueprint]
+        guarded = {_name_of(call) for call in calls if call.api.endswith(".has_parameter")}
+        for call in calls:
+            name = _name_of(call)
+            if call.api != "rclpy.node.Node.get_parameter" or name is None or _always(name):
+                continue
+            if name in declared or name in guarded or call.in_try or node.program.exhausted:
+                continue
+            yield finding(
+                "PRM003",
+                call.place,
+                f"parameter '{name}' is read and {node.blueprint.class_name} never declares it"
+                + did_you_mean(name, declared),
+                help=f"declare it first, with a default: self.declare_parameter('{name}', …)",
+                node=node.name,
+                identity=(node.blueprint.class_name, name),
+            )
+
+
+def _name_of(call: ApiCall) -> str | None:
+    value = call.arguments.get("name")
+    known = isinstance(value, Known) and isinstance(value.value, str) and not value.via
+    return str(value.value) if known and isinstance(value, Known) else None
+
+
+# ------------------------------------------------------------------------------------------------- PRM004
+
+
+@rule("PRM004")
+def unknown_parameter_override(system: System, options: Options) -> Iterator[Finding]:
+    """Values for parameters that the node does not declare."""
+    every = _every_declared(system)
+    for node, settings in _set_nodes(system):
+        declared = _declared(node)
+        assert node.blueprint is not None
+        if declared is None or not declares_all(system.world, node.blueprint) or _libraries(system.world, node):
+            continue
+        siblings = [other for other in system.nodes if other.started is node.started and other is not node]
+        others = [_declared(other) for other in siblings]
+        for setting in settings:
+            if setting.name in declared or _always(setting.name) or setting.shared:
+                continue
+            if any(names is None or setting.name in names for names in others):
+                continue
+            shared_section = setting.written is not None and "*" in setting.key
+            if shared_section and (every is None or setting.name in every):
+                continue
+            yield finding(
+                "PRM004",
+                setting.place,
+                f"{node.name} declares no parameter '{setting.name}', so this value is never used"
+                + did_you_mean(setting.name, declared),
+                help=f"it declares {', '.join(sorted(declared)[:8]) or 'none'}",
+                related=[Related(node.blueprint.place, "the node is defined here")],
+                node=node.name,
+                identity=(node.name or "", setting.name),
+            )
+
+
+def _every_declared(system: System) -> set[str] | None:
+    """The names that any node of the system declares; None where some node's source is not here."""
+    found: set[str] = set()
+    for node in system.nodes:
+        declared = None if node.external else _declared(node)
+        if declared is None:
+            return None
+        found |= set(declared)
+    return found
+
+
+def _libraries(world: World | None, node: Node) -> bool:
+    """Whether something outside of this workspace may declare parameters on the node."""
+    from archlint.checks.whole import _followed
+
+    return world is None or any(not _followed(world, b.place.file) for b in node.blueprints)
+
+
+# ------------------------------------------------------------------------------------------------- PRM005
+
+
+@rule("PRM005")
+def parameters_for_unknown_node(system: System, options: Options) -> Iterator[Finding]:
+    """Sections of parameter files for nodes that no launch file which loads them starts."""
+    world = system.world
+    if system.launched is None or world is None or world.parameters_of is None:
+        return
+    for file in _files_of(system):
+        started = _names_of_nodes(world, file)
+        if started is None:
+            continue
+        for section in world.parameters_of(file).sections:
+            if "*" in section.key or any(key_matches(section.key, name) for name in started):
+                continue
+            last = section.key.rpartition("/")[2]
+            right = sorted(name for name in started if name.rpartition("/")[2] == last)
+            message = f"no launch file that loads this file starts a node '{section.key}'"
+            help = f"the nodes that get this file: {', '.join(sorted(started)[:8])}"
+            if right:
+                message += f"; did you mean '{right[0]}'?"
+                help = f"a key is the full name: write '{right[0]}:', or '/**/{last}:' for any namespace"
+            else:
+                message += did_you_mean(section.key, started)
+            yield finding("PRM005", Place(file, *section.span), message, help=help, identity=(file, section.key))
+
+
+def _files_of(system: System) -> list[str]:
+    files: dict[str, None] = {}
+    for started in system.launched.started if system.launched is not None else ():
+        for parameter in started.parameters:
+            if isinstance(parameter, ParameterFileUse) and parameter.reference.source is not None:
+                files.setdefault(parameter.reference.source)
+    return list(files)
+
+
+def _names_of_nodes(world: World, file: str) -> set[str] | None:
+    """The names of all nodes of the launches that load a file; None where one of them is not known."""
+    found: set[str] = set()
+    for system in world.systems:
+        if system.launched is None or file not in _files_of(system):
+            continue
+        if system.launched.gaps or any(started.dormant for started in system.launched.started):
+            return None
+        if any(i.reference.source is None for i in system.launched.included):
+            return None
+        for node in system.nodes:
+            if node.name is None or node.resolution not in ("exact", "parameter"):
+                return None
+            found.add(node.name)
+    return found or None
+
+
+# ------------------------------------------------------------------------------------------ PRM006, PRM008
+
+
+@rule("PRM006")
+def unused_parameter(system: System, options: Options) -> Iterator[Finding]:
+    """Parameters that are declared and never read."""
+    if system.launched is not None or system.world is None:
+        return
+    for node in system.nodes:
+        blueprint = node.blueprint
+        if blueprint is None or node.program is None or blueprint.test or node.program.exhausted:
+            continue
+        if any(callback.role == "parameter" for callback in node.program.callbacks):
+            continue
+        calls = [call for b in node.program.nodes for call in node.program.calls if call.node is b]
+        reads = {_name_of(call) for call in calls if call.api.startswith("rclpy.node.Node.get_parameter")}
+        if None in reads or any(call.api in ("rclpy.node.Node.get_parameters",) for call in calls):
+            continue
+        for declaration in blueprint.parameters:
+            name = declaration.name.text
+            if name is None or declaration.name.resolution != "exact" or name in reads:
+                continue
+            if _mentioned(system.world, declaration, name):
+                continue
+            yield finding(
+                "PRM006",
+                declaration.place,
+                f"parameter '{name}' is declared and never read",
+                help="read it with get_parameter, or remove it: whoever sets it expects something to change",
+                node=node.name,
+                identity=(blueprint.class_name, name),
+            )
+
+
+def _mentioned(world: World, declaration: ParameterDeclaration, name: str) -> bool:
+    """Whether the name stands anywhere else in the file, or the declaration's own result is used."""
+    found = facts_at(world, declaration.place.file)
+    if found is None:
+        return True
+    literals = 0
+    discarded = False
+    for item in walk(found.body):
+        literals += isinstance(item, facts.Literal) and item.value == name
+        if isinstance(item, facts.Expression) and isinstance(item.value, facts.Call):
+            discarded = discarded or item.value.span[:2] == (declaration.place.line, declaration.place.column)
+        if isinstance(item, facts.Attribute) and item.attr in ("get_parameters_by_prefix", "get_parameters"):
+            return True
+    return literals != 1 or not discarded
+
+
+@rule("PRM008")
+def parameter_declared_twice(system: System, options: Options) -> Iterator[Finding]:
+    """Parameters that one run of a node declares twice."""
+    for node in system.nodes:
+        for blueprint in node.blueprints:
+            yield from _twice(system.world, node, blueprint)
+
+
+def _twice(world: World | None, node: Node, blueprint: Blueprint) -> Iterator[Finding]:
+    first: dict[str, ParameterDeclaration] = {}
+    for declaration in blueprint.parameters:
+        name = declaration.name.text
+        if name is None or declaration.name.resolution != "exact" or declaration.conditional or blueprint.held:
+            continue
+        before = first.setdefault(name, declaration)
+        related: Iterable[Related] = ()
+        if before is not declaration:
+            if world is None or not _one_path(world, before, declaration):
+                continue
+            message = f"parameter '{name}' is declared twice: the second time raises an exception"
+            related = [Related(before.place, "it is declared here first")]
+        elif name == "use_sim_time" and not _guarded(world, declaration):
+            message = "rclpy declares 'use_sim_time' for every node: declaring it again raises an exception"
+        else:
+            continue
+        yield finding(
+            "PRM008",
+            declaration.place,
+            message,
+            help="declare it once; where a base class may have done so, ask has_parameter() first",
+            related=list(related),
+            node=node.name,
+            identity=(blueprint.class_name, name),
+        )
+
+
+def _one_path(world: World, one: ParameterDeclaration, other: ParameterDeclaration) -> bool:
+    """Whether the constructor surely runs both."""
+    if _guarded(world, one) or _guarded(world, other):
+        return False
+    return _from_constructor(world, one) and _from_constructor(world, other)
+
+
+def _from_constructor(world: World, declaration: ParameterDeclaration) -> bool:
+    if any(frame.caller.rpartition(".")[2] == "__init__" for frame in declaration.chain):
+        return True
+    function = enclosing_function(world, declaration.place)
+    return function is not None and function.name == "__init__"
+
+
+def _guarded(world: World | None, declaration: ParameterDeclaration) -> bool:
+    """Whether the function asks ``has_parameter``, or catches what a second declaration raises."""
+    function = None if world is None else enclosing_function(world, declaration.place)
+    for item in walk(function.body) if function is not None else ():
+        if isinstance(item, facts.Attribute) and item.attr in ("has_parameter", "undeclare_parameter"):
+            return True
+        if isinstance(item, facts.Try) and item.span[0] <= declaration.place.line <= item.span[2]:
+            return True
+    return False
+
+
+__all__ = ["NOT_KNOWN"]

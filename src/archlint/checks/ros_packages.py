@@ -1,0 +1,44 @@
+"""Which ROS package an imported module belongs to."""
+
+from __future__ import annotations
+
+from collections.abc import Container, Sequence
+
+_BY_MODULE = {
+    "action_msgs": "action_msgs",
+    "ament_index_python": "ament_index_python",
+    "cv_bridge": "cv_bridge",
+    "diagnostic_updater": "diagnostic_updater",
+    "geometry_msgs": "geometry_msgs",
+    "image_geometry": "image_geometry",
+    "laser_geometry": "laser_geometry",
+    "launch": "launch",
+    "launch_ros": "launch_ros",
+    "message_filters": "message_filters",
+    "nav2_simple_commander": "nav2_simple_commander",
+    "py_trees_ros": "py_trees_ros",
+    "rclpy": "rclpy",
+    "ros2_numpy": "ros2_numpy",
+    "rosbag2_py": "rosbag2_py",
+    "rosidl_runtime_py": "rosidl_runtime_py",
+    "sensor_msgs_py": "sensor_msgs_py",
+    "tf2_geometry_msgs": "tf2_geometry_msgs",
+    "tf2_ros": "tf2_ros",
+    "tf2_sensor_msgs": "tf2_sensor_msgs",
+    "tf_transformations": "tf_transformations",
+}
+"""Modules of ROS that are no interfaces."""
+
+_INTERFACES = (".msg", ".srv", ".action")
+
+
+def package_of_module(module: str, names: Sequence[str], workspace: Container[str]) -> str | None:
+    """The ROS package that has to be there for an import; None for modules of anything else."""
+    top, _, rest = module.partition(".")
+    if top in _BY_MODULE:
+        return _BY_MODULE[top]
+    if module.endswith(_INTERFACES) or any(f"{kind}." in f".{rest}" for kind in _INTERFACES):
+        return top
+    if not rest and {"msg", "srv", "action"} & set(names):
+        return top
+    return top if top in workspace else None

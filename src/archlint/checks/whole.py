@@ -1,0 +1,165 @@
+"""Whether all that a node creates can be seen: only then is the absence of something worth a word."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+import msgspec
+
+from archlint.facts import model as facts
+from archlint.finding import Place
+
+if TYPE_CHECKING:
+    from archlint.program.model import Blueprint
+    from archlint.system.launched import World
+    from archlint.system.model import Node
+
+_NODE_BASES = frozenset({"Node", "LifecycleNode", "object", "ABC", "Generic", "Protocol"})
+_HARMLESS = frozenset(
+    [
+        "super",
+        "spin",
+        "spin_once",
+        "spin_until_future_complete",
+        "add_node",
+        "remove_node",
+        "destroy_node",
+        "isinstance",
+        "issubclass",
+        "hasattr",
+        "getattr",
+        "setattr",
+        "print",
+        "len",
+        "repr",
+        "str",
+        "id",
+        "type",
+        "partial",
+        "ActionServer",
+        "ActionClient",
+        "Subscriber",
+        "Buffer",
+        "TransformListener",
+        "TransformBroadcaster",
+        "StaticTransformBroadcaster",
+        "StaticTransformListener",
+        "BufferClient",
+        "wait_for_message",
+        "__init__",
+        "append",
+        "debug",
+        "info",
+        "warn",
+        "warning",
+        "error",
+        "fatal",
+        "format",
+    ]
+)
+
+
+def walk(item: object) -> Iterator[object]:
+    """Every fact below one, itself first, in no particular order."""
+    stack = [item]
+    while stack:
+        one = stack.pop()
+        yield one
+        if isinstance(one, msgspec.Struct):
+            stack.extend(getattr(one, name) for name in one.__struct_fields__)
+        elif isinstance(one, (list, tuple)):
+            stack.extend(one)
+
+
+def facts_at(world: World, file: str) -> facts.Facts | None:
+    return None if world.loader is None else world.loader.facts_at(file)
+
+
+def is_whole(world: World | None, node: Node) -> bool:
+    """True where nothing outside of this workspace is handed the node or is its base class, and each of its
+    endpoints has a known name."""
+    if world is None or node.blueprint is None or node.program is None:
+        return False
+    if node.program.exhausted or any(b.held or not b.complete or b.gaps for b in node.blueprints):
+        return False
+    if any(endpoint.name is None or endpoint.resolution in ("partial", "unknown") for endpoint in node.endpoints):
+        return False
+    files = {b.place.file for b in node.blueprints} | {c.place.file for b in node.blueprints for c in b.creations}
+    return all(_followed(world, file) for file in files) and declares_all(world, node.blueprint)
+
+
+def declares_all(world: World | None, blueprint: Blueprint) -> bool:
+    """Whether the class of a node derives from nothing but rclpy's nodes and classes of this workspace."""
+    if world is None or blueprint.held:
+        return False
+    found = facts_at(world, blueprint.place.file)
+    if found is None:
+        return False
+    local = _ours(world, found)
+    classes = {item.name: item for item in walk(found.body) if isinstance(item, facts.Class)}
+    waiting = [blueprint.class_name.rpartition(".")[2]]
+    for name in waiting:
+        cls = classes.get(name)
+        for base in cls.bases if cls is not None else ():
+            text = _last(base.value)
+            if text is None or (text not in _NODE_BASES and text not in classes and text not in local):
+                return False
+            if text in classes and text not in waiting:
+                waiting.append(text)
+    return True
+
+
+def _followed(world: World, file: str) -> bool:
+    found = facts_at(world, file)
+    if found is None:
+        return False
+    local = _ours(world, found)
+    for item in walk(found.body):
+        if isinstance(item, facts.Call) and any(_is_node(argument.value) for argument in item.args):
+            name = _last(item.func)
+            if name is None or (name not in _HARMLESS and name not in local and not _method_of_self(item.func)):
+                return False
+    return True
+
+
+def _method_of_self(function: facts.Expr) -> bool:
+    return isinstance(function, facts.Attribute) and _is_node(function.value)
+
+
+def _is_node(value: facts.Expr) -> bool:
+    if isinstance(value, facts.Attribute):
+        return value.attr in ("node", "_node") and isinstance(value.value, facts.Name)
+    return isinstance(value, facts.Name) and value.id in ("self", "node")
+
+
+def _last(value: facts.Expr) -> str | None:
+    if isinstance(value, facts.Attribute):
+        return value.attr
+    return value.id if isinstance(value, facts.Name) else None
+
+
+def _ours(world: World, found: facts.Facts) -> set[str]:
+    """Names of a file that mean something of this workspace."""
+    tops = world.loader.top_modules if world.loader is not None else frozenset()
+    names: set[str] = set()
+    for item in walk(found.body):
+        if isinstance(item, (facts.Class, facts.Function)):
+            names.add(item.name)
+        elif isinstance(item, facts.ImportFrom) and (item.level or item.module.partition(".")[0] in tops):
+            names.update(bound for _, bound in item.names)
+    return names
+
+
+def enclosing_function(world: World, place: Place) -> facts.Function | None:
+    """The innermost function that a place is in."""
+    found = facts_at(world, place.file)
+    inner: facts.Function | None = None
+    for item in walk(found.body) if found is not None else ():
+        around = isinstance(item, facts.Function) and item.span[0] <= place.line <= item.span[2]
+        if around and isinstance(item, facts.Function) and (inner is None or item.span[0] >= inner.span[0]):
+            inner = item
+    return inner
+
+
+__all__ = ["declares_all", "enclosing_function", "facts_at", "is_whole", "walk"]
