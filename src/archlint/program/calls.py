@@ -141,6 +141,7 @@ def call(
         method = get_attribute(run, function, "__call__")
         if isinstance(method, BoundMethod):
             return call(run, method, args, keywords, expression, open_arguments)
+    effects.nodes.hand_out(run, [*args, *keywords.values()])
     if isinstance(function, Unknown):
         return Unknown(function.reason, function.parameter)
     return Unknown("the result of a call that is not followed")

@@ -162,6 +162,8 @@ class Creation:
     name_place: Place | None = None
     """The argument that gives the name, at the create call."""
     raw: bool = False
+    guarded: bool = False
+    """True where an ``if`` on the way, decided or not, or an early return may pass the create call by."""
     stored: bool = True
     """False where the result of the create call is thrown away."""
     destroyed: bool = False
@@ -217,8 +219,10 @@ class ApiCall:
     in_try: bool = False
     looped: bool = False
     """True where a loop, be it in a caller, goes round it."""
+    arms: tuple[tuple[str, int], ...] = ()
+    """The arms of undecided branches that lead to it, outermost first."""
     ways: list[tuple[Frame, ...]] = field(default_factory=list)
-    """Other chains that lead to the same call from the same context."""
+    """Other chains that lead to the same call from the same context, through the same arms."""
 
 
 @dataclass(eq=False)
@@ -251,6 +255,10 @@ class Blueprint:
     key: str = ""
     allow_undeclared_parameters: bool = False
     automatically_declare_parameters: bool = False
+    made_at: Place | None = None
+    """The call that makes it, where one does."""
+    handed_out: bool = False
+    """True where code that is not in this workspace is given the node: that may spin it."""
     enable_rosout: bool = True
     start_parameter_services: bool = True
     cli_arguments: tuple[str, ...] = ()

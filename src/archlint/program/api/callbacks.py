@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 from archlint.facts import model as facts
 from archlint.finding import Place
 from archlint.program import model
+from archlint.program.api import rclpy_names
 from archlint.program.values import (
     ApiMethod,
     BoundMethod,
@@ -159,7 +160,9 @@ def describe(run: Run, value: Value) -> model.Callback:
             return describe(run, method)
         return model.Callback("", value.cls.qualified, here, None)
     if isinstance(value, (ApiMethod, External)):
-        return model.Callback("", value.path, here, None)
+        callback = model.Callback("", value.path, here, None)
+        callback.missing = _missing_method(value)
+        return callback
     if isinstance(value, Builtin):
         return model.Callback("", value.name, here, None)
     if isinstance(value, Unknown):
@@ -168,6 +171,20 @@ def describe(run: Run, value: Value) -> model.Callback:
             callback.missing = (value.name or "").removeprefix("missing:")
         return callback
     return model.Callback("", "?", here, None)
+
+
+def _missing_method(value: ApiMethod | External) -> str | None:
+    """The name of a method that a node of ours is asked for and that neither its class nor rclpy's has."""
+    if not isinstance(value, ApiMethod) or not isinstance(value.self_value, Instance):
+        return None
+    cls, (base, _, name) = value.self_value.cls, value.path.rpartition(".")
+    if not isinstance(cls, ClassValue) or base not in rclpy_names.NODE_CLASSES or name.startswith("_"):
+        return None
+    foreign = [b for b in cls.mro if not isinstance(b, (ClassValue, External))] + [
+        b for b in cls.external_bases() if b not in rclpy_names.NODE_CLASSES | rclpy_names.PLAIN_BASES
+    ]
+    of_rclpy = rclpy_names.is_node_attribute(name) and not name.startswith("on_")
+    return None if foreign or of_rclpy or rclpy_names.LIFECYCLE_NODE in cls.external_bases() else name
 
 
 def thread(run: Run, call: ApiUse) -> Value:

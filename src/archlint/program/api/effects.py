@@ -104,6 +104,8 @@ def call_external(
     plain = python_effects.PLAIN.get(path)
     if plain is not None:
         return plain(run, args, keywords, expression)
+    if not path.startswith(("rclpy.", "tf2_", "message_filters.")):
+        nodes.hand_out(run, [*args, *keywords.values()])
     name = path.rpartition(".")[2]
     if name[:1].isupper() or path in ("dataclasses.field",):
         place = run.place(expression.span) if expression is not None and run.activations else None
@@ -143,6 +145,7 @@ def call_method(
     method = python_effects.METHODS.get(path)
     if method is not None:
         return method(run, receiver, args, keywords, expression)
+    nodes.hand_out(run, [*args, *keywords.values()])
     return Unknown(f"{path.removeprefix('?.')}() is outside of this workspace")
 
 
@@ -188,7 +191,7 @@ def record(run: Run, api: Api, receiver: Value | None, bound: dict[str, Value], 
         known.conditional = known.conditional and bool(run.arms)
         known.looped = known.looped or any(one.loops for one in run.activations)
         way = run.chain()
-        if way != known.chain and way not in known.ways:
+        if way != known.chain and way not in known.ways and tuple(run.arms) == known.arms:
             known.ways.append(way)
         return
     first = on[0] if len(on) == 1 else None
@@ -213,6 +216,7 @@ def record(run: Run, api: Api, receiver: Value | None, bound: dict[str, Value], 
         False,
         activation.tries > 0,
         any(one.loops for one in run.activations),
+        tuple(run.arms),
     )
     run.calls[key] = call
     run.program.calls.append(call)
@@ -330,7 +334,6 @@ from archlint.program.api import (  # noqa: E402
     profiles,
     python_effects,
 )
-
 from archlint.program.launch import effects as launch_effects  # noqa: E402
 
 adopt = nodes.adopt

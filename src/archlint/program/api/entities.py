@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from archlint.facts import model as facts
+from archlint.facts.walk import statements_of
 from archlint.finding import Place
 from archlint.program import model
 from archlint.program.api import callbacks, nodes, profiles, rclpy_names
@@ -138,6 +140,7 @@ def _create(
         run.chain(),
         run.context,
         function=run.activation.qualified,
+        guarded=_guarded(run),
         name_place=places.get(call.api.name or ""),
         raw=call.get("raw") == Known(True),
         stored=_stored(run, call),
@@ -149,9 +152,20 @@ def _create(
     return creation
 
 
-def _stored(run: Run, call: ApiUse) -> bool:
-    from archlint.facts import model as facts
+def _guarded(run: Run) -> bool:
+    """Whether a function on the way holds what runs now in an ``if``, or may return before."""
+    for activation in run.activations:
+        for statement in activation.body:
+            within = list(statements_of([statement]))
+            here = any(one is activation.statement for one in within)
+            if here and statement is activation.statement:
+                break
+            if here or any(isinstance(one, (facts.Return, facts.Raise)) for one in within):
+                return not isinstance(statement, (facts.With, facts.Try, facts.For)) or not here
+    return False
 
+
+def _stored(run: Run, call: ApiUse) -> bool:
     statement = run.activation.statement
     return not (isinstance(statement, facts.Expression) and statement.value is call.expression)
 
@@ -203,6 +217,7 @@ def timer(run: Run, call: ApiUse) -> Value:
                 period=period,
                 period_parameter=parameter,
                 function=run.activation.qualified,
+                guarded=_guarded(run),
                 stored=_stored(run, call),
                 key=len(run.creations),
             )

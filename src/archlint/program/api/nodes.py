@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from typing import TYPE_CHECKING
 
 from archlint.finding import Place
@@ -81,6 +82,7 @@ def blueprint_of_instance(run: Run, instance: Instance) -> model.Blueprint:
     place = Place(cls.scope.module.path, *cls.ir.name_span)
     key = f"{place.file}:{place.line}#{instance.key}"
     blueprint = new_blueprint(run, cls.qualified, place, key, cls.scope.module.file.package)
+    blueprint.made_at = instance.place
     blueprint.lifecycle = is_lifecycle_class(cls)
     run.blueprints[instance.key] = blueprint
     return blueprint
@@ -93,6 +95,14 @@ def known_node(run: Run, value: Value | None) -> model.Blueprint | None:
     if isinstance(value, Instance):
         return run.blueprints.get(value.key)
     return None
+
+
+def hand_out(run: Run, values: Iterable[Value]) -> None:
+    """Note that nodes are given to code that we do not see."""
+    for value in values:
+        node = known_node(run, value)
+        if node is not None:
+            node.handed_out = True
 
 
 def node_key(run: Run, value: Value | None) -> int:

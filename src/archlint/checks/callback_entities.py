@@ -1,0 +1,85 @@
+"""EXE005: endpoints and timers that a callback creates anew each time it runs."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from archlint.checks.callback_roles import callback_words, runs_in_executor
+from archlint.checks.reach import calls_of, creations_of, node_name, once_for_each_system, one_for_each_place
+from archlint.checks.registry import Options, finding, rule
+from archlint.finding import Finding, Related
+from archlint.program.api.nodes import is_test_file
+from archlint.program.model import TIMER
+
+if TYPE_CHECKING:
+    from archlint.program.model import Callback, Creation, Program
+    from archlint.system.model import System
+
+_ENDS = (
+    "rclpy.timer.Timer.cancel",
+    *(f"rclpy.node.Node.destroy_{kind}" for kind in ("publisher", "subscription", "client", "service", "timer")),
+)
+_PASSING = frozenset({"rclpy.wait_for_message.wait_for_message"})
+"""Calls that take away what they create."""
+_AGAIN_AND_AGAIN = frozenset({"subscription", "timer", "service", "execute", "goal", "cancel", "accepted", "filter"})
+"""Roles of callbacks that run as often as somebody likes; a done callback may be one step of a start-up."""
+
+
+@rule("EXE005")
+def entity_created_in_callback(system: System, options: Options) -> Iterator[Finding]:
+    """Create calls that a callback reaches each time it runs."""
+    ended = _ended(system)
+    yield from one_for_each_place(
+        _created(system, creation, creation.context)
+        for program in system.programs
+        for node in program.nodes
+        for creation in node.creations
+        if creation.context is not None and _each_time(creation, creation.context, program, ended)
+    )
+
+
+def _each_time(creation: Creation, callback: Callback, program: Program, ended: set[int]) -> bool:
+    return (
+        callback.role in _AGAIN_AND_AGAIN
+        and runs_in_executor(callback)
+        and not is_test_file(creation.place.file)
+        and creation.api not in _PASSING
+        and not creation.conditional
+        and not creation.guarded
+        and not creation.destroyed
+        and id(creation) not in ended
+        # A name that data decides is another endpoint each time.
+        and (creation.kind == TIMER or creation.name.resolution in ("exact", "parameter"))
+        and (callback.creation is None or id(callback.creation) not in ended)
+        and not program.exhausted
+    )
+
+
+@once_for_each_system
+def _ended(system: System) -> set[int]:
+    """What somebody cancels or destroys: it does not pile up, and its callback runs once."""
+    found: set[int] = set()
+    for _, call in calls_of(system, _ENDS):
+        given = [call.receiver, *call.arguments.values()]
+        found.update(id(creation) for value in given for creation in creations_of(value))
+    return found
+
+
+def _created(system: System, creation: Creation, callback: Callback) -> Finding:
+    function = creation.api.rpartition(".")[2]
+    what = f"'{creation.name.text}'" if creation.name.text and creation.kind != TIMER else ""
+    words = {"client": "client of", "service": "service", "publisher": "publisher of", "subscriber": "subscription to"}
+    made = f"{words.get(creation.kind, creation.kind.replace('_', ' '))} {what}".rstrip()
+    return finding(
+        "EXE005",
+        creation.place,
+        f"{callback_words(callback)} creates a {made} each time it runs, and nothing takes the old one away",
+        help=f"call {function}() once, in the constructor, and keep what it gives",
+        related=[
+            Related(callback.place, f"{callback.name} runs again and again"),
+            *(Related(frame.place, f"{frame.caller} calls {frame.callee} here") for frame in creation.chain),
+        ],
+        node=node_name(system, creation.node),
+        identity=(callback.name, creation.kind, creation.name.text or ""),
+    )

@@ -1,0 +1,268 @@
+"""SRV004 and SRV005: services asked again and again, and answers waited for one after the other."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from typing import TYPE_CHECKING
+
+from archlint.checks.blocking import AWAIT
+from archlint.checks.callback_roles import callback_words, related_to, runs_in_executor
+from archlint.checks.reach import (
+    argument,
+    calls_of,
+    endpoint_words,
+    node_name,
+    one_for_each_place,
+    related_chain,
+    related_creation,
+)
+from archlint.checks.registry import Options, finding, rule
+from archlint.checks.waits import Wait, waits
+from archlint.facts import model as facts
+from archlint.facts.walk import blocks_in, called_name, calls_in, has_literal_true, parts_of, statements_of
+from archlint.finding import Finding, Place, Related
+from archlint.program.values import MessageValue
+
+if TYPE_CHECKING:
+    from archlint.program.model import ApiCall, Frame, Program
+    from archlint.system.model import System
+
+_REQUESTS = ("rclpy.client.Client.call", "rclpy.client.Client.call_async")
+_ENDS_TIMER = ("rclpy.timer.Timer.cancel", "rclpy.node.Node.destroy_timer")
+_READY = frozenset({"service_is_ready", "wait_for_service", "done", "ok"})
+_PAUSES = frozenset(
+    {
+        "sleep",
+        "wait",
+        "spin",
+        "input",
+        "join",
+        "get",
+        "recv",
+        "read",
+        "readline",
+        "spin_once",
+        "sleep_for",
+        "sleep_until",
+    }
+)
+"""Calls that slow a loop down, or make it wait for an event."""
+
+
+# --------------------------------------------------------------------------------------------------- SRV004
+
+
+@rule("SRV004", rate=1.0)
+def service_for_continuous_data(system: System, options: Options) -> Iterator[Finding]:
+    """Requests that are sent again and again without an occasion."""
+    stopped = {call.context.place for _, call in calls_of(system, _ENDS_TIMER)}
+    yield from one_for_each_place(
+        _polled(system, program, call, how)
+        for program, call in calls_of(system, _REQUESTS)
+        if call.creation is not None and call.context.place not in stopped and _always_the_same(call)
+        for how in [_how_often(call, options.number("rate"))]
+        if how is not None
+    )
+
+
+def _how_often(call: ApiCall, rate: float) -> str | None:
+    """How often a request is sent, in words; None where that is seldom, or has an occasion."""
+    callback = call.context
+    if callback.role == "timer" and not call.looped:
+        period = callback.creation.period if callback.creation is not None else None
+        if period is None or period <= 0 or period * rate > 1 or not _unguarded(call):
+            return None
+        return f"{1 / period:g} times a second" if period < 1 else "once a second"
+    if callback.role in ("main", "thread") and call.loops and _unpaced(call.loops[-1]) and _unguarded(call):
+        return "as fast as the loop goes round"
+    return None
+
+
+def _unpaced(loop: facts.While | facts.For) -> bool:
+    """Whether a loop goes on for ever and nothing in it waits but the request."""
+    endless = isinstance(loop, facts.While) and (
+        has_literal_true(loop.test)
+        or (all(called_name(c) in _READY for c in calls_in(loop.test)) and any(calls_in(loop.test)))
+    )
+    leaves = any(
+        isinstance(s, (facts.Return, facts.Raise)) or (isinstance(s, facts.Jump) and s.kind == "break")
+        for s in statements_of(loop.body)
+    )
+    return endless and not leaves and all(called_name(call) not in _PAUSES for call in calls_in(loop.body))
+
+
+def _unguarded(call: ApiCall) -> bool:
+    """Whether nothing but the readiness of the service decides whether the request is sent."""
+    body: Sequence[facts.Stmt] = call.loops[-1].body if call.loops else call.body
+    return call.expression is not None and not call.chain[1:] and _reached(body, call.expression) is True
+
+
+def _reached(block: Sequence[facts.Stmt], wanted: facts.Call) -> bool | None:
+    """True where a block always comes to a call, False where something else decides; None: it is not there."""
+    for statement in block:
+        here = any(one.span == wanted.span for one in calls_in(statement))
+        inner = blocks_in(statement)
+        if here and not inner:
+            return True
+        if here:
+            if isinstance(statement, facts.If) and not _about_readiness(statement.test):
+                return any(one.span == wanted.span for one in calls_in(statement.test))
+            if isinstance(statement, (facts.For, facts.While, facts.Match)):
+                return False
+            found = [_reached(one, wanted) for one in inner]
+            return next((one for one in found if one is not None), True)
+        if isinstance(statement, facts.If) and not _about_readiness(statement.test) and _leaves(statement):
+            return False
+    return None
+
+
+def _leaves(statement: facts.If) -> bool:
+    inside = [*statements_of(statement.body), *statements_of(statement.orelse)]
+    return any(
+        isinstance(s, (facts.Return, facts.Raise, facts.Jump)) for s in inside if getattr(s, "kind", "") != "pass"
+    )
+
+
+def _about_readiness(test: facts.Expr) -> bool:
+    """``if not self.client.service_is_ready()``, ``if self.future is None or self.future.done()``."""
+    if isinstance(test, facts.Unary):
+        return _about_readiness(test.operand)
+    if isinstance(test, facts.Boolean):
+        return all(_about_readiness(value) for value in test.values)
+    if isinstance(test, facts.Compare):
+        return _names_a_future(test.left)
+    if isinstance(test, facts.Call):
+        return called_name(test) in _READY
+    return _names_a_future(test)
+
+
+def _names_a_future(test: facts.Expr) -> bool:
+    name = test.attr if isinstance(test, facts.Attribute) else test.id if isinstance(test, facts.Name) else ""
+    return "future" in name.lower()
+
+
+def _always_the_same(call: ApiCall) -> bool:
+    """Whether the request is made here and carries nothing but constants."""
+    request = argument(call, "request")
+    expression = call.expression
+    if not isinstance(request, MessageValue) or expression is None or not expression.args:
+        return False
+    given = expression.args[0].value
+    if isinstance(given, facts.Name):
+        name = given.id
+        made = [
+            s.value
+            for s in statements_of(call.body)
+            if isinstance(s, facts.Assign) and any(isinstance(t, facts.Name) and t.id == name for t in s.targets)
+        ]
+        filled = [
+            s.value
+            for s in statements_of(call.body)
+            if isinstance(s, (facts.Assign, facts.Augmented))
+            and any(_belongs_to(target, name) for target in (s.targets if isinstance(s, facts.Assign) else [s.target]))
+        ]
+        return len(made) == 1 and _constant_request(made[0]) and all(isinstance(v, facts.Literal) for v in filled)
+    return _constant_request(given)
+
+
+def _belongs_to(target: facts.Expr, name: str) -> bool:
+    while isinstance(target, (facts.Attribute, facts.Subscript)):
+        target = target.value
+        if isinstance(target, facts.Name) and target.id == name:
+            return True
+    return False
+
+
+def _constant_request(value: facts.Expr) -> bool:
+    return (
+        isinstance(value, facts.Call)
+        and called_name(value) == "Request"
+        and all(isinstance(given.value, facts.Literal) for given in value.args)
+    )
+
+
+def _polled(system: System, program: Program, call: ApiCall, how: str) -> Finding:
+    callback = call.context
+    who = callback_words(callback) if runs_in_executor(callback) else f"{callback.name}()"
+    assert call.creation is not None
+    return finding(
+        "SRV004",
+        call.place,
+        f"{who} asks {endpoint_words(call.creation)} {how}, always the same: that is data for a topic",
+        help="let the node that has the data publish it, and subscribe",
+        related=tuple(
+            related_to(call, program, call.creation)
+            if runs_in_executor(callback)
+            else [*related_chain(call), *related_creation(call.creation)]
+        ),
+        node=node_name(system, call.node),
+        identity=(callback.name, call.creation.name.text or ""),
+    )
+
+
+# --------------------------------------------------------------------------------------------------- SRV005
+
+_Step = tuple[Place, "tuple[Frame, ...]", Wait]
+
+
+@rule("SRV005", limit=3)
+def sequential_sync_calls(system: System, options: Options) -> Iterator[Finding]:
+    """Callbacks and loop bodies that wait for several answers in turn."""
+    limit = int(options.number("limit"))
+    yield from one_for_each_place(_in_turn(system, steps) for steps in _runs(system) if len(steps) >= max(2, limit))
+
+
+def _runs(system: System) -> Iterator[list[_Step]]:
+    """The waits of each callback, or of each loop of a program, that follow each other for certain."""
+    by_run: dict[tuple[object, ...], list[_Step]] = {}
+    for wait in waits(system):
+        call = wait.call
+        if not (runs_in_executor(call.context) or (call.looped and call.context.role in ("main", "thread"))):
+            continue
+        if wait.kind != AWAIT and any(_retries(loop) for loop in call.loops):
+            continue
+        for way in (call.chain, *call.ways):
+            at = way[0].place if way else call.place
+            # What is in the same arms of all branches runs together or not at all.
+            by_run.setdefault((id(wait.program), id(call.context), call.arms), []).append((at, way, wait))
+    for steps in by_run.values():
+        yield from _sequences(steps)
+
+
+def _sequences(steps: list[_Step]) -> Iterator[list[_Step]]:
+    """One sequence a function that makes the waits, directly or through a helper each."""
+    by_function: dict[str, dict[tuple[Place, Place], _Step]] = {}
+    for step in steps:
+        _, way, wait = step
+        # The function that holds the call, and the one that calls the helper which does.
+        by_function.setdefault(f"{wait.call.file}:{wait.call.function}", {})[wait.call.place, wait.call.place] = step
+        if way:
+            last = way[-1]
+            by_function.setdefault(f"{last.place.file}:{last.caller}", {})[last.place, wait.call.place] = step
+    for found in by_function.values():
+        yield [found[key] for key in sorted(found)]
+
+
+def _retries(loop: facts.While | facts.For) -> bool:
+    """Whether a loop goes round one wait: ``while not future.done()``."""
+    return isinstance(loop, facts.While) and any(
+        isinstance(part, facts.Attribute) and part.attr == "done" for part in parts_of(loop.test)
+    )
+
+
+def _in_turn(system: System, steps: list[_Step]) -> Finding:
+    first = steps[0][2]
+    callback = first.call.context
+    who = callback_words(callback) if runs_in_executor(callback) else f"a loop of {callback.name}()"
+    return finding(
+        "SRV005",
+        first.call.place,
+        f"{who} waits for {len(steps)} answers one after the other: the waits add up, and one slow server slows all",
+        help="send the requests with call_async() and go on when their futures are done",
+        related=[
+            Related(way[-1].place if way else wait.call.place, f"waits for {endpoint_words(wait.client)}")
+            for _, way, wait in steps
+        ],
+        node=node_name(system, first.call.node),
+        identity=(callback.name, str(len(steps))),
+    )

@@ -1,0 +1,103 @@
+"""SRV006: service handlers that wait for each other in a circle."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from archlint.checks.reach import one_for_each_place
+from archlint.checks.registry import Options, finding, rule
+from archlint.checks.waits import Wait, waits
+from archlint.finding import Finding, Related
+from archlint.program.model import ACTION_CLIENT, ACTION_SERVER, CLIENT, SERVICE
+
+if TYPE_CHECKING:
+    from archlint.system.model import Endpoint, System
+
+_SERVER_OF = {CLIENT: SERVICE, ACTION_CLIENT: ACTION_SERVER}
+_HANDLES = {"service": SERVICE, "execute": ACTION_SERVER}
+
+_Key = tuple[str, str]
+"""Kind of server and full name."""
+
+
+@dataclass(frozen=True)
+class _Edge:
+    """The handler of one server waits for another."""
+
+    server: Endpoint
+    target: _Key
+    wait: Wait
+
+
+@rule("SRV006")
+def service_call_cycle(system: System, options: Options) -> Iterator[Finding]:
+    """Circles of handlers, each of which waits for the next."""
+    edges = _edges(system)
+    seen: set[frozenset[_Key]] = set()
+    found = []
+    for start in sorted(edges):
+        for circle in _circles(start, edges, system):
+            keys = frozenset((edge.server.kind, edge.server.name or "") for edge in circle)
+            if keys not in seen:
+                seen.add(keys)
+                found.append(_circle(circle))
+    yield from one_for_each_place(found)
+
+
+def _edges(system: System) -> dict[_Key, list[_Edge]]:
+    """For each server, the servers that its handler waits for."""
+    ends = {id(end.creation): end for end in system.endpoints if end.resolved and not end.node.test}
+    found: dict[_Key, list[_Edge]] = {}
+    for wait in waits(system):
+        handler = wait.call.context
+        kind = _HANDLES.get(handler.role)
+        server = ends.get(id(handler.creation))
+        client = ends.get(id(wait.client))
+        if kind is None or server is None or client is None or server.name is None or client.name is None:
+            continue
+        edge = _Edge(server, (_SERVER_OF[client.kind], client.name), wait)
+        found.setdefault((kind, server.name), []).append(edge)
+    return found
+
+
+def _circles(start: _Key, edges: dict[_Key, list[_Edge]], system: System) -> Iterator[list[_Edge]]:
+    """The circles through ``start`` in which each server is met once."""
+    waiting: list[list[_Edge]] = [[edge] for edge in edges[start]]
+    while waiting:
+        path = waiting.pop()
+        target = path[-1].target
+        if target == start:
+            yield path
+            continue
+        if any((edge.server.kind, edge.server.name) == target for edge in path):
+            continue
+        for edge in edges.get(target, ()):
+            nodes = {edge.server.node, *(one.server.node for one in path)}
+            if all(one is other or system.together(one, other) for one in nodes for other in nodes):
+                waiting.append([*path, edge])
+
+
+def _circle(circle: list[_Edge]) -> Finding:
+    ordered = sorted(circle, key=lambda edge: edge.wait.call.place)
+    last = ordered[-1]
+    at = circle.index(last)
+    turned = circle[at + 1 :] + circle[: at + 1]
+    names = [edge.server.name or "" for edge in (turned[-1], *turned)]
+    way = " → ".join([names[0], *(edge.target[1] for edge in [turned[-1], *turned[:-1]])])
+    alone = len(circle) == 1
+    return finding(
+        "SRV006",
+        last.wait.call.place,
+        f"the handler of {names[0]} waits for {names[0] if alone else last.target[1]}"
+        + (", which it serves itself" if alone else f", and so the circle closes: {way}")
+        + ": none of them ever answers",
+        help="let one of them publish what the others ask for",
+        related=[
+            Related(edge.wait.call.place, f"the handler of {edge.server.name} waits for {edge.target[1]}")
+            for edge in ordered
+        ],
+        node=last.server.node.name,
+        identity=tuple(sorted(names[1:])),
+    )
