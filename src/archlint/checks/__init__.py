@@ -3,18 +3,31 @@
 from __future__ import annotations
 
 MODULES: tuple[str, ...] = (
+    "callback_entities",
     "callback_waits",
     "launch",
     "handlers",
-    "slow_callbacks",
-    "nested_services",
     "names",
+    "nested_services",
     "ownership",
     "packages",
     "parameters",
+    "polling",
+    "service_cycles",
+    "signatures",
+    "slow_callbacks",
+    "spinning",
     "timeouts",
     "type_mismatches",
     "wait_loops",
+    "contracts",
+    "conventions",
+    "fields",
+    "graph_shape",
+    "near_misses",
+    "published",
+    "qos",
+    "unmatched",
 )
 """The modules of this package that register rules; a new theme is a new row."""
 

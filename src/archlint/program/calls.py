@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 from archlint.facts import model as facts
 from archlint.finding import Place
-from archlint.program.api import effects, rclpy_names, tables
+from archlint.program.api import effects, nodes, rclpy_names, tables
 from archlint.program.attributes import bind, class_lookup, get_attribute
 from archlint.program.bindings import bound_names
 from archlint.program.builtin_functions import BUILTINS, call_builtin
@@ -141,7 +141,7 @@ def call(
         method = get_attribute(run, function, "__call__")
         if isinstance(method, BoundMethod):
             return call(run, method, args, keywords, expression, open_arguments)
-    effects.nodes.hand_out(run, [*args, *keywords.values()])
+    nodes.hand_out(run, [*args, *keywords.values()])
     if isinstance(function, Unknown):
         return Unknown(function.reason, function.parameter)
     return Unknown("the result of a call that is not followed")
