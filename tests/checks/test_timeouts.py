@@ -88,6 +88,19 @@ class TestWaitWithoutTimeout:
             """,
         )
 
+    def test_a_helper_that_a_caller_gives_no_limit(self, judge: Judge):
+        [found] = judge(
+            "TMO001",
+            script(
+                "def wait(limit=None):\n            client.wait_for_service(timeout_sec=limit)  # here\n        wait()"
+            ),
+        )
+
+        assert [related.message for related in found.related] == [
+            "main calls main.wait here",
+            "the client is created here",
+        ]
+
     def test_a_test_may_wait(self, judge: Judge):
         (judge.folder / "test").mkdir()
         (judge.folder / "test" / "test_far.py").write_text(

@@ -21,7 +21,7 @@ from archlint.checks.reach import (
 from archlint.checks.registry import Options, finding, rule
 from archlint.facts import model as facts
 from archlint.finding import Finding, Place, Related
-from archlint.program.values import External, Instance
+from archlint.program.values import External, Instance, Known
 
 if TYPE_CHECKING:
     from archlint.program.model import ApiCall, Creation
@@ -210,6 +210,15 @@ def _name_of(creation: Creation | None) -> str:
 
 
 def way_to(call: ApiCall, client: Creation | None) -> list[Related]:
-    """The calls on the way from a callback; what leads there from ``main`` goes without saying."""
-    hops = related_chain(call) if call.context.role in _IN_CALLBACKS else ()
+    """The calls on the way from a callback; what leads there from ``main`` goes without saying, but for the
+    call that leaves out a limit which this one passes on."""
+    hops = list(related_chain(call))
+    if call.context.role not in _IN_CALLBACKS:
+        hops = hops[-1:] if _passed_on(call) else []
     return [*hops, *related_creation(client)]
+
+
+def _passed_on(call: ApiCall) -> bool:
+    """Whether the limit is an argument of the function around, at its default."""
+    limits = (argument(call, name) for name in ("timeout_sec", "time_to_wait"))
+    return any(isinstance(limit, Known) and limit.kind == "argument_default" for limit in limits)
