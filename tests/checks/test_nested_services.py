@@ -208,6 +208,7 @@ class TestTheWayThere:
             "Gripper.close handles the service 'close_gripper'",
             "Gripper.close calls Motor.enable here",
             "the client is created here",
+            "a single-threaded executor spins the node",
         ]
 
     def test_a_function_that_is_handed_over(self, judge: Judge):

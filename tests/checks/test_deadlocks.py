@@ -1,0 +1,270 @@
+"""What a callback can wait for, and what it cannot: SRV003, EXE001, EXE002 and CBG001."""
+
+from __future__ import annotations
+
+import pytest
+
+from archlint.finding import Severity
+from checks.callbacks import IMPORTS, ON_ONE_THREAD, ON_SEVERAL_THREADS, Run, codes, source
+
+CLIENT = "self.client = self.create_client(Trigger, 'check')\n"
+CLIENT_APART = (
+    "apart = MutuallyExclusiveCallbackGroup()\n"
+    "self.client = self.create_client(Trigger, 'check', callback_group=apart)\n"
+)
+TIMER = "self.create_timer(5.0, self.tick)\n"
+CALL = """
+def tick(self):
+    answer = self.client.call(Trigger.Request(), timeout_sec=1.0)
+    self.get_logger().info(str(answer))
+"""
+AWAIT = """
+async def tick(self):
+    answer = await self.client.call_async(Trigger.Request())
+    self.get_logger().info(str(answer))
+"""
+
+
+# ---------------------------------------------------------------------------------- executor, group and form
+
+
+@pytest.mark.parametrize(
+    ("client", "method", "main", "expected"),
+    [
+        pytest.param(CLIENT, CALL, ON_ONE_THREAD, ["EXE002"], id="call, one thread"),
+        pytest.param(CLIENT_APART, CALL, ON_ONE_THREAD, ["CBG002", "EXE002"], id="call, one thread, group apart"),
+        pytest.param(CLIENT, CALL, ON_SEVERAL_THREADS, ["CBG001"], id="call, several threads, one group"),
+        pytest.param(CLIENT_APART, CALL, ON_SEVERAL_THREADS, [], id="call, several threads, group apart"),
+        pytest.param(CLIENT, AWAIT, ON_ONE_THREAD, ["EXE002"], id="await, one thread, one group"),
+        pytest.param(CLIENT, AWAIT, ON_SEVERAL_THREADS, ["CBG001"], id="await, several threads, one group"),
+        pytest.param(CLIENT_APART, AWAIT, ON_ONE_THREAD, [], id="await, one thread, group apart"),
+        pytest.param(CLIENT_APART, AWAIT, ON_SEVERAL_THREADS, [], id="await, several threads, group apart"),
+    ],
+)
+def test_executor_and_group_decide_whether_a_timer_may_wait(
+    run: Run, client: str, method: str, main: str, expected: list[str]
+):
+    assert codes(run(source(client + TIMER, method, main))) == expected
+
+
+def test_a_pool_of_one_thread_is_one_thread(run: Run):
+    main = ON_SEVERAL_THREADS.replace("MultiThreadedExecutor()", "MultiThreadedExecutor(num_threads=1)")
+    assert "EXE002" in codes(run(source(CLIENT_APART + TIMER, CALL, main)))
+
+
+def test_what_a_timeout_does_depends_on_the_distribution(run: Run):
+    text = source(CLIENT + TIMER, CALL)
+    [jazzy] = run(text, distro="jazzy")
+    [rolling] = run(text, distro="rolling")
+    [every] = run(text)
+    assert "hangs until the timeout and gives None:" in jazzy.message
+    assert "hangs until the timeout and raises TimeoutError:" in rolling.message
+    assert "gives None in jazzy" in every.message and "raises TimeoutError from kilted on" in every.message
+
+
+def test_a_finding_shows_the_way_from_the_callback_to_the_executor(run: Run):
+    method = CALL.replace("def tick(self):", "def tick(self):\n    self.ask()\n\ndef ask(self):")
+    [found] = run(source(CLIENT + TIMER, method))
+    assert [related.message for related in found.related] == [
+        "Robot.tick is a timer callback",
+        "the callback is handed over here",
+        "Robot.tick calls Robot.ask here",
+        "the client is created here",
+        "a single-threaded executor spins the node",
+    ]
+
+
+# --------------------------------------------------------------------------------------- callbacks in no group
+
+
+def test_an_execute_callback_holds_no_group(run: Run):
+    setup = CLIENT + "self.server = ActionServer(self, Fibonacci, 'count', self.execute)\n"
+    method = """
+    def execute(self, goal_handle):
+        self.client.call(Trigger.Request(), timeout_sec=1.0)
+        goal_handle.succeed()
+        return Fibonacci.Result()
+    """
+    assert codes(run(source(setup, method, ON_SEVERAL_THREADS))) == []
+    assert codes(run(source(setup, method, ON_ONE_THREAD))) == ["EXE002"]
+
+
+def test_a_done_callback_that_waits_needs_a_second_thread(run: Run):
+    method = """
+    def tick(self):
+        self.client.call_async(Trigger.Request()).add_done_callback(self.on_answer)
+
+    def on_answer(self, future):
+        self.client.call(Trigger.Request(), timeout_sec=1.0)
+    """
+    assert codes(run(source(CLIENT + TIMER, method, ON_ONE_THREAD))) == ["EXE002"]
+    assert codes(run(source(CLIENT + TIMER, method, ON_SEVERAL_THREADS))) == []
+
+
+# -------------------------------------------------------------------------------------------- other waits
+
+
+def test_a_result_read_straight_after_the_request_is_none(run: Run):
+    method = """
+    def tick(self):
+        future = self.client.call_async(Trigger.Request())
+        self.get_logger().info(future.result().message)
+    """
+    [found] = run(source(CLIENT + TIMER, method))
+    assert found.code == "EXE002" and "straight after call_async()" in found.message
+
+
+def test_a_result_that_is_asked_for_when_it_is_done_is_there(run: Run):
+    method = """
+    def tick(self):
+        if self.future is None:
+            self.future = self.client.call_async(Trigger.Request())
+        elif self.future.done():
+            self.get_logger().info(self.future.result().message)
+    """
+    assert codes(run(source(CLIENT + "self.future = None\n" + TIMER, method))) == []
+
+
+def test_an_event_that_a_callback_of_the_same_group_sets_never_comes(run: Run):
+    setup = "self.there = threading.Event()\nself.create_subscription(Empty, 'there', self.on_there, 10)\n" + TIMER
+    method = """
+    def on_there(self, message):
+        self.there.set()
+
+    def tick(self):
+        self.there.wait()
+    """
+    assert codes(run(source(setup, method, ON_ONE_THREAD))) == ["EXE002"]
+    assert codes(run(source(setup, method, ON_SEVERAL_THREADS))) == ["EXE002"]
+    apart = setup.replace("self.tick", "self.tick, callback_group=MutuallyExclusiveCallbackGroup()")
+    assert codes(run(source(apart, method, ON_SEVERAL_THREADS))) == []
+
+
+def test_an_event_that_a_done_callback_sets_is_the_answer(run: Run):
+    method = """
+    def tick(self):
+        there = threading.Event()
+        self.client.call_async(Trigger.Request()).add_done_callback(lambda future: there.set())
+        there.wait()
+    """
+    assert codes(run(source(CLIENT + TIMER, method, ON_ONE_THREAD))) == ["EXE002"]
+    assert codes(run(source(CLIENT_APART + TIMER, method, ON_SEVERAL_THREADS))) == []
+
+
+# ------------------------------------------------------------------------------------------------- spins
+
+
+def test_a_nested_spin_does_something_else_in_each_distribution(run: Run):
+    method = """
+    def tick(self):
+        future = self.client.call_async(Trigger.Request())
+        rclpy.spin_until_future_complete(self, future, timeout_sec=1.0)
+    """
+    text = source(CLIENT + TIMER, method)
+    [humble] = run(text, distro="humble")
+    [jazzy] = run(text, distro="jazzy")
+    assert humble.code == jazzy.code == "EXE001"
+    assert "hangs until the timeout" in humble.message
+    assert "raises 'Executor is already spinning'" in jazzy.message
+
+
+def test_a_spin_on_another_executor_strands_the_node(run: Run):
+    method = """
+    def tick(self):
+        rclpy.spin_once(self, timeout_sec=0.1)
+    """
+    [found] = run(source(TIMER, method, ON_SEVERAL_THREADS))
+    assert found.code == "EXE001" and "none of its callbacks runs again" in found.message
+
+
+def test_a_node_of_its_own_may_be_spun_while_another_executor_runs(run: Run):
+    setup = "self.helper = rclpy.create_node('helper')\n"
+    setup += "self.client = self.helper.create_client(Trigger, 'check')\n" + TIMER
+    method = """
+    def tick(self):
+        future = self.client.call_async(Trigger.Request())
+        rclpy.spin_until_future_complete(self.helper, future, timeout_sec=1.0)
+    """
+    assert codes(run(source(setup, method, ON_SEVERAL_THREADS))) == []
+    assert codes(run(source(setup, method, ON_ONE_THREAD))) == ["EXE001"]
+
+
+# ----------------------------------------------------------------------------------- what must stay silent
+
+
+def test_a_nested_call_that_cannot_deadlock_is_a_warning_that_says_so(run: Run):
+    method = """
+    def handle(self, request, response):
+        answer = self.client.call(Trigger.Request(), timeout_sec=1.0)
+        response.success = answer is not None
+        return response
+    """
+    setup = CLIENT_APART + "self.create_service(Trigger, 'start', self.handle)\n"
+    [found] = run(source(setup, method, ON_SEVERAL_THREADS))
+    assert (found.code, found.severity) == ("SRV003", Severity.WARNING)
+    assert "only stalls its callback group" in found.message
+
+
+def test_a_blocking_helper_that_only_main_calls_may_wait(run: Run):
+    main = """
+    def main():
+        rclpy.init()
+        robot = Robot()
+        threading.Thread(target=rclpy.spin, args=(robot,), daemon=True).start()
+        robot.tick()
+
+
+    if __name__ == '__main__':
+        main()
+    """
+    assert codes(run(source(CLIENT, CALL, main))) == []
+
+
+def test_a_thread_of_its_own_may_wait(run: Run):
+    setup = CLIENT + "threading.Thread(target=self.tick, daemon=True).start()\n"
+    assert codes(run(source(setup, CALL))) == []
+
+
+def test_a_guard_that_the_run_can_decide_decides(run: Run):
+    method = """
+    def tick(self):
+        self.ask(wait=False)
+
+    def ask(self, wait):
+        future = self.client.call_async(Trigger.Request())
+        if wait:
+            rclpy.spin_until_future_complete(self, future, timeout_sec=1.0)
+        return future
+    """
+    assert codes(run(source(CLIENT + TIMER, method))) == []
+    assert codes(run(source(CLIENT + TIMER, method.replace("wait=False", "wait=True")))) == ["EXE001"]
+
+
+def test_an_object_of_something_else_has_a_call_method_too(run: Run):
+    methods = """
+    def tick(self):
+        self.model.call('now')
+        subprocess_like.call('now')
+    """
+    assert codes(run(source("self.model = load_model()\n" + TIMER, methods))) == []
+
+
+def test_asyncio_is_no_executor_of_ros(run: Run):
+    method = """
+    async def tick(self):
+        await asyncio.sleep(1.0)
+        await self.fetch()
+
+    async def fetch(self):
+        return await asyncio.gather()
+    """
+    assert codes(run(source(TIMER, method))) == []
+
+
+def test_what_nothing_calls_is_no_callback(run: Run):
+    assert codes(run(source(CLIENT, CALL))) == []
+
+
+def test_a_class_that_nothing_spins_here_is_not_judged_where_its_executor_matters(run: Run):
+    text = source(CLIENT_APART + TIMER, CALL, "")
+    assert text.startswith(IMPORTS) and codes(run(text)) == []
