@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
 
-from archlint.config import load
+from archlint.config import Settings, load
+from archlint.rulebook import OFF, rules
+from archlint.selection import Layer
 from archlint.session import Request, check
 from rule_examples import Example, load_examples
 
@@ -20,7 +23,15 @@ def test_an_example_gives_exactly_the_findings_it_is_marked_with(
     example.write(tmp_path)
     monkeypatch.chdir(tmp_path)
 
-    report = check(Request((".",), load(tmp_path), cached=False, jobs=1))
+    report = check(Request((".",), _settings(tmp_path, example.page_code), cached=False, jobs=1))
 
     found = [(finding.place.file, finding.place.line, finding.code) for finding in report.findings]
     assert sorted(found) == sorted(example.expected)
+
+
+def _settings(folder: Path, code: str) -> Settings:
+    """The example's own configuration; a rule that is off by default is turned on for its page."""
+    settings = load(folder)
+    if rules()[code].default != OFF:
+        return settings
+    return replace(settings, layers=(*settings.layers, Layer(extend_select=(code,))))

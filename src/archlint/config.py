@@ -15,6 +15,7 @@ from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from archlint import architecture
 from archlint import config_values as read
 from archlint.config_values import ConfigurationError, Glob, Source, Value
 from archlint.selection import Layer, Selection, resolve
@@ -49,6 +50,9 @@ class Settings:
     external: tuple[str, ...] = ()
     shared_topics: tuple[str, ...] = ()
     cache_dir: str | None = None
+    owners: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
+    contracts: tuple[architecture.Contract, ...] = ()
+    layers_of_nodes: architecture.Layers | None = None
     rules: Mapping[str, Mapping[str, OptionValue]] = field(default_factory=dict)
     origins: Mapping[str, str] = field(default_factory=dict)
     file: str | None = None
@@ -73,12 +77,15 @@ class Settings:
 KEYS: dict[str, Callable[[Value], object]] = {
     "cache-dir": read.folder,
     "closed-world": read.boolean,
+    "contracts": architecture.contracts,
     "distro": read.one_of(DISTROS),
     "exclude": read.globs,
     "extend": read.string,
     "extend-select": read.selectors,
     "external": read.strings,
     "ignore": read.selectors,
+    "layers": architecture.layers,
+    "owners": architecture.owners,
     "per-file-ignores": read.ignores_by_glob,
     "per-package-ignores": read.ignores_by_name,
     "rules": read.rule_options,
@@ -89,6 +96,8 @@ KEYS: dict[str, Callable[[Value], object]] = {
 """Every key and how its value is read.  A new key is a row here and a field of :class:`Settings`."""
 
 _OF_A_LAYER = ("select", "extend-select", "ignore")
+_FIELDS = {"layers": "layers_of_nodes"}
+"""Keys that are called otherwise in :class:`Settings`, whose ``layers`` are those of configuration."""
 
 
 def load(start: Path, file: Path | None = None) -> Settings:
@@ -181,7 +190,7 @@ def _merged(parent: Settings, values: dict[str, Any], source: Source) -> Setting
     layer = Layer(values.get("select"), values.get("extend-select", ()), values.get("ignore", ()))
     changes: dict[str, Any] = {"layers": (*parent.layers, layer)}
     for key, value in values.items():
-        name = key.replace("-", "_")
+        name = _FIELDS.get(key, key.replace("-", "_"))
         if key == "rules":
             changes[name] = {
                 code: {**parent.rules.get(code, {}), **value.get(code, {})} for code in (*parent.rules, *value)

@@ -42,6 +42,11 @@ def locate(text: str, path: KeyPath, element: str | None = None) -> TextSpan | N
     return None
 
 
+def headers(text: str, path: KeyPath) -> list[TextSpan]:
+    """The places of all headers of a table or of a list of tables."""
+    return [(entry.line, *entry.columns) for entry in _entries(text) if entry.path == path and not entry.value]
+
+
 def _inside(entry: _Entry, element: str | None) -> TextSpan | None:
     if element is None:
         return None

@@ -24,6 +24,7 @@ from archlint.finding import Finding, Place, Related
 from archlint.rulebook import rules
 
 if TYPE_CHECKING:
+    from archlint.architecture import Contract, Layers
     from archlint.config import Settings
     from archlint.system.model import System
 
@@ -49,6 +50,9 @@ class Options:
     distros: tuple[str, ...] = ()
     shared_topics: tuple[str, ...] = ()
     external: tuple[str, ...] = ()
+    owners: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
+    contracts: tuple[Contract, ...] = ()
+    layers: Layers | None = None
     own: Mapping[str, OptionValue] = field(default_factory=dict)
 
     def is_shared(self, topic: str) -> bool:
@@ -101,9 +105,7 @@ def rule(code: str, **defaults: OptionValue) -> Callable[[RuleFunction], RuleFun
     def register(function: RuleFunction) -> RuleFunction:
         other = _REGISTERED.get(code)
         if other is not None and other.function.__module__ != function.__module__:
-            raise ValueError(
-                f"{code} is registered twice: {other.function.__module__}, {function.__module__}"
-            )
+            raise ValueError(f"{code} is registered twice: {other.function.__module__}, {function.__module__}")
         options = {name.replace("_", "-"): value for name, value in defaults.items()}
         _REGISTERED[code] = Check(code, function, options)
         return function
@@ -151,6 +153,9 @@ def options_for(settings: Settings, codes: Iterable[str]) -> dict[str, Options]:
             distros=settings.distros,
             shared_topics=settings.shared_topics,
             external=settings.external,
+            owners=settings.owners,
+            contracts=settings.contracts,
+            layers=settings.layers_of_nodes,
             own={**checks[code].defaults, **settings.rules.get(code, {})},
         )
         for code in codes

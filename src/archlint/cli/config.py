@@ -51,9 +51,19 @@ def _values(settings: Settings) -> Iterator[tuple[str, object]]:
     yield "closed-world", settings.closed_world
     yield "external", settings.external
     yield "shared-topics", settings.shared_topics
+    yield from _architecture(settings)
     if settings.cache_dir is not None:
         yield "cache-dir", settings.cache_dir
     yield "rules", settings.rules
+
+
+def _architecture(settings: Settings) -> Iterator[tuple[str, object]]:
+    if settings.owners:
+        yield "owners", settings.owners
+    if settings.contracts:
+        yield "contracts", [contract.as_table() for contract in settings.contracts]
+    if settings.layers_of_nodes is not None:
+        yield "layers", {"order": settings.layers_of_nodes.order, **settings.layers_of_nodes.members}
 
 
 def _toml(value: object) -> str:

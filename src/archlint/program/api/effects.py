@@ -182,8 +182,10 @@ def record(run: Run, api: Api, receiver: Value | None, bound: dict[str, Value], 
         return
     activation = run.activation
     place = run.place(e.span)
-    key = (api.path, place, id(run.context))
     on = creations_of(receiver)
+    key: tuple[object, ...] = (api.path, place, id(run.context))
+    if api.path == "rclpy.publisher.Publisher.publish" and len(on) == 1:
+        key = (*key, id(on[0]))  # what is published where, for each publisher that a loop or a helper serves
     known = run.calls.get(key)
     if known is not None:
         if known.creation is None and len(on) == 1:

@@ -1,0 +1,80 @@
+"""NME003: names against the patterns of a team."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from archlint.checks.registry import Options, finding, rule
+from archlint.program.model import (
+    ACTION_CLIENT,
+    ACTION_SERVER,
+    CLIENT,
+    PUBLISHER,
+    SERVICE,
+    SUBSCRIBER,
+)
+
+if TYPE_CHECKING:
+    from archlint.finding import Finding, Place
+    from archlint.program.model import Text
+    from archlint.system.model import System
+
+_LOWER_SNAKE_CASE = "[a-z][a-z0-9_]*"
+_KINDS = {
+    PUBLISHER: "topic",
+    SUBSCRIBER: "topic",
+    SERVICE: "service",
+    CLIENT: "service",
+    ACTION_SERVER: "action",
+    ACTION_CLIENT: "action",
+}
+
+
+@rule(
+    "NME003",
+    node=_LOWER_SNAKE_CASE,
+    topic=_LOWER_SNAKE_CASE,
+    service=_LOWER_SNAKE_CASE,
+    action=_LOWER_SNAKE_CASE,
+    parameter=_LOWER_SNAKE_CASE,
+)
+def name_convention(system: System, options: Options) -> Iterator[Finding]:
+    """Names of which a part does not match the pattern for their kind; each place once."""
+    found: dict[tuple[Place, str, str], str | None] = {}
+    for kind, text, separator, place, node in _names(system):
+        part = _part_against(options.text(kind), text, separator)
+        if part is not None and text.text is not None:
+            found.setdefault((place, kind, text.text), node)
+    for place, kind, name in sorted(found):
+        yield finding(
+            "NME003",
+            place,
+            f"the {kind} name '{name}' does not match the pattern {options.text(kind)}",
+            help="rename it at both ends, or set the pattern in the configuration",
+            node=found[(place, kind, name)],
+            identity=(kind, name),
+        )
+
+
+def _names(system: System) -> Iterator[tuple[str, Text, str, Place, str | None]]:
+    """Kind, name as written, separator of its parts, place and node of every name."""
+    for node in system.nodes:
+        if node.blueprint is not None and not node.blueprint.held:
+            yield "node", node.blueprint.name, "/", node.blueprint.name.origin or node.blueprint.place, node.name
+        for end in node.endpoints:
+            if end.creation.name_place is not None or end.creation.name.origin is not None:
+                yield _KINDS[end.kind], end.creation.name, "/", end.place, node.name
+        for parameter in node.parameters:
+            yield "parameter", parameter.name, ".", parameter.place, node.name
+
+
+def _part_against(pattern: str, name: Text, separator: str) -> str | None:
+    """The first part of a known name that does not match; what the code or rcl fills in is passed over."""
+    if name.text is None:
+        return None
+    for part in name.text.split(separator):
+        if part and part != "~" and not set(part) & set("*{}") and not re.fullmatch(pattern, part):
+            return part
+    return None

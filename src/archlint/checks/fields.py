@@ -1,0 +1,71 @@
+"""MSG001 and MSG002: fields that a message does not have, interfaces that a package does not define."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from archlint.checks.near import did_you_mean
+from archlint.checks.registry import Options, finding, rule
+
+if TYPE_CHECKING:
+    from archlint.finding import Finding, Place
+    from archlint.program.model import FieldUse, UnknownInterface
+    from archlint.system.model import System
+
+_SHOWN = 12
+"""How many names a help line lists."""
+
+
+@rule("MSG001")
+def unknown_field(system: System, options: Options) -> Iterator[Finding]:
+    """Fields that no message which the code can hold at that place has."""
+    uses: dict[Place, list[FieldUse]] = {}
+    for program in system.programs:
+        for use in program.field_uses:
+            uses.setdefault(use.place, []).append(use)
+    for place in sorted(uses):
+        if all(use.exists is False for use in uses[place]):
+            yield _unknown_field(min(uses[place], key=lambda use: (use.type, use.part)))
+
+
+def _unknown_field(use: FieldUse) -> Finding:
+    of = f"the {use.part.lower()} of {use.type}" if use.part else use.type
+    raised = "TypeError or AssertionError" if use.access == "keyword" else "AttributeError"
+    return finding(
+        "MSG001",
+        use.place,
+        f"{of} has no field '{use.name}'{did_you_mean(use.name, use.fields)}",
+        help=f"this line raises {raised} when it runs; the fields are {_listed(use.fields)}",
+        node=None if use.node is None else use.node.name.text,
+        identity=(use.type, use.part, use.name, use.access),
+    )
+
+
+@rule("MSG002")
+def unknown_interface(system: System, options: Options) -> Iterator[Finding]:
+    """Interfaces imported from a package that does not define them."""
+    found = {(one.place, one.name): one for run in system.programs for one in run.unknown_interfaces}
+    for key in sorted(found):
+        yield _unknown_interface(found[key])
+
+
+def _unknown_interface(one: UnknownInterface) -> Finding:
+    moved = [other for other in one.others if "/" in other]
+    names = [other for other in one.others if "/" not in other]
+    hint = f"; there is {moved[0]}" if moved else did_you_mean(one.name, names)
+    what = {"msg": "message", "srv": "service", "action": "action"}[one.kind]
+    return finding(
+        "MSG002",
+        one.place,
+        f"{one.package} defines no {what} '{one.name}'{hint}",
+        help=f"the import fails when the node starts; {one.package}.{one.kind} has {_listed(names)}",
+        identity=(one.package, one.kind, one.name),
+    )
+
+
+def _listed(names: list[str] | tuple[str, ...]) -> str:
+    if not names:
+        return "none"
+    more = f" and {len(names) - _SHOWN} more" if len(names) > _SHOWN else ""
+    return ", ".join(names[:_SHOWN]) + more

@@ -1,0 +1,97 @@
+"""GRF001, GRF003 and GRF004: what the shape of the graph tells about its nodes."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from archlint.checks.registry import Options, finding, rule
+from archlint.checks.unmatched import whole
+from archlint.finding import Finding, Related
+from archlint.program.model import SUBSCRIBER
+from archlint.system.rates import rates
+from archlint.system.shape import connected, splits
+
+if TYPE_CHECKING:
+    from archlint.system.model import Endpoint, Node, System
+
+
+@rule("GRF001")
+def isolated_node(system: System, options: Options) -> Iterator[Finding]:
+    """Nodes of a closed system that share no name with another node."""
+    if not whole(system) or any(not end.resolved for end in system.endpoints):
+        return
+    tied = connected(system)
+    for node in system.nodes:
+        if len(system.nodes) > 1 and id(node) not in tied and _judged(node):
+            yield _finding(
+                "GRF001",
+                node,
+                f"{node.name} shares no topic, service or action with any other node",
+                "connect it, or drop it; list names under `external` if it talks to something outside",
+            )
+
+
+def _judged(node: Node) -> bool:
+    return node.blueprint is not None and node.name is not None and not node.test and node.blueprint.complete
+
+
+@rule("GRF003", messages=1000.0, topics=10, rate=50.0)
+def hub_bottleneck(system: System, options: Options) -> Iterator[Finding]:
+    """Nodes that more periodic messages reach than the limits allow."""
+    known = rates(system)
+    for node in system.nodes:
+        if not _judged(node):
+            continue
+        incoming = {
+            end.name: rate
+            for end in node.of_kind(SUBSCRIBER)
+            if end.resolved and end.name is not None and (rate := _rate_of(system, end, known)) > 0
+        }
+        total = sum(incoming.values())
+        high = [name for name, rate in incoming.items() if rate >= options.number("rate")]
+        if total >= options.number("messages") or len(high) >= options.number("topics"):
+            yield _finding(
+                "GRF003",
+                node,
+                f"{node.name} receives at least {total:g} messages a second on {len(incoming)} periodic topics"
+                + (f", {len(high)} of them at {options.number('rate'):g} Hz and more" if high else ""),
+                "let the nodes that need a topic subscribe to it themselves, thin out what is only watched, or split "
+                "the node by task",
+                [end for end in node.of_kind(SUBSCRIBER) if end.name in incoming],
+            )
+
+
+def _rate_of(system: System, end: Endpoint, known: dict[int, float]) -> float:
+    """Messages a second that are known to come in on a subscription."""
+    topic = system.topics.get(end.name or "")
+    providers = [] if topic is None else topic.providers
+    return sum(known.get(id(other.creation), 0.0) for other in providers if other.node is not end.node)
+
+
+@rule("GRF004")
+def single_point_of_failure(system: System, options: Options) -> Iterator[Finding]:
+    """Nodes without which the rest falls into parts of two nodes and more."""
+    for node, parts in splits(system):
+        if not _judged(node):
+            continue
+        names = ["{" + ", ".join(sorted(one.name or "?" for one in part)[:4]) + "}" for part in parts]
+        yield _finding(
+            "GRF004",
+            node,
+            f"without {node.name} the system falls into {len(parts)} parts: {', '.join(sorted(names)[:3])}",
+            "watch it and restart it (`respawn=True`), or give the parts a second way to reach each other",
+        )
+
+
+def _finding(code: str, node: Node, message: str, help: str, ends: list[Endpoint] | None = None) -> Finding:
+    assert node.blueprint is not None
+    return finding(
+        code,
+        node.blueprint.name.origin or node.blueprint.place,
+        message,
+        help=help,
+        related=[Related(end.place, f"it subscribes to '{end.name}'") for end in ends or ()],
+        node=node.name,
+        identity=(node.name or "",),
+    )

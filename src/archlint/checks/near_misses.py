@@ -1,0 +1,99 @@
+"""TOP004: a publisher and a subscription that miss each other by a slip of the pen."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from archlint.checks.conflicts import certain, in_source_order, meet, named_by_library
+from archlint.checks.near import distance
+from archlint.checks.registry import Options, finding, rule
+from archlint.finding import Finding, Related
+
+if TYPE_CHECKING:
+    from archlint.system.model import Connection, Endpoint, System
+
+_LONG_WORD = 7
+"""From this length on, two edits are a slip; below, one is."""
+_SHORT_WORD = 4
+"""Shorter words that differ are different words: ``in`` and ``on``."""
+_OPPOSITES = (("input", "output"), ("upper", "lower"), ("lower", "power"), ("read", "ready"), ("send", "sent"))
+
+
+@rule("TOP004")
+def near_miss_topic_name(system: System, options: Options) -> Iterator[Finding]:
+    """Pairs of publishers and subscriptions without partners, of one type, with names that are almost equal."""
+    alone = [topic for topic in system.topics.values() if not options.is_external(topic.name)]
+    published = _by_type(topic for topic in alone if not topic.users)
+    for topic in alone:
+        if topic.providers:
+            continue
+        for user in in_source_order(_judged(topic)):
+            candidates = [end for end in published.get(user.type or "", []) if _misses(system, end, user)]
+            if candidates:
+                yield _finding(user, candidates)
+                break
+
+
+def _by_type(topics: Iterator[Connection]) -> dict[str, list[Endpoint]]:
+    found: dict[str, list[Endpoint]] = {}
+    for topic in topics:
+        for end in _judged(topic):
+            found.setdefault(end.type or "", []).append(end)
+    return found
+
+
+def _judged(topic: Connection) -> list[Endpoint]:
+    ends = [*topic.providers, *topic.users]
+    return [end for end in ends if certain(end) and end.type is not None and not named_by_library(end)]
+
+
+def _misses(system: System, publisher: Endpoint, user: Endpoint) -> bool:
+    # One node that reads and writes two like names tells them apart on purpose.
+    return (
+        publisher.node is not user.node
+        and nearly_equal(publisher.name or "", user.name or "")
+        and meet(system, publisher, user)
+    )
+
+
+def nearly_equal(one: str, other: str) -> bool:
+    """Whether two full names differ by a slip in one of their parts."""
+    mine, yours = one.split("/"), other.split("/")
+    if len(mine) != len(yours):
+        return False
+    differing = [(left, right) for left, right in zip(mine, yours, strict=True) if left != right]
+    return len(differing) == 1 and _slip(*differing[0])
+
+
+def _slip(one: str, other: str) -> bool:
+    if one.replace("_", "").lower() == other.replace("_", "").lower():
+        return True
+    mine, yours = one.split("_"), other.split("_")
+    if len(mine) != len(yours):
+        return False
+    words = [(left, right) for left, right in zip(mine, yours, strict=True) if left != right]
+    return len(words) == 1 and _misspelt(*words[0])
+
+
+def _misspelt(one: str, other: str) -> bool:
+    if any(letter.isdigit() for letter in one + other) or min(len(one), len(other)) < _SHORT_WORD:
+        return False
+    if tuple(sorted((one, other))) in _OPPOSITES:
+        return False
+    limit = 2 if min(len(one), len(other)) >= _LONG_WORD else 1
+    return distance(one, other, limit) <= limit
+
+
+def _finding(user: Endpoint, candidates: list[Endpoint]) -> Finding:
+    nearest = candidates[0]
+    return finding(
+        "TOP004",
+        user.place,
+        f"nobody publishes '{user.name}' and nobody subscribes to '{nearest.name}', which {nearest.node.name} "
+        f"publishes with the same type; did you mean '{nearest.name}'?",
+        help="write one name at both ends, or remap one to the other in the launch file",
+        related=[Related(end.place, f"{end.node.name} publishes '{end.name}'") for end in candidates],
+        node=user.node.name,
+        identity=(user.name or "", nearest.name or ""),
+    )

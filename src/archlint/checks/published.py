@@ -1,0 +1,74 @@
+"""TOP005: what is published, called with or sent as a goal is of another type than the endpoint's."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from archlint.checks.registry import Options, finding, rule
+from archlint.finding import Finding, Related
+from archlint.program.api.effects import creations_of
+from archlint.program.api.rclpy_names import canonical, interface_and_part
+from archlint.program.values import DictValue, External, Known, ListValue, MessageValue, Value
+
+if TYPE_CHECKING:
+    from archlint.program.model import ApiCall, Creation
+    from archlint.system.model import System
+
+_SENDS = {
+    "rclpy.publisher.Publisher.publish": ("msg", ""),
+    "rclpy.client.Client.call": ("request", "Request"),
+    "rclpy.client.Client.call_async": ("request", "Request"),
+    "rclpy.action.client.ActionClient.send_goal": ("goal", "Goal"),
+    "rclpy.action.client.ActionClient.send_goal_async": ("goal", "Goal"),
+}
+"""By API: the argument that is sent, and which part of the endpoint's interface it must be."""
+
+
+@rule("TOP005")
+def published_type_mismatch(system: System, options: Options) -> Iterator[Finding]:
+    """Arguments of ``publish`` and its kin that are certainly not of the endpoint's type."""
+    for call in system.calls:
+        if call.api not in _SENDS:
+            continue
+        argument, part = _SENDS[call.api]
+        creations = creations_of(call.receiver) if isinstance(call.receiver, Value) else ()
+        given = call.arguments.get(argument)
+        if len(creations) != 1 or creations[0].type is None or not isinstance(given, Value):
+            continue
+        wrong = _wrong(given, creations[0].type, part)
+        if wrong is not None:
+            yield _finding(call, creations[0], argument, part, wrong)
+
+
+def _wrong(given: Value, type_: str, part: str) -> str | None:
+    """What is given, in words, if it is certainly not what is wanted."""
+    if isinstance(given, MessageValue):
+        return None if (given.type, given.part) == (type_, part) else _words(given.type, given.part)
+    if isinstance(given, External):
+        interface, of = interface_and_part(canonical(given.path))
+        return None if interface is None else f"the class {_words(interface, of)} itself"
+    if isinstance(given, Known):
+        bytes_pass = isinstance(given.value, bytes) and not part
+        return None if bytes_pass else repr(given.value) if given.value is not None else "None"
+    if isinstance(given, ListValue):
+        return f"a {given.kind}"
+    return "a dict" if isinstance(given, DictValue) else None
+
+
+def _finding(call: ApiCall, creation: Creation, argument: str, part: str, given: str) -> Finding:
+    method = call.api.rpartition(".")[2]
+    wanted = _words(creation.type or "", part)
+    return finding(
+        "TOP005",
+        call.argument_places.get(argument, call.place),
+        f"{method}() is given {given}, but it wants {wanted}",
+        help=f"rclpy raises TypeError when this line runs; pass an object of {wanted}",
+        related=[Related(creation.place, f"the {creation.kind.replace('_', ' ')} is created here")],
+        node=creation.node.name.text,
+        identity=(creation.kind, creation.name.text or "", given),
+    )
+
+
+def _words(type_: str, part: str) -> str:
+    return f"{type_}.{part}" if part else type_

@@ -1,0 +1,123 @@
+"""QOS001 to QOS004: offers that do not serve a request, and profiles that contradict themselves."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from archlint.checks.conflicts import certain, in_source_order, meet
+from archlint.checks.registry import Options, finding, rule
+from archlint.finding import Finding, Related
+from archlint.program.model import PUBLISHER, SUBSCRIBER
+from archlint.system.qos import Verdict, compatible
+
+if TYPE_CHECKING:
+    from archlint.finding import Place
+    from archlint.program.model import Qos
+    from archlint.system.model import Endpoint, System
+
+
+@rule("QOS001")
+def qos_reliability_mismatch(system: System, options: Options) -> Iterator[Finding]:
+    """Best-effort publishers and reliable subscriptions of one topic."""
+    yield from _mismatches("QOS001", system, {"reliability"})
+
+
+@rule("QOS002")
+def qos_durability_mismatch(system: System, options: Options) -> Iterator[Finding]:
+    """Volatile publishers and transient-local subscriptions of one topic."""
+    yield from _mismatches("QOS002", system, {"durability"})
+
+
+@rule("QOS003")
+def qos_deadline_mismatch(system: System, options: Options) -> Iterator[Finding]:
+    """Deadlines, liveliness and leases that are requested tighter than offered."""
+    yield from _mismatches("QOS003", system, {"deadline", "liveliness", "liveliness_lease"})
+
+
+def _mismatches(code: str, system: System, policies: set[str]) -> Iterator[Finding]:
+    """One finding for each subscription (one create call) and policy, with all publishers that do not fit."""
+    for topic in system.topics.values():
+        offers = in_source_order(end for end in topic.providers if _judged(end))
+        for user in in_source_order(end for end in topic.users if _judged(end)):
+            against: dict[str, list[tuple[Endpoint, Verdict]]] = {}
+            for offer in offers:
+                if not meet(system, offer, user):
+                    continue
+                for verdict in _errors(offer, user):
+                    if verdict.policy in policies:
+                        against.setdefault(verdict.policy, []).append((offer, verdict))
+            for policy in sorted(against):
+                yield _mismatch(code, user, against[policy])
+
+
+def _judged(end: Endpoint) -> bool:
+    return certain(end) and end.qos is not None and not end.qos.overridable and end.qos.parameter is None
+
+
+def _errors(offer: Endpoint, user: Endpoint) -> list[Verdict]:
+    assert offer.qos is not None and user.qos is not None
+    return [verdict for verdict in compatible(offer.qos, user.qos) if verdict.level == "error"]
+
+
+def _mismatch(code: str, user: Endpoint, against: list[tuple[Endpoint, Verdict]]) -> Finding:
+    offer, verdict = against[0]
+    offered, requested = _worded(verdict, verdict.offered), _worded(verdict, verdict.requested)
+    return finding(
+        code,
+        user.place,
+        f"{user.node.name} requests {requested} on '{user.name}', but {offer.node.name} offers {offered}: "
+        "no message gets through",
+        help=_ADVICE[verdict.policy],
+        related=[Related(end.place, f"{end.node.name} offers {_worded(one, one.offered)}") for end, one in against],
+        node=user.node.name,
+        identity=(user.name or "", verdict.policy, *(end.node.name or "" for end, _ in against)),
+    )
+
+
+_ADVICE = {
+    "reliability": "ask for best effort here, or publish reliably; a reliable publisher serves both kinds",
+    "durability": "publish with transient local durability too, or ask for volatile here and do without what "
+    "was sent before",
+    "deadline": "let the publisher offer the deadline that is asked for, or ask for none",
+    "liveliness": "let the publisher assert its liveliness by topic, or ask for automatic liveliness",
+    "liveliness_lease": "let the publisher offer a lease as short as the one that is asked for, or ask for none",
+}
+
+
+def _worded(verdict: Verdict, value: str | float | None) -> str:
+    what = verdict.policy.replace("_", " ")
+    if isinstance(value, str):
+        return f"{value.replace('_', ' ')} {what}" if verdict.policy == "liveliness" else value.replace("_", " ")
+    return f"a {what} of {value:g} s" if value else f"no {what}"
+
+
+@rule("QOS004")
+def qos_contradiction(system: System, options: Options) -> Iterator[Finding]:
+    """Profiles whose parts do not go together, one finding for each create call."""
+    sites: dict[Place, tuple[Endpoint, str]] = {}
+    for end in system.endpoints:
+        contradiction = _contradiction(end.qos) if end.kind in (PUBLISHER, SUBSCRIBER) and end.qos else None
+        if contradiction is not None:
+            sites.setdefault(end.place, (end, contradiction))
+    for place in sorted(sites):
+        end, contradiction = sites[place]
+        assert end.qos is not None
+        written = [Related(end.qos.place, "the profile is written here")] if end.qos.place not in (None, place) else []
+        yield finding(
+            "QOS004",
+            place,
+            contradiction,
+            help="keep_all takes no depth, and keep_last needs one of at least 1",
+            related=[one for one in written if one.place is not None],
+            node=end.node.name,
+            identity=(end.kind, end.name or "", contradiction),
+        )
+
+
+def _contradiction(qos: Qos) -> str | None:
+    if qos.history == "keep_all" and qos.depth and "depth" in qos.explicit:
+        return f"the profile keeps all messages and gives a depth of {qos.depth}, which has no effect"
+    if qos.history == "keep_last" and qos.depth == 0:
+        return "the profile keeps the last 0 messages: the middleware decides what that means"
+    return None

@@ -1,0 +1,143 @@
+"""TOP002, TOP003, SRV001 and ACT001: names with one side only, where nothing outside takes part."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from fnmatch import fnmatchcase
+from typing import TYPE_CHECKING
+
+from archlint.checks.conflicts import certain, in_source_order, named_by_library
+from archlint.checks.near import did_you_mean
+from archlint.checks.ownership import SHARED_BY_DESIGN
+from archlint.checks.registry import Options, finding, rule
+from archlint.finding import Finding, Related
+from archlint.program.model import (
+    ACTION_CLIENT,
+    ACTION_SERVER,
+    CLIENT,
+    PUBLISHER,
+    SERVICE,
+    SUBSCRIBER,
+)
+from archlint.system.implicit import implicit_names
+
+if TYPE_CHECKING:
+    from archlint.system.model import Connection, Endpoint, System
+
+_FOR_TOOLS = (*SHARED_BY_DESIGN, "/robot_description")
+"""Topics that tools such as RViz and the diagnostics aggregator listen to."""
+_PARTNER = {
+    PUBLISHER: SUBSCRIBER,
+    SUBSCRIBER: PUBLISHER,
+    SERVICE: CLIENT,
+    CLIENT: SERVICE,
+    ACTION_SERVER: ACTION_CLIENT,
+    ACTION_CLIENT: ACTION_SERVER,
+}
+
+
+@rule("TOP002")
+def topic_without_subscriber(system: System, options: Options) -> Iterator[Finding]:
+    """Topics of a closed system that are published and that nobody subscribes to."""
+    for end in _lonely(system, options, system.topics, PUBLISHER):
+        if end.name not in _FOR_TOOLS:
+            yield _finding(
+                "TOP002",
+                system,
+                end,
+                f"{end.node.name} publishes '{end.name}', and no node subscribes to it",
+                "subscribe to it, drop the publisher, or list the name under `external` if something outside listens",
+            )
+
+
+@rule("TOP003")
+def topic_without_publisher(system: System, options: Options) -> Iterator[Finding]:
+    """Subscriptions of a closed system to topics that nobody publishes."""
+    for end in _lonely(system, options, system.topics, SUBSCRIBER):
+        yield _finding(
+            "TOP003",
+            system,
+            end,
+            f"{end.node.name} subscribes to '{end.name}', and no node publishes it: the callback never runs",
+            "publish it, or list the name under `external` if something outside does",
+        )
+
+
+@rule("SRV001")
+def client_without_server(system: System, options: Options) -> Iterator[Finding]:
+    """Clients of a closed system whose service nobody offers."""
+    for end in _lonely(system, options, system.services, CLIENT):
+        yield _finding(
+            "SRV001",
+            system,
+            end,
+            f"{end.node.name} calls the service '{end.name}', and no node offers it: no answer ever comes",
+            "start the node that serves it, or list the name under `external` if something outside does",
+        )
+
+
+@rule("ACT001")
+def action_client_without_server(system: System, options: Options) -> Iterator[Finding]:
+    """Action clients of a closed system whose action nobody offers."""
+    for end in _lonely(system, options, system.actions, ACTION_CLIENT):
+        yield _finding(
+            "ACT001",
+            system,
+            end,
+            f"{end.node.name} sends goals to the action '{end.name}', and no node offers it: "
+            "they are neither accepted nor refused",
+            "start the node that serves it, or list the name under `external` if something outside does",
+        )
+
+
+def _lonely(system: System, options: Options, connections: Mapping[str, Connection], kind: str) -> Iterator[Endpoint]:
+    """Certain endpoints without a partner, one for each name; none where somebody unknown may be one."""
+    if not whole(system):
+        return
+    implicit = implicit_names(system)
+    unknown = [end for end in system.endpoints if end.kind == _PARTNER[kind] and not end.resolved]
+    for connection in connections.values():
+        ends = [end for end in connection.providers + connection.users if end.kind == kind]
+        if len(ends) < len(connection.providers + connection.users):
+            continue
+        if connection.name in implicit or options.is_external(connection.name):
+            continue
+        sure = [end for end in ends if certain(end) and not named_by_library(end)]
+        if sure and not any(_may_meet(end, other) for end in sure for other in unknown):
+            yield in_source_order(sure)[0]
+
+
+def whole(system: System) -> bool:
+    """Whether the system is closed, no node's endpoints are out of sight, and it is no part of another one."""
+    if not system.closed or any(node.external for node in system.nodes):
+        return False
+    others = [] if system.world is None else [one for one in system.world.systems if one.launched is not None]
+    if system.launched is None:
+        return not others  # what runs is what the launch files start
+    included = {i.reference.source for one in others if one.launched is not None for i in one.launched.included}
+    return system.launched.file not in included and not system.launched.gaps
+
+
+def _may_meet(end: Endpoint, other: Endpoint) -> bool:
+    if end.type is not None and other.type is not None and end.type != other.type:
+        return False
+    return other.name is None or fnmatchcase(end.name or "", other.name)
+
+
+def _finding(code: str, system: System, end: Endpoint, message: str, help: str) -> Finding:
+    partners = {
+        other.name: other
+        for other in system.endpoints
+        if other.kind == _PARTNER[end.kind] and other.resolved and other.type in (end.type, None)
+    }
+    near = did_you_mean(end.name or "", [name for name in partners if name is not None])
+    other = next((partner for name, partner in partners.items() if near and f"'{name}'" in near), None)
+    return finding(
+        code,
+        end.place,
+        message + near,
+        help=help,
+        related=[Related(other.place, f"{other.node.name} has this one")] if other is not None else (),
+        node=end.node.name,
+        identity=(end.kind, end.name or ""),
+    )
