@@ -77,12 +77,11 @@ class RunCache:
 
     def _known(self, file: SourceFile) -> str | None:
         """The digest of a file's content; of Python only a known one, for compiling hashes it anyway."""
-        status = (file.path, file.mtime_ns, file.size, file.inode)
-        digest = self._store.lookup(*status)
+        digest = self._store.lookup(file.path, file.stamp)
         if digest is None and file.kind not in PYTHON:
             digest = _digest(Path(file.path))
             if digest is not None:
-                self._store.remember(*status, digest)
+                self._store.remember(file.path, file.stamp, digest)
         return digest
 
     def _key_of(self, digests: list[str | None]) -> str | None:
@@ -116,7 +115,7 @@ def own_code() -> list[tuple[str, int, int]]:
     while folders:
         with os.scandir(folders.pop()) as found:
             for entry in found:
-                if entry.name.endswith((".py", ".md")):
+                if entry.name.endswith((".py", ".md", ".json")):
                     status = entry.stat()
                     entries.append((entry.path, status.st_mtime_ns, status.st_size))
                 elif entry.name != "__pycache__" and entry.is_dir():

@@ -7,7 +7,7 @@ from collections.abc import Iterable, Sequence
 from typing import TYPE_CHECKING, Protocol
 
 from archlint.facts import gate
-from archlint.facts.store import digest_of
+from archlint.facts.store import Stamp, digest_of
 
 if TYPE_CHECKING:
     from archlint.facts.model import Facts
@@ -25,8 +25,8 @@ _IMPORTED_NAME = re.compile(rb"(\w[\w.]*)(?:[ \t]+as[ \t]+\w+)?")
 class Cache(Protocol):
     """What is needed of a :class:`~archlint.facts.store.Store`."""
 
-    def lookup(self, path: str, mtime_ns: int, size: int, inode: int) -> str | None: ...
-    def remember(self, path: str, mtime_ns: int, size: int, inode: int, digest: str) -> None: ...
+    def lookup(self, path: str, stamp: Stamp) -> str | None: ...
+    def remember(self, path: str, stamp: Stamp, digest: str) -> None: ...
     def get(self, digest: str) -> bytes | None: ...
     def put(self, digest: str, payload: bytes) -> None: ...
 
@@ -113,12 +113,12 @@ class FactsOfFiles:
     # --------------------------------------------------------------------------------------------- inside
 
     def _known_digest(self, file: SourceFile) -> str | None:
-        return self._cache.lookup(file.path, file.mtime_ns, file.size, file.inode)
+        return self._cache.lookup(file.path, file.stamp)
 
     def _keep(self, file: SourceFile, digest: str, payload: bytes) -> None:
         self._digests[file.path] = digest
         self._payloads[file.path] = payload
-        self._cache.remember(file.path, file.mtime_ns, file.size, file.inode, digest)
+        self._cache.remember(file.path, file.stamp, digest)
 
     def _read(self, file: SourceFile) -> tuple[str, bytes] | None:
         """``(digest, bytes)`` of a file that must be compiled; what needs no compiling is settled here."""
