@@ -140,7 +140,8 @@ def _score_site(
     resolved = {
         each["name"]: each for each in ours if each.get("name") and each.get("resolution") in ("exact", "parameter")
     }
-    true_names = {each["name"] for each in seen if each["name"] and each["phase"] != "forced"}
+    plain = [each for each in seen if each["phase"] != "forced" and not each.get("other_way")]
+    true_names = {each["name"] for each in plain if each["name"]}
     if resolved and true_names and not true_names & set(resolved):
         score.wrong_sites += 1
         result.wrong.append(f"{_place(site)}: the run gives {_words(true_names)}, read as {_words(resolved)}")

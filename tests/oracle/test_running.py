@@ -296,3 +296,29 @@ def test_a_loop_without_end_does_not_fill_the_record(execute):
         """
     )
     assert len(record["entities"]) == 500
+
+
+def test_what_a_parameter_or_an_unknown_value_left_out_is_run_the_other_way(execute):
+    record = execute(
+        """
+        from rclpy.node import Node
+        from std_msgs.msg import String
+        import vendor_sdk
+
+
+        class Talker(Node):
+            def __init__(self):
+                super().__init__("talker")
+                self.declare_parameter("verbose", False)
+                self.create_publisher(String, "always", 10)
+                if self.get_parameter("verbose").value:
+                    self.create_publisher(String, "verbose", 10)
+                if not vendor_sdk.connected:
+                    self.create_publisher(String, "offline", 10)
+        """
+    )
+    assert [(each["name"], each["other_way"]) for each in record["entities"]] == [
+        ("/always", False),
+        ("/verbose", True),
+        ("/offline", True),
+    ]

@@ -19,7 +19,7 @@ from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import Any
 
-from . import finder, interfaces, resume, sandbox
+from . import finder, interfaces, resume, sandbox, unknown
 from .record import recorder
 from .sandbox import TimeUp, limited
 from .unknown import Unknown, make, unpacked_by
@@ -88,6 +88,7 @@ def _prepare(job: dict[str, Any]) -> None:
     finder.install()
     if job.get("resume"):
         resume.install()
+    unknown.other_way = bool(job.get("other_way"))
     if job["kind"] != "setup":
         sandbox.close(Path.cwd())
     sys.stdout = sys.stderr = Path(os.devnull).open("w", encoding="utf-8")  # noqa: SIM115

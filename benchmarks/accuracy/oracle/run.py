@@ -58,11 +58,12 @@ class Oracle:
         self._jobs: list[Job] = []
 
     def run(self) -> dict[str, Any]:
-        """Programs first, then the classes that no program made, then what is still untouched."""
+        """Programs first, then the classes that no program made, then conditions turned over, then the rest."""
         programs = self._start(self._programs())
         self._again(programs)
         classes = self._start(self._classes())
         self._again(classes)
+        self._start(self._other_way([*programs, *classes]))
         self._start(self._untouched())
         return _merged(self.workspace, self._jobs)
 
@@ -169,6 +170,22 @@ class Oracle:
                 jobs.append(self._module_job("classes", source, {"done": sorted(done)}))
         return jobs
 
+    def _other_way(self, jobs: list[Job]) -> list[Job]:
+        """What holds, or made, an object of a file with untouched calls, with its conditions turned over."""
+        seen = {(line["file"], line["line"]) for line in self._lines("entity")}
+        open_files = {
+            source.relative
+            for source in self._sources()
+            if any((source.relative, line) not in seen for line, _ in source.create_sites())
+        }
+        again = []
+        for job in jobs:
+            made = {place.rpartition(":")[0] for line in job.lines for place in line.get("classes", ())}
+            if open_files & {job.label.partition(":")[0], *made}:
+                spec = {**job.spec, "resume": True, "other_way": True, "done": []}
+                again.append(Job(job.kind, job.label, spec))
+        return again
+
     def _untouched(self) -> list[Job]:
         seen = {(line["file"], line["line"]) for line in self._lines("entity")}
         jobs = []
@@ -229,6 +246,7 @@ def _merged(workspace: Workspace, jobs: list[Job]) -> dict[str, Any]:
             if line["what"] == "entity":
                 line["rank"] = _rank(job, line)
                 line["resumed"] = bool(job.spec.get("resume"))
+                line["other_way"] = bool(job.spec.get("other_way"))
                 place = (line["file"], line["line"])
                 best[place] = min(best.get(place, 9), line["rank"])
     for job in jobs:
@@ -263,8 +281,10 @@ def _order(line: Line) -> tuple[Any, ...]:
 
 
 def _rank(job: Job, line: Line) -> int:
-    """0: a plain run; 1: with failing statements skipped; 2: called by force."""
+    """0: a plain run; 1: failing statements skipped; 2: conditions turned over as well; 3: called by force."""
     if line["phase"] == "forced":
+        return 3
+    if job.spec.get("other_way"):
         return 2
     return 1 if job.spec.get("resume") else 0
 
@@ -279,6 +299,7 @@ def _report(job: Job) -> Line:
     entities = sum(line["what"] == "entity" for line in job.lines)
     return {
         "kind": job.kind, "target": job.label, "resumed": bool(job.spec.get("resume")),
+        "other_way": bool(job.spec.get("other_way")),
         "ended": not failures and any(line["what"] == "ran" for line in job.lines), "entities": entities,
         "failures": failures, "broken_callbacks": broken[:10],
     }  # fmt: skip

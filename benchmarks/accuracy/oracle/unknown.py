@@ -22,6 +22,9 @@ _TAINT = re.compile(f"{OPEN}[^{CLOSE}]*{CLOSE}?|{CLOSE}")
 _PATIENCE = 20  # how often one place sees a true answer before it turns false, so that `while x:` ends
 _NUMBER = 1009  # recognisable in a name, harmless as a loop bound
 
+other_way = False
+"""Whether this run decides what is unknown, and parameters that are true or false, the other way."""
+
 _answers: Counter[tuple[types.CodeType, int]] = Counter()
 
 
@@ -185,7 +188,7 @@ class Unknown:
         frame = sys._getframe(1)
         place = (frame.f_code, frame.f_lasti)
         _answers[place] += 1
-        return _answers[place] <= _PATIENCE
+        return not other_way and _answers[place] <= _PATIENCE
 
     # Called and subclassed -----------------------------------------------------------------------
     def __call__(self, *args: Any, **kwargs: Any) -> Any:

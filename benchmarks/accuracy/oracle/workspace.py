@@ -173,7 +173,8 @@ def _take(workspace: Workspace, path: Path, tops: set[Path]) -> None:
         package = _package_above(path)
         if package and here.name == path.suffix[1:]:
             workspace.interfaces[f"{package}/{here.name}/{path.stem}"] = str(path)
-    if path.suffix == ".py" or (not path.suffix and _has_python_shebang(path)):
+    doubled = path.is_symlink() and path.resolve().is_relative_to(workspace.root.resolve())
+    if not doubled and (path.suffix == ".py" or (not path.suffix and _has_python_shebang(path))):
         source = _source(path, relative)
         if source is not None:
             workspace.sources.append(source)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
+from benchmarks.accuracy.oracle import unknown
 from benchmarks.accuracy.oracle.interfaces import interface
 from benchmarks.accuracy.oracle.unknown import Unknown
 
@@ -51,6 +52,8 @@ class ParameterStore:
         if kind is not None:
             # rclpy has no value until somebody gives one: to the run it is unknown.
             value = None if kind is _KINDS.NOT_SET else Unknown(f"parameter {name}")
+        if isinstance(value, bool) and name != "use_sim_time":
+            value ^= unknown.other_way
         parameter = Parameter(name, kind, value)
         override = None if ignore_override else self._oracle_overrides.get(name)
         if override is not None:
