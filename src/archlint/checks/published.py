@@ -6,7 +6,8 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from archlint.checks.registry import Options, finding, rule
-from archlint.finding import Finding, Related
+from archlint.facts import model as facts
+from archlint.finding import Finding, Place, Related
 from archlint.program.api.effects import creations_of
 from archlint.program.api.rclpy_names import canonical, interface_and_part
 from archlint.program.values import DictValue, External, Known, ListValue, MessageValue, Value
@@ -28,17 +29,32 @@ _SENDS = {
 @rule("TOP005")
 def published_type_mismatch(system: System, options: Options) -> Iterator[Finding]:
     """Arguments of ``publish`` and its kin that are certainly not of the endpoint's type."""
+    sites: dict[Place, list[Finding | None]] = {}
     for call in system.calls:
-        if call.api not in _SENDS:
-            continue
-        argument, part = _SENDS[call.api]
-        creations = creations_of(call.receiver) if isinstance(call.receiver, Value) else ()
-        given = call.arguments.get(argument)
-        if len(creations) != 1 or creations[0].type is None or not isinstance(given, Value):
-            continue
-        wrong = _wrong(given, creations[0].type, part)
-        if wrong is not None:
-            yield _finding(call, creations[0], argument, part, wrong)
+        if call.api in _SENDS:
+            sites.setdefault(call.place, []).append(_judge(call))
+    for place in sorted(sites):
+        found = sites[place]
+        # A call that serves several publishers, or is made in several ways, is wrong where each of them is.
+        if found[0] is not None and all(found):
+            yield found[0]
+
+
+def _judge(call: ApiCall) -> Finding | None:
+    argument, part = _SENDS[call.api]
+    creations = creations_of(call.receiver) if isinstance(call.receiver, Value) else ()
+    given = call.arguments.get(argument)
+    if len(creations) != 1 or creations[0].type is None or not isinstance(given, Value):
+        return None
+    if isinstance(given, Known) and given.value is None and not _literal(call):
+        return None  # an attribute that is None until some other callback has set it
+    wrong = _wrong(given, creations[0].type, part)
+    return None if wrong is None else _finding(call, creations[0], argument, part, wrong)
+
+
+def _literal(call: ApiCall) -> bool:
+    arguments = [] if call.expression is None else call.expression.args
+    return len(arguments) == 1 and isinstance(arguments[0].value, facts.Literal)
 
 
 def _wrong(given: Value, type_: str, part: str) -> str | None:

@@ -290,6 +290,7 @@ def enter_function(
         call_place = run.place(expression.span)
     depth = run.store.depth
     activation = Activation(function.qualified, module, scope, body, depth, function, self_value, call_place)
+    activation.arms = len(run.arms)
     activation.scopes.append(scope.key)
     run.store.push()
     for name, value in bound.items():

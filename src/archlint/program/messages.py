@@ -18,6 +18,8 @@ if TYPE_CHECKING:
 
 _OF_EVERY_MESSAGE = frozenset({"get_fields_and_field_types", "SLOT_TYPES", "structure_needs_at_least_one_member"})
 """What rosidl's generator gives each class beside its fields and constants."""
+_CALLBACK = 2
+"""How deep the stack of calls is in a callback itself: the module, and the callback."""
 
 
 def of_value(value: Value) -> MessageValue | None:
@@ -41,6 +43,8 @@ def nested(run: Run, value: MessageValue, name: str) -> MessageValue | None:
         if kind is None or kind.is_primitive or kind.array or run.interfaces.get(kind.name) is None:
             return None
         made = run.fields[(value.key, name)] = MessageValue(kind.name, "", run.store.new_key())
+        if value.key in run.made_in:
+            run.made_in[made.key] = run.made_in[value.key]
     return made
 
 
@@ -55,7 +59,7 @@ def note_use(run: Run, value: Value, name: str, span: Span, access: str) -> None
     key = (run.activation.module.path, span, message.type, message.part)
     if key in run.field_uses:
         return
-    known = run.interfaces.has(message.type, message.part, name)
+    known = None if _may_be_told_apart(run, message) else run.interfaces.has(message.type, message.part, name)
     run.field_uses.add(key)
     section = run.interfaces.section(message.type, message.part)
     fields = () if known is not False or section is None else tuple(field.name for field in section.fields)
@@ -73,8 +77,17 @@ def note_use(run: Run, value: Value, name: str, span: Span, access: str) -> None
     )
 
 
-def note_keywords(run: Run, message: MessageValue, expression: facts.Call | None) -> None:
-    """Note the fields that a constructor call names."""
+def _may_be_told_apart(run: Run, message: MessageValue) -> bool:
+    """Whether a helper that is handed messages of several types is in a branch that may be for another type."""
+    activation = run.activation
+    handed_over = len(run.activations) > _CALLBACK and run.made_in.get(message.key) is not activation
+    return handed_over and len(run.arms) > activation.arms
+
+
+def note_made(run: Run, message: MessageValue, expression: facts.Call | None) -> None:
+    """Note that the code makes a message here, and the fields that the constructor call names."""
+    if run.activations:
+        run.made_in[message.key] = run.activation
     for argument in expression.args if expression is not None else ():
         span = getattr(argument.value, "span", None)
         if argument.keyword is not None and not argument.star and span is not None:

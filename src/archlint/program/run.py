@@ -74,6 +74,8 @@ class Activation:
     yields: list[Value] = field(default_factory=list)
     scopes: list[int] = field(default_factory=list)
     """Scopes that end with it: its own, and those of its comprehensions."""
+    arms: int = 0
+    """How many undecided branches it was called in."""
     closed_over: bool = False
     """Whether a function defined inside may outlive it."""
 
@@ -133,6 +135,8 @@ class Run:
         self.registered: set[tuple[Any, ...]] = set()
         self.fields: dict[tuple[int, str], MessageValue] = {}
         """Messages that fields of messages hold, where nothing was assigned to them."""
+        self.made_in: dict[int, Activation] = {}
+        """Which call of a function made a message, by its key."""
         self.field_uses: set[tuple[Any, ...]] = set()
         self.creations: dict[tuple[Any, ...], model.Creation] = {}
         self.calls: dict[tuple[Any, ...], model.ApiCall] = {}
@@ -159,6 +163,10 @@ class Run:
             if callee.call_place is not None:
                 frames.append(model.Frame(caller.qualified, callee.qualified, callee.call_place))
         return tuple(frames)
+
+    def rounds(self) -> tuple[Place, ...]:
+        """The loops that go round what runs now, those of the callers first."""
+        return tuple(one.place(loop.span) for one in self.activations for loop in one.loops)
 
     # ----------------------------------------------------------------------------------------- variables
 

@@ -191,9 +191,9 @@ def record(run: Run, api: Api, receiver: Value | None, bound: dict[str, Value], 
         if known.creation is None and len(on) == 1:
             known.creation = on[0]
         known.conditional = known.conditional and bool(run.arms)
-        known.looped = known.looped or any(one.loops for one in run.activations)
-        way = run.chain()
-        if way != known.chain and way not in known.ways and tuple(run.arms) == known.arms:
+        way = (run.chain(), run.rounds())
+        known.rounds = known.rounds or way[1]
+        if way[0] != known.chain and way not in known.ways and tuple(run.arms) == known.arms:
             known.ways.append(way)
         return
     first = on[0] if len(on) == 1 else None
@@ -217,7 +217,7 @@ def record(run: Run, api: Api, receiver: Value | None, bound: dict[str, Value], 
         bool(run.arms),
         False,
         activation.tries > 0,
-        any(one.loops for one in run.activations),
+        run.rounds(),
         tuple(run.arms),
     )
     run.calls[key] = call
@@ -231,7 +231,7 @@ def _make_message(
     run: Run, interface: str, part: str, keywords: dict[str, Value], expression: facts.Call | None
 ) -> Value:
     made = MessageValue(interface, part, run.store.new_key())
-    messages.note_keywords(run, made, expression)
+    messages.note_made(run, made, expression)
     for name, value in keywords.items():
         run.store.set(made.key, name, value)
     return made
