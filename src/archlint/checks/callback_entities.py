@@ -9,8 +9,8 @@ from archlint.checks.callback_roles import callback_words, runs_in_executor
 from archlint.checks.reach import calls_of, creations_of, node_name, once_for_each_system, one_for_each_place
 from archlint.checks.registry import Options, finding, rule
 from archlint.finding import Finding, Related
-from archlint.program.api.nodes import is_test_file
 from archlint.program.model import TIMER
+from archlint.workspace.test_code import is_test_file
 
 if TYPE_CHECKING:
     from archlint.program.model import Callback, Creation, Program

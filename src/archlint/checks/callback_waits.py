@@ -86,7 +86,7 @@ def _spun_node(call: ApiCall, program: Program) -> Blueprint | None:
     if call.api.startswith(_EXECUTOR):
         use = getattr(call.receiver, "use", None)
         nodes = list(getattr(use, "nodes", ()))
-        return nodes[0] if len(nodes) == 1 else call.context.node if call.context.node in nodes else None
+        return call.context.node if call.context.node in nodes else nodes[0] if len(nodes) == 1 else None
     value = argument(call, "node")
     options = [one for one in alternatives(value) if isinstance(one, (Instance, NodeValue))] if value else []
     if len(options) != 1:

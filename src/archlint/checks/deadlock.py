@@ -116,8 +116,9 @@ def threads_of(node: Blueprint | None, program: Program) -> str:
 
 
 def executors_of(node: Blueprint, program: Program) -> list[ExecutorUse]:
-    """The executors that spin a node."""
-    return [use for use in program.executors if use.spun and node in use.nodes]
+    """The executors that spin a node; those that do so until the program ends, where there are any."""
+    uses = [use for use in program.executors if use.spun and node in use.nodes]
+    return [use for use in uses if use.steady] or uses
 
 
 def related_executor(node: Blueprint | None, program: Program) -> Iterator[Related]:

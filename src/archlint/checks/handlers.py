@@ -11,13 +11,13 @@ from archlint.checks.registry import Options, finding, rule
 from archlint.facts import model as facts
 from archlint.facts.walk import parts_of
 from archlint.finding import Finding, Place, Related
-from archlint.program.api.nodes import is_test_file
+from archlint.workspace.test_code import is_test_file
 
 if TYPE_CHECKING:
     from archlint.program.model import Callback
     from archlint.system.model import System
 
-_OUTCOMES = frozenset({"succeed", "abort", "canceled"})
+_OUTCOMES = frozenset({"succeed", "abort", "canceled", "is_active"})
 
 
 def _handlers(system: System, role: str) -> Iterator[tuple[Callback, facts.Function]]:
@@ -145,6 +145,7 @@ def _undecided_at(system: System, callback: Callback, place: Place, what: str, e
 
 
 def _decides(fact: facts.Base, goal: str) -> bool:
+    """Whether a statement gives the goal its outcome, or asks whether somebody else has (``is_active``)."""
     return any(
         isinstance(part, facts.Attribute)
         and part.attr in _OUTCOMES

@@ -110,9 +110,7 @@ def _before_remapping(node: Node, started: Started) -> tuple[set[str], str, str]
     """The names of a node without the launch file's remappings, its own name and its namespace."""
     if node.blueprint is None or node.name is None:
         return None
-    plain = instantiate(
-        node.blueprint, node.program, name=started.name, namespace=started.namespace, overrides=node.overrides
-    )
+    plain = instantiate(node.blueprint, node.program, name=started.name, namespace=started.namespace    )
     if plain.name is None or any(endpoint.name is None for endpoint in plain.endpoints):
         return None
     namespace, _, name = plain.name.rpartition("/")
@@ -165,10 +163,14 @@ def undeclared_launch_argument(system: System, options: Options) -> Iterator[Fin
     if launched is None or system.world is None:
         return
     includers = _includers(system.world.launched)
-    for use in launched.undeclared:
+    told: set[str] = set()
+    for use in launched.undeclared if not launched.gaps else ():
         alone = use.file == launched.file
         if use.conditional or (alone and includers.get(use.file)):
             continue  # whoever includes it may pass it: that system tells
+        if use.name in told:
+            continue
+        told.add(use.name)
         declared = sorted({argument.name for argument in launched.declared})
         yield finding(
             "LCH003",

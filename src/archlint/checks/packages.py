@@ -58,26 +58,36 @@ def undeclared_dependency(system: System, options: Options) -> Iterator[Finding]
 _ALSO = {"tf2_ros": "tf2_ros_py", "tf2_ros_py": "tf2_ros", "launch": "launch_ros", "ament_index_python": "launch_ros"}
 
 
+_OF_ROS2_LAUNCH = frozenset({"launch", "launch_ros", "launch_xml", "launch_yaml", "ament_index_python"})
+"""What is there wherever a launch file is launched."""
+
+
 def _imported(world: World) -> Iterator[tuple[str, str, Place, str]]:
     assert world.loader is not None
     for file, found in world.loader.python_facts():
         if file.package is None or file.kind == "setup_py" or _beside_the_code(file.relative):
             continue
+        of_launch = file.kind == "launch_python" or "/launch/" in f"/{file.relative}"
         for statement in _unguarded(found.body):
             module = statement.module
             if isinstance(statement, facts.ImportFrom) and statement.level:
                 continue
             names = [n for n, _ in statement.names] if isinstance(statement, facts.ImportFrom) else []
             needed = package_of_module(module, names, world.packages)
+            if of_launch and needed in _OF_ROS2_LAUNCH:
+                continue
             if needed is not None and not world.loader.is_local(file, module):
                 yield file.package, needed, Place(file.relative, *statement.span), "imports"
 
 
+_BESIDE = frozenset({"test", "tests", "doc", "docs", "example", "examples"})
+
+
 def _beside_the_code(path: str) -> bool:
     """Test code, documentation and examples need not be installed with what they use."""
-    return any(part in ("test", "tests", "doc", "docs") for part in path.split("/")) or posixpath.basename(
-        path
-    ).startswith(("test_", "conftest"))
+    return any(part in _BESIDE for part in path.split("/")) or posixpath.basename(path).startswith(
+        ("test_", "conftest")
+    )
 
 
 def _unguarded(body: list[facts.Stmt]) -> Iterator[facts.Import | facts.ImportFrom]:

@@ -70,7 +70,7 @@ def _how_often(call: ApiCall, rate: float) -> str | None:
     callback = call.context
     if callback.role == "timer" and not call.looped:
         period = callback.creation.period if callback.creation is not None else None
-        if period is None or period <= 0 or period * rate > 1 or not _unguarded(call):
+        if period is None or period <= 0 or period * rate > 1 or not _unguarded(call) or _notes_that_it_ran(call):
             return None
         return f"{1 / period:g} times a second" if period < 1 else "once a second"
     if callback.role in ("main", "thread") and call.loops and _unpaced(call.loops[-1]) and _unguarded(call):
@@ -139,6 +139,17 @@ def _about_readiness(test: facts.Expr) -> bool:
 def _names_a_future(test: facts.Expr) -> bool:
     name = test.attr if isinstance(test, facts.Attribute) else test.id if isinstance(test, facts.Name) else ""
     return "future" in name.lower()
+
+
+def _notes_that_it_ran(call: ApiCall) -> bool:
+    """Whether a callback sets a flag: it may be asked before the next request, here or elsewhere."""
+    return any(
+        isinstance(s, facts.Assign)
+        and isinstance(s.value, facts.Literal)
+        and isinstance(s.value.value, bool)
+        and not all(isinstance(target, facts.Attribute) and target.attr == "data" for target in s.targets)
+        for s in statements_of(call.body)
+    )
 
 
 def _always_the_same(call: ApiCall) -> bool:
@@ -221,10 +232,12 @@ def _runs(system: System) -> Iterator[list[_Step]]:
             continue
         if wait.kind != AWAIT and any(_retries(loop) for loop in call.loops):
             continue
-        for way in (call.chain, *call.ways):
-            at = way[0].place if way else call.place
-            # What is in the same arms of all branches runs together or not at all.
-            by_run.setdefault((id(wait.program), id(call.context), call.arms), []).append((at, way, wait))
+        for way, rounds in ((call.chain, call.rounds), *call.ways):
+            # What is in the same arms of all branches runs together or not at all; a program that is no
+            # callback has to go round all of it.
+            round_ = rounds[:1] if not runs_in_executor(call.context) else ()
+            key = (id(wait.program), id(call.context), call.arms, round_)
+            by_run.setdefault(key, []).append((way[0].place if way else call.place, way, wait))
     for steps in by_run.values():
         yield from _sequences(steps)
 

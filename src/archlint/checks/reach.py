@@ -12,9 +12,9 @@ from weakref import WeakKeyDictionary
 
 from archlint.facts import model as facts
 from archlint.finding import Finding, Related
-from archlint.program.api.nodes import is_test_file
 from archlint.program.model import ACTION_CLIENT, Creation
 from archlint.program.values import EntityValue, FutureValue, Known, Value, alternatives
+from archlint.workspace.test_code import is_test_file
 
 if TYPE_CHECKING:
     from archlint.program.model import ApiCall, Blueprint, Program

@@ -3,14 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from archlint.checks.blocking import in_distros
 from archlint.checks.reach import node_name, one_for_each_place
 from archlint.checks.registry import Options, finding, rule
 from archlint.facts import model as facts
-from archlint.finding import Finding, Related
-from archlint.program.api.nodes import is_test_file
+from archlint.finding import Finding, Related, Severity
+from archlint.workspace.test_code import is_test_file
 
 if TYPE_CHECKING:
     from archlint.program.model import Callback
@@ -73,7 +74,7 @@ def _wrong(system: System, callback: Callback, distros: Sequence[str]) -> Iterat
         return
     passed = _PASSED[callback.role]
     where = f" {in_distros(wrong)}" if set(wrong) != set(distros) else ""
-    yield finding(
+    found = finding(
         "EXE006",
         callback.registered,
         f"{what} is called with {_and(passed)}{where}, and {callback.name} {_takes(function, callback)}",
@@ -82,6 +83,7 @@ def _wrong(system: System, callback: Callback, distros: Sequence[str]) -> Iterat
         node=node_name(system, callback.node),
         identity=(callback.role, callback.name),
     )
+    yield found if not where else replace(found, severity=Severity.WARNING)
 
 
 def _plain(function: facts.Function) -> bool:
@@ -96,16 +98,15 @@ def _fits(function: facts.Function | facts.Lambda, callback: Callback, distro: s
         counts.append(2)
     if callback.role == "timer" and distro not in ("humble", "jazzy") and _wants_timer_info(function):
         counts.append(1)
-    return any(_takes_count(function, callback.bound_arguments + count) for count in counts)
+    return any(_takes_count(function, callback.bound_arguments + count, callback.bound_keywords) for count in counts)
 
 
-def _takes_count(function: facts.Function | facts.Lambda, count: int) -> bool:
+def _takes_count(function: facts.Function | facts.Lambda, count: int, given: frozenset[str]) -> bool:
     positional = [param for param in function.params if param.kind in ("positional_only", "normal")]
-    if any(param.kind == "keyword_only" and param.default is None for param in function.params):
-        return True  # a partial may set it
-    needed = sum(param.default is None for param in positional)
+    open_ = [param for param in positional if param.name not in given]
+    needed = sum(param.default is None for param in open_)
     endless = any(param.kind == "star" for param in function.params)
-    return needed <= count and (endless or count <= len(positional))
+    return needed <= count and (endless or count <= len(open_))
 
 
 def _wants_timer_info(function: facts.Function | facts.Lambda) -> bool:
@@ -120,7 +121,7 @@ def _wants_timer_info(function: facts.Function | facts.Lambda) -> bool:
 
 def _takes(function: facts.Function | facts.Lambda, callback: Callback) -> str:
     positional = [param for param in function.params if param.kind in ("positional_only", "normal")]
-    names = [param.name for param in positional[callback.bound_arguments :]]
+    names = [p.name for p in positional[callback.bound_arguments :] if p.name not in callback.bound_keywords]
     if len(positional) < callback.bound_arguments:
         return "does not even take self"
     if not names:

@@ -25,6 +25,8 @@ MOMENT = 0.1
 DISCOVERY = 1.0
 """Seconds that a callback may look for a server."""
 
+_TRIFLES = frozenset({"clear", "cls", "reset", ""})
+
 _RATE_SLEEP = "rclpy.timer.Rate.sleep"
 _LOOKUPS = ("tf2_ros.buffer.Buffer.lookup_transform", "tf2_ros.buffer.Buffer.can_transform")
 _LISTENER = "tf2_ros.transform_listener.TransformListener"
@@ -56,7 +58,7 @@ def long_running_service(system: System, options: Options) -> Iterator[Finding]:
 def _stays(system: System) -> Iterator[tuple[Program, ApiCall, Stay]]:
     for program, call in judged_calls(system):
         stay = stay_of(call) if runs_in_executor(call.context) else None
-        if stay is not None and _is_long(call, stay) and not _harmless(call.context, program):
+        if stay is not None and not _trifle(call) and _is_long(call, stay) and not _harmless(call.context, program):
             yield program, call, stay
 
 
@@ -74,14 +76,22 @@ def _is_long(call: ApiCall, stay: Stay) -> bool:
     )
 
 
+def _trifle(call: ApiCall) -> bool:
+    """``os.system('clear')``: over before anybody notices."""
+    command = argument(call, "command")
+    return call.api == "os.system" and isinstance(command, Known) and command.value in _TRIFLES
+
+
 def _period(callback: Callback) -> float | None:
     return None if callback.creation is None else callback.creation.period
 
 
 def _harmless(callback: Callback, program: Program) -> bool:
     """Whether nothing else has to wait meanwhile: other threads take the work that is in other groups."""
-    if threads_of(callback.node, program) != blocking.SEVERAL:
-        return False
+    threads = threads_of(callback.node, program)
+    if threads != blocking.SEVERAL:
+        # What holds no group is harmless under several threads, and nobody says that there are none.
+        return callback.group is None and threads in (blocking.ANY, blocking.NOBODY)
     group = callback.group
     if group is None or group.kind == "reentrant":
         return True

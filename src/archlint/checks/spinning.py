@@ -11,8 +11,8 @@ from archlint.checks.deadlock import related_executor, threads_of
 from archlint.checks.reach import judged_calls, node_name, one_for_each_place
 from archlint.checks.registry import Options, finding, rule
 from archlint.finding import Finding, Place, Related
-from archlint.program.api.nodes import is_test_file
 from archlint.program.model import ACTION_SERVER, SERVICE, SUBSCRIBER, TIMER
+from archlint.workspace.test_code import is_test_file
 
 if TYPE_CHECKING:
     from archlint.program.model import Blueprint, Creation, Group, Program

@@ -74,8 +74,7 @@ def _mismatch(code: str, connection: Connection, pairs: list[tuple[Endpoint, End
         f"{against[0].node.name} {_DOES[against[0].kind]} it as {against[0].type}: they never meet",
         help=f"use one type at both ends of the {connection.kind}, or give the two a name each",
         related=[
-            Related(end.place, f"{end.node.name} {_DOES[end.kind]} it as {end.type}")
-            for end in (*against, *rest)
+            Related(end.place, f"{end.node.name} {_DOES[end.kind]} it as {end.type}") for end in (*against, *rest)
         ],
         node=last.node.name,
         identity=(connection.kind, connection.name, *sorted({end.type or "" for end in ends})),

@@ -15,7 +15,7 @@ from archlint.facts import model as facts
 from archlint.facts.deep_stack import call_with_deep_stack
 from archlint.finding import Place
 from archlint.program import calls, model
-from archlint.program.api import nodes
+from archlint.program.api import executors, nodes
 from archlint.program.api.callbacks import describe
 from archlint.program.attributes import bind
 from archlint.program.interest import interesting, names_in
@@ -35,6 +35,7 @@ from archlint.program.values import (
     Unknown,
     Value,
 )
+from archlint.workspace.test_code import is_test_file, look_below
 
 if TYPE_CHECKING:
     from archlint.program.interface_table import InterfaceTable
@@ -95,6 +96,7 @@ class Linker:
     ) -> None:
         self.index = ModuleIndex(files, facts_of)
         self.files = sorted(files, key=lambda file: file.relative)
+        look_below(_common_folder([file.relative for file in self.files]))
         self.relevant = relevant
         self.interfaces = interfaces
         self.store = Store()
@@ -114,7 +116,7 @@ class Linker:
                 self.run_entry(entry, module)
         modules = [m for m in (self._relevant_module(file) for file in self.files) if m is not None]
         for test in (False, True):
-            chosen = [m for m in modules if nodes.is_test_file(m.path) is test]
+            chosen = [m for m in modules if is_test_file(m.path) is test]
             for module in chosen:
                 if self._is_started(module, started):
                     continue
@@ -163,7 +165,7 @@ class Linker:
         context = model.Callback(role, name, place, None, file=module.path)
         run = Run(self.index, self.store, program, context, self.interfaces, overrides)
         run.at_spin = run_pending
-        if nodes.is_test_file(module.path):
+        if is_test_file(module.path):
             run.allowed_steps = TEST_STEPS
         return run
 
@@ -267,6 +269,18 @@ class Linker:
                     run.program.executable = False
                     with _Program(self, run, module):
                         calls.call(run, value, [], {})
+
+
+def _common_folder(paths: Sequence[str]) -> str:
+    """The folder that all paths lie in."""
+    folders = [path.split("/")[:-1] for path in paths]
+    if not folders:
+        return ""
+    first, last = min(folders), max(folders)
+    shared = 0
+    while shared < min(len(first), len(last)) and first[shared] == last[shared]:
+        shared += 1
+    return "/".join(first[:shared])
 
 
 def _prune(programs: list[model.Program]) -> None:
@@ -420,9 +434,16 @@ def run_root(
         layer = run.store.cut(depth)
         run.context, run.activations = kept_context, kept_activations
         run.steps, run.repeats, run.runs, run.arms = kept_bounds
-    run.store.merge([layer] if certain else [layer, {}])
-    objects = (EntityValue, NodeValue, ExecutorValue)
-    return any(key in run.instances and isinstance(v, objects) for (key, _), v in layer.items())
+    written = [(at, run.store.get(*at), value) for at, value in layer.items() if at[0] in run.instances]
+    changed = run.store.merge([layer] if certain else [layer, {}]) or certain
+    return changed and any(_is_state(run, key, slot, before, value) for (key, slot), before, value in written)
+
+
+def _is_state(run: Run, key: int, slot: object, before: object, value: object) -> bool:
+    """Whether an attribute now holds what another callback may act on: an object, or another constant."""
+    if isinstance(value, (EntityValue, NodeValue, ExecutorValue)):
+        return True
+    return isinstance(before, Known) and isinstance(value, Known) and before != value and slot != "#"
 
 
 def _module_of(value: Value) -> Module | None:
@@ -485,13 +506,28 @@ def _run_methods(run: Run) -> bool:
             callback.role = "lifecycle" if ir.name in LIFECYCLE else "method"
             callback.node = run.blueprints.get(instance.key)
             run.program.callbacks.append(callback)
-            arguments = tuple(
-                Unknown(f"{NOT_PASSED} '{p.name}'", name=p.name)
-                for p in ir.params[callback.bound_arguments :]
-                if p.kind in ("positional_only", "normal") and p.default is None
-            )
-            stateful |= run_root(run, callback, bound, arguments)
+            stateful |= run_root(run, callback, bound, _uncalled_arguments(ir, callback.bound_arguments))
     return stateful
+
+
+def _uncalled_arguments(ir: facts.Function, bound: int) -> tuple[Value, ...]:
+    """Arguments of a method that nothing calls: unknown, flags included, since a caller may set them.  Defaults
+    after the last of these stand."""
+    given: list[Value] = []
+    known = 0
+    for param in ir.params[bound:]:
+        if param.kind not in ("positional_only", "normal"):
+            break
+        flag = isinstance(param.default, facts.Literal) and isinstance(param.default.value, bool)
+        if param.default is None or flag:
+            given.append(Unknown(f"{NOT_PASSED} '{param.name}'", name=param.name))
+            known = len(given)
+        else:
+            given.append(NONE)
+    if any(value is NONE for value in given[:known]):
+        # A default stands before a flag: positional arguments would replace it.
+        known = next(number for number, value in enumerate(given) if value is NONE)
+    return tuple(given[:known])
 
 
 def bind_quietly(function: FunctionValue, instance: Instance, owner: ClassValue) -> Value:
@@ -518,22 +554,19 @@ def _methods(run: Run, cls: ClassValue) -> list[tuple[FunctionValue, ClassValue]
 def _finish(run: Run) -> None:
     """What is only known at the end: the executable's name, test code, an executor that never spun."""
     program = run.program
-    from_test = nodes.is_test_file(program.file)
+    from_test = is_test_file(program.file)
     kept = []
     for blueprint in program.nodes:
         if from_test and not blueprint.test:
             continue  # a test makes an object of the real node: not a node of the system
         if from_test:
             # What a test makes the library create is no part of the system either.
-            blueprint.creations = [c for c in blueprint.creations if nodes.is_test_file(c.place.file)]
+            blueprint.creations = [c for c in blueprint.creations if is_test_file(c.place.file)]
         if program.executable:
             blueprint.executables = (program.name,)
         kept.append(blueprint)
     program.nodes[:] = kept
-    for use in program.executors:
-        if not use.spun:
-            for blueprint in use.nodes:
-                blueprint.executor = "none" if blueprint.executor == use.kind else blueprint.executor
+    executors.settle(program)
 
 
 __all__ = ["NONE", "EntryPoint", "Known", "Linker", "bind", "link_files", "run_callbacks"]

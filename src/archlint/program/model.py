@@ -121,6 +121,8 @@ class Callback:
     is_async: bool = False
     bound_arguments: int = 0
     """How many leading positional arguments are already bound (``self``, ``partial``)."""
+    bound_keywords: frozenset[str] = frozenset()
+    """Parameters that a ``partial`` binds by name."""
     file: str = ""
     missing: str | None = None
     """Set when the callback names a method that does not exist: its name."""
@@ -217,12 +219,17 @@ class ApiCall:
     conditional: bool = False
     awaited: bool = False
     in_try: bool = False
-    looped: bool = False
-    """True where a loop, be it in a caller, goes round it."""
+    rounds: tuple[Place, ...] = ()
+    """The loops that go round it, also those of its callers, outermost first."""
     arms: tuple[tuple[str, int], ...] = ()
     """The arms of undecided branches that lead to it, outermost first."""
-    ways: list[tuple[Frame, ...]] = field(default_factory=list)
-    """Other chains that lead to the same call from the same context, through the same arms."""
+    ways: list[tuple[tuple[Frame, ...], tuple[Place, ...]]] = field(default_factory=list)
+    """Other chains (and the loops on them) from the same context to the same call, through the same arms."""
+
+    @property
+    def looped(self) -> bool:
+        """Whether a loop, be it in a caller, goes round it."""
+        return bool(self.rounds)
 
 
 @dataclass(eq=False)
@@ -275,6 +282,8 @@ class ExecutorUse:
     place: Place | None
     in_thread: bool = False
     spun: bool = False
+    steady: bool = False
+    """True where it spins until the program ends, rather than until a future is done."""
     spun_at: Place | None = None
     """The first call that spins it."""
 

@@ -151,6 +151,7 @@ def describe(run: Run, value: Value) -> model.Callback:
     if isinstance(value, Partial):
         callback = describe(run, value.function)
         callback.bound_arguments += len(value.args)
+        callback.bound_keywords |= {name for name, _ in value.keywords}
         return callback
     if isinstance(value, Instance) and isinstance(value.cls, ClassValue):
         from archlint.program.attributes import get_attribute

@@ -61,17 +61,34 @@ def _global_use(run: Run) -> model.ExecutorUse:
 def _put(use: model.ExecutorUse, node: model.Blueprint) -> None:
     if node not in use.nodes:
         use.nodes.append(node)
-    kind = "single_threaded" if use.kind == "events" else use.kind
-    if node.executor in ("none", kind):
-        node.executor = kind
-    elif node.executor != kind:
-        # Spun by several: the one that serves it at the end is not for us to guess, unless the first was only
-        # a helper's spin before the real one.
-        node.executor = "multi_threaded" if "multi_threaded" in (node.executor, kind) else "unknown"
+
+
+def settle(program: model.Program) -> None:
+    """Say of each node which kind of executor serves it, once all of them are known."""
+    astray = any(use.kind == "unknown" and use.spun and not use.nodes for use in program.executors)
+    for node in program.nodes:
+        uses = [use for use in program.executors if use.spun and node in use.nodes]
+        # What spins until a future is done is only a helper before the real one.
+        uses = [use for use in uses if use.steady] or uses
+        kinds = {"single_threaded" if use.kind == "events" else use.kind for use in uses}
+        if not kinds:
+            node.executor = "unknown" if astray else "none"
+        elif len(kinds) == 1:
+            node.executor = kinds.pop()
+        else:
+            node.executor = "multi_threaded" if "multi_threaded" in kinds else "unknown"
+
+
+def running(run: Run, node: model.Blueprint | None) -> model.ExecutorUse | None:
+    """The executor that a node has been added to, where there is one."""
+    found = [use for use in run.program.executors if node is not None and node in use.nodes]
+    return found[0] if len(found) == 1 else None
 
 
 def _spins(run: Run, use: model.ExecutorUse, call: ApiUse) -> None:
     use.spun = True
+    last = call.api.path.rpartition(".")[2]
+    use.steady = use.steady or last == "spin" or (last == "spin_once" and bool(run.rounds()))
     use.in_thread = use.in_thread or run.context.role == "thread"
     if use.spun_at is None:
         # A thread whose target is the spin itself: there is no call, but the place where it is handed over.
@@ -84,7 +101,7 @@ def spin(run: Run, call: ApiUse) -> Value:
     use = use_of(run, given)
     if use is None:
         unknown = given is not None and not (isinstance(given, Known) and given.value is None)
-        use = model.ExecutorUse("unknown", None, [], None) if unknown else _global_use(run)
+        use = _new_use(run, "unknown", None, call) if unknown else _global_use(run)
     _spins(run, use, call)
     if run.context.role in ("init", "main", "module", "thread", "method"):
         for node in nodes.nodes_of(run, call.get("node"), plausible=False):

@@ -24,23 +24,13 @@ from archlint.program.values import (
     Value,
     join_texts,
 )
+from archlint.workspace.test_code import is_test_file
 
 if TYPE_CHECKING:
     from archlint.program.api.effects import ApiUse
     from archlint.program.run import Run
 
 _ROOT = model.Text("/", "exact")
-
-
-def is_test_file(path: str) -> bool:
-    parts = path.split("/")
-    stem = parts[-1].removesuffix(".py")
-    return (
-        any(part in ("test", "tests") for part in parts[:-1])
-        or stem.startswith("test_")
-        or stem.endswith("_test")
-        or stem == "conftest"
-    )
 
 
 def new_blueprint(run: Run, class_name: str, place: Place, key: str, package: str | None) -> model.Blueprint:

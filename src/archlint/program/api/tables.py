@@ -10,7 +10,6 @@ from dataclasses import dataclass, field
 
 from archlint.program import model
 
-
 OUTSIDE = "outside"
 """The kind of what waits for the network, a process or a file: nothing of ROS."""
 
@@ -373,6 +372,7 @@ ROWS = [
     _row("rclpy.executors.SingleThreadedExecutor", "* context", effect="executor", kind="single_threaded"),
     _row("rclpy.executors.MultiThreadedExecutor", "num_threads * context", effect="executor", kind="multi_threaded"),
     _row("rclpy.experimental.events_executor.EventsExecutor", "* context", effect="executor", kind="events"),
+    _row("rclpy.executors.Executor", "* context", effect="executor", kind="unknown"),
     _row("rclpy.executors.Executor.add_node", "node", effect="add_node"),
     _row("rclpy.executors.Executor.spin", "", effect="executor_spin", watched=True),
     _row("rclpy.executors.Executor.spin_once", "timeout_sec", effect="executor_spin", watched=True),

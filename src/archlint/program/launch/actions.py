@@ -25,6 +25,7 @@ from archlint.program.store import Items
 from archlint.program.texts import text_of_value
 from archlint.program.values import (
     DictValue,
+    External,
     Instance,
     Known,
     ListValue,
@@ -41,12 +42,24 @@ VISITS = 20_000
 """How many actions one launch may visit."""
 
 
+NESTING = 100
+"""How deep actions may stand in each other, includes and functions counted."""
+
+
 def visit(run: LaunchRun, entity: Value) -> None:
     """Run one entity, or a list of them."""
     run.visits += 1
-    if run.visits > VISITS:
+    if run.visits > VISITS or run.nesting >= NESTING:
         run.gap("more actions than can be followed")
         return
+    run.nesting += 1
+    try:
+        _visit(run, entity)
+    finally:
+        run.nesting -= 1
+
+
+def _visit(run: LaunchRun, entity: Value) -> None:
     if isinstance(entity, (ListValue, OneOf)):
         _visit_several(run, entity)
     elif isinstance(entity, Known) and entity.value is None:
@@ -76,6 +89,7 @@ def visit_items(run: LaunchRun, items: Items) -> None:
 
 
 def _visit_one(run: LaunchRun, entity: Instance) -> None:
+    entity = _known_by_name(entity)
     kind = kind_of(entity)
     arms = run.store.get(entity.key, "#arms")
     own = frozenset(arms) - run.code_arms if isinstance(arms, frozenset) else frozenset()
@@ -92,6 +106,16 @@ def _visit_one(run: LaunchRun, entity: Instance) -> None:
                 run.gap(f"{entity.note or kind or 'an object'} is no action that is followed")
     finally:
         run.place_now = kept
+
+
+def _known_by_name(entity: Instance) -> Instance:
+    """Another library's ``DeclareBooleanLaunchArgument`` and the like declare an argument as launch's own do."""
+    path = entity.cls.path if isinstance(entity.cls, External) else ""
+    name = path.rpartition(".")[2]
+    if path.startswith("launch.") or not (name.startswith("Declare") and name.endswith("LaunchArgument")):
+        return entity
+    arguments = {{"0": "name"}.get(key, key): value for key, value in entity.arguments.items()}
+    return Instance(External("launch.DeclareLaunchArgument"), entity.key, entity.place, arguments)
 
 
 def _actions(name: str) -> Callable[[LaunchRun, Instance], None]:
@@ -112,9 +136,15 @@ def callable_value(value: Value) -> bool:
 
 
 def _description(run: LaunchRun, entity: Instance) -> None:
-    entities = run.store.get(entity.key, "#entities")
-    if isinstance(entities, Items):
-        visit_items(run, entities)
+    """A description grows while it is visited, where a function adds to it."""
+    done = 0
+    while True:
+        entities = run.store.get(entity.key, "#entities")
+        values = entities.values[done:] if isinstance(entities, Items) else ()
+        if not isinstance(entities, Items) or not values:
+            return
+        visit_items(run, Items(values, entities.open))
+        done += len(values)
 
 
 def _branch(run: LaunchRun, entity: Instance) -> None:

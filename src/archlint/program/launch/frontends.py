@@ -213,6 +213,9 @@ class Frontend:
             separator = element.text("value-sep")
             if separator:
                 return self.list([self._scalar(part.strip(), kind) for part in attribute.value.split(separator)])
+            quoted_number = self.file.endswith((".yaml", ".yml")) and from_yaml(attribute.value)[0] != attribute.value
+            if quoted_number and kind is None:
+                return Unknown("a text that looks like a number: releases differ in what they make of it")
             if "$(" not in attribute.value:
                 return self._scalar(attribute.value, kind)
             given = {"value": self.parse(attribute.value, place)}

@@ -336,6 +336,6 @@ def _star_import(statement: facts.Stmt) -> bool:
 
 
 def _is_test(path: str) -> bool:
-    from archlint.program.api.nodes import is_test_file
+    from archlint.workspace.test_code import is_test_file
 
     return is_test_file(path)

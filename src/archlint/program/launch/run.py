@@ -41,6 +41,7 @@ class LaunchRun(Run):
         self.result = result
         self.place_now = place
         self.visits = 0
+        self.nesting = 0
         self.current_arms: Arms = frozenset()
         self.code_arms: Arms = frozenset()
         """Branches of the code that have already been taken note of."""
