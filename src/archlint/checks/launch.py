@@ -110,7 +110,7 @@ def _before_remapping(node: Node, started: Started) -> tuple[set[str], str, str]
     """The names of a node without the launch file's remappings, its own name and its namespace."""
     if node.blueprint is None or node.name is None:
         return None
-    plain = instantiate(node.blueprint, node.program, name=started.name, namespace=started.namespace    )
+    plain = instantiate(node.blueprint, node.program, name=started.name, namespace=started.namespace)
     if plain.name is None or any(endpoint.name is None for endpoint in plain.endpoints):
         return None
     namespace, _, name = plain.name.rpartition("/")

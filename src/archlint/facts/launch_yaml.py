@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from typing import TYPE_CHECKING
 
-from archlint.facts.launch_model import DEPTH, ELEMENTS, Attribute, Element, LaunchFacts, failed
+from archlint.facts.launch_model import DEPTH, ELEMENTS, Attribute, Element, LaunchFacts, Scalar, failed
 from archlint.facts.model import Suppression
 from archlint.facts.safe_yaml import YamlError, YamlReader, scalar, span_of
 
@@ -64,11 +64,11 @@ def _element(reader: YamlReader, tag: str, key: yaml.Node, node: yaml.Node, dept
     for name, name_node, value in reader.pairs(node, min(depth, 50)):
         if isinstance(value, yaml.ScalarNode):
             span = (*span_of(name_node)[:2], *span_of(value)[2:])
-            attributes[name] = Attribute(scalar(value), span)
+            attributes[name] = Attribute(_scalar(value), span)
         elif isinstance(value, yaml.SequenceNode):
             items = value.value
             if items and all(isinstance(item, yaml.ScalarNode) for item in items):
-                attributes[name] = Attribute([scalar(item) for item in items], span_of(name_node))
+                attributes[name] = Attribute([_scalar(item) for item in items], span_of(name_node))
             elif name == "children":
                 children.extend(_children(reader, value, depth + 1))
             else:
@@ -77,6 +77,11 @@ def _element(reader: YamlReader, tag: str, key: yaml.Node, node: yaml.Node, dept
         else:
             children.append(_element(reader, name, name_node, value, depth + 1))
     return Element(tag, attributes, tuple(children), span_of(key))
+
+
+def _scalar(node: yaml.ScalarNode) -> Scalar:
+    """launch reads YAML 1.1 as PyYAML does: ``y`` is a text, not a bool as for rcl."""
+    return node.value if node.tag == "tag:yaml.org,2002:str" else scalar(node)
 
 
 def suppressions_of_lines(text: str) -> list[Suppression]:

@@ -94,9 +94,9 @@ class LaunchSystems:
                 name=started.name,
                 namespace=started.namespace,
                 remaps=rules,
-                overrides=overrides,
                 launched_by=launch_file,
             )
+            node.overrides = overrides  # the program has run with them: its names are final
             node.launch_place = started.place
             node.started = started
             node.alternatives = started.arms

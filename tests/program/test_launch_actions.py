@@ -1,0 +1,331 @@
+"""What launch actions do: scopes, namespaces, remappings, conditions, includes, functions."""
+
+from __future__ import annotations
+
+import pytest
+
+from program.launching import names, parameters, remaps
+
+
+def node(name: str, **keywords: str) -> str:
+    more = "".join(f", {key}={value}" for key, value in keywords.items())
+    return f"Node(package='robot', executable='talker', name={name!r}{more})"
+
+
+# --------------------------------------------------------------------------------------- names and namespaces
+
+
+@pytest.mark.parametrize(
+    ("pushed", "own", "full"),
+    [
+        (None, None, "n"),
+        (None, "'left'", "/left/n"),
+        ("'robot'", None, "/robot/n"),
+        ("'robot'", "'left'", "/robot/left/n"),
+        ("'robot'", "'/left'", "/left/n"),
+        ("'/a/'", "'b/'", "/a/b/n"),
+    ],
+)
+def test_namespace_of_a_node(launches, pushed, own, full):
+    push = f"PushRosNamespace({pushed}), " if pushed else ""
+    keywords = {"namespace": own} if own else {}
+    assert names(launches.python(f"[{push}{node('n', **keywords)}]")) == [full]
+
+
+def test_namespaces_add_up_until_their_group_ends(launches):
+    launched = launches.python(
+        f"[GroupAction([PushRosNamespace('a'), PushRosNamespace('b'), {node('in')}]), {node('out')}]"
+    )
+    assert names(launched) == ["/a/b/in", "out"]
+
+
+def test_a_group_without_scope_leaks(launches):
+    launched = launches.python(f"[GroupAction([PushRosNamespace('a')], scoped=False), {node('out')}]")
+    assert names(launched) == ["/a/out"]
+
+
+def test_an_include_is_not_scoped(launches):
+    launches.file(
+        "robot/launch/inner.launch.xml",
+        '<launch><push_ros_namespace namespace="deep"/><arg name="x" default="1"/></launch>',
+    )
+    launched = launches.python(
+        "[IncludeLaunchDescription(AnyLaunchDescriptionSource([FindPackageShare('robot'), "
+        f"'/launch/inner.launch.xml'])), {node('after', namespace='LaunchConfiguration(chr(120))')}, {node('last')}]"
+    )
+    assert names(launched)[1] == "/deep/last"
+
+
+# ----------------------------------------------------------------------------------------------- remappings
+
+
+def test_group_remappings_come_before_the_nodes_own(launches):
+    (started,) = launches.python(
+        f"[SetRemap('a', 'group'), {node('n', remappings='[(chr(97), chr(98)), (str(1), str(2))]')}]"
+    ).started
+    assert remaps(started)[0] == ("a", "group")
+    assert [remap.group for remap in started.remaps] == [True, False, False]
+
+
+def test_a_remapping_ends_with_its_group_unless_an_outer_one_exists(launches):
+    alone = launches.python(f"[GroupAction([SetRemap('a', 'x'), {node('in')}]), {node('out')}]")
+    assert [remaps(started) for started in alone.started] == [[("a", "x")], []]
+    leaking = launches.python(f"[SetRemap('o', 'p'), GroupAction([SetRemap('a', 'x'), {node('in')}]), {node('out')}]")
+    assert remaps(leaking.started[1]) == [("o", "p"), ("a", "x")]
+
+
+# ------------------------------------------------------------------------------------------------ arguments
+
+
+def test_arguments_default_and_given(launches):
+    actions = f"[DeclareLaunchArgument('ns', default_value='a'), {node('n', namespace='LaunchConfiguration(str(x))')}]"
+    actions = actions.replace("str(x)", "'ns'")
+    assert names(launches.python(actions)) == ["/a/n"]
+    assert names(launches.python(actions, ns="b")) == ["/b/n"]
+
+
+def test_an_argument_without_default_leaves_a_hole(launches):
+    launched = launches.python(
+        "[DeclareLaunchArgument('robot'), Node(package='robot', executable='talker', name='n', "
+        "namespace=['fleet/', LaunchConfiguration('robot')])]"
+    )
+    (started,) = launched.started
+    assert (started.namespace.text, started.namespace.resolution) == ("/fleet/*", "partial")
+    assert "'robot' has no default" in started.namespace.reason
+
+
+def test_a_configuration_that_nothing_sets_is_noted_with_its_place(launches):
+    launched = launches.xml('<node pkg="robot" exec="talker" name="$(var nmae)"/>')
+    (use,) = launched.undeclared
+    assert (use.name, use.place.line, use.place.column) == ("nmae", 2, 33)
+
+
+# ----------------------------------------------------------------------------------------------- conditions
+
+
+@pytest.mark.parametrize(("default", "expected"), [("true", ["yes"]), ("False", ["no"]), ("1", ["yes"])])
+def test_a_default_decides_a_condition(launches, default, expected):
+    launched = launches.python(
+        f"[DeclareLaunchArgument('sim', default_value='{default}'), "
+        f"{node('yes', condition='IfCondition(LaunchConfiguration(sim))')}, "
+        f"{node('no', condition='UnlessCondition(LaunchConfiguration(sim))')}]",
+        before="sim = 'sim'",
+    )
+    assert names(launched) == expected
+    assert len(launched.started) == 2
+
+
+def test_an_undecided_condition_gives_two_arms_that_exclude_each_other(launches):
+    launched = launches.python(
+        "[DeclareLaunchArgument('sim'), "
+        f"{node('yes', condition='IfCondition(LaunchConfiguration(sim))')}, "
+        f"{node('no', condition='UnlessCondition(LaunchConfiguration(sim))')}]",
+        before="sim = 'sim'",
+    )
+    yes, no = launched.started
+    assert (yes.arms, no.arms) == ({("sim", 1)}, {("sim", 0)})
+    assert (launched.condition(yes.arms), launched.condition(no.arms)) == ("sim:=true", "sim:=false")
+
+
+def test_values_of_one_argument_exclude_each_other(launches):
+    launched = launches.python(
+        "[DeclareLaunchArgument('mode'), "
+        + ", ".join(
+            node(
+                name, condition=f"IfCondition(PythonExpression([q, LaunchConfiguration('mode'), q, ' == ', {name!r}]))"
+            )
+            for name in ("'a'", "'b'")
+        )
+        + "]",
+        before='q = "\'"',
+    )
+    one, other = (dict(started.arms) for started in launched.started)
+    assert one.keys() == other.keys() == {"mode"} and one != other
+
+
+@pytest.mark.parametrize(
+    ("expression", "expected"),
+    [
+        ("\"'$(var mode)' == 'fast'\"", ["n"]),
+        ("\"'$(var mode)' in ['slow', 'still']\"", []),
+        ('"not $(var flag)"', []),
+        ("\"$(var flag) and '$(var mode)'.startswith('fa')\"", ["n"]),
+        ('"$(var count) * 2 > 5"', ["n"]),
+    ],
+)
+def test_python_expressions_on_known_values(launches, expression, expected):
+    launched = launches.xml(
+        '<arg name="mode" default="fast"/><arg name="flag" default="True"/><arg name="count" default="3"/>'
+        f"<node pkg='robot' exec='talker' name='n' if='$(eval {expression.replace(chr(39), '&apos;')})'/>"
+    )
+    assert names(launched) == expected
+
+
+def test_no_expression_is_executed(launches, tmp_path):
+    marker = tmp_path / "executed"
+    text = f"__import__(&apos;os&apos;).mkdir(&apos;{marker}&apos;)"
+    launched = launches.xml(f"<node pkg='robot' exec='talker' name='n' if='$(eval \"{text}\")'/>")
+    assert not marker.exists()
+    assert launched.started[0].arms
+
+
+# ----------------------------------------------------------------------------------- code in a launch file
+
+
+def test_loops_and_helpers(launches):
+    launched = launches.python(
+        "[make(name) for name in ('a', 'b')]",
+        before="def make(name):\n    return Node(package='robot', executable='talker', name=f'{name}_node')",
+    )
+    assert names(launched) == ["a_node", "b_node"]
+
+
+def test_opaque_functions_see_the_context(launches):
+    launched = launches.python(
+        "[DeclareLaunchArgument('count', default_value='2'), OpaqueFunction(function=setup)]",
+        before=(
+            "def setup(context):\n"
+            "    count = int(LaunchConfiguration('count').perform(context))\n"
+            "    ns = context.launch_configurations['count']\n"
+            "    return [Node(package='robot', executable='talker', name=f'n{i}', namespace='r' + ns)\n"
+            "            for i in range(count)]"
+        ),
+    )
+    assert names(launched) == ["/r2/n0", "/r2/n1"]
+
+
+def test_a_description_may_grow_while_it_runs(launches):
+    launches.file(
+        "robot/launch/it.launch.py",
+        "from launch import LaunchDescription\nfrom launch.actions import OpaqueFunction\n"
+        "from launch_ros.actions import Node\n"
+        "def setup(context, ld):\n    ld.add_action(Node(package='robot', executable='talker', name='late'))\n"
+        "def generate_launch_description():\n    ld = LaunchDescription()\n"
+        "    ld.add_action(OpaqueFunction(function=setup, args=[ld]))\n    return ld\n",
+    )
+    assert names(launches.run("robot/launch/it.launch.py")) == ["late"]
+
+
+def test_a_branch_of_the_code_that_nothing_decides(launches):
+    launched = launches.python(
+        "actions",
+        before=(
+            "actions = []\nif os.environ['ROBOT'] == 'a':\n    actions.append(" + node("a") + ")\n"
+            "else:\n    actions.append(" + node("b") + ")"
+        ),
+    )
+    one, other = (dict(started.arms) for started in launched.started)
+    assert one.keys() == other.keys() and one != other
+
+
+def test_timers_handlers_and_processes(launches):
+    launched = launches.python(
+        f"[first, TimerAction(period=1.0, actions=[{node('timed')}]), "
+        f"RegisterEventHandler(OnProcessExit(target_action=first, on_exit=[{node('handled')}])), "
+        "ExecuteProcess(cmd=['ros2', 'run', 'robot', 'talker']), ExecuteProcess(cmd=['bash', 'x.sh'])]",
+        before=f"first = {node('first')}",
+    )
+    assert [(s.kind, s.package.text, s.executable.text) for s in launched.started] == [
+        ("node", "robot", "talker"),
+        ("node", "robot", "talker"),
+        ("node", "robot", "talker"),
+        ("node", "robot", "talker"),
+        ("process", None, "bash"),
+    ]
+
+
+def test_components(launches):
+    launched = launches.python(
+        "[PushRosNamespace('r'), ComposableNodeContainer(name='box', namespace='', package='rclcpp_components', "
+        "executable='component_container', composable_node_descriptions=[ComposableNode(package='p', plugin='p::C', "
+        "name='c', remappings=[('a', 'b')])]), LoadComposableNodes(target_container='box', "
+        "composable_node_descriptions=[ComposableNode(package='p', plugin='p::D', namespace='n')])]"
+    )
+    assert [(s.kind, s.executable.text) for s in launched.started] == [
+        ("container", "component_container"),
+        ("component", "p::C"),
+        ("component", "p::D"),
+    ]
+    assert names(launched) == ["/r/box", "/r/c", "/r/n/-"]
+
+
+# ------------------------------------------------------------------------------------------------- includes
+
+
+def test_includes_across_packages_and_formats(launches):
+    launches.package("arm")
+    launches.file(
+        "arm/launch/arm.launch.py",
+        "from launch import LaunchDescription\nfrom launch.substitutions import LaunchConfiguration\n"
+        "from launch_ros.actions import Node\n"
+        "def generate_launch_description():\n"
+        "    return LaunchDescription([Node(package='arm', executable='talker', name=LaunchConfiguration('name'))])\n",
+    )
+    launches.file(
+        "robot/launch/two.launch.yaml",
+        "launch:\n- include:\n    file: $(find-pkg-share arm)/launch/arm.launch.py\n"
+        "    arg:\n    - {name: name, value: left}\n",
+    )
+    launched = launches.xml('<include file="$(dirname)/two.launch.yaml"/>')
+    assert names(launched) == ["left"]
+    assert [include.reference.status for include in launched.included] == ["installed", "installed"]
+
+
+@pytest.mark.parametrize(
+    ("path", "status"),
+    [
+        ("$(find-pkg-share robot)/launch/gone.launch.py", "missing"),
+        ("$(find-pkg-share nav2_bringup)/launch/x.launch.py", "external"),
+        ("/opt/x.launch.py", "external"),
+        ("$(find-pkg-share robot)/other/there.launch.xml", "not installed"),
+    ],
+)
+def test_files_that_are_not_there(launches, path, status):
+    launches.file("robot/other/there.launch.xml", "<launch/>")
+    launched = launches.xml(f'<include file="{path}"/>')
+    assert [include.reference.status for include in launched.included] == [status]
+    assert launched.gaps == []
+
+
+def test_a_circle_of_includes_ends(launches):
+    launched = launches.xml('<include file="$(dirname)/it.launch.xml"/><node pkg="robot" exec="talker"/>')
+    assert len(launched.started) == 1
+    assert "includes itself" in launched.gaps[0].reason
+
+
+# ----------------------------------------------------------------------------------------------- parameters
+
+
+def test_types_of_parameters(launches):
+    launched = launches.xml(
+        """<arg name="x" default="1.5"/><node pkg="robot" exec="talker">
+          <param name="a" value="1"/><param name="b" value="1" type="str"/><param name="c" value="$(var x)"/>
+          <param name="d"><param name="e" value="true"/></param><param name="f" value="[1, 2]"/>
+        </node>"""
+    )
+    assert parameters(launched.started[0]) == {"a": 1, "b": "1", "c": 1.5, "d.e": True, "f": [1, 2]}
+
+
+def test_parameters_of_python(launches):
+    launched = launches.python(
+        "[DeclareLaunchArgument('rate', default_value='5'), SetParameter('use_sim_time', True), Node(package='robot', "
+        "executable='talker', parameters=[{'rate': LaunchConfiguration('rate'), 'deep': {'er': 'text'}, "
+        "'no': secret()}, "
+        "os.path.join(get_package_share_directory('robot'), 'config', 'robot.yaml')])]"
+    )
+    (started,) = launched.started
+    assert parameters(started) == {"use_sim_time": True, "rate": 5, "deep.er": "text", "no": None}
+    assert [p.known for p in started.parameters if hasattr(p, "known")] == [True, True, True, False]
+    assert started.parameters[-1].reference.status == "missing"
+
+
+def test_yaml_keeps_types_but_for_texts_that_look_like_numbers(launches):
+    launched = launches.yaml(
+        "launch:\n- node:\n    pkg: robot\n    exec: talker\n    namespace: left\n"
+        "    param:\n    - {name: a, value: 1}\n    - {name: b, value: '1'}\n    - {name: c, value: one}\n"
+        "    remap:\n    - {from: x, to: y}\n"
+    )
+    (started,) = launched.started
+    assert parameters(started) == {"a": 1, "b": None, "c": "one"}
+    assert remaps(started) == [("x", "y")]
+    assert names(launched) == ["/left/-"]

@@ -1,0 +1,98 @@
+"""Launch files that are broken or hostile: a word about it, in bounded time, and nothing is executed."""
+
+from __future__ import annotations
+
+import time
+
+import pytest
+
+from archlint.facts.launch_xml import read_launch_xml
+from archlint.facts.launch_yaml import read_launch_yaml
+from archlint.facts.parameters import read_parameters
+
+ENTITIES = '<!DOCTYPE launch [<!ENTITY a "aaaaaaaaaa"><!ENTITY b "&a;&a;&a;">]><launch><node pkg="&b;"/></launch>'
+ALIASES = (
+    "a: &a [x, x, x, x, x, x, x, x, x]\n"
+    + "".join(f"{chr(98 + i)}: &{chr(98 + i)} [{', '.join(['*' + chr(97 + i)] * 9)}]\n" for i in range(9))
+    + "n:\n  ros__parameters:\n    p: *j\n"
+)
+
+
+@pytest.mark.parametrize(
+    ("text", "words"),
+    [
+        ("<launch><node></launch>", "mismatched tag"),
+        (ENTITIES, "entity declarations are not allowed"),
+        ("<launch>" + "<group>" * 300 + "</group>" * 300 + "</launch>", "more elements"),
+        ("<launch>\0</launch>", "not well-formed"),
+        ("", "no element found"),
+    ],
+)
+def test_broken_xml(text, words):
+    (problem,) = read_launch_xml(text).problems
+    assert words in problem.message
+
+
+@pytest.mark.parametrize(
+    ("text", "line", "words"),
+    [
+        ("launch:\n- node: {pkg: a\n", 3, "malformed YAML"),
+        ("launch:\n- node:\n    pkg: !robot a\n", 3, "the tag !robot means nothing"),
+        ("launch:\n- arg: {name: a, default: !!python/object/apply:os.getcwd []}\n", 2, ""),
+    ],
+)
+def test_broken_yaml(text, line, words):
+    facts = read_launch_yaml(text)
+    if words:
+        (problem,) = facts.problems
+        assert words in problem.message and problem.line == line
+    else:
+        assert facts.root is not None  # read as plain data: no tag makes an object
+
+
+def test_aliases_that_explode():
+    started = time.perf_counter()
+    (problem,) = read_parameters(ALIASES).problems
+    assert "more values" in problem.message
+    assert time.perf_counter() - started < 5
+
+
+def test_yaml_of_another_kind_is_nobodys_business():
+    assert read_launch_yaml("image: map.pgm\nresolution: 0.05\n").root is None
+    assert read_parameters("image: map.pgm\n").sections == ()
+
+
+def test_ros1_files_are_recognised(launches):
+    launched = launches.xml('<node pkg="robot" type="talker.py" name="talker"/><rosparam file="$(find robot)/x.yaml"/>')
+    assert launched.ros1
+    assert launched.started == []
+
+
+@pytest.mark.parametrize(
+    "body",
+    [
+        "    raise RuntimeError('no')\n",
+        "    return None\n",
+        "    return LaunchDescription(unknown())\n",
+        "    return generate_launch_description()\n",
+        "    while True:\n        pass\n",
+        "    return LaunchDescription([OpaqueFunction(function=lambda context: [OpaqueFunction(function=print)])])\n",
+    ],
+)
+def test_python_that_leads_nowhere(launches, body):
+    launches.file(
+        "robot/launch/it.launch.py",
+        "from launch import LaunchDescription\nfrom launch.actions import OpaqueFunction\n"
+        f"def generate_launch_description():\n{body}",
+    )
+    assert launches.run("robot/launch/it.launch.py").started == []
+
+
+def test_an_include_of_itself_through_a_function_ends(launches):
+    launches.file(
+        "robot/launch/it.launch.py",
+        "from launch import LaunchDescription\nfrom launch.actions import OpaqueFunction\n"
+        "def again(context):\n    return [OpaqueFunction(function=again)]\n"
+        "def generate_launch_description():\n    return LaunchDescription([OpaqueFunction(function=again)])\n",
+    )
+    assert launches.run("robot/launch/it.launch.py").started == []

@@ -1,0 +1,199 @@
+"""The systems that launch files start: final names, parameters that decide names, nodes from elsewhere."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from archlint.config import Settings
+from archlint.session import Request, check, graph
+from archlint.system.overrides import key_matches
+from program.launching import PACKAGE, SETUP
+
+TALKER = """\
+import rclpy
+from rclpy.node import Node
+from std_msgs.msg import String
+
+class Talker(Node):
+    def __init__(self):
+        super().__init__('talker')
+        self.declare_parameter('topic', 'chatter')
+        self.create_publisher(String, self.get_parameter('topic').value, 10)
+        self.create_publisher(String, '~/state', 10)
+
+def main():
+    rclpy.init()
+    rclpy.spin(Talker())
+"""
+
+
+@pytest.fixture
+def robot(tmp_path: Path, monkeypatch: pytest.MonkeyPatch):
+    monkeypatch.chdir(tmp_path)
+
+    def write(launch: str, **files: str) -> Path:
+        texts = {
+            "package.xml": PACKAGE.format(name="robot"),
+            "setup.py": SETUP.format(name="robot"),
+            "robot/talker.py": TALKER,
+            "launch/it.launch.xml": f"<launch>{launch}</launch>",
+            **files,
+        }
+        for name, text in texts.items():
+            path = tmp_path / name
+            path.parent.mkdir(parents=True, exist_ok=True)
+            path.write_text(text, encoding="utf-8")
+        return tmp_path
+
+    return write
+
+
+def system(**arguments: str):
+    given = tuple(arguments.items())
+    return graph(
+        Request((".",), Settings(), cached=False, jobs=1, launch="launch/it.launch.xml", launch_arguments=given)
+    )
+
+
+def topics(made) -> dict[str | None, list[str | None]]:
+    return {node.name: [endpoint.name for endpoint in node.endpoints] for node in made.nodes}
+
+
+def test_two_robots_share_nothing(robot):
+    robot('<node pkg="robot" exec="talker" namespace="a"/><node pkg="robot" exec="talker" namespace="b"/>')
+    assert topics(system()) == {
+        "/a/talker": ["/a/chatter", "/a/talker/state"],
+        "/b/talker": ["/b/chatter", "/b/talker/state"],
+    }
+
+
+def test_names_and_remappings(robot):
+    robot('<node pkg="robot" exec="talker" name="alice"><remap from="chatter" to="/words"/></node>')
+    assert topics(system()) == {"/alice": ["/alice/state", "/words"]}
+
+
+def test_remappings_on_the_command_line_come_first(robot):
+    robot(
+        '<node pkg="robot" exec="talker" args="--ros-args -r chatter:=first"><remap from="chatter" to="second"/></node>'
+    )
+    assert topics(system()) == {"/talker": ["/first", "/talker/state"]}
+
+
+def test_parameters_decide_names(robot):
+    robot('<arg name="t" default="news"/><node pkg="robot" exec="talker"><param name="topic" value="$(var t)"/></node>')
+    assert "/news" in topics(system())["/talker"]
+    assert "/gossip" in topics(system(t="gossip"))["/talker"]
+
+
+@pytest.mark.parametrize(
+    ("yaml", "name"),
+    [
+        ("talker: {ros__parameters: {topic: right}}", "/a/chatter"),
+        ("/a/talker: {ros__parameters: {topic: right}}", "/a/right"),
+        ("a: {talker: {ros__parameters: {topic: right}}}", "/a/right"),
+        ("/**: {ros__parameters: {topic: right}}", "/a/right"),
+        ("/**: {ros__parameters: {topic: wrong}}\n/a/talker: {ros__parameters: {topic: right}}", "/a/right"),
+        ("/a/talker: {ros__parameters: {topic: wrong}}\n/**: {ros__parameters: {topic: right}}", "/a/right"),
+    ],
+)
+def test_parameter_files_reach_the_nodes_that_their_keys_match(robot, yaml, name):
+    robot(
+        '<node pkg="robot" exec="talker" namespace="a"><param from="$(find-pkg-share robot)/config/p.yaml"/></node>',
+        **{"config/p.yaml": yaml},
+    )
+    assert name in topics(system())["/a/talker"]
+
+
+@pytest.mark.parametrize(
+    ("key", "node", "matches"),
+    [
+        ("/talker", "/talker", True),
+        ("/talker", "/a/talker", False),
+        ("/**/talker", "/a/b/talker", True),
+        ("/**/talker", "/talker", True),
+        ("/*/talker", "/a/talker", True),
+        ("/*/talker", "/a/b/talker", False),
+        ("/a/**", "/a/b/c", True),
+        ("/**", None, True),
+        ("/talker", None, False),
+    ],
+)
+def test_keys_of_parameter_files(key, node, matches):
+    assert key_matches(key, node) is matches
+
+
+def test_nodes_from_elsewhere_are_in_the_picture(robot):
+    robot('<push_ros_namespace namespace="r"/><node pkg="nav2_amcl" exec="amcl" name="amcl"/>')
+    (node,) = system().nodes
+    assert (node.name, node.external, node.package, node.executable) == ("/r/amcl", True, "nav2_amcl", "amcl")
+    assert (node.launch_place.file, node.launched_by) == ("launch/it.launch.xml", "launch/it.launch.xml")
+
+
+def test_a_remapping_to_what_nobody_knows_leaves_the_name_unknown(robot):
+    robot('<arg name="to"/><node pkg="robot" exec="talker"><remap from="chatter" to="$(var to)"/></node>')
+    (node,) = system().nodes
+    assert [endpoint.name for endpoint in node.endpoints] == [None, "/talker/state"]
+
+
+# ------------------------------------------------------------------------------------------------- judging
+
+
+def findings(**options) -> list[tuple[str, str | None]]:
+    from archlint.config import load
+
+    report = check(Request((".",), load(Path()), cached=False, jobs=1, **options))
+    return [(finding.code, finding.system) for finding in report.findings]
+
+
+TWO = """\
+import rclpy
+from rclpy.node import Node
+from std_msgs.msg import String
+
+class Other(Node):
+    def __init__(self):
+        super().__init__('other')
+        self.create_publisher(String, 'chatter', 10)
+
+def main():
+    rclpy.init()
+    rclpy.spin(Other())
+"""
+TWO_SETUP = SETUP.format(name="robot").replace("['talker =", "['other = robot.other:main', 'talker =")
+
+
+def test_what_a_launch_file_keeps_apart_is_no_conflict(robot):
+    together = '<node pkg="robot" exec="talker"/><node pkg="robot" exec="other" namespace="{}"/>'
+    config = {"archlint.toml": 'select = ["OWN001"]', "setup.py": TWO_SETUP, "robot/other.py": TWO}
+    robot(together.format("far"), **config)
+    assert findings() == []
+    robot(together.format("/"), **config)
+    assert findings() == [("OWN001", "launch/it.launch.xml")]
+
+
+def test_without_a_launch_file_the_package_is_judged_as_a_whole(robot):
+    config = {"archlint.toml": 'select = ["OWN001"]', "setup.py": TWO_SETUP, "robot/other.py": TWO}
+    robot("", **config)
+    assert findings() == [("OWN001", None)]
+
+
+def test_opposite_conditions_never_meet(robot):
+    robot(
+        '<arg name="sim"/><node pkg="robot" exec="talker" if="$(var sim)"/>'
+        '<node pkg="robot" exec="other" unless="$(var sim)"/>',
+        **{"archlint.toml": 'select = ["OWN001", "NME004"]', "setup.py": TWO_SETUP, "robot/other.py": TWO},
+    )
+    assert findings() == []
+
+
+def test_a_broken_launch_file_is_a_finding_and_the_rest_is_judged(robot):
+    robot('<node pkg="robot" exec="taker"/>', **{"launch/broken.launch.xml": "<launch><node>"})
+    codes = [code for code, _ in findings() if code in ("LNT002", "LCH001")]
+    assert codes == ["LNT002", "LCH001"]
+
+
+def test_findings_in_xml_and_yaml_can_be_ignored_in_place(robot):
+    robot('\n<!-- archlint: ignore[LCH001] -->\n<node pkg="robot" exec="taker"/>')
+    assert "LCH001" not in [code for code, _ in findings()]
