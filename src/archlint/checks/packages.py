@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 import posixpath
+import re
 from collections.abc import Iterator
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
-from archlint.checks.near import did_you_mean, nearest
+from archlint.checks.near import did_you_mean, distance, nearest
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.ros_packages import package_of_module
 from archlint.checks.whole import walk
@@ -45,15 +47,32 @@ def undeclared_dependency(system: System, options: Options) -> Iterator[Finding]
         if needed in declared or _ALSO.get(needed) in declared or needed in options.external:
             continue
         told.add((owner, needed))
-        yield finding(
+        near = nearest(needed, declared - set(world.packages))
+        hint = f"; did you mean '{needed}' by '{near}'?" if near and distance(needed, near, 2) <= 2 else ""
+        found = finding(
             "PKG001",
             place,
-            f"package '{owner}' {how} '{needed}', which its package.xml does not declare"
-            + did_you_mean(needed, declared - set(world.packages)),
+            f"package '{owner}' {how} '{needed}', which its package.xml does not declare{hint}",
             help=f"add <exec_depend>{needed}</exec_depend> to {package.manifest.relative}",
             identity=(owner, needed),
         )
+        yield replace(found, fix=_declared_fix(world, package, needed))
 
+
+def _declared_fix(world: World, package: Package, needed: str) -> Fix | None:
+    """A line for the manifest, after the last of its kind."""
+    text = None if world.loader is None else world.loader.tree.text(package.manifest.relative)
+    lines = [] if text is None else text.splitlines()
+    after = [number for number, line in enumerate(lines, start=1) if _DEPEND.match(line)]
+    if not after:
+        return None
+    indent = lines[after[-1] - 1][: -len(lines[after[-1] - 1].lstrip())]
+    place = Place(package.manifest.relative, after[-1] + 1, 1, after[-1] + 1, 1)
+    edit = Edit(place, f"{indent}<exec_depend>{needed}</exec_depend>\n")
+    return Fix("safe", (edit,), f"declare {needed}")
+
+
+_DEPEND = re.compile(r"\s*<(?:exec_depend|depend|build_export_depend|buildtool_depend|build_depend)\b.*</\w+>\s*$")
 
 _ALSO = {"tf2_ros": "tf2_ros_py", "tf2_ros_py": "tf2_ros", "launch": "launch_ros", "ament_index_python": "launch_ros"}
 
@@ -228,6 +247,3 @@ def _circle(start: str, needs: dict[str, dict[str, int]]) -> list[str]:
                 seen.add(name)
                 waiting.append([*path, name])
     return []
-
-
-__all__ = ["Edit", "Fix"]
