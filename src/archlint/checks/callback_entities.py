@@ -19,6 +19,7 @@ if TYPE_CHECKING:
 _ENDS = (
     "rclpy.timer.Timer.cancel",
     *(f"rclpy.node.Node.destroy_{kind}" for kind in ("publisher", "subscription", "client", "service", "timer")),
+    *(f"rclpy.{kind}.{kind.title()}.destroy" for kind in ("publisher", "subscription", "client", "service", "timer")),
 )
 _PASSING = frozenset({"rclpy.wait_for_message.wait_for_message"})
 """Calls that take away what they create."""

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 from archlint.facts import model as facts
@@ -154,14 +155,23 @@ def _create(
 
 def _guarded(run: Run) -> bool:
     """Whether a function on the way holds what runs now in an ``if``, or may return before."""
-    for activation in run.activations:
-        for statement in activation.body:
-            within = list(statements_of([statement]))
-            here = any(one is activation.statement for one in within)
-            if here and statement is activation.statement:
-                break
-            if here or any(isinstance(one, (facts.Return, facts.Raise)) for one in within):
-                return not isinstance(statement, (facts.With, facts.Try, facts.For)) or not here
+    return any(_may_pass_by(one.body, one.statement) for one in run.activations)
+
+
+def _may_pass_by(block: Sequence[facts.Stmt], wanted: facts.Stmt | None) -> bool:
+    for statement in block:
+        if statement is wanted:
+            return False
+        within = list(statements_of([statement]))
+        if not any(one is wanted for one in within):
+            if any(isinstance(one, (facts.Return, facts.Raise)) for one in within):
+                return True
+            continue
+        if isinstance(statement, (facts.With, facts.For)):
+            return _may_pass_by(statement.body, wanted)
+        if isinstance(statement, facts.Try) and any(one is wanted for one in statements_of(statement.body)):
+            return _may_pass_by(statement.body, wanted)
+        return True
     return False
 
 

@@ -482,6 +482,10 @@ ROWS = [
     _row("rclpy.node.Node.destroy_service", "entity", effect="destroy", watched=True),
     _row("rclpy.node.Node.destroy_timer", "entity", effect="destroy", watched=True),
     _row("rclpy.timer.Timer.cancel", "", watched=True),
+    *(
+        _row(f"rclpy.{cls}.destroy", "", watched=True)
+        for cls in ("timer.Timer", "client.Client", "publisher.Publisher", "subscription.Subscription", "service.Service")
+    ),
     # ---- quality of service
     _row(
         "rclpy.qos.QoSProfile",
