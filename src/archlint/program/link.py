@@ -20,7 +20,7 @@ from archlint.program.api.callbacks import describe
 from archlint.program.attributes import bind
 from archlint.program.interest import interesting, names_in
 from archlint.program.modules import Module, ModuleIndex
-from archlint.program.run import TEST_STEPS, Activation, Run
+from archlint.program.run import FEW_STEPS, STEPS, TEST_STEPS, Activation, Run
 from archlint.program.store import Store
 from archlint.program.values import (
     NONE,
@@ -41,7 +41,7 @@ if TYPE_CHECKING:
     from archlint.program.interface_table import InterfaceTable
     from archlint.workspace.model import SourceFile
 
-INSTANCES = 24
+INSTANCES = 8
 """On how many objects of one class the methods that nothing calls are tried."""
 ROUNDS = 4
 """How often callbacks that hand over callbacks are followed."""
@@ -166,7 +166,7 @@ class Linker:
         run = Run(self.index, self.store, program, context, self.interfaces, overrides)
         run.at_spin = run_pending
         if is_test_file(module.path):
-            run.allowed_steps = TEST_STEPS
+            run.left = run.allowed_steps = TEST_STEPS
         return run
 
     def run_entry(self, entry: EntryPoint, module: Module, overrides: dict[str, object] | None = None) -> model.Program:
@@ -397,7 +397,7 @@ def run_callbacks(run: Run) -> None:
         run.stateful |= _run_methods(run)
         if not run.pending:
             break
-    if run.stateful:
+    if run.stateful and run.left > 0:
         # What one callback leaves in an attribute, another may use: each sees the joined state once.
         for pending in list(run.started):
             run_root(run, pending.callback, pending.value, pending.arguments)
@@ -418,6 +418,9 @@ def run_root(
     """Run one callback on the state so far; True where it left an object in an attribute."""
     kept_context, kept_activations = run.context, run.activations
     kept_bounds = run.steps, run.repeats, run.runs, run.arms
+    kept_allowed = run.allowed_steps
+    run.left -= run.steps
+    run.allowed_steps = max(FEW_STEPS, min(STEPS, run.left))
     run.context = callback
     run.steps = 0
     run.repeats = {}
@@ -433,7 +436,9 @@ def run_root(
     finally:
         layer = run.store.cut(depth)
         run.context, run.activations = kept_context, kept_activations
-        run.steps, run.repeats, run.runs, run.arms = kept_bounds
+        run.left -= run.steps
+        _, run.repeats, run.runs, run.arms = kept_bounds
+        run.steps, run.allowed_steps = 0, max(FEW_STEPS, kept_allowed - kept_bounds[0])
     written = [(at, run.store.get(*at), value) for at, value in layer.items() if at[0] in run.instances]
     changed = run.store.merge([layer] if certain else [layer, {}]) or certain
     return changed and any(_is_state(run, key, slot, before, value) for (key, slot), before, value in written)

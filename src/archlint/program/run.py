@@ -39,10 +39,14 @@ if TYPE_CHECKING:
 
 DEPTH = 48
 """How many calls deep a run follows."""
-STEPS = 60_000
-"""How many statements one root (an entry point, a callback) may run."""
-TEST_STEPS = 4_000
+STEPS = 20_000
+"""How many statements one callback may run."""
+PROGRAM_STEPS = 150_000
+"""How many statements all of a program may run, its entry point first; from then on each root has few."""
+TEST_STEPS = 8_000
 """The same for test code: its nodes are shown, but what it calls in the library is not its own."""
+FEW_STEPS = 600
+"""What a root may run in any case, so that no callback goes unseen."""
 REPEATS = 3
 """How often one root runs a function with the same arguments."""
 RUNS = 150
@@ -121,7 +125,9 @@ class Run:
         self.activations: list[Activation] = []
         self.arms: list[tuple[str, int]] = []
         self.steps = 0
-        self.allowed_steps = STEPS
+        self.allowed_steps = PROGRAM_STEPS
+        self.left = PROGRAM_STEPS
+        """What is left of the program's statements."""
         self.blueprints: dict[int, model.Blueprint] = {}
         self.nodes: dict[str, model.Blueprint] = {}
         self.instances: dict[int, Instance] = {}
