@@ -12,7 +12,7 @@ from dataclasses import astuple
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from archlint.finding import Finding, Place, Related, Severity
+from archlint.finding import Edit, Finding, Fix, Place, Related, Severity
 from archlint.report.json import diagnostic
 from archlint.report.model import Judged, Summary
 from archlint.sources import PYTHON
@@ -136,8 +136,17 @@ def _finding(entry: dict[str, Any]) -> Finding:
         node=entry["node"],
         system=entry["system"],
         related=related,
+        fix=None if entry["fix"] is None else _fix(entry["fix"]),
         identity=tuple(str(part) for part in entry["identity"]),
     )
+
+
+def _fix(entry: dict[str, Any]) -> Fix:
+    edits = (
+        Edit(Place(str(one["file"]), *(int(at) for at in (*one["start"], *one["end"]))), str(one["text"]))
+        for one in entry["edits"]
+    )
+    return Fix(str(entry["safety"]), tuple(edits), str(entry.get("title", "")))
 
 
 def _place(entry: dict[str, Any]) -> Place:

@@ -112,9 +112,9 @@ def _compiled(request: Request, workspace: Workspace, store: Store | NullStore) 
 
 def _systems(request: Request, workspace: Workspace, facts: FactsOfFiles) -> list[System]:
     """Link and load."""
+    from archlint.facts.deep_stack import call_with_deep_stack
     from archlint.program.entry_points import entry_points, read_installs
     from archlint.program.interface_table import InterfaceTable
-    from archlint.facts.deep_stack import call_with_deep_stack
     from archlint.program.launch.load import LaunchLoader
     from archlint.program.link import Linker
     from archlint.system.instances import assemble
@@ -166,7 +166,9 @@ def _judged(request: Request, workspace: Workspace, facts: FactsOfFiles) -> Judg
         found.extend(unreadable(*problem) for problem in loader.problems())
         by_file.update(loader.suppressions())
     outcome = suppressions.apply(_wanted(found, request.settings, workspace), by_file)
-    findings = sorted(dict.fromkeys(outcome.kept), key=lambda finding: finding.sort_key)
+    stale = suppressions.stale(outcome.unused, _ran(request, systems), Sources().line)
+    kept = [*outcome.kept, *suppressions.apply(_wanted(stale, request.settings, workspace), by_file).kept]
+    findings = sorted(dict.fromkeys(_with_fixes(kept, request, workspace)), key=lambda finding: finding.sort_key)
     shown = [_asked_for(systems[0], workspace)]
     summary = summarise(
         findings,
@@ -190,6 +192,26 @@ def _rules(settings: Settings, systems: Sequence[System]) -> Iterator[Finding]:
     for system in systems:
         codes = [code for code in selection.codes if selection.runs(code, system.closed)]
         yield from judge(system, options_for(settings, codes))
+
+
+def _ran(request: Request, systems: Sequence[System]) -> frozenset[str]:
+    """The codes of the rules that judged everything they can judge."""
+    if request.launch is not None:
+        return frozenset()
+    closed = any(system.closed for system in systems)
+    selection = request.settings.selection
+    return frozenset(code for code in selection.codes if selection.runs(code, closed))
+
+
+def _with_fixes(findings: Sequence[Finding], request: Request, workspace: Workspace) -> Sequence[Finding]:
+    from archlint.rulebook import rules
+
+    if not any(rules()[finding.code].fix for finding in findings):
+        return findings
+    from archlint.fixes import Surroundings, attach
+
+    manifests = {package.name: package.manifest.relative for package in workspace.packages}
+    return attach(findings, Surroundings(manifests, request.settings.distros))
 
 
 def _problems(workspace: Workspace, files: Sequence[SourceFile], facts: FactsOfFiles) -> Iterator[Finding]:

@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass, field
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING
+
+from archlint.rulebook import find_rule, suggestion
 
 if TYPE_CHECKING:
     from archlint.facts.model import Suppression
-    from archlint.finding import Finding
+    from archlint.finding import Finding, Fix
 
 NEVER_SUPPRESSED = "LNT003"
 """A failure of ours ends with exit status 2, which no comment in a user's file may hide."""
@@ -67,6 +69,62 @@ def _covering(finding: Finding, suppressions: Sequence[Suppression]) -> list[tup
 def _covers(suppression: Suppression, line: int) -> bool:
     first, last = suppression.applies_to
     return first <= line <= last
+
+
+def stale(unused: Iterable[Unused], ran: frozenset[str], line: Callable[[str, int], str | None]) -> list[Finding]:
+    """The LNT001 findings for suppressions that hid nothing though their rules ran, one a comment."""
+    comments: dict[tuple[str, int, int], list[Unused]] = {}
+    for one in unused:
+        rule = find_rule(one.code)
+        if rule is None or (rule.code in ran and rule.code != "LNT001"):
+            comments.setdefault((one.file, one.suppression.line, one.suppression.column), []).append(one)
+    return [_stale(comments[key], line) for key in sorted(comments)]
+
+
+def _stale(unused: list[Unused], line: Callable[[str, int], str | None]) -> Finding:
+    from archlint.checks.registry import finding
+    from archlint.finding import Place
+
+    first = unused[0]
+    comment, file = first.suppression, first.file
+    codes = ", ".join(one.code for one in unused)
+    no_rule = [one.code for one in unused if find_rule(one.code) is None]
+    return replace(
+        finding(
+            "LNT001",
+            Place(file, comment.line, comment.column, comment.line, comment.end_column),
+            f"there is no rule {no_rule[0]}{suggestion(no_rule[0])}"
+            if no_rule
+            else f"this suppression of {codes} hides nothing",
+            help="take it out",
+            identity=(codes,),
+        ),
+        fix=_without(first, {one.code for one in unused}, line(file, comment.line)),
+    )
+
+
+def _without(one: Unused, codes: set[str], line: str | None) -> Fix | None:
+    """Take codes out of a comment of a Python file, or all of it where none is left."""
+    from archlint.finding import Edit, Fix, Place
+
+    comment = one.suppression
+    if line is None or one.file.endswith((".xml", ".yaml", ".yml", ".launch")):
+        return None
+    left = [code for code in comment.codes if code not in codes]
+    start, end, last = comment.column, comment.end_column, comment.line
+    text = line[start - 1 : end - 1]
+    rest = line[end - 1 :]
+    if left:
+        new = f"{text.partition('[')[0]}[{', '.join(left)}]"
+    elif rest.strip():
+        new = "" if rest.lstrip().startswith("#") else "#"
+        end += len(rest) - len(rest.lstrip()) if not new else 0
+    else:
+        new, end = "", len(line) + 1
+        start = len(line[: start - 1].rstrip()) + 1
+        if start == 1:
+            last, end = last + 1, 1  # nothing else stands on the line
+    return Fix("safe", (Edit(Place(one.file, comment.line, start, last, end), new),), "remove the suppression")
 
 
 def refusal(file: str, suppression: Suppression) -> str:

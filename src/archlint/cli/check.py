@@ -48,6 +48,10 @@ def parser() -> argparse.ArgumentParser:
         help="write them to FILE in this format too; repeatable",
     )
     output.add_argument("--statistics", action="store_true", help="count the findings of each rule")
+    mending = made.add_argument_group("fixes")
+    mending.add_argument("--fix", action="store_true", help="apply safe fixes")
+    mending.add_argument("--unsafe-fixes", action="store_true", help="with --fix or --diff: unsafe fixes too")
+    mending.add_argument("--diff", action="store_true", help="show what fixes would change, and write nothing")
     levels = made.add_argument_group("exit status")
     levels.add_argument(
         "--severity",
@@ -72,6 +76,8 @@ def _output(text: str) -> tuple[str, str]:
 
 
 def run(arguments: argparse.Namespace) -> int:
+    if arguments.unsafe_fixes and not (arguments.fix or arguments.diff):
+        raise UsageError("--unsafe-fixes goes with --fix or --diff")
     launch, launch_arguments = launch_of(arguments)
     paths = paths_of(arguments)
     settings = settings_of(arguments, paths[0])
@@ -87,9 +93,28 @@ def run(arguments: argparse.Namespace) -> int:
         report = check(request)
     except NothingToDo as error:
         raise UsageError(str(error)) from None
+    if arguments.diff:
+        return _show_difference(report, arguments)
+    fixed = 0
+    if arguments.fix:
+        from archlint.cli.fix import mend
+
+        outcome = mend(request, report, arguments.unsafe_fixes)
+        report, fixed = outcome.report, outcome.count
     _write(report, arguments)
+    if fixed and not arguments.quiet:
+        console.note(f"Fixed {fixed} finding{'s' if fixed > 1 else ''}.")
     _tell(report, settings, arguments)
     return exit_status(report, Severity.parse(arguments.severity), arguments.exit_zero)
+
+
+def _show_difference(report: Report, arguments: argparse.Namespace) -> int:
+    """Print the diff; exit status 1 where there is one, for a run in CI."""
+    from archlint.cli.fix import difference
+
+    text = difference(report, arguments.unsafe_fixes)
+    console.write(text, arguments.file)
+    return exits.FINDINGS if text and not arguments.exit_zero else exits.CLEAN
 
 
 def _write(report: Report, arguments: argparse.Namespace) -> None:

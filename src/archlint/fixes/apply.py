@@ -1,0 +1,129 @@
+"""Apply fixes: each whole or not at all, files replaced in one step."""
+
+from __future__ import annotations
+
+import ast
+import difflib
+import os
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import TYPE_CHECKING
+from xml.parsers import expat
+
+from archlint.fixes.source import Source, read
+
+if TYPE_CHECKING:
+    from archlint.finding import Finding, Fix
+
+_Piece = tuple[int, int, str]
+
+
+@dataclass
+class Outcome:
+    """New texts by file, with the sources they were made from, and the findings whose fixes they hold."""
+
+    sources: dict[str, Source] = field(default_factory=dict)
+    texts: dict[str, str] = field(default_factory=dict)
+    fixed: list[Finding] = field(default_factory=list)
+
+
+def fixable(findings: Iterable[Finding], unsafe: bool) -> list[Finding]:
+    """The findings with a fix that may be applied."""
+    return [one for one in findings if one.fix is not None and (unsafe or one.fix.safety == "safe")]
+
+
+def apply(findings: Sequence[Finding]) -> Outcome:
+    """Work the fixes of findings into the texts of their files; nothing is written.
+
+    A fix that overlaps an earlier one waits for the next run.  One that leaves a file that does not parse is
+    left out.
+    """
+    outcome = Outcome()
+    pieces: dict[str, list[_Piece]] = {}
+    for finding in findings:
+        assert finding.fix is not None
+        new = _pieces(finding.fix, outcome)
+        if new is None or any(_overlaps(piece, pieces.get(file, [])) for file, piece in new):
+            continue
+        tried = {file: [*pieces.get(file, []), *(p for f, p in new if f == file)] for file, _ in new}
+        if all(_parses(outcome.sources[file], _worked_in(outcome.sources[file], tried[file])) for file in tried):
+            pieces.update(tried)
+            outcome.fixed.append(finding)
+    for file in pieces:
+        outcome.texts[file] = _worked_in(outcome.sources[file], pieces[file])
+    return outcome
+
+
+def _pieces(fix: Fix, outcome: Outcome) -> list[tuple[str, _Piece]] | None:
+    """Offsets and texts of a fix's edits; None where a file is not as the finding saw it."""
+    found = []
+    for edit in fix.edits:
+        place = edit.place
+        source = outcome.sources.get(place.file) or read(place.file)
+        if source is None:
+            return None
+        outcome.sources[place.file] = source
+        try:
+            start, end = source.offset(place.line, place.column), source.offset(place.end_line, place.end_column)
+        except ValueError:
+            return None
+        found.append((place.file, (start, end, edit.text)))
+    return found
+
+
+def _overlaps(piece: _Piece, others: Iterable[_Piece]) -> bool:
+    """Whether two edits touch: insertions at one point do, but for whole lines, whose order is no matter."""
+    start, end, text = piece
+    for other_start, other_end, other_text in others:
+        if start == end == other_start == other_end and text[:1] in "\r\n" and other_text[:1] in "\r\n":
+            if text == other_text:
+                return True
+            continue
+        if start <= other_end and other_start <= end:
+            return True
+    return False
+
+
+def _worked_in(source: Source, pieces: Sequence[_Piece]) -> str:
+    text = source.text
+    for start, end, new in sorted(pieces, key=lambda piece: piece[:2], reverse=True):
+        text = text[:start] + new + text[end:]
+    return text
+
+
+def _parses(source: Source, text: str) -> bool:
+    """Whether a changed file can still be read by what reads it."""
+    try:
+        text.encode(source.encoding)
+        if source.file.endswith(".xml"):
+            expat.ParserCreate().Parse(text, True)
+        else:
+            ast.parse(text)
+    except (SyntaxError, ValueError, RecursionError, MemoryError, expat.ExpatError):
+        return False
+    return True
+
+
+def write(outcome: Outcome) -> None:
+    """Replace the files, each in one step and with its permissions.  Raises ``OSError``."""
+    for file in sorted(outcome.texts):
+        target = Path(file).resolve()  # a symbolic link stays one
+        temporary = target.with_name(f".{target.name}.{os.getpid()}.tmp")
+        try:
+            temporary.write_bytes(outcome.texts[file].encode(outcome.sources[file].encoding))
+            temporary.chmod(target.stat().st_mode & 0o7777)
+            temporary.replace(target)
+        finally:
+            temporary.unlink(missing_ok=True)
+
+
+def unified_diff(outcome: Outcome) -> str:
+    """What would be written, as a diff."""
+    found = []
+    for file in sorted(outcome.texts):
+        before = outcome.sources[file].text.splitlines(keepends=True)
+        after = outcome.texts[file].splitlines(keepends=True)
+        for line in difflib.unified_diff(before, after, file, file):
+            found.append(line if line.endswith("\n") else f"{line}\n\\ No newline at end of file\n")
+    return "".join(found)

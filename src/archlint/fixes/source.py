@@ -1,0 +1,126 @@
+"""The text of a file with its places: lines and columns of findings, offsets, and Python's own tree."""
+
+from __future__ import annotations
+
+import ast
+import io
+import re
+import tokenize
+from bisect import bisect_right
+from dataclasses import dataclass, field
+from functools import cached_property
+from pathlib import Path
+
+from archlint.finding import Place
+
+_LINE_END = re.compile(r"\r\n|\r|\n")
+
+
+@dataclass
+class Source:
+    """A file as text.  ``encoding`` is what it is written in; line ends are kept as they are."""
+
+    file: str
+    text: str
+    encoding: str = "utf-8"
+    taken: set[str] = field(default_factory=set)
+    """Names that fixes of this file have brought in already."""
+
+    @cached_property
+    def starts(self) -> list[int]:
+        """Offsets at which lines start."""
+        return [0, *(match.end() for match in _LINE_END.finditer(self.text))]
+
+    @property
+    def newline(self) -> str:
+        """How the file ends its first line."""
+        match = _LINE_END.search(self.text)
+        return "\n" if match is None else match[0]
+
+    def offset(self, line: int, column: int) -> int:
+        """The offset of a place; both count from 1."""
+        if not 0 < line <= len(self.starts):
+            raise ValueError(f"{self.file} has no line {line}")
+        return self.starts[line - 1] + column - 1
+
+    def place(self, start: int, end: int) -> Place:
+        return Place(self.file, *self._position(start), *self._position(end))
+
+    def _position(self, offset: int) -> tuple[int, int]:
+        line = bisect_right(self.starts, offset)
+        return line, offset - self.starts[line - 1] + 1
+
+    def line(self, number: int) -> str:
+        """A line without its end."""
+        end = self.starts[number] if number < len(self.starts) else len(self.text)
+        return self.text[self.starts[number - 1] : end].rstrip("\r\n")
+
+    @cached_property
+    def tree(self) -> ast.Module | None:
+        """Python's tree of the file; None where it is no Python."""
+        try:
+            return ast.parse(self.text)
+        except (SyntaxError, ValueError, RecursionError, MemoryError):
+            return None
+
+    @cached_property
+    def parents(self) -> dict[ast.AST, ast.AST]:
+        tree = self.tree
+        nodes = () if tree is None else ast.walk(tree)
+        return {child: node for node in nodes for child in ast.iter_child_nodes(node)}
+
+    def span(self, node: ast.expr | ast.stmt) -> tuple[int, int]:
+        """Offsets at which a node starts and ends."""
+        assert node.end_lineno is not None and node.end_col_offset is not None
+        return self._of_ast(node.lineno, node.col_offset), self._of_ast(node.end_lineno, node.end_col_offset)
+
+    def _of_ast(self, line: int, column: int) -> int:
+        """Python's tree counts columns in bytes of UTF-8."""
+        start = self.starts[line - 1]
+        text = self.line(line)
+        return start + len(text.encode("utf-8", "surrogatepass")[:column].decode("utf-8", "surrogatepass"))
+
+    def node_at(self, place: Place, kind: type[ast.expr]) -> ast.expr | None:
+        """The expression of that kind that covers exactly a place."""
+        if self.tree is None:
+            return None
+        wanted = (self.offset(place.line, place.column), self.offset(place.end_line, place.end_column))
+        for node in ast.walk(self.tree):
+            if isinstance(node, kind) and node.lineno == place.line and self.span(node) == wanted:
+                return node
+        return None
+
+    def tokens(self, start: int, end: int) -> list[tuple[str, int, int]]:
+        """Tokens that mean something in a bracketed piece of the text: text, start and end offset."""
+        piece = self.text[start:end]
+        found = []
+        starts = [0, *(match.end() for match in re.finditer("\n", piece))]
+        try:
+            for token in tokenize.generate_tokens(io.StringIO(piece).readline):
+                if token.type not in _MEANINGLESS and token.string:
+                    first = starts[token.start[0] - 1] + token.start[1]
+                    last = starts[token.end[0] - 1] + token.end[1]
+                    found.append((token.string, start + first, start + last))
+        except (tokenize.TokenError, IndentationError, SyntaxError):
+            return []
+        return found
+
+
+_MEANINGLESS = frozenset(
+    {tokenize.COMMENT, tokenize.NL, tokenize.NEWLINE, tokenize.INDENT, tokenize.DEDENT, tokenize.ENDMARKER}
+)
+
+
+def read(file: str) -> Source | None:
+    """A file as text; None where it cannot be read as such, or would not be written back byte by byte."""
+    try:
+        data = Path(file).read_bytes()
+        encoding = "utf-8"
+        if file.endswith(".py") or not Path(file).suffix:
+            encoding = tokenize.detect_encoding(io.BytesIO(data).readline)[0]
+        text = data.decode(encoding)
+    except (OSError, SyntaxError, LookupError, ValueError):
+        return None
+    if text.startswith("\ufeff") or "\f" in text or text.encode(encoding) != data:
+        return None
+    return Source(file, text, encoding)
