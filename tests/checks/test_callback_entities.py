@@ -1,0 +1,236 @@
+"""EXE005, EXE006, EXE008, CBG002, SRV004, SRV005 and SRV006."""
+
+from __future__ import annotations
+
+import pytest
+
+from archlint.finding import Severity
+from checks.callbacks import IMPORTS, ON_ONE_THREAD, ON_SEVERAL_THREADS, Run, codes, source
+
+TIMER = "self.create_timer(5.0, self.tick)\n"
+
+
+class TestEntitiesOfCallbacks:
+    @pytest.mark.parametrize(
+        "body",
+        [
+            pytest.param("self.create_publisher(Empty, 'there', 10).publish(Empty())", id="a publisher"),
+            pytest.param("self.later = self.create_timer(1.0, self.note)", id="a timer"),
+            pytest.param("try:\n        self.create_client(Trigger, 'a')\n    except OSError:\n        pass", id="in try"),
+        ],
+    )
+    def test_what_is_created_each_time(self, run: Run, body: str):
+        method = f"def tick(self):\n    {body}\n\ndef note(self):\n    print('later')\n"
+        assert "EXE005" in codes(run(source(TIMER, method)))
+
+    @pytest.mark.parametrize(
+        "body",
+        [
+            pytest.param("if self.later is None:\n        self.later = self.create_timer(1.0, self.note)", id="guard"),
+            pytest.param(
+                "if self.later:\n        return\n    self.later = self.create_timer(1.0, self.note)", id="early return"
+            ),
+            pytest.param(
+                "client = self.create_client(Trigger, 'a')\n    self.destroy_client(client)", id="taken away again"
+            ),
+            pytest.param("self.create_publisher(Empty, load_name(), 10)", id="a name that data decides"),
+        ],
+    )
+    def test_what_does_not_pile_up(self, run: Run, body: str):
+        method = f"def tick(self):\n    {body}\n\ndef note(self):\n    print('later')\n"
+        assert "EXE005" not in codes(run(source("self.later = None\n" + TIMER, method)))
+
+    def test_a_timer_that_runs_once_may_set_things_up(self, run: Run):
+        method = """
+        def tick(self):
+            self.timer.cancel()
+            self.publisher = self.create_publisher(Empty, 'there', 10)
+        """
+        assert codes(run(source("self.timer = self.create_timer(0.1, self.tick)\n", method))) == []
+
+
+class TestSignatures:
+    @pytest.mark.parametrize(
+        ("create", "method", "expected"),
+        [
+            ("self.create_timer(5.0, self.take)", "def take(self):\n    pass", []),
+            ("self.create_timer(5.0, self.take)", "def take(self, event):\n    pass", ["EXE006"]),
+            ("self.create_timer(5.0, self.take)", "def take(self, event=None):\n    pass", []),
+            ("self.create_timer(5.0, partial(self.take, 1))", "def take(self, one):\n    pass", []),
+            ("self.create_timer(5.0, lambda: self.take(1))", "def take(self, one):\n    pass", []),
+            ("self.create_timer(5.0, self.take)", "def take(self, *args):\n    pass", []),
+            ("self.create_timer(5.0, self.take)", "def take():\n    pass", ["EXE006"]),
+            ("self.create_timer(5.0, self.taken)", "def take(self):\n    pass", ["EXE006"]),
+            ("self.create_timer(5.0, self.on_take)", "def take(self):\n    pass", ["EXE006"]),
+            ("self.create_subscription(Empty, 'a', self.take, 10)", "def take(self):\n    pass", ["EXE006"]),
+            (
+                "self.create_subscription(Empty, 'a', partial(self.take, arm=1), 10)",
+                "def take(self, message, arm):\n    pass",
+                [],
+            ),
+            ("self.create_service(Trigger, 'a', self.take)", "def take(self, request):\n    return 1 + 1", ["EXE006"]),
+            ("ActionServer(self, Fibonacci, 'a', self.take)", "def take(self):\n    raise OSError", ["EXE006"]),
+        ],
+    )
+    def test_what_rclpy_can_call(self, run: Run, create: str, method: str, expected: list[str]):
+        assert codes(run(source(create, method))) == expected
+
+    def test_message_info_came_with_jazzy(self, run: Run):
+        text = source("self.create_subscription(Empty, 'a', self.take, 10)", "def take(self, message, info):\n    pass")
+        assert codes(run(text, distro="jazzy")) == []
+        [found] = run(text, distro="humble")
+        assert found.severity is Severity.ERROR
+        [found] = run(text)
+        assert found.severity is Severity.WARNING and "in humble" in found.message
+
+    def test_timer_info_came_with_kilted(self, run: Run):
+        text = source(TIMER, "def tick(self, info: 'rclpy.timer.TimerInfo'):\n    pass")
+        assert codes(run(text, distro="kilted")) == []
+        assert codes(run(text, distro="jazzy")) == ["EXE006"]
+
+
+class TestSpinning:
+    TICK = "def tick(self):\n    pass\n"
+
+    def main(self, body: str) -> str:
+        lines = "\n".join(f"    {line}" for line in ["rclpy.init()", "robot = Robot()", *body.splitlines()])
+        return f"\ndef main():\n{lines}\n\n\nif __name__ == '__main__':\n    main()\n"
+
+    @pytest.mark.parametrize(
+        "body",
+        [
+            "rclpy.spin(robot)",
+            "while rclpy.ok():\n    rclpy.spin_once(robot)",
+            "threading.Thread(target=rclpy.spin, args=(robot,)).start()",
+            "executor = SingleThreadedExecutor()\nexecutor.add_node(robot)\nexecutor.spin()",
+            "executor = MultiThreadedExecutor()\nexecutor.add_node(robot)\nthreading.Thread(target=executor.spin).start()",
+            "executor = MultiThreadedExecutor()\nexecutor.add_node(robot)\nrclpy.spin(robot, executor)",
+            "executor = load_executor()\nrclpy.spin(robot, executor=executor)",
+            "some_framework.run(robot)",
+        ],
+    )
+    def test_a_node_that_is_spun_somehow(self, run: Run, body: str):
+        assert codes(run(source(TIMER, self.TICK, self.main(body)))) == []
+
+    @pytest.mark.parametrize(
+        "body",
+        ["print('there')", "executor = MultiThreadedExecutor()\nexecutor.add_node(robot)\nprint('forgotten')"],
+    )
+    def test_a_node_that_is_not(self, run: Run, body: str):
+        assert codes(run(source(TIMER, self.TICK, self.main(body)))) == ["EXE008"]
+
+    def test_a_class_that_nothing_makes_is_not_judged(self, run: Run):
+        assert codes(run(source(TIMER, self.TICK, ""))) == []
+
+    def test_groups_need_threads(self, run: Run):
+        setup = "group = ReentrantCallbackGroup()\nself.create_timer(5.0, self.tick, callback_group=group)"
+        assert codes(run(source(setup, self.TICK, ON_ONE_THREAD))) == ["CBG002"]
+        assert codes(run(source(setup, self.TICK, ON_SEVERAL_THREADS))) == []
+
+
+class TestPolling:
+    CLIENT = "self.client = self.create_client(Trigger, 'level')\n"
+    ASK = "def tick(self):\n    self.client.call_async(Trigger.Request())\n"
+
+    @pytest.mark.parametrize(("period", "expected"), [("0.1", ["SRV004"]), ("1.0", ["SRV004"]), ("2.0", [])])
+    def test_how_often_is_polling(self, run: Run, period: str, expected: list[str]):
+        assert codes(run(source(self.CLIENT + f"self.create_timer({period}, self.tick)", self.ASK))) == expected
+
+    @pytest.mark.parametrize(
+        "body",
+        [
+            pytest.param("if self.wanted:\n        self.client.call_async(SetBool.Request())", id="an occasion"),
+            pytest.param("self.client.call_async(SetBool.Request(data=self.wanted))", id="a request that changes"),
+            pytest.param("if not self.wanted:\n        return\n    self.client.call_async(SetBool.Request())", id="left"),
+            pytest.param("self.timer.cancel()\n    self.client.call_async(SetBool.Request())", id="once"),
+        ],
+    )
+    def test_what_has_an_occasion_is_no_polling(self, run: Run, body: str):
+        setup = "self.wanted = load()\nself.client = self.create_client(SetBool, 'on')\n"
+        setup += "self.timer = self.create_timer(0.1, self.tick)\n"
+        assert codes(run(source(setup, f"def tick(self):\n    {body}\n"))) == []
+
+    THREE = "".join(f"self.client{i} = self.create_client(Trigger, 's{i}')\n" for i in range(3))
+    MAIN = """
+    def main():
+        rclpy.init()
+        robot = Robot()
+        threading.Thread(target=rclpy.spin, args=(robot,), daemon=True).start()
+        while rclpy.ok():
+            robot.tick()
+            time.sleep(5.0)
+
+
+    if __name__ == '__main__':
+        main()
+    """
+
+    def in_turn(self, *bodies: str) -> str:
+        return "def tick(self):\n" + "".join(f"    {body}\n" for body in bodies)
+
+    def test_three_waits_in_a_loop_of_main(self, run: Run):
+        calls = [f"self.client{i}.call(Trigger.Request(), timeout_sec=1.0)" for i in range(3)]
+        assert codes(run(source(self.THREE, self.in_turn(*calls), self.MAIN))) == ["SRV005"]
+        assert codes(run(source(self.THREE, self.in_turn(*calls[:2]), self.MAIN))) == []
+
+    def test_three_waits_through_one_helper(self, run: Run):
+        helper = "\ndef ask(self, client):\n    return client.call(Trigger.Request(), timeout_sec=1.0)\n"
+        calls = [f"self.ask(self.client{i})" for i in range(3)]
+        assert codes(run(source(self.THREE, self.in_turn(*calls) + helper, self.MAIN))) == ["SRV005"]
+
+    def test_waits_of_different_branches_do_not_add_up(self, run: Run):
+        calls = [f"if self.mode == {i}: self.client{i}.call(Trigger.Request(), timeout_sec=1.0)" for i in range(3)]
+        assert codes(run(source("self.mode = load()\n" + self.THREE, self.in_turn(*calls), self.MAIN))) == []
+
+    def test_a_script_that_asks_three_times_and_ends(self, run: Run):
+        calls = [f"self.client{i}.call(Trigger.Request(), timeout_sec=1.0)" for i in range(3)]
+        main = self.MAIN.replace("while rclpy.ok():", "if rclpy.ok():")
+        assert codes(run(source(self.THREE, self.in_turn(*calls), main))) == []
+
+
+CIRCLE = (
+    IMPORTS
+    + """
+
+class {Name}(Node):
+    def __init__(self):
+        super().__init__('{name}')
+        apart = MutuallyExclusiveCallbackGroup()
+        self.client = self.create_client(Trigger, '{asks}', callback_group=apart)
+        self.create_service(Trigger, '{name}', self.handle)
+
+    def handle(self, request, response):
+        return self.client.call(Trigger.Request(), timeout_sec=1.0)
+"""
+)
+
+
+class TestCircles:
+    def file(self, asks: dict[str, str]) -> str:
+        nodes = [CIRCLE.format(Name=name.title(), name=name, asks=other) for name, other in asks.items()]
+        names = ", ".join(f"{name.title()}()" for name in asks)
+        main = f"""
+def main():
+    rclpy.init()
+    executor = MultiThreadedExecutor()
+    for node in ({names},):
+        executor.add_node(node)
+    executor.spin()
+
+
+if __name__ == '__main__':
+    main()
+"""
+        return "\n".join([*nodes, main])
+
+    def test_three_nodes_in_a_circle_are_one_finding(self, run: Run):
+        found = [one for one in run(self.file({"a": "b", "b": "c", "c": "a"})) if one.code == "SRV006"]
+        assert len(found) == 1
+        assert "/c → /a → /b → /c" in found[0].message
+
+    def test_a_line_is_no_circle(self, run: Run):
+        assert "SRV006" not in codes(run(self.file({"a": "b", "b": "c", "c": "d"})))
+
+    def test_a_handler_that_asks_itself(self, run: Run):
+        [found] = [one for one in run(self.file({"a": "a"})) if one.code == "SRV006"]
+        assert "which it serves itself" in found.message

@@ -1,0 +1,144 @@
+"""SRV007 and ACT003: every path through a handler."""
+
+from __future__ import annotations
+
+import textwrap
+
+import pytest
+
+from checks.callbacks import Run, codes, source
+
+SERVICE = "self.create_service(Trigger, 'start', self.handle)\n"
+SERVER = "self.server = ActionServer(self, Fibonacci, 'count', self.execute)\n"
+
+
+def handler(body: str) -> str:
+    head = "def handle(self, request, response):\n"
+    return source(SERVICE, head + textwrap.indent(textwrap.dedent(body).strip("\n"), "    ") + "\n")
+
+
+def execute(body: str) -> str:
+    head = "def execute(self, goal_handle):\n"
+    return source(SERVER, head + textwrap.indent(textwrap.dedent(body).strip("\n"), "    ") + "\n")
+
+
+RETURNS = {
+    "straight": "return response",
+    "both arms": """
+        if self.ready:
+            return response
+        else:
+            return Trigger.Response()
+    """,
+    "the other path raises": """
+        if self.ready:
+            return response
+        raise RuntimeError('not ready')
+    """,
+    "for ever": """
+        while True:
+            if self.ready:
+                return response
+    """,
+    "tried and caught": """
+        try:
+            self.start()
+        except OSError:
+            return Trigger.Response(success=False)
+        return response
+    """,
+    "finally": """
+        try:
+            self.start()
+        finally:
+            return response
+    """,
+    "finally that goes on": """
+        try:
+            return response
+        finally:
+            self.get_logger().info('done')
+    """,
+    "with": """
+        with self.lock:
+            return response
+    """,
+    "match with a last case": """
+        match request:
+            case None:
+                return response
+            case _:
+                return response
+    """,
+    "a helper's answer": "return self.answer(response)",
+    "nothing written yet": "pass",
+}
+
+
+@pytest.mark.parametrize("body", RETURNS.values(), ids=RETURNS)
+def test_every_path_gives_the_response(run: Run, body: str):
+    assert "SRV007" not in codes(run(handler(body)))
+
+
+MISSING = {
+    "no return": ("response.success = True", [1]),
+    "one arm": ("if self.ready:\n    return response", [1]),
+    "empty return": ("if self.ready:\n    return  # here\nreturn response", [3]),
+    "true": ("return True", [2]),
+    "a pair": ("return response, 'done'", [2]),
+    "a loop that may not run": ("for item in self.items:\n    return response", [1]),
+    "a loop that is left": ("while True:\n    if self.ready:\n        break\n    return response", [1]),
+    "an exception that is swallowed": ("try:\n    return self.start()\nexcept OSError:\n    self.note()", [1]),
+    "two ways": ("if self.ready:\n    return\nreturn None", [3, 4]),
+}
+
+
+@pytest.mark.parametrize(("body", "lines"), MISSING.values(), ids=MISSING)
+def test_a_path_without_the_response(run: Run, body: str, lines: list[int]):
+    text = handler(body)
+    first = text.splitlines().index("    def handle(self, request, response):") + 1
+    found = [one for one in run(text) if one.code == "SRV007"]
+    assert [one.place.line - first + 1 for one in found] == lines
+
+
+OUTCOMES = {
+    "succeed": "goal_handle.succeed()\nreturn Fibonacci.Result()",
+    "either": """
+        if goal_handle.is_cancel_requested:
+            goal_handle.canceled()
+            return Fibonacci.Result()
+        goal_handle.succeed()
+        return Fibonacci.Result()
+    """,
+    "by a helper": "self.finish(goal_handle)\nreturn Fibonacci.Result()",
+    "a raise": "raise RuntimeError('no')",
+    "somebody else has": """
+        if not goal_handle.is_active:
+            return Fibonacci.Result()
+        goal_handle.succeed()
+        return Fibonacci.Result()
+    """,
+    "in finally": """
+        try:
+            return self.count()
+        finally:
+            goal_handle.succeed()
+    """,
+}
+
+
+@pytest.mark.parametrize("body", OUTCOMES.values(), ids=OUTCOMES)
+def test_a_goal_with_an_outcome_on_every_path(run: Run, body: str):
+    assert "ACT003" not in codes(run(execute(body)))
+
+
+@pytest.mark.parametrize(
+    "body",
+    [
+        "return Fibonacci.Result()",
+        "if self.ready:\n    goal_handle.succeed()\nreturn Fibonacci.Result()",
+        "for _ in range(goal_handle.request.order):\n    goal_handle.succeed()\nreturn Fibonacci.Result()",
+    ],
+)
+def test_a_goal_without_an_outcome_on_some_path(run: Run, body: str):
+    assert "ACT003" in codes(run(execute(body)))

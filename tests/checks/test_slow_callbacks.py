@@ -1,0 +1,140 @@
+"""EXE003, EXE004, EXE007 and SRV008: what keeps the thread of a callback."""
+
+from __future__ import annotations
+
+import pytest
+
+from checks.callbacks import ON_ONE_THREAD, ON_SEVERAL_THREADS, Run, codes, source
+
+TIMER = "self.create_timer(5.0, self.tick)\n"
+
+
+def timer(body: str) -> str:
+    return f"def tick(self):\n    {body}\n"
+
+
+@pytest.mark.parametrize(
+    ("body", "expected"),
+    [
+        pytest.param("time.sleep(1.0)", ["EXE003"], id="a sleep"),
+        pytest.param("time.sleep(0.01)", [], id="a moment"),
+        pytest.param("[time.sleep(0.01) for _ in range(9)]", [], id="a few moments"),
+        pytest.param("time.sleep(self.pause)", ["EXE003"], id="nobody knows how long"),
+        pytest.param("subprocess.run(['make'])", ["EXE003"], id="a process"),
+        pytest.param("input('go on? ')", ["EXE003"], id="the keyboard"),
+        pytest.param("self.create_client(Trigger, 'a').wait_for_service", [], id="no call"),
+    ],
+)
+def test_what_counts_as_slow(run: Run, body: str, expected: list[str]):
+    found = codes(run(source("self.pause = load_pause()\n" + TIMER, timer(body))))
+    assert [code for code in found if code != "EXE005"] == expected
+
+
+@pytest.mark.parametrize(("limit", "expected"), [("1.0", []), ("5.0", ["EXE003"])])
+def test_a_callback_may_look_for_a_server_for_a_second(run: Run, limit: str, expected: list[str]):
+    method = timer(f"if self.client.wait_for_service(timeout_sec={limit}): self.get_logger().info('there')")
+    assert codes(run(source("self.client = self.create_client(Trigger, 'check')\n" + TIMER, method))) == expected
+
+
+def test_a_short_sleep_is_long_for_a_short_period(run: Run):
+    [found] = run(source("self.create_timer(0.02, self.tick)\n", timer("time.sleep(0.05)")))
+    assert found.code == "EXE003" and "longer than its period of 0.02 s" in found.message
+
+
+def test_a_loop_makes_a_long_sleep_of_short_ones(run: Run):
+    body = "while self.moving():\n        time.sleep(0.02)"
+    assert codes(run(source(TIMER, timer(body) + "\ndef moving(self):\n    return read()\n"))) == ["EXE003"]
+
+
+def test_a_callback_alone_in_its_group_holds_up_nobody_under_several_threads(run: Run):
+    apart = "self.create_timer(5.0, self.tick, callback_group=MutuallyExclusiveCallbackGroup())\n"
+    assert codes(run(source(apart, timer("time.sleep(1.0)"), ON_SEVERAL_THREADS))) == []
+    assert codes(run(source(TIMER, timer("time.sleep(1.0)"), ON_SEVERAL_THREADS))) == ["EXE003"]
+
+
+EXECUTE = """
+def execute(self, goal_handle):
+    for _ in range(goal_handle.request.order):
+        time.sleep(0.5)
+    goal_handle.succeed()
+    return Fibonacci.Result()
+"""
+SERVER = "self.server = ActionServer(self, Fibonacci, 'count', self.execute)\n"
+
+
+def test_an_execute_callback_may_sleep_under_several_threads(run: Run):
+    assert codes(run(source(SERVER, EXECUTE, ON_SEVERAL_THREADS))) == []
+    assert codes(run(source(SERVER, EXECUTE, ON_ONE_THREAD))) == ["EXE003"]
+    assert codes(run(source(SERVER, EXECUTE, ""))) == []
+
+
+def test_a_thread_of_its_own_may_sleep(run: Run):
+    assert codes(run(source("threading.Thread(target=self.tick).start()\n", timer("time.sleep(1.0)")))) == []
+
+
+def test_a_service_that_sleeps_should_be_an_action(run: Run):
+    method = """
+    def handle(self, request, response):
+        self.drive()
+        return response
+
+    def drive(self):
+        time.sleep(3.0)
+    """
+    [found] = run(source("self.create_service(Trigger, 'home', self.handle)\n", method))
+    assert found.code == "SRV008"
+    assert [r.message for r in found.related][2] == "Robot.handle calls Robot.drive here"
+
+
+RATE = "self.rate = self.create_rate(10)\n" + TIMER
+
+
+def test_a_rate_needs_a_second_thread(run: Run):
+    assert codes(run(source(RATE, timer("self.rate.sleep()"), ON_ONE_THREAD))) == ["EXE004"]
+    assert codes(run(source(RATE, timer("self.rate.sleep()"), ON_SEVERAL_THREADS))) == []
+
+
+def test_a_rate_in_main_is_no_callback(run: Run):
+    main = """
+    def main():
+        rclpy.init()
+        robot = Robot()
+        threading.Thread(target=rclpy.spin, args=(robot,), daemon=True).start()
+        rate = robot.create_rate(2)
+        while rclpy.ok():
+            rate.sleep()
+
+
+    if __name__ == '__main__':
+        main()
+    """
+    assert codes(run(source("pass", "def tick(self):\n    pass\n", main))) == []
+
+
+LOOKUP = """
+def tick(self):
+    self.buffer.lookup_transform('map', 'base', rclpy.time.Time(), {timeout})
+"""
+TF = """
+self.buffer = Buffer()
+self.listener = TransformListener(self.buffer, self{more})
+self.create_timer(5.0, self.tick)
+"""
+
+
+@pytest.mark.parametrize(
+    ("timeout", "more", "main", "expected"),
+    [
+        pytest.param("timeout=Duration(seconds=1.0)", "", ON_ONE_THREAD, ["EXE007"], id="by keyword"),
+        pytest.param("Duration(seconds=1)", "", ON_ONE_THREAD, ["EXE007"], id="by position"),
+        pytest.param("timeout=Duration(nanoseconds=0)", "", ON_ONE_THREAD, [], id="no wait"),
+        pytest.param("", "", ON_ONE_THREAD, [], id="no timeout"),
+        pytest.param("Duration(seconds=1)", "", ON_SEVERAL_THREADS, [], id="several threads"),
+        pytest.param("Duration(seconds=1)", ", spin_thread=True", ON_ONE_THREAD, [], id="a thread of its own"),
+    ],
+)
+def test_a_lookup_cannot_wait_for_what_its_own_thread_brings(
+    run: Run, timeout: str, more: str, main: str, expected: list[str]
+):
+    text = source(TF.replace("{more}", more), LOOKUP.replace("{timeout}", timeout), main)
+    assert codes(run(text)) == expected
