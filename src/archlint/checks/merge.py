@@ -1,4 +1,4 @@
-"""One finding for what several systems show: the same code at the same place about the same thing."""
+"""Which rules judge each launched system, and one finding for what several systems show."""
 
 from __future__ import annotations
 
@@ -6,16 +6,57 @@ from collections.abc import Iterable, Iterator
 
 from archlint.finding import Finding
 
+OF_SYSTEMS = (
+    "ACT001",
+    "ACT002",
+    "ARC",
+    "GRF",
+    "LCH",
+    "NME002",
+    "NME004",
+    "OWN",
+    "PRM002",
+    "PRM004",
+    "PRM005",
+    "QOS",
+    "SRV001",
+    "SRV002",
+    "SRV004",
+    "SRV006",
+    "TOP001",
+    "TOP002",
+    "TOP003",
+    "TOP004",
+)
+"""Rules whose answer depends on what runs together and under which names and parameters, by code or prefix.  The
+others judge code, and one system is enough for them."""
+
+_OF_CODE = ("NME002", "SRV004")
+"""Of these a place is told once, whatever name or period a launch file gives it."""
+
+
+def depends_on_system(code: str) -> bool:
+    """Whether a rule is to be run for each launch file."""
+    return code.startswith(OF_SYSTEMS)
+
 
 def merged(findings: Iterable[Finding]) -> Iterator[Finding]:
     """The findings without repetitions; those of the open system come first and stay."""
-    seen: set[tuple[object, ...]] = set()
+    seen: dict[tuple[object, ...], str | None] = {}
     for finding in sorted(findings, key=lambda one: one.system is not None):
-        places = tuple(related.place for related in finding.related)
-        keys = {
-            (finding.code, finding.place, finding.message),
-            (finding.code, finding.place, places, finding.message if not places else ""),
-        }
-        if seen.isdisjoint(keys):
+        keys = _keys(finding)
+        # Two findings of one system differ for a reason: only what another system has said is a repetition.
+        if all(seen.get(key, finding.system) == finding.system for key in keys):
             yield finding
-        seen |= keys
+        for key in keys:
+            seen.setdefault(key, finding.system)
+
+
+def _keys(finding: Finding) -> set[tuple[object, ...]]:
+    keys: set[tuple[object, ...]] = {(finding.code, finding.place, finding.message)}
+    places = tuple(related.place for related in finding.related)
+    if not depends_on_system(finding.code) or finding.code in _OF_CODE:
+        keys.add((finding.code, finding.place))
+    elif places:
+        keys.add((finding.code, finding.place, places))
+    return keys

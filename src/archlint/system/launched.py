@@ -8,7 +8,7 @@ from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING
 
 from archlint.program.launch.model import Launched, Started
-from archlint.program.model import Blueprint, Program, Text
+from archlint.program.model import ENDPOINT_KINDS, Blueprint, Program, Text
 from archlint.system import names
 from archlint.system.instances import instantiate
 from archlint.system.model import Endpoint, Node, System
@@ -81,8 +81,9 @@ class LaunchSystems:
         if program is None or not any(not blueprint.test for blueprint in program.nodes):
             return [_external(started, launch_file)]
         overrides = self._overrides(started, program)
-        if overrides:
-            program = self.program(started, overrides) or program
+        decisive = _decisive(program, overrides)
+        if decisive:
+            program = self.program(started, decisive) or program
         rules = _rules(started)
         found = []
         for blueprint in program.nodes:
@@ -139,6 +140,50 @@ class LaunchSystems:
         if key not in self._modules:
             self._modules[key] = self.linker._module_of(entry)
         return self._modules[key]
+
+
+def _decisive(program: Program, overrides: Mapping[str, object]) -> dict[str, object]:
+    """The values from outside that can change what a program creates: those of parameters it declares (or may
+    declare) with another default, where a name, period or QoS comes from them, or a branch may."""
+    if not overrides:
+        return {}
+    defaults: dict[str, object] = {}
+    mentioned: set[str] = set()
+    everything = False
+    for blueprint in program.nodes:
+        everything |= blueprint.allow_undeclared_parameters or blueprint.automatically_declare_parameters
+        for declaration in blueprint.parameters:
+            everything |= declaration.name.text is None
+            if declaration.name.text is not None:
+                defaults[declaration.name.text] = declaration.default if declaration.known else _NO_DEFAULT
+        for creation in blueprint.creations:
+            unclear = creation.name.resolution in ("partial", "unknown") and creation.kind in ENDPOINT_KINDS
+            everything |= creation.conditional or unclear or (creation.type is None and unclear)
+            for names_ in (creation.name.parameter, creation.period_parameter, creation.qos and creation.qos.parameter):
+                mentioned.update((names_ or "").split(","))
+    return {
+        name: value
+        for name, value in overrides.items()
+        if (everything and (not defaults or name in defaults or _any_name(program))) or name in mentioned
+        if name not in defaults or defaults[name] is _NO_DEFAULT or not _same(defaults[name], value)
+    }
+
+
+_NO_DEFAULT = object()
+
+
+def _any_name(program: Program) -> bool:
+    """Whether a node of the program takes parameters that it does not declare by a known name."""
+    return any(
+        blueprint.allow_undeclared_parameters
+        or blueprint.automatically_declare_parameters
+        or any(declaration.name.text is None for declaration in blueprint.parameters)
+        for blueprint in program.nodes
+    )
+
+
+def _same(default: object, value: object) -> bool:
+    return type(default) is type(value) and default == value
 
 
 def _rules(started: Started) -> list[RemapRule]:
