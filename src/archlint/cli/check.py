@@ -22,10 +22,10 @@ from archlint.cli.options import (
 )
 from archlint.finding import Severity
 from archlint.report.model import Report, statistics, summary_line
-from archlint.session import NothingToDo, Request, check
+from archlint.session import NothingToDo, Request, check, graph
 
 if TYPE_CHECKING:
-    from archlint.config import Settings
+    pass
 
 
 def parser() -> argparse.ArgumentParser:
@@ -104,7 +104,7 @@ def run(arguments: argparse.Namespace) -> int:
     _write(report, arguments)
     if fixed and not arguments.quiet:
         console.note(f"Fixed {fixed} finding{'s' if fixed > 1 else ''}.")
-    _tell(report, settings, arguments)
+    _tell(report, request, arguments)
     return exit_status(report, Severity.parse(arguments.severity), arguments.exit_zero)
 
 
@@ -125,7 +125,7 @@ def _write(report: Report, arguments: argparse.Namespace) -> None:
         console.write(reports.render(format, report), file)
 
 
-def _tell(report: Report, settings: Settings, arguments: argparse.Namespace) -> None:
+def _tell(report: Report, request: Request, arguments: argparse.Namespace) -> None:
     """What is to be said beside the findings."""
     if arguments.quiet:
         return
@@ -134,12 +134,21 @@ def _tell(report: Report, settings: Settings, arguments: argparse.Namespace) -> 
     sys.stdout.flush()
     if arguments.statistics:
         console.note(statistics(report.findings))
+        console.note(_shape(request))
     if arguments.format in reports.FOR_PEOPLE or arguments.file is not None:
         console.note(summary_line(report.summary))
     if arguments.verbose:
+        settings = request.settings
         cache = "none" if arguments.no_cache else settings.cache_folder
         console.note(f"configuration: {settings.file or 'none'}; cache: {cache}")
         console.note(f"took {report.summary.elapsed_s:.2f} s")
+
+
+def _shape(request: Request) -> str:
+    """The architecture pattern of what was checked, with its figures."""
+    from archlint.system import pattern
+
+    return "\n".join(pattern.words(pattern.figures(graph(request))))
 
 
 def exit_status(report: Report, failing: Severity, exit_zero: bool) -> int:

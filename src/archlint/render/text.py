@@ -40,6 +40,7 @@ def render(system: System, *, color: bool = False) -> str:
         _connections("topic", system.topics.values(), paint),
         _connections("service", system.services.values(), paint),
         _connections("action", system.actions.values(), paint),
+        _shape(system, paint),
         _unresolved(system, paint),
     ]
     blocks = [block for section in sections for block in section]
@@ -144,6 +145,15 @@ def _connections(kind: str, connections: Iterable[Connection], paint: Paint) -> 
 def _names(endpoints: Sequence[Endpoint], paint: Paint) -> str:
     names = [name or "a node whose name is not known" for name in json.node_names(endpoints)]
     return paint(", ".join(names), "plain") if names else paint("nobody here", "quiet")
+
+
+def _shape(system: System, paint: Paint) -> Iterator[str]:
+    """Which architecture pattern the system resembles, with its figures."""
+    from archlint.system import pattern
+
+    if system.nodes:
+        yield paint("shape", "title")
+        yield "\n".join(f"  {paint(line, 'plain')}" for line in pattern.words(pattern.figures(system)))
 
 
 def _unresolved(system: System, paint: Paint) -> Iterator[str]:
