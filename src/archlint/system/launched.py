@@ -56,7 +56,11 @@ class LaunchSystems:
         self.entries = {(entry.package, entry.executable): entry for entry in entries}
         self.parameters_of = parameters_of
         self.installs = installs
-        self._programs: dict[tuple[object, ...], Program | None] = {}
+        self._programs: dict[tuple[object, ...], Program | None] = {
+            (program.package, program.name): program
+            for program in linker.programs
+            if (program.package, program.name) in self.entries
+        }
         self._modules: dict[tuple[str | None, str], Module | None] = {}
 
     def system(self, launched: Launched, closed: bool, dependencies: dict[str, frozenset[str]]) -> System:
