@@ -51,6 +51,13 @@ LESSON = """\
 /set_motor  my_robot_interfaces/srv/SetMotorSpeed
   served by      /motor_node
   called by      /control_node
+
+shape
+
+  pattern: request clusters
+  connected: 3 of 3 nodes; pairs 1 by topics, 2 by services
+  hub: /control_node, fan-in 1, fan-out 2
+  longest chain of requests: /control_node -> /sensor_node
 """
 
 

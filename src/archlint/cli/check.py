@@ -148,7 +148,10 @@ def _shape(request: Request) -> str:
     """The architecture pattern of what was checked, with its figures."""
     from archlint.system import pattern
 
-    return "\n".join(pattern.words(pattern.figures(graph(request))))
+    try:
+        return "\n".join(pattern.words(pattern.figures(graph(request))))
+    except NothingToDo:  # only manifests or interfaces, say
+        return ""
 
 
 def exit_status(report: Report, failing: Severity, exit_zero: bool) -> int:
