@@ -14,7 +14,7 @@ from archlint.checks.sleeps import Stay, longest, stay_of
 from archlint.facts import model as facts
 from archlint.finding import Finding
 from archlint.program.interest import names_in
-from archlint.program.values import Known
+from archlint.program.values import Known, alternatives
 
 if TYPE_CHECKING:
     from archlint.program.model import ApiCall, Callback, Program
@@ -79,7 +79,9 @@ def _is_long(call: ApiCall, stay: Stay) -> bool:
 def _trifle(call: ApiCall) -> bool:
     """``os.system('clear')``: over before anybody notices."""
     command = argument(call, "command")
-    return call.api == "os.system" and isinstance(command, Known) and command.value in _TRIFLES
+    return command is not None and all(
+        isinstance(option, Known) and option.value in _TRIFLES for option in alternatives(command)
+    )
 
 
 def _period(callback: Callback) -> float | None:
