@@ -47,6 +47,8 @@ class Settings:
     per_package_ignores: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
     distro: str | None = None
     closed_world: bool = False
+    launch: tuple[Glob, ...] = ()
+    """The launch files that are systems; all of them where none is named."""
     external: tuple[str, ...] = ()
     shared_topics: tuple[str, ...] = ()
     cache_dir: str | None = None
@@ -84,6 +86,7 @@ KEYS: dict[str, Callable[[Value], object]] = {
     "extend-select": read.selectors,
     "external": read.strings,
     "ignore": read.selectors,
+    "launch": read.globs,
     "layers": architecture.layers,
     "owners": architecture.owners,
     "per-file-ignores": read.ignores_by_glob,

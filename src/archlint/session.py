@@ -141,6 +141,7 @@ def _systems(request: Request, workspace: Workspace, facts: FactsOfFiles) -> lis
         closed=request.settings.closed_world,
         chosen=request.launch,
         arguments=dict(request.launch_arguments),
+        configured=request.settings.launch,
     )
 
 
@@ -179,7 +180,8 @@ def _judged(request: Request, workspace: Workspace, facts: FactsOfFiles) -> Judg
         elapsed_s=0.0,
     )
     refused = [suppressions.refusal(file, suppression) for file, suppression in outcome.refused]
-    return Judged(findings, summary, refused)
+    notices = loader.notices() if loader is not None else []
+    return Judged(findings, summary, [*refused, *notices])
 
 
 # --- judging

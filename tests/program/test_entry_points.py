@@ -85,8 +85,7 @@ def test_setup_py_is_never_executed(installs_of, tmp_path):
 
 def test_what_a_setup_py_hides_is_open(installs_of):
     hidden = (
-        "from setuptools import setup\nfrom tools import scripts\n"
-        "setup(entry_points={'console_scripts': scripts()})\n"
+        "from setuptools import setup\nfrom tools import scripts\nsetup(entry_points={'console_scripts': scripts()})\n"
     )
     assert installs_of(**{"setup.py": hidden}).open_executables
 

@@ -197,3 +197,20 @@ def test_a_broken_launch_file_is_a_finding_and_the_rest_is_judged(robot):
 def test_findings_in_xml_and_yaml_can_be_ignored_in_place(robot):
     robot('\n<!-- archlint: ignore[LCH001] -->\n<node pkg="robot" exec="taker"/>')
     assert "LCH001" not in [code for code, _ in findings()]
+
+
+def test_the_configuration_says_which_launch_files_are_systems(robot):
+    two = '<node pkg="robot" exec="talker"/><node pkg="robot" exec="other"/>'
+    config = {"setup.py": TWO_SETUP, "robot/other.py": TWO, "launch/other.launch.xml": f"<launch>{two}</launch>"}
+    robot("", **config, **{"archlint.toml": 'select = ["OWN001"]\nlaunch = ["launch/other.launch.xml"]'})
+    assert findings() == [("OWN001", "launch/other.launch.xml")]
+    robot("", **config, **{"archlint.toml": 'select = ["OWN001"]\nlaunch = ["launch/it.launch.xml"]'})
+    assert findings() == []
+
+
+def test_ros1_launch_files_are_passed_over_with_a_word(robot):
+    from archlint.config import load
+
+    robot("", **{"launch/old.launch": '<launch><node pkg="robot" type="talker" name="t"/></launch>'})
+    report = check(Request((".",), load(Path()), cached=False, jobs=1))
+    assert list(report.notices) == ["launch/old.launch is for ROS 1 and passed over"]

@@ -65,6 +65,8 @@ def _type_of(value: object) -> str | None:
 def parameter_type_mismatch(system: System, options: Options) -> Iterator[Finding]:
     """Values from outside whose type is not the declared one."""
     for node, settings in _set_nodes(system):
+        if _dynamic(system.world, node):
+            continue
         declared: dict[str | None, list[ParameterDeclaration]] = {}
         for blueprint in node.blueprints:
             for declaration in blueprint.parameters:
@@ -86,6 +88,13 @@ def parameter_type_mismatch(system: System, options: Options) -> Iterator[Findin
                 node=node.name,
                 identity=(node.name or "", setting.name),
             )
+
+
+def _dynamic(world: World | None, node: Node) -> bool:
+    """Whether a file of the node speaks of dynamic typing: then no type is certain."""
+    files = {declaration.place.file for declaration in node.parameters}
+    loader = None if world is None else world.loader
+    return loader is None or any(loader.mentions(file, "dynamic_typing") for file in files)
 
 
 def _shown(value: object) -> str:

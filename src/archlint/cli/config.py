@@ -49,6 +49,7 @@ def _values(settings: Settings) -> Iterator[tuple[str, object]]:
     if settings.distro is not None:
         yield "distro", settings.distro
     yield "closed-world", settings.closed_world
+    yield "launch", settings.launch
     yield "external", settings.external
     yield "shared-topics", settings.shared_topics
     yield from _architecture(settings)

@@ -67,6 +67,7 @@ def _node(node: Node) -> dict[str, Any]:
         "executor": node.executor,
         "launched_by": node.launched_by,
         "external": node.external,
+        "remappings": _remappings(node),
         "test": node.test,
         "complete": all(b.complete for b in node.blueprints),
         "error": node.error,
@@ -74,6 +75,12 @@ def _node(node: Node) -> dict[str, Any]:
         "timers": [_timer(timer) for timer in node.timers],
         "parameters": [_parameter(parameter, node) for parameter in node.parameters],
     }
+
+
+def _remappings(node: Node) -> list[dict[str, Any]]:
+    """The remappings of the launch file, in the order in which ROS tries them."""
+    remaps = node.started.remaps if node.started is not None else ()
+    return [{"from": remap.source.text, "to": remap.target.text} for remap in remaps]
 
 
 def _endpoint(endpoint: Endpoint) -> dict[str, Any]:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING
 
 from archlint.facts.deep_stack import call_with_deep_stack
@@ -13,6 +13,7 @@ from archlint.system.launched import LaunchSystems, World, started_pairs
 from archlint.system.model import System
 
 if TYPE_CHECKING:
+    from archlint.config_values import Glob
     from archlint.program.link import EntryPoint, Linker
 
 
@@ -26,8 +27,10 @@ def launch_systems(
     closed: bool,
     chosen: str | None = None,
     arguments: Mapping[str, str] | None = None,
+    configured: Sequence[Glob] = (),
 ) -> list[System]:
-    """The open system and one for each launch file; only the chosen one, where one is named.
+    """The open system and one for each launch file (of those that are configured); only the chosen one, where
+    one is named.
 
     All of them share ``world``, which is filled here.
     """
@@ -40,11 +43,12 @@ def launch_systems(
         maker = LaunchSystems(linker, entries, loader.parameters, loader.installs)
         systems = []
         for one in launched:
-            if one.ros1 or not one.is_launch_file:
+            named = chosen is not None or any(glob.matches(one.file) for glob in configured)
+            if one.ros1 or not one.is_launch_file or (configured and not named):
                 continue
             system = maker.system(one, closed, opened.package_dependencies)
             system.launched = one
-            system.closed = closed or (chosen is not None and _whole(one, system))
+            system.closed = closed or (named and _whole(one, system))
             systems.append(system)
         opened.apart = frozenset(started_pairs(launched, _by_executable(opened.programs)))
         return systems
@@ -76,6 +80,3 @@ def _by_executable(programs: Sequence[Program]) -> dict[tuple[str, str], list[Bl
         if program.executable:
             found.setdefault((program.package or "", program.name), []).extend(program.nodes)
     return found
-
-
-Reader = Callable[[str], "str | None"]

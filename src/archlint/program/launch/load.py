@@ -162,6 +162,14 @@ class LaunchLoader:
         rows += [(path, one.problems) for path, one in self._parameter_facts.items()]
         return sorted((path, p.line, p.column, p.message) for path, problems in rows for p in problems)
 
+    def notices(self) -> list[str]:
+        """What is to be said beside the findings: how many files are ROS 1's."""
+        old = sorted(path for path, one in self._frontend_facts.items() if one.ros1)
+        if not old:
+            return []
+        what = f"{len(old)} launch files are" if len(old) > 1 else f"{old[0]} is"
+        return [f"{what} for ROS 1 and passed over"]
+
     def suppressions(self) -> dict[str, list[facts.Suppression]]:
         """What XML, YAML and parameter files suppress in place."""
         rows = [(path, one.suppressions) for path, one in self._frontend_facts.items()]
