@@ -16,7 +16,9 @@ class TestEntitiesOfCallbacks:
         [
             pytest.param("self.create_publisher(Empty, 'there', 10).publish(Empty())", id="a publisher"),
             pytest.param("self.later = self.create_timer(1.0, self.note)", id="a timer"),
-            pytest.param("try:\n        self.create_client(Trigger, 'a')\n    except OSError:\n        pass", id="in try"),
+            pytest.param(
+                "try:\n        self.create_client(Trigger, 'a')\n    except OSError:\n        pass", id="in try"
+            ),
         ],
     )
     def test_what_is_created_each_time(self, run: Run, body: str):
@@ -103,7 +105,9 @@ class TestSpinning:
             "while rclpy.ok():\n    rclpy.spin_once(robot)",
             "threading.Thread(target=rclpy.spin, args=(robot,)).start()",
             "executor = SingleThreadedExecutor()\nexecutor.add_node(robot)\nexecutor.spin()",
-            "executor = MultiThreadedExecutor()\nexecutor.add_node(robot)\nthreading.Thread(target=executor.spin).start()",
+            "executor = MultiThreadedExecutor()\n"
+            "executor.add_node(robot)\n"
+            "threading.Thread(target=executor.spin).start()",
             "executor = MultiThreadedExecutor()\nexecutor.add_node(robot)\nrclpy.spin(robot, executor)",
             "executor = load_executor()\nrclpy.spin(robot, executor=executor)",
             "some_framework.run(robot)",
@@ -141,7 +145,9 @@ class TestPolling:
         [
             pytest.param("if self.wanted:\n        self.client.call_async(SetBool.Request())", id="an occasion"),
             pytest.param("self.client.call_async(SetBool.Request(data=self.wanted))", id="a request that changes"),
-            pytest.param("if not self.wanted:\n        return\n    self.client.call_async(SetBool.Request())", id="left"),
+            pytest.param(
+                "if not self.wanted:\n        return\n    self.client.call_async(SetBool.Request())", id="left"
+            ),
             pytest.param("self.timer.cancel()\n    self.client.call_async(SetBool.Request())", id="once"),
         ],
     )

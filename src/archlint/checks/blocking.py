@@ -119,15 +119,15 @@ class Verdict:
 
     @property
     def safe(self) -> bool:
-        """Proved to end in every distribution; what ``timeout_sec`` does in humble is another matter."""
-        return all(outcome in (FINE, NO_SUCH_ARGUMENT) for outcome in self.outcomes.values()) and (
-            FINE in self.outcomes.values() or len(self.outcomes) == 1
-        )
+        """Proved to end well; a distribution that does not know ``timeout_sec`` is another matter."""
+        outcomes = set(self.outcomes.values())
+        return FINE in outcomes and outcomes <= {FINE, NO_SUCH_ARGUMENT}
 
     @property
     def unknown(self) -> bool:
         """Nothing is proved, for better or for worse."""
-        return set(self.outcomes.values()) <= {UNKNOWN, NO_SUCH_ARGUMENT}
+        outcomes = set(self.outcomes.values())
+        return UNKNOWN in outcomes and outcomes <= {UNKNOWN, NO_SUCH_ARGUMENT}
 
     @property
     def words(self) -> str:
@@ -137,8 +137,11 @@ class Verdict:
 
 def look_up(form: str, threads: str, relation: str, why: str, distros: Sequence[str] = DISTROS) -> Verdict:
     """The verdict of the matrix for some distributions."""
-    outcomes = MATRIX[form, threads, relation]
-    return Verdict({distro: outcomes[distro] for distro in distros}, why)
+    row = MATRIX[form, threads, relation]
+    outcomes = {distro: row[distro] for distro in distros}
+    if set(outcomes.values()) == {NO_SUCH_ARGUMENT}:
+        why = "the argument came with jazzy"
+    return Verdict(outcomes, why)
 
 
 def outcome_words(outcomes: Mapping[str, str]) -> str:

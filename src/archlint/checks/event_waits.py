@@ -56,7 +56,7 @@ def _kept_out(waiting: Callback, setter: Callback, program: Program) -> str | No
         return None  # what a done callback sets is judged with the client it belongs to
     if threads_of(waiting.node, program) == ONE:
         return "the executor has one thread, and this callback holds it"
-    if waiting.group is not None and setter.group is not None:
-        if group_relation(waiting.group, setter.group) == SAME:
-            return "both are in one mutually exclusive callback group"
+    grouped = waiting.group is not None and setter.group is not None
+    if grouped and group_relation(waiting.group, setter.group) == SAME:
+        return "both are in one mutually exclusive callback group"
     return None

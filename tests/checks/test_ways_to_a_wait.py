@@ -1,0 +1,114 @@
+"""However a callback gets to a wait, the rule sees it."""
+
+from __future__ import annotations
+
+import pytest
+
+from checks.callbacks import ON_ONE_THREAD, Run, codes, source
+from checks.judging import Judge
+
+CLIENT = "self.client = self.create_client(Trigger, 'check')\n"
+CALL = "self.client.call(Trigger.Request(), timeout_sec=1.0)"
+
+WAYS = {
+    "a lambda": ("self.create_timer(5.0, lambda: self.ask())", f"def ask(self):\n    {CALL}"),
+    "a partial": ("self.create_timer(5.0, partial(self.ask, 1))", f"def ask(self, one):\n    {CALL}"),
+    "a function inside": (
+        "self.create_timer(5.0, self.tick)",
+        f"def tick(self):\n    def ask():\n        {CALL}\n    ask()",
+    ),
+    "two helpers": (
+        "self.create_timer(5.0, self.tick)",
+        f"def tick(self):\n    self.one()\n\ndef one(self):\n    self.two()\n\ndef two(self):\n    {CALL}",
+    ),
+    "a helper that is handed the client": (
+        "self.create_timer(5.0, self.tick)",
+        "def tick(self):\n    self.ask(self.client)\n\n"
+        "@staticmethod\ndef ask(client):\n    client.call(Trigger.Request(), timeout_sec=1.0)",
+    ),
+    "a dict of methods": (
+        "self.ways = {'ask': self.ask}\nself.create_timer(5.0, self.tick)",
+        f"def tick(self):\n    self.ways['ask']()\n\ndef ask(self):\n    {CALL}",
+    ),
+    "a subscription": (
+        "self.create_subscription(Empty, 'go', self.on_go, 10)",
+        f"def on_go(self, message):\n    {CALL}",
+    ),
+    "a parameter callback": (
+        "self.add_on_set_parameters_callback(self.on_set)",
+        f"def on_set(self, parameters):\n    {CALL}",
+    ),
+    "a property": (
+        "self.create_timer(5.0, self.tick)",
+        f"def tick(self):\n    print(self.answer)\n\n@property\ndef answer(self):\n    return {CALL}",
+    ),
+}
+
+
+@pytest.mark.parametrize(("setup", "methods"), WAYS.values(), ids=WAYS)
+def test_a_way_to_a_wait(run: Run, setup: str, methods: str):
+    assert codes(run(source(CLIENT + setup, methods, ON_ONE_THREAD))) == ["EXE002"]
+
+
+def test_a_helper_object_in_another_file(judge: Judge):
+    robot = """
+    import rclpy
+    from rclpy.node import Node
+    from node1 import Battery
+
+
+    class Robot(Node):
+        def __init__(self):
+            super().__init__('robot')
+            self.battery = Battery(self)
+            self.create_timer(5.0, self.tick)
+
+        def tick(self):
+            self.get_logger().info(self.battery.level())
+
+
+    def main():
+        rclpy.init()
+        rclpy.spin(Robot())
+
+
+    if __name__ == '__main__':
+        main()
+    """
+    battery = """
+    from std_srvs.srv import Trigger
+
+
+    class Battery:
+        def __init__(self, node):
+            self.client = node.create_client(Trigger, 'level')
+
+        def level(self):
+            return self.client.call(Trigger.Request(), timeout_sec=1.0).message  # here
+    """
+    [found] = judge("EXE002", robot, battery)
+    places = [(related.place.file, related.message) for related in found.related]
+    assert ("node.py", "Robot.tick calls Battery.level here") in places
+    assert ("node1.py", "the client is created here") in places
+
+
+def test_several_nodes_on_one_executor_share_its_thread(run: Run):
+    main = """
+    def main():
+        rclpy.init()
+        executor = SingleThreadedExecutor()
+        other = rclpy.create_node('other')
+        robot = Robot()
+        robot.client = other.create_client(Trigger, 'check')
+        executor.add_node(robot)
+        executor.add_node(other)
+        executor.spin()
+
+
+    if __name__ == '__main__':
+        main()
+    """
+    setup, method = "self.create_timer(5.0, self.tick)", f"def tick(self):\n    {CALL}\n"
+    assert codes(run(source(setup, method, main))) == ["EXE002"]
+    threaded = main.replace("executor.add_node(other)", "threading.Thread(target=rclpy.spin, args=(other,)).start()")
+    assert codes(run(source(setup, method, threaded))) == []
