@@ -1,0 +1,106 @@
+"""What the whole program promises: imports run downwards, and the same input gives the same bytes."""
+
+from __future__ import annotations
+
+import json
+import os
+import re
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).parents[1]
+FIXTURES = ROOT / "fixtures"
+CHECKS = [("check", "--format", name) for name in ("json", "text", "concise", "sarif", "github", "gitlab", "junit")]
+GRAPHS = [("graph", "--format", name) for name in ("json", "text", "dot", "mermaid")]
+OUTPUTS = {"broken_system": [*CHECKS, *GRAPHS], "forms": [CHECKS[0], GRAPHS[0]]}
+"""What is compared of each workspace; the larger one in the formats that tell most."""
+TIMED = re.compile(r'("elapsed_s": |\btime=")[0-9.]+')
+"""The only thing that a clock decides: how long the run took."""
+
+RUNS = """
+import contextlib, io, json, sys
+from archlint.cli import main
+said = []
+for words in json.load(sys.stdin):
+    with contextlib.redirect_stdout(io.StringIO()) as out:
+        main(words)
+    said.append(out.getvalue())
+json.dump(said, sys.stdout)
+"""
+
+
+Workspace = tuple[Path, list[tuple[str, ...]], list[str]]
+"""Its folder, the commands, and what each says by one process with hash seed 0 and no cache."""
+
+
+def said(folder: Path, commands: list[tuple[str, ...]], hash_seed: str, *options: str) -> list[str]:
+    """Standard output of each command in a folder, one process for all; the running time is blanked."""
+    environment = {
+        "PATH": os.environ["PATH"],
+        "PYTHONPATH": str(ROOT / "src"),
+        "PYTHONHASHSEED": hash_seed,
+        "SYSTEMROOT": os.environ.get("SYSTEMROOT", ""),
+    }
+    words = [[*command, "--isolated", *options] for command in commands]
+    done = subprocess.run(
+        [sys.executable, "-c", RUNS],
+        cwd=folder,
+        env=environment,
+        input=json.dumps(words),
+        capture_output=True,
+        text=True,
+        check=True,
+    )
+    return [TIMED.sub(r"\1", text) for text in json.loads(done.stdout)]
+
+
+@pytest.fixture(scope="module", params=OUTPUTS)
+def workspace(request: pytest.FixtureRequest) -> Workspace:
+    folder, commands = FIXTURES / request.param, OUTPUTS[request.param]
+    return folder, commands, said(folder, commands, "0", "--jobs", "1", "--no-cache")
+
+
+def test_imports_run_downwards():
+    lint_imports = Path(sys.executable).with_name("lint-imports")
+    done = subprocess.run([lint_imports, "--no-cache"], cwd=ROOT, capture_output=True, text=True, check=False)
+    assert done.returncode == 0, done.stdout
+
+
+@pytest.mark.parametrize(("hash_seed", "jobs"), [("1", "1"), ("2", "2")])
+def test_neither_hashes_nor_processes_change_what_is_said(workspace: Workspace, hash_seed: str, jobs: str):
+    folder, commands, expected = workspace
+    assert said(folder, commands, hash_seed, "--jobs", jobs, "--no-cache") == expected
+
+
+def test_the_cache_changes_nothing(workspace: Workspace, tmp_path: Path):
+    folder, commands, expected = workspace
+    assert said(folder, commands, "0", "--cache-dir", str(tmp_path)) == expected
+    assert said(folder, commands, "1", "--cache-dir", str(tmp_path)) == expected
+
+
+def test_where_the_workspace_is_changes_nothing(workspace: Workspace, tmp_path: Path):
+    folder, commands, expected = workspace
+    moved = tmp_path / "somewhere" / "else"
+    shutil.copytree(folder, moved, ignore=shutil.ignore_patterns(".archlint_cache"))
+    assert said(moved, commands, "0", "--jobs", "1", "--no-cache") == expected
+
+
+def test_nothing_of_the_machine_is_said(workspace: Workspace):
+    folder, _, expected = workspace
+    for text in expected:
+        assert text
+        for place in (str(ROOT), str(folder), sys.executable):
+            assert place not in text
+        assert not re.search(r"\b20\d\d-\d\d-\d\d[T ]\d\d:\d\d", text)
+
+
+def test_findings_are_in_the_order_of_their_places(workspace: Workspace):
+    [found, *_] = workspace[2]
+    diagnostics = json.loads(found.replace('"elapsed_s": ', '"elapsed_s": 0'))["diagnostics"]
+    places = [(one["file"], one["line"], one["column"], one["code"]) for one in diagnostics]
+    assert places
+    assert places == sorted(places)
