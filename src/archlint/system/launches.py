@@ -42,13 +42,20 @@ def launch_systems(
         world.explicit = chosen is not None
         maker = LaunchSystems(linker, entries, loader.parameters, loader.installs)
         systems = []
+        parts = {
+            include.reference.source
+            for one in launched
+            for include in one.included
+            if include.file != include.reference.source
+        }
         for one in launched:
             named = chosen is not None or any(glob.matches(one.file) for glob in configured)
             if one.ros1 or not one.is_launch_file or (configured and not named):
                 continue
             system = maker.system(one, closed, opened.package_dependencies)
             system.launched = one
-            system.closed = closed or (named and _whole(one, system))
+            # What another launch file includes is a part: its nodes may have their partners beside it.
+            system.closed = (closed and one.file not in parts) or (named and _whole(one, system))
             systems.append(system)
         opened.apart = frozenset(started_pairs(launched, _by_executable(opened.programs)))
         return systems

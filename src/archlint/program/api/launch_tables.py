@@ -74,11 +74,11 @@ SIGNATURES: dict[str, str] = {
     "ParameterValue": "value * value_type",
     "Parameter": "name value * value_type",
     # ---- launch description sources
-    "PythonLaunchDescriptionSource": "location",
-    "XMLLaunchDescriptionSource": "location",
-    "YAMLLaunchDescriptionSource": "location",
-    "FrontendLaunchDescriptionSource": "location * parser",
-    "AnyLaunchDescriptionSource": "location",
+    "PythonLaunchDescriptionSource": "launch_file_path",
+    "XMLLaunchDescriptionSource": "launch_file_path",
+    "YAMLLaunchDescriptionSource": "launch_file_path",
+    "FrontendLaunchDescriptionSource": "launch_file_path * parser",
+    "AnyLaunchDescriptionSource": "launch_file_path",
     "LaunchDescriptionSource": "launch_description location method",
     # ---- conditions
     "IfCondition": "predicate_expression",

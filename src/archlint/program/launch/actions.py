@@ -244,7 +244,7 @@ def _set_parameters_from_file(run: LaunchRun, entity: Instance) -> None:
 
 def _include(run: LaunchRun, entity: Instance) -> None:
     source = argument(entity, "launch_description_source")
-    location = argument(source, "location") if kind_of(source).endswith("Source") else source
+    location = argument(source, "launch_file_path") if kind_of(source).endswith("Source") else source
     place = (source.place if isinstance(source, Instance) else None) or run.place_now
     names = []
     for row in run.items(argument(entity, "launch_arguments")):

@@ -263,7 +263,7 @@ class Frontend:
         file = element.attributes.get("file")
         place = self.place(file.span if file is not None else element.span)
         location = self.text(file) if file is not None else Unknown("an include without a file")
-        source = self.make("AnyLaunchDescriptionSource", place, {"location": location}, {})
+        source = self.make("AnyLaunchDescriptionSource", place, {"launch_file_path": location}, {})
         rows = [self._pair(child, "name", "value") for child in element.of("arg", "let")]
         given = {"launch_description_source": source, "launch_arguments": self.list(rows)}
         return self.make("IncludeLaunchDescription", place, given, {"launch_description_source": place})

@@ -1,0 +1,245 @@
+"""Rules over launch files, parameters and packages: what they must not say, and how they say it."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from archlint.checks.near import did_you_mean, distance, nearest
+from archlint.config import load
+from archlint.finding import Finding
+from archlint.session import Request, check
+
+MANIFEST = """<package format="3"><name>{name}</name>
+<exec_depend>rclpy</exec_depend>
+<exec_depend>std_msgs</exec_depend>{more}
+<export><build_type>{type}</build_type></export></package>
+"""
+SETUP = """\
+from glob import glob
+from setuptools import setup
+setup(
+    name='robot',
+    data_files=[('share/robot/launch', glob('launch/*')), ('share/robot/config', glob('config/*'))],
+    entry_points={'console_scripts': ['talker = robot.talker:main']},
+)
+"""
+TALKER = """\
+import rclpy
+from rclpy.node import Node
+from std_msgs.msg import String
+
+class Talker(Node):
+    def __init__(self):
+        super().__init__('talker')
+        self.declare_parameter('rate', 1.0)
+        self.create_publisher(String, 'chatter', 10)
+
+def main():
+    rclpy.init()
+    rclpy.spin(Talker())
+"""
+
+
+@pytest.fixture
+def findings(tmp_path: Path, monkeypatch: pytest.MonkeyPatch):
+    monkeypatch.chdir(tmp_path)
+
+    def run(code: str, launch: str = "", **files: str) -> list[Finding]:
+        texts = {
+            "archlint.toml": f'select = ["{code}"]',
+            "package.xml": MANIFEST.format(name="robot", type="ament_python", more=""),
+            "setup.py": SETUP,
+            "robot/talker.py": TALKER,
+            "launch/it.launch.xml": f"<launch>{launch}</launch>",
+            **files,
+        }
+        for name, text in texts.items():
+            path = tmp_path / name
+            path.parent.mkdir(parents=True, exist_ok=True)
+            path.write_text(text, encoding="utf-8")
+        return check(Request((".",), load(tmp_path), cached=False, jobs=1)).findings
+
+    return run
+
+
+def node(inner: str = "", **attributes: str) -> str:
+    given = {"pkg": "robot", "exec": "talker"} | attributes
+    return f"<node {' '.join(f'{k}={v!r}' for k, v in given.items())}>{inner}</node>"
+
+
+# ------------------------------------------------------------------------------------------------------ near
+
+
+@pytest.mark.parametrize(
+    ("one", "other", "edits"),
+    [("talker", "talker", 0), ("taker", "talker", 1), ("tlaker", "talker", 1), ("a", "bcd", 3)],
+)
+def test_distance(one, other, edits):
+    assert distance(one, other, 5) == edits
+
+
+def test_the_nearest_word_is_near():
+    assert nearest("taker", ["listener", "talker"]) == "talker"
+    assert did_you_mean("x", ["talker"]) == ""
+
+
+# ------------------------------------------------------------------------------------------------------- LCH
+
+
+def test_an_executable_that_may_come_from_elsewhere_is_no_finding(findings):
+    cmake = "project(robot)\nadd_subdirectory(src)\n"
+    manifest = MANIFEST.format(name="robot", type="ament_cmake", more="")
+    assert findings("LCH001", node(exec="driver"), **{"CMakeLists.txt": cmake, "package.xml": manifest}) == []
+    assert findings("LCH001", node(pkg="nav2_amcl", exec="amcl")) == []
+
+
+def test_an_unknown_executable_is_named_with_the_near_one(findings):
+    (found,) = findings("LCH001", node(exec="taker"))
+    assert found.message == "package 'robot' installs no executable 'taker'; did you mean 'talker'?"
+
+
+@pytest.mark.parametrize(
+    "remap",
+    [
+        '<remap from="chatter" to="x"/>',
+        '<remap from="~/get_parameters" to="x"/>',
+        '<remap from="/tf" to="tf"/>',
+        '<remap from="/rosout" to="x"/>',
+    ],
+)
+def test_live_remappings(findings, remap):
+    assert findings("LCH002", node(remap)) == []
+
+
+def test_remappings_of_a_group_are_for_whoever_has_the_name(findings):
+    assert findings("LCH002", '<set_remap from="odom" to="/odom"/>' + node()) == []
+
+
+def test_a_remapping_is_judged_under_the_nodes_namespace(findings):
+    (found,) = findings("LCH002", node('<remap from="/chatter" to="x"/>', namespace="left"))
+    assert "nothing in /left/talker is called '/chatter'" in found.message
+    assert "/left/chatter" in found.help
+
+
+def test_a_node_that_hands_itself_out_may_have_more_names(findings):
+    text = TALKER.replace("        self.create_publisher", "        Helper(self)\n        self.create_publisher")
+    text = "from library import Helper\n" + text
+    assert findings("LCH002", node('<remap from="odom" to="x"/>'), **{"robot/talker.py": text}) == []
+
+
+def test_an_argument_that_every_includer_passes_is_declared_enough(findings):
+    inner = f"<launch>{node(name='$(var name)')}</launch>"
+    outer = '<include file="$(dirname)/inner.launch.xml"><arg name="name" value="a"/></include>'
+    assert findings("LCH003", outer, **{"launch/inner.launch.xml": inner}) == []
+    (found,) = findings("LCH003", outer.replace('name="name"', 'name="nam"'), **{"launch/inner.launch.xml": inner})[:1]
+    assert found.place.file.startswith("launch/")
+
+
+def test_a_configuration_behind_a_condition_may_be_set_by_then(findings):
+    assert findings("LCH003", '<arg name="x"/>' + node(name="$(var y)", **{"if": "$(var x)"})) == []
+
+
+def test_files_of_other_packages_are_not_looked_for(findings):
+    assert findings("LCH004", '<include file="$(find-pkg-share nav2_bringup)/launch/x.launch.py"/>') == []
+
+
+def test_a_file_that_is_there_but_not_installed(findings):
+    (found,) = findings(
+        "LCH004", '<include file="$(find-pkg-share robot)/more/x.launch.xml"/>', **{"more/x.launch.xml": "<launch/>"}
+    )
+    assert "does not install the launch file 'more/x.launch.xml'" in found.message
+
+
+# ------------------------------------------------------------------------------------------------ parameters
+
+
+def test_values_of_the_right_type(findings):
+    assert findings("PRM002", node('<param name="rate" value="2.0"/>')) == []
+    assert findings("PRM002", '<arg name="r"/>' + node('<param name="rate" value="$(var r)"/>')) == []
+
+
+def test_dynamic_typing_takes_anything(findings):
+    text = TALKER.replace("1.0)", "1.0, ParameterDescriptor(dynamic_typing=True))")
+    assert findings("PRM002", node('<param name="rate" value="2"/>'), **{"robot/talker.py": text}) == []
+
+
+def test_a_shared_section_is_for_whichever_node_declares_the_name(findings):
+    load_it = '<param from="$(find-pkg-share robot)/config/p.yaml"/>'
+    yaml = "/**: {ros__parameters: {rat: 1.0}}"
+    assert findings("PRM004", node(load_it), **{"config/p.yaml": yaml})[0].place.file == "config/p.yaml"
+    external = node(pkg="nav2_amcl", exec="amcl", name="amcl")
+    assert findings("PRM004", node(load_it) + external, **{"config/p.yaml": yaml}) == []
+
+
+def test_a_node_that_allows_undeclared_parameters_takes_anything(findings):
+    text = TALKER.replace("('talker')", "('talker', allow_undeclared_parameters=True)")
+    assert findings("PRM004", node('<param name="rat" value="1.0"/>'), **{"robot/talker.py": text}) == []
+
+
+def test_a_section_without_its_namespace(findings):
+    load_it = '<param from="$(find-pkg-share robot)/config/p.yaml"/>'
+    yaml = "talker: {ros__parameters: {rate: 1.0}}"
+    (found,) = findings("PRM005", node(load_it, namespace="left"), **{"config/p.yaml": yaml})
+    assert found.message.endswith("did you mean '/left/talker'?")
+    assert findings("PRM005", node(load_it), **{"config/p.yaml": yaml}) == []
+
+
+def test_a_section_for_a_node_that_other_arguments_start(findings):
+    load_it = '<param from="$(find-pkg-share robot)/config/p.yaml"/>'
+    yaml = "talker: {ros__parameters: {rate: 1.0}}\nother: {ros__parameters: {rate: 1.0}}"
+    other = '<arg name="more" default="false"/>' + node(load_it, name="other", **{"if": "$(var more)"})
+    assert findings("PRM005", node(load_it) + other, **{"config/p.yaml": yaml}) == []
+
+
+@pytest.mark.parametrize(
+    "second",
+    [
+        "if not self.has_parameter('rate'):\n            self.declare_parameter('rate', 2.0)",
+        "try:\n            self.declare_parameter('rate', 2.0)\n        except Exception:\n            pass",
+        "self.undeclare_parameter('rate')\n        self.declare_parameter('rate', 2.0)",
+    ],
+)
+def test_declarations_that_ask_first(findings, second):
+    text = TALKER.replace("        self.create_publisher", f"        {second}\n        self.create_publisher")
+    assert findings("PRM008", **{"robot/talker.py": text}) == []
+
+
+def test_reads_that_may_find_nothing(findings):
+    text = TALKER.replace(
+        "        self.create_publisher",
+        "        if self.has_parameter('other'):\n            self.get_parameter('other')\n"
+        "        self.get_parameter_or('third')\n        self.get_parameter('use_sim_time')\n"
+        "        self.create_publisher",
+    )
+    assert findings("PRM003", **{"robot/talker.py": text}) == []
+
+
+# -------------------------------------------------------------------------------------------------- packages
+
+
+def test_imports_that_may_fail_or_are_for_tests_need_no_dependency(findings):
+    optional = "try:\n    from sensor_msgs.msg import Image\nexcept ImportError:\n    Image = None\n"
+    test = "from geometry_msgs.msg import Pose\nimport rclpy\n"
+    assert findings("PKG001", **{"robot/talker.py": optional + TALKER, "test/test_it.py": test}) == []
+
+
+def test_the_missing_line_for_the_manifest(findings):
+    text = "from sensor_msgs.msg import Image\n" + TALKER
+    (found,) = findings("PKG001", **{"robot/talker.py": text})
+    (edit,) = found.fix.edits
+    assert (edit.place.file, edit.place.line) == ("package.xml", 4)
+    assert edit.text == "<exec_depend>sensor_msgs</exec_depend>\n"
+
+
+def test_entry_points_of_other_distributions(findings):
+    setup = SETUP.replace("'talker = robot.talker:main'", "'talker = robot.talker:main', 'serve = uvicorn.main:run'")
+    assert findings("PKG002", **{"setup.py": setup}) == []
+
+
+def test_circles_that_are_none(findings):
+    more = '<exec_depend condition="$ROS_VERSION == 1">arm</exec_depend><test_depend>arm</test_depend>'
+    arm = MANIFEST.format(name="arm", type="ament_python", more="<exec_depend>robot</exec_depend>")
+    robot = MANIFEST.format(name="robot", type="ament_python", more=more)
+    assert findings("PKG003", **{"package.xml": robot, "arm/package.xml": arm}) == []

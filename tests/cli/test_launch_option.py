@@ -1,0 +1,68 @@
+"""``--launch FILE arg:=value …`` of ``check`` and ``graph``."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+import pytest
+
+from archlint.cli import main
+from program.launching import PACKAGE, SETUP
+from system.test_launched import TALKER
+
+LAUNCH = """<launch>
+  <arg name="robot" default="alice"/>
+  <node pkg="robot" exec="talker" namespace="$(var robot)"/>
+</launch>
+"""
+
+
+@pytest.fixture
+def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    monkeypatch.chdir(tmp_path)
+    texts = {
+        "src/robot/package.xml": PACKAGE.format(name="robot"),
+        "src/robot/setup.py": SETUP.format(name="robot"),
+        "src/robot/robot/talker.py": TALKER,
+        "src/robot/launch/up.launch.xml": LAUNCH,
+    }
+    for name, text in texts.items():
+        path = tmp_path / name
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_text(text, encoding="utf-8")
+    return tmp_path
+
+
+FILE = "src/robot/launch/up.launch.xml"
+
+
+@pytest.mark.parametrize(("words", "name"), [([], "/alice/talker"), (["robot:=bob"], "/bob/talker")])
+def test_the_graph_of_a_launch_file(folder, capsys, words, name):
+    status = main(["graph", "--format", "json", "--no-cache", "--launch", FILE, *words])
+    made = json.loads(capsys.readouterr().out)
+    assert status == 0
+    assert [(node["name"], node["launched_by"]) for node in made["nodes"]] == [(name, FILE)]
+    assert made["system"] == FILE
+
+
+def test_words_that_are_no_arguments_are_paths(folder, capsys):
+    assert main(["graph", "--format", "json", "--no-cache", "--launch", FILE, "robot:=bob", "src"]) == 0
+    assert "/bob/talker" in capsys.readouterr().out
+
+
+@pytest.mark.parametrize(
+    ("file", "words"),
+    [("gone.launch.py", "no such file: gone.launch.py"), ("src/robot/setup.py", "is no launch file")],
+)
+def test_what_cannot_be_launched(folder, capsys, file, words):
+    assert main(["check", "--no-cache", "--launch", file]) == 2
+    assert words in capsys.readouterr().err
+
+
+def test_only_the_launched_system_is_judged(folder, capsys):
+    (folder / "archlint.toml").write_text('select = ["LCH001"]')
+    (folder / "src/robot/launch/other.launch.xml").write_text('<launch><node pkg="robot" exec="taker"/></launch>')
+    assert main(["check", "--no-cache", "--format", "concise"]) == 1
+    assert "LCH001" in capsys.readouterr().out
+    assert main(["check", "--no-cache", "--format", "concise", "--launch", FILE]) == 0
