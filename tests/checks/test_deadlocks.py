@@ -125,6 +125,26 @@ def test_a_result_that_is_asked_for_when_it_is_done_is_there(run: Run):
     assert codes(run(source(CLIENT + "self.future = None\n" + TIMER, method))) == []
 
 
+@pytest.mark.parametrize(
+    ("test", "words"),
+    [
+        ("not future.done()", "hangs for ever"),
+        ("rclpy.ok() and not future.done()", "hangs for ever"),
+        ("not future.done() and time.time() < end", "hangs until the timeout"),
+    ],
+)
+def test_a_loop_around_a_future_waits_as_long_as_its_test_lets_it(run: Run, test: str, words: str):
+    method = f"""
+    def tick(self):
+        end = time.time() + 3.0
+        future = self.client.call_async(Trigger.Request())
+        while {test}:
+            time.sleep(0.01)
+    """
+    [found] = run(source(CLIENT + TIMER, method))
+    assert found.code == "EXE002" and f"and {words}:" in found.message
+
+
 def test_an_event_that_a_callback_of_the_same_group_sets_never_comes(run: Run):
     setup = "self.there = threading.Event()\nself.create_subscription(Empty, 'there', self.on_there, 10)\n" + TIMER
     method = """

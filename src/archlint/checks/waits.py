@@ -16,6 +16,7 @@ from archlint.checks.reach import (
     same_expression,
 )
 from archlint.facts import model as facts
+from archlint.facts.walk import called_name, statements_of
 from archlint.program.interest import names_in
 from archlint.program.values import FutureValue, Instance
 
@@ -62,7 +63,7 @@ def waits(system: System) -> list[Wait]:
     for program, call in judged_calls(system):
         for kind, clients in _waits_of(call, signals):
             if clients:
-                limited = any(has_limit(call, name) for name in ("timeout_sec", "timeout"))
+                limited = any(has_limit(call, name) for name in ("timeout_sec", "timeout")) or _gives_up(call)
                 found.append(Wait(kind, call, clients[0], program, limited))
     return found
 
@@ -90,6 +91,19 @@ def _loop_until(call: ApiCall) -> facts.While | None:
         return None
     asked = [part for part in _conjuncts(loop.test) if isinstance(part, facts.Unary) and part.op == "not"]
     return loop if any(same_expression(part.operand, call.expression) for part in asked) else None
+
+
+def _gives_up(call: ApiCall) -> bool:
+    """Whether a loop around a future also ends by itself: a clock or a counter in its test, a way out of its body."""
+    loop = _loop_until(call) if call.api == _DONE else None
+    if loop is None:
+        return False
+    others = [part for part in _conjuncts(loop.test) if not (isinstance(part, facts.Unary) and part.op == "not")]
+    ends = any(
+        isinstance(s, (facts.Return, facts.Raise)) or (isinstance(s, facts.Jump) and s.kind == "break")
+        for s in statements_of(loop.body)
+    )
+    return ends or any(not (isinstance(part, facts.Call) and called_name(part) == "ok") for part in others)
 
 
 def _conjuncts(test: facts.Expr) -> list[facts.Expr]:
