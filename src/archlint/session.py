@@ -169,7 +169,7 @@ def _judged(request: Request, workspace: Workspace, facts: FactsOfFiles) -> Judg
     outcome = suppressions.apply(_wanted(found, request.settings, workspace), by_file)
     stale = suppressions.stale(outcome.unused, _ran(request, systems), Sources().line)
     kept = [*outcome.kept, *suppressions.apply(_wanted(stale, request.settings, workspace), by_file).kept]
-    findings = sorted(dict.fromkeys(_with_fixes(kept, request, workspace)), key=lambda finding: finding.sort_key)
+    findings = sorted(dict.fromkeys(_with_fixes(kept, request)), key=lambda finding: finding.sort_key)
     shown = [_asked_for(systems[0], workspace)]
     summary = summarise(
         findings,
@@ -208,15 +208,14 @@ def _ran(request: Request, systems: Sequence[System]) -> frozenset[str]:
     return frozenset(code for code in selection.codes if selection.runs(code, closed))
 
 
-def _with_fixes(findings: Sequence[Finding], request: Request, workspace: Workspace) -> Sequence[Finding]:
+def _with_fixes(findings: Sequence[Finding], request: Request) -> Sequence[Finding]:
     from archlint.rulebook import rules
 
     if not any(rules()[finding.code].fix for finding in findings):
         return findings
     from archlint.fixes import Surroundings, attach
 
-    manifests = {package.name: package.manifest.relative for package in workspace.packages}
-    return attach(findings, Surroundings(manifests, request.settings.distros))
+    return attach(findings, Surroundings(request.settings.distros))
 
 
 def _problems(workspace: Workspace, files: Sequence[SourceFile], facts: FactsOfFiles) -> Iterator[Finding]:

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Iterable
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
-from archlint.fixes import manifests, names, timeouts
+from archlint.fixes import names, timeouts
 from archlint.fixes.source import Source, read
 
 if TYPE_CHECKING:
@@ -16,31 +16,25 @@ Builder = Callable[["Finding", Source, "Surroundings"], "Fix | None"]
 
 BUILDERS: dict[str, Builder] = {
     "NME001": lambda finding, source, _: names.declare_parameter(finding, source),
-    "PKG001": lambda finding, _, around: manifests.add_dependency(finding, around.manifest(finding.identity[0])),
     "TMO001": lambda finding, source, _: timeouts.limit_wait(finding, source),
     "TMO002": lambda finding, source, around: timeouts.limit_call(finding, source, around.distros),
     "TMO003": lambda finding, source, _: timeouts.limit_spin(finding, source),
 }
-"""By the code of the rule; the fixes of LNT001 come with the findings."""
+"""By the code of the rule; the fixes of LNT001 and PKG001 come with the findings."""
 
 
 class Surroundings:
-    """What a fix may need beside the file of its finding.  ``manifests`` are the paths of ``package.xml`` by the
-    name of the package; ``distros`` the ROS distributions that the code is for."""
+    """What a fix may need beside its finding: the texts of files, each read once, and ``distros``, the ROS
+    distributions that the code is for."""
 
-    def __init__(self, manifests: Mapping[str, str], distros: tuple[str, ...]) -> None:
+    def __init__(self, distros: tuple[str, ...]) -> None:
         self.distros: tuple[str, ...] = distros
-        self._manifests = manifests
         self._sources: dict[str, Source | None] = {}
 
     def source(self, file: str) -> Source | None:
         if file not in self._sources:
             self._sources[file] = read(file)
         return self._sources[file]
-
-    def manifest(self, package: str) -> Source | None:
-        path = self._manifests.get(package)
-        return None if path is None else self.source(path)
 
 
 def attach(findings: Iterable[Finding], around: Surroundings) -> list[Finding]:

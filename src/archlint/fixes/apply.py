@@ -68,7 +68,8 @@ def _pieces(fix: Fix, outcome: Outcome) -> list[tuple[str, _Piece]] | None:
             start, end = source.offset(place.line, place.column), source.offset(place.end_line, place.end_column)
         except ValueError:
             return None
-        found.append((place.file, (start, end, edit.text)))
+        text = edit.text if "\r" in edit.text else edit.text.replace("\n", source.newline)
+        found.append((place.file, (start, end, text)))
     return found
 
 
@@ -76,13 +77,17 @@ def _overlaps(piece: _Piece, others: Iterable[_Piece]) -> bool:
     """Whether two edits touch: insertions at one point do, but for whole lines, whose order is no matter."""
     start, end, text = piece
     for other_start, other_end, other_text in others:
-        if start == end == other_start == other_end and text[:1] in "\r\n" and other_text[:1] in "\r\n":
+        if start == end == other_start == other_end and _whole_lines(text) and _whole_lines(other_text):
             if text == other_text:
                 return True
             continue
         if start <= other_end and other_start <= end:
             return True
     return False
+
+
+def _whole_lines(text: str) -> bool:
+    return text.endswith(("\r", "\n"))
 
 
 def _worked_in(source: Source, pieces: Sequence[_Piece]) -> str:

@@ -1,0 +1,78 @@
+from __future__ import annotations
+
+import pytest
+
+from checks.judging import Judge
+
+NODE = """
+    import sys
+    import rclpy
+    from geometry_msgs.msg import Twist, TwistStamped
+    from nav2_msgs.action import Spin
+    from rclpy.action import ActionClient
+    from std_msgs.msg import Bool, String
+    from std_srvs.srv import SetBool, Trigger
+
+    rclpy.init()
+    node = rclpy.create_node('sender')
+    flags = node.create_publisher(Bool, 'flags', 10)
+    client = node.create_client(SetBool, 'enable')
+    spin = ActionClient(node, Spin, 'spin')
+    {line}
+"""
+
+
+@pytest.mark.parametrize(
+    ("line", "given"),
+    [
+        ("flags.publish(True)", "True"),
+        ("flags.publish(String())", "std_msgs/msg/String"),
+        ("flags.publish(Bool)", "the class std_msgs/msg/Bool itself"),
+        ("flags.publish(None)", "None"),
+        ("flags.publish({'data': True})", "a dict"),
+        ("client.call_async(Trigger.Request())", "std_srvs/srv/Trigger.Request"),
+        ("client.call_async(SetBool.Response())", "std_srvs/srv/SetBool.Response"),
+        ("spin.send_goal_async(Spin.Result())", "nav2_msgs/action/Spin.Result"),
+    ],
+)
+def test_a_wrong_argument(judge: Judge, line: str, given: str):
+    [found] = judge("TOP005", NODE.format(line=line + "  # here"))
+    assert f"is given {given}, but it wants" in found.message
+
+
+@pytest.mark.parametrize(
+    "line",
+    [
+        "flags.publish(Bool(data=True))",
+        "flags.publish(b'serialized')",
+        "flags.publish(sys.argv[1])",
+        "client.call_async(SetBool.Request())",
+        "spin.send_goal_async(Spin.Goal())",
+    ],
+)
+def test_a_right_or_unknown_argument(judge: Judge, line: str):
+    judge("TOP005", NODE.format(line=line))
+
+
+def test_one_of_two_publishers_fits(judge: Judge):
+    judge(
+        "TOP005",
+        """
+        import os
+        import rclpy
+        from geometry_msgs.msg import Twist, TwistStamped
+
+        rclpy.init()
+        node = rclpy.create_node('teleop')
+        stamped = 'STAMPED' in os.environ
+        if stamped:
+            publisher = node.create_publisher(TwistStamped, 'cmd_vel', 10)
+        else:
+            publisher = node.create_publisher(Twist, 'cmd_vel', 10)
+        publisher.publish(TwistStamped() if stamped else Twist())
+        if stamped:
+            publisher.publish(TwistStamped())
+        else:
+            publisher.publish(Twist())
+        """,
+    )

@@ -1,0 +1,194 @@
+"""What ``--fix`` makes of a file: exactly the edit that was meant, once, and code that still parses."""
+
+from __future__ import annotations
+
+import os
+import stat
+from pathlib import Path
+from textwrap import dedent
+
+import pytest
+
+from archlint.cli import main
+
+HEAD = """\
+import rclpy
+from rclpy.action import ActionClient
+from rclpy.node import Node
+from rclpy.wait_for_message import wait_for_message
+from example_interfaces.action import Fibonacci
+from std_msgs.msg import String
+from std_srvs.srv import Trigger
+
+
+class Worker(Node):
+    def __init__(self):
+        super().__init__('worker')
+"""
+TAIL = """
+
+def main():
+    rclpy.init()
+    rclpy.spin(Worker())
+
+
+if __name__ == '__main__':
+    main()
+"""
+
+
+class Workbench:
+    def __init__(self, folder: Path) -> None:
+        self.folder = folder
+        self.file = folder / "worker.py"
+
+    def fix(self, line: str, *options: str, code: str) -> str:
+        """The lines of the constructor after ``--fix``; a second run must change nothing."""
+        self.file.write_text(HEAD + f"        {line}\n" + TAIL, encoding="utf-8")
+        main(["check", "--fix", "--select", code, "--no-cache", *options])
+        after = self.file.read_text("utf-8")
+        compile(after, "worker.py", "exec")
+        main(["check", "--fix", "--select", code, "--no-cache", *options])
+        assert self.file.read_text("utf-8") == after
+        assert after.startswith(HEAD) and after.endswith(TAIL)
+        return dedent(after.removeprefix(HEAD).removesuffix(TAIL)).strip()
+
+
+@pytest.fixture
+def workbench(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Workbench:
+    monkeypatch.chdir(tmp_path)
+    return Workbench(tmp_path)
+
+
+CLIENT = "self.create_client(Trigger, 'far')"
+SERVER = "ActionClient(self, Fibonacci, 'count')"
+
+
+@pytest.mark.parametrize(
+    ("before", "after"),
+    [
+        (f"{CLIENT}.wait_for_service()", f"{CLIENT}.wait_for_service(timeout_sec=5.0)"),
+        (f"{CLIENT}.wait_for_service(None)", f"{CLIENT}.wait_for_service(5.0)"),
+        (f"{CLIENT}.wait_for_service(timeout_sec = None)", f"{CLIENT}.wait_for_service(timeout_sec = 5.0)"),
+        (f"{SERVER}.wait_for_server( )", f"{SERVER}.wait_for_server(timeout_sec=5.0 )"),
+        ("wait_for_message(String, self, 'x')", "wait_for_message(String, self, 'x', time_to_wait=5.0)"),
+        ("wait_for_message(String, self, ('x'),)", "wait_for_message(String, self, ('x'), time_to_wait=5.0,)"),
+        (
+            "wait_for_message(\n    String,\n    self,\n    'x',  # what is said\n)",
+            "wait_for_message(\n    String,\n    self,\n    'x', time_to_wait=5.0,  # what is said\n)",
+        ),
+    ],
+)
+def test_a_wait_gets_a_limit(workbench: Workbench, before: str, after: str):
+    assert workbench.fix(before.replace("\n", "\n        "), code="TMO001") == after
+
+
+def test_a_limit_that_the_caller_decides_is_left_alone(workbench: Workbench):
+    line = f"limits = {{}}; {CLIENT}.wait_for_service(**limits)"
+    assert workbench.fix(line, code="TMO001") == line
+
+
+SPIN = "rclpy.spin_until_future_complete"
+
+
+@pytest.mark.parametrize(
+    ("arguments", "after"),
+    [
+        ("self, F", "self, F, timeout_sec=5.0"),
+        ("self, F, None, None", "self, F, None, 5.0"),
+        ("self, F, timeout_sec=-1", "self, F, timeout_sec=5.0"),
+    ],
+)
+def test_a_spin_gets_a_limit(workbench: Workbench, arguments: str, after: str):
+    future = f"{CLIENT}.call_async(Trigger.Request())"
+    line = f"{SPIN}({arguments.replace('F', future)})"
+    assert workbench.fix(line, code="TMO003") == f"{SPIN}({after.replace('F', future)})"
+
+
+def test_a_call_gets_a_limit_where_the_distribution_has_one(workbench: Workbench):
+    line = f"{CLIENT}.call(Trigger.Request())"
+    assert workbench.fix(line, code="TMO002") == line
+    (workbench.folder / "archlint.toml").write_text('distro = "jazzy"\n')
+    assert workbench.fix(line, code="TMO002") == f"{CLIENT}.call(Trigger.Request(), timeout_sec=5.0)"
+
+
+def test_a_name_becomes_a_parameter(workbench: Workbench):
+    line = "self.create_publisher(String, '/robot/sensor/temp', 10)"
+    assert workbench.fix(line, code="NME001") == line  # unsafe: not by --fix alone
+    assert workbench.fix(line, "--unsafe-fixes", code="NME001").splitlines() == [
+        "self.declare_parameter('temp_topic', '/robot/sensor/temp')",
+        "temp_topic = self.get_parameter('temp_topic').value",
+        "self.create_publisher(String, temp_topic, 10)",
+    ]
+
+
+def test_two_names_that_end_alike_get_a_parameter_each(workbench: Workbench):
+    lines = "self.create_publisher(String, '/left/say', 10)\n        self.create_publisher(String, '/right/say', 10)"
+    fixed = workbench.fix(lines, "--unsafe-fixes", code="NME001")
+    assert "declare_parameter('say_topic', '/left/say')" in fixed
+    assert "declare_parameter('say_topic_2', '/right/say')" in fixed
+
+
+@pytest.mark.parametrize(
+    "line",
+    [
+        "for _ in 'ab': self.create_publisher(String, '/said', 10)",
+        "if self.context: self.create_publisher(String, '/said', 10)",
+        "x = 1; self.create_publisher(String, '/said', 10)",
+        "[self.create_publisher(String, '/said', 10) for _ in 'a']",
+    ],
+)
+def test_a_name_that_cannot_become_a_parameter_in_one_step(workbench: Workbench, line: str):
+    assert workbench.fix(line, "--unsafe-fixes", code="NME001") == line
+
+
+@pytest.mark.parametrize(
+    ("before", "after"),
+    [
+        ("self.x = 1  # archlint: ignore[TMO001]", "self.x = 1"),
+        ("self.x = 1  # archlint: ignore[TMO001]  # why", "self.x = 1  # why"),
+        (f"{CLIENT}.wait_for_service()  # archlint: ignore[TMO001, TMO002]",
+         f"{CLIENT}.wait_for_service()  # archlint: ignore[TMO001]"),
+        ("# archlint: ignore[TMO001]\n        self.x = 1", "self.x = 1"),
+        ("self.x = 1  # archlint: ignore[SRV003]", "self.x = 1  # archlint: ignore[SRV003]"),  # was not run
+    ],
+)  # fmt: skip
+def test_a_suppression_that_hides_nothing_goes(workbench: Workbench, before: str, after: str):
+    assert workbench.fix(before, code="TMO001,TMO002,LNT001").replace("    ", "") == after
+
+
+def test_a_dependency_is_declared(tmp_path: Path, monkeypatch: pytest.MonkeyPatch):
+    monkeypatch.chdir(tmp_path)
+    manifest = tmp_path / "package.xml"
+    text = (
+        '<?xml version="1.0"?>\r\n<package format="3">\r\n  <name>talk</name>\r\n  <version>0.1.0</version>\r\n'
+        "  <description>It talks.</description>\r\n  <maintainer email='a@b.c'>A</maintainer>\r\n"
+        "  <license>MIT</license>\r\n\r\n  <depend>rclpy</depend>\r\n  <!-- <depend>old</depend> -->\r\n"
+        "  <export><build_type>ament_python</build_type></export>\r\n</package>\r\n"
+    )
+    manifest.write_bytes(text.encode())
+    os.chmod(manifest, 0o640)
+    (tmp_path / "talk").mkdir()
+    (tmp_path / "talk" / "__init__.py").touch()
+    (tmp_path / "talk" / "node.py").write_text(
+        "import rclpy\nfrom std_msgs.msg import String\nfrom sensor_msgs.msg import Image\n\n"
+        "rclpy.create_node('talk').create_publisher(String, 'said', 10)\n"
+    )
+    main(["check", "--fix", "--select", "PKG001", "--no-cache"])
+    added = "  <exec_depend>{}</exec_depend>\r\n"
+    after = manifest.read_bytes().decode()
+    assert after.replace(added.format("std_msgs"), "").replace(added.format("sensor_msgs"), "") == text
+    assert stat.S_IMODE(manifest.stat().st_mode) == 0o640
+
+
+def test_a_diff_changes_nothing(workbench: Workbench, capsys: pytest.CaptureFixture[str]):
+    before = HEAD + f"        {CLIENT}.wait_for_service()\n" + TAIL
+    workbench.file.write_text(before, encoding="utf-8")
+    assert main(["check", "--diff", "--select", "TMO001", "--no-cache"]) == 1
+    assert capsys.readouterr().out.splitlines()[-4:-3] == [f"+        {CLIENT}.wait_for_service(timeout_sec=5.0)"]
+    assert workbench.file.read_text("utf-8") == before
+
+
+def test_unsafe_fixes_alone_are_a_mistake(workbench: Workbench, capsys: pytest.CaptureFixture[str]):
+    assert main(["check", "--unsafe-fixes"]) == 2
+    assert "--unsafe-fixes goes with --fix or --diff" in capsys.readouterr().err
