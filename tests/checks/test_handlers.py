@@ -101,6 +101,12 @@ def test_a_path_without_the_response(run: Run, body: str, lines: list[int]):
     assert [one.place.line - first + 1 for one in found] == lines
 
 
+def test_a_lambda_gives_its_value(run: Run):
+    create = "self.create_service(Trigger, 'a', lambda request, response: {})\n"
+    assert codes(run(source(create.format("response"), "pass"))) == []
+    assert codes(run(source(create.format("None"), "pass"))) == ["SRV007"]
+
+
 OUTCOMES = {
     "succeed": "goal_handle.succeed()\nreturn Fibonacci.Result()",
     "either": """

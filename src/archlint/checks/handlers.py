@@ -45,8 +45,24 @@ def _parameter(callback: Callback, function: facts.Function, number: int) -> str
 def missing_response(system: System, options: Options) -> Iterator[Finding]:
     """Ends of service handlers that give no response."""
     yield from one_for_each_place(
-        found for callback, function in _handlers(system, "service") for found in _missing(system, callback, function)
+        (
+            *(
+                one
+                for callback, function in _handlers(system, "service")
+                for one in _missing(system, callback, function)
+            ),
+            *_missing_of_lambdas(system),
+        )
     )
+
+
+def _missing_of_lambdas(system: System) -> Iterator[Finding]:
+    for program in system.programs:
+        for callback in program.callbacks:
+            if callback.role == "service" and isinstance(callback.function, facts.Lambda):
+                what = _no_response(callback.function.body)
+                if what is not None and not is_test_file(callback.file):
+                    yield _missing_at(system, callback, callback.place, f"gives {what}, which is no response", "lambda")
 
 
 def _missing(system: System, callback: Callback, function: facts.Function) -> Iterator[Finding]:
@@ -57,16 +73,16 @@ def _missing(system: System, callback: Callback, function: facts.Function) -> It
         what = _no_response(end.value)
         if what is not None:
             place = Place.of(callback.file, end.span)
-            yield _missing_at(system, callback, place, f"returns {what} here", "return")
+            yield _missing_at(system, callback, place, f"returns {what} here, which is no response", "return")
     if ends.falls:
-        yield _missing_at(system, callback, callback.place, "can run off its end", "end")
+        yield _missing_at(system, callback, callback.place, "can run off its end without a response", "end")
 
 
 def _missing_at(system: System, callback: Callback, place: Place, what: str, end: str) -> Finding:
     return finding(
         "SRV007",
         place,
-        f"the handler of {endpoint_words(callback.creation)} {what} and gives no response: rclpy raises a TypeError, "
+        f"the handler of {endpoint_words(callback.creation)} {what}: rclpy raises a TypeError, "
         "and the caller waits in vain",
         help="return the response on every path; it can say that something went wrong",
         related=_handler(callback, place),
