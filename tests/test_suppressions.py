@@ -6,7 +6,7 @@ import pytest
 
 from archlint.facts.model import Suppression
 from archlint.finding import Finding, Place, Severity
-from archlint.suppressions import apply, refusal
+from archlint.suppressions import apply, refusal, stale
 
 
 def finding(line: int, code: str = "SRV003", name: str = "nested-service-call") -> Finding:
@@ -67,3 +67,24 @@ def test_a_bare_ignore_is_refused():
 def test_a_failure_of_archlint_itself_cannot_be_hidden():
     failed = finding(1, "LNT003", "internal-error")
     assert apply([failed], {"node.py": [ignore(["LNT003"], (1, 1), "file")]}).kept == [failed]
+
+
+def test_one_finding_for_each_comment_with_all_that_it_need_not_name():
+    unused = apply([finding(12)], {"node.py": [ignore(["SRV003", "TMO001", "TMO002"])]}).unused
+    [found] = stale(unused, frozenset({"SRV003", "TMO001", "TMO002"}), lambda file, line: None)
+    assert (found.code, found.place.line, found.message) == (
+        "LNT001",
+        12,
+        "this suppression of TMO001, TMO002 hides nothing",
+    )
+
+
+def test_rules_that_did_not_run_are_left_alone():
+    unused = apply([], {"node.py": [ignore(["SRV003", "TMO001"])]}).unused
+    assert stale(unused, frozenset({"OWN001"}), lambda file, line: None) == []
+
+
+def test_a_code_of_no_rule():
+    unused = apply([], {"node.py": [ignore(["SRV033"])]}).unused
+    [found] = stale(unused, frozenset(), lambda file, line: None)
+    assert found.message == "there is no rule SRV033; did you mean SRV003?"
