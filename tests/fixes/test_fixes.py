@@ -126,7 +126,7 @@ def test_two_names_that_end_alike_get_a_parameter_each(workbench: Workbench):
     lines = "self.create_publisher(String, '/left/say', 10)\n        self.create_publisher(String, '/right/say', 10)"
     fixed = workbench.fix(lines, "--unsafe-fixes", code="NME001")
     assert "declare_parameter('say_topic', '/left/say')" in fixed
-    assert "declare_parameter('say_topic_2', '/right/say')" in fixed
+    assert "declare_parameter('right_say_topic', '/right/say')" in fixed
 
 
 @pytest.mark.parametrize(

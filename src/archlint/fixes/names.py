@@ -89,13 +89,22 @@ def _statement(source: Source, call: ast.Call) -> ast.stmt | None:
 
 
 def _free_name(source: Source, topic: str, kind: str) -> str:
-    """A name for the parameter and the variable that the file does not use yet."""
-    words = re.sub(r"\W+", "_", topic.rpartition("/")[2]).strip("_").lower() or kind
-    base = words if words.endswith(kind) else f"{words}_{kind}"
-    if not base[0].isalpha():
-        base = f"{kind}_{words}"
-    name, number = base, 2
-    while name in source.taken or re.search(rf"(?<![\w.]){name}\b", source.text):
-        name, number = f"{base}_{number}", number + 1
+    """A name for the parameter and the variable that the file does not use yet: of the last part of the topic,
+    else of the last two, and so on."""
+    parts = [re.sub(r"\W+", "_", part).strip("_").lower() for part in topic.split("/")]
+    parts = [part for part in parts if part] or [kind]
+    names = [_base("_".join(parts[-count:]), kind) for count in range(1, len(parts) + 1)]
+    names += [f"{names[0]}_{number}" for number in range(2, 1_000)]
+    name = next(one for one in names if one not in source.taken and not _used(one, source))
     source.taken.add(name)
     return name
+
+
+def _base(words: str, kind: str) -> str:
+    base = words if words.endswith(kind) else f"{words}_{kind}"
+    return base if base[0].isalpha() else f"{kind}_{words}"
+
+
+def _used(name: str, source: Source) -> bool:
+    """Whether the file uses a name as a variable or in a text; attributes are in nobody's way."""
+    return re.search(rf"(?<![\w.]){name}\b", source.text) is not None
