@@ -329,3 +329,19 @@ def test_yaml_keeps_types_but_for_texts_that_look_like_numbers(launches):
     assert parameters(started) == {"a": 1, "b": None, "c": "one"}
     assert remaps(started) == [("x", "y")]
     assert names(launched) == ["/left/-"]
+
+
+def test_yaml_that_a_launch_file_loads_itself(launches):
+    launches.file("robot/config/p.yaml", "/**: {ros__parameters: {mode: fast, n: 2}}")
+    launched = launches.python(
+        "actions",
+        before=(
+            "import yaml\nwith open(os.path.join(get_package_share_directory('robot'), 'config', 'p.yaml')) as file:\n"
+            "    values = yaml.safe_load(file)['/**']['ros__parameters']\nactions = []\n"
+            "if values.get('mode', None) == 'fast':\n"
+            "    actions.append(Node(package='robot', executable='talker', name='quick', parameters=[values]))"
+        ),
+    )
+    assert names(launched) == ["quick"]
+    assert parameters(launched.started[0]) == {"mode": "fast", "n": 2}
+    assert not launched.started[0].arms

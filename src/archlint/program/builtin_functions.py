@@ -85,6 +85,13 @@ def _input(run: Run, args: Arguments, keywords: Keywords, e: facts.Call | None) 
     return Unknown("what a user types")
 
 
+def _open(run: Run, args: Arguments, keywords: Keywords, e: object) -> Value:
+    """A file; only launch files read any that matter here."""
+    from archlint.program.launch.effects import open_file
+
+    return open_file(run, args)
+
+
 def _str(run: Run, args: Arguments, keywords: Keywords, e: object) -> Value:
     from archlint.program import expressions
 
@@ -502,7 +509,7 @@ BUILTINS: dict[str, Callable[..., Value]] = {
     "callable": _callable,
     "next": _next,
     "input": _input,
-    "open": _unknown("a file"),
+    "open": _open,
     "id": _unknown("an identity"),
     "hash": _unknown("a hash"),
     "vars": _unknown("the attributes of an object"),

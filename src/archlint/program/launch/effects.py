@@ -149,7 +149,51 @@ def _same_path(run: Run, args: list[Value], keywords: dict[str, Value], e: facts
     return Unknown("a path of this machine")
 
 
+def open_file(run: Run, args: list[Value]) -> Value:
+    """``open(path)`` in a launch file: the file, for whoever loads YAML from it."""
+    from archlint.program.launch.run import LaunchRun
+
+    if isinstance(run, LaunchRun) and args and isinstance(args[0], Known):
+        return Instance(External("io.TextIOWrapper"), run.store.new_key(), None, {"path": args[0]})
+    return Unknown(reason(*args) if args else "a file")
+
+
+def _load_yaml(run: Run, args: list[Value], keywords: dict[str, Value], e: facts.Call | None) -> Value:
+    """``yaml.safe_load(file)``: what a YAML file of this workspace holds."""
+    from archlint.facts.safe_yaml import YamlError, YamlReader
+    from archlint.program.launch.run import LaunchRun
+
+    given = args[0] if args else Unknown("no file")
+    path = given.arguments.get("path") if isinstance(given, Instance) else None
+    if not isinstance(run, LaunchRun) or path is None:
+        return Unknown("the content of a YAML file")
+    reference = run.loader.resolve(run, "parameters", path, run.place_now)
+    text = None if reference.source is None else run.loader.tree.text(reference.source)
+    if text is None:
+        return Unknown("the content of a file that is not here")
+    try:
+        reader = YamlReader(text)
+        return _value_of(run, None if reader.root is None else reader.value(reader.root))
+    except (YamlError, RecursionError):
+        return Unknown("the content of a YAML file that is broken")
+
+
+def _value_of(run: Run, value: object) -> Value:
+    from archlint.program import expressions
+
+    if isinstance(value, dict):
+        rows = {expressions.hashable(Known(key)): (Known(key), _value_of(run, item)) for key, item in value.items()}
+        return expressions.new_dict(run, {key: row for key, row in rows.items() if key is not None})
+    if isinstance(value, list):
+        return expressions.new_list(run, [_value_of(run, item) for item in value])
+    assert value is None or isinstance(value, (str, int, float, bool))
+    return Known(value)
+
+
 PLAIN = {
+    "yaml.safe_load": _load_yaml,
+    "yaml.load": _load_yaml,
+    "yaml.full_load": _load_yaml,
     "launch.utilities.perform_substitutions": _perform_all,
     "launch.utilities.normalize_to_list_of_substitutions": _same,
     "launch.some_substitutions_type.SomeSubstitutionsType": _same,
