@@ -86,6 +86,13 @@ def test_a_service_that_sleeps_should_be_an_action(run: Run):
     assert [r.message for r in found.related][2] == "Robot.handle calls Robot.drive here"
 
 
+@pytest.mark.parametrize(("seconds", "expected"), [("0.2", []), ("3.0", ["SRV008"])])
+def test_threads_help_the_node_and_not_the_caller(run: Run, seconds: str, expected: list[str]):
+    setup = "self.create_service(Trigger, 'home', self.handle, callback_group=ReentrantCallbackGroup())\n"
+    method = f"def handle(self, request, response):\n    time.sleep({seconds})\n    return response\n"
+    assert codes(run(source(setup, method, ON_SEVERAL_THREADS))) == expected
+
+
 RATE = "self.rate = self.create_rate(10)\n" + TIMER
 
 

@@ -22,6 +22,8 @@ if TYPE_CHECKING:
 
 MOMENT = 0.1
 """Seconds of a sleep that are not worth a word, unless a loop adds them up."""
+LONG = 1.0
+"""Seconds of a sleep that a caller notices, where nobody else does."""
 DISCOVERY = 1.0
 """Seconds that a callback may look for a server."""
 
@@ -58,8 +60,17 @@ def long_running_service(system: System, options: Options) -> Iterator[Finding]:
 def _stays(system: System) -> Iterator[tuple[Program, ApiCall, Stay]]:
     for program, call in judged_calls(system):
         stay = stay_of(call) if runs_in_executor(call.context) else None
-        if stay is not None and not _trifle(call) and _is_long(call, stay) and not _harmless(call.context, program):
+        if stay is None or _trifle(call) or not _is_long(call, stay):
+            continue
+        if not _harmless(call.context, program) or _keeps_the_caller(call, stay):
             yield program, call, stay
+
+
+def _keeps_the_caller(call: ApiCall, stay: Stay) -> bool:
+    """Whether a handler sleeps so long that its caller suffers, however many threads there are."""
+    if call.context.role != "service" or stay.kind != "sleep":
+        return False
+    return call.looped or stay.seconds is None or stay.seconds >= LONG
 
 
 def _is_long(call: ApiCall, stay: Stay) -> bool:
