@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from functools import lru_cache
 from typing import TYPE_CHECKING
 
 import msgspec
@@ -97,7 +98,7 @@ def declares_all(world: World | None, blueprint: Blueprint) -> bool:
     if found is None:
         return False
     local = _ours(world, found)
-    classes = {item.name: item for item in walk(found.body) if isinstance(item, facts.Class)}
+    classes = _classes(_Same(found))
     waiting = [blueprint.class_name.rpartition(".")[2]]
     for name in waiting:
         cls = classes.get(name)
@@ -139,14 +140,40 @@ def _last(value: facts.Expr) -> str | None:
     return value.id if isinstance(value, facts.Name) else None
 
 
+class _Same:
+    """The facts of a file, equal to themselves alone: comparing two files by content would cost a walk."""
+
+    __slots__ = ("found",)
+
+    def __init__(self, found: facts.Facts) -> None:
+        self.found = found
+
+    def __hash__(self) -> int:
+        return id(self.found)
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, _Same) and other.found is self.found
+
+
+@lru_cache(maxsize=10_000)
+def _classes(file: _Same) -> dict[str, facts.Class]:
+    return {item.name: item for item in walk(file.found.body) if isinstance(item, facts.Class)}
+
+
+@lru_cache(maxsize=10_000)
+def _defined_and_imported(file: _Same) -> tuple[frozenset[str], tuple[facts.ImportFrom, ...]]:
+    items = list(walk(file.found.body))
+    names = frozenset(item.name for item in items if isinstance(item, (facts.Class, facts.Function)))
+    return names, tuple(item for item in items if isinstance(item, facts.ImportFrom))
+
+
 def _ours(world: World, found: facts.Facts) -> set[str]:
     """Names of a file that mean something of this workspace."""
     tops = world.loader.top_modules if world.loader is not None else frozenset()
-    names: set[str] = set()
-    for item in walk(found.body):
-        if isinstance(item, (facts.Class, facts.Function)):
-            names.add(item.name)
-        elif isinstance(item, facts.ImportFrom) and (item.level or item.module.partition(".")[0] in tops):
+    defined, imports = _defined_and_imported(_Same(found))
+    names = set(defined)
+    for item in imports:
+        if item.level or item.module.partition(".")[0] in tops:
             names.update(bound for _, bound in item.names)
     return names
 
