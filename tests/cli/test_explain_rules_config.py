@@ -89,6 +89,7 @@ def test_config_says_where_each_value_came_from(
         "per-package-ignores = {}": "default",
         'distro = "jazzy"': "pyproject.toml:2",
         "closed-world = false": "default",
+        "launch = []": "default",
         "external = []": "default",
         "shared-topics = []": "default",
         "rules = {}": "default",
