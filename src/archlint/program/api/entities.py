@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from functools import lru_cache
 from typing import TYPE_CHECKING
 
 from archlint.facts import model as facts
@@ -159,20 +160,46 @@ def _guarded(run: Run) -> bool:
 
 
 def _may_pass_by(block: Sequence[facts.Stmt], wanted: facts.Stmt | None) -> bool:
-    for statement in block:
-        if statement is wanted:
-            return False
-        within = list(statements_of([statement]))
-        if not any(one is wanted for one in within):
-            if any(isinstance(one, (facts.Return, facts.Raise)) for one in within):
-                return True
-            continue
-        if isinstance(statement, (facts.With, facts.For)):
-            return _may_pass_by(statement.body, wanted)
-        if isinstance(statement, facts.Try) and any(one is wanted for one in statements_of(statement.body)):
-            return _may_pass_by(statement.body, wanted)
+    places, first_exit = _layout(_Block(block))
+    at = places.get(id(wanted))
+    if first_exit is not None and (at is None or first_exit < at):
         return True
-    return False
+    if at is None or block[at] is wanted:
+        return False
+    statement = block[at]
+    if isinstance(statement, (facts.With, facts.For)):
+        return _may_pass_by(statement.body, wanted)
+    if isinstance(statement, facts.Try) and id(wanted) in _layout(_Block(statement.body))[0]:
+        return _may_pass_by(statement.body, wanted)
+    return True
+
+
+class _Block:
+    """A block of statements, equal to itself alone."""
+
+    __slots__ = ("block",)
+
+    def __init__(self, block: Sequence[facts.Stmt]) -> None:
+        self.block = block
+
+    def __hash__(self) -> int:
+        return id(self.block)
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, _Block) and other.block is self.block
+
+
+@lru_cache(maxsize=4096)
+def _layout(key: _Block) -> tuple[dict[int, int], int | None]:
+    """In which statement of a block each statement lies, and the first that may leave the function."""
+    places: dict[int, int] = {}
+    first_exit: int | None = None
+    for number, statement in enumerate(key.block):
+        for one in statements_of([statement]):
+            places[id(one)] = number
+            if first_exit is None and isinstance(one, (facts.Return, facts.Raise)):
+                first_exit = number
+    return places, first_exit
 
 
 def _stored(run: Run, call: ApiUse) -> bool:
