@@ -44,7 +44,7 @@ def stay_of(call: ApiCall) -> Stay | None:
     """How a call keeps its thread, if it is one that does."""
     if call.api == SLEEP:
         seconds = longest(argument(call, "seconds"))
-        return Stay("sleep", seconds, "sleeps" if seconds is None else f"sleeps for {seconds:g} s")
+        return Stay("sleep", seconds, "sleeps" if seconds is None else f"sleeps for {seconds:.3g} s")
     if call.api in _WAITS:
         limit = longest(argument(call, _WAITS[call.api]))
         function = call.api.rpartition(".")[2]
