@@ -93,8 +93,9 @@ class RunCache:
             for file, digest in zip(files, digests, strict=True)
         ]
         problems = [astuple(problem) for problem in self._workspace.problems]
-        decisive = [own_code(), repr(self._request.paths), repr(self._request.settings), inputs, problems]
-        decisive.append([self._request.launch, self._request.launch_arguments])
+        request = self._request
+        asked = [repr(request.paths), repr(request.settings), request.launch, request.launch_arguments]
+        decisive: list[object] = [own_code(), asked, inputs, problems]
         return hashlib.sha256(json.dumps(decisive).encode()).hexdigest()
 
 

@@ -79,7 +79,10 @@ class _Reader:
 def read_launch_xml(text: str) -> LaunchFacts:
     """The facts of an XML launch file; never raises for what is in the text."""
     reader = _Reader(text.encode("utf-8", "replace"))
-    line = lambda: max(1, reader.parser.CurrentLineNumber)  # noqa: E731
+
+    def line() -> int:
+        return max(1, reader.parser.CurrentLineNumber)
+
     try:
         reader.parser.Parse(reader.data, True)
     except expat.ExpatError as error:
