@@ -21,6 +21,8 @@ if TYPE_CHECKING:
     from archlint.program.model import Text
     from archlint.system.model import System
 
+_HIDDEN = "_"
+"""What ROS hides from its lists: the parts of an action, and names that want to be out of the way."""
 _LOWER_SNAKE_CASE = "[a-z][a-z0-9_]*"
 _KINDS = {
     PUBLISHER: "topic",
@@ -61,6 +63,8 @@ def name_convention(system: System, options: Options) -> Iterator[Finding]:
 def _names(system: System) -> Iterator[tuple[str, Text, str, Place, str | None]]:
     """Kind, name as written, separator of its parts, place and node of every name."""
     for node in system.nodes:
+        if node.test:
+            continue
         if node.blueprint is not None and not node.blueprint.held:
             yield "node", node.blueprint.name, "/", node.blueprint.name.origin or node.blueprint.place, node.name
         for end in node.endpoints:
@@ -75,6 +79,8 @@ def _part_against(pattern: str, name: Text, separator: str) -> str | None:
     if name.text is None:
         return None
     for part in name.text.split(separator):
-        if part and part != "~" and not set(part) & set("*{}") and not re.fullmatch(pattern, part):
+        if not part or part.startswith(_HIDDEN) or set(part) & set("*{}~"):
+            continue
+        if not re.fullmatch(pattern, part):
             return part
     return None

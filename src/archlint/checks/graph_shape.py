@@ -32,6 +32,12 @@ def isolated_node(system: System, options: Options) -> Iterator[Finding]:
             )
 
 
+def _runs(system: System) -> bool:
+    """Whether the nodes run as one system: where there are launch files, what one of them starts."""
+    others = [] if system.world is None else system.world.systems
+    return system.launched is not None or all(other.launched is None for other in others)
+
+
 def _judged(node: Node) -> bool:
     return node.blueprint is not None and node.name is not None and not node.test and node.blueprint.complete
 
@@ -40,7 +46,7 @@ def _judged(node: Node) -> bool:
 def hub_bottleneck(system: System, options: Options) -> Iterator[Finding]:
     """Nodes that more periodic messages reach than the limits allow."""
     known = rates(system)
-    for node in system.nodes:
+    for node in system.nodes if _runs(system) else ():
         if not _judged(node):
             continue
         incoming = {
@@ -72,7 +78,7 @@ def _rate_of(system: System, end: Endpoint, known: dict[int, float]) -> float:
 @rule("GRF004")
 def single_point_of_failure(system: System, options: Options) -> Iterator[Finding]:
     """Nodes without which the rest falls into parts of two nodes and more."""
-    for node, parts in splits(system):
+    for node, parts in splits(system) if _runs(system) else ():
         if not _judged(node):
             continue
         names = ["{" + ", ".join(sorted(one.name or "?" for one in part)[:4]) + "}" for part in parts]

@@ -10,7 +10,7 @@ from archlint.checks.registry import Options, finding, rule
 from archlint.finding import Finding, Related
 
 if TYPE_CHECKING:
-    from archlint.system.model import Connection, Endpoint, System
+    from archlint.system.model import Connection, Endpoint, Node, System
 
 SHARED_BY_DESIGN = ("/tf", "/tf_static", "/rosout", "/parameter_events", "/diagnostics", "/joint_states")
 TYPES_SHARED_BY_DESIGN = (
@@ -67,7 +67,7 @@ def _several_owners(system: System, connection: Connection) -> Iterator[list[End
     groups: list[list[Endpoint]] = []
     own = [endpoint for endpoint in connection.providers if not named_by_library(endpoint)]
     for one, other in meeting(system, own):
-        if one.node is other.node:
+        if one.node is other.node or _launched_apart(system, one.node, other.node):
             continue
         group = next((group for group in groups if one in group or other in group), None)
         if group is None:
@@ -76,6 +76,28 @@ def _several_owners(system: System, connection: Connection) -> Iterator[list[End
             group.extend(endpoint for endpoint in (one, other) if endpoint not in group)
     for group in groups:
         yield in_source_order(group)
+
+
+def _launched_apart(system: System, one: Node, other: Node) -> bool:
+    """Whether launch files start both nodes, but none starts both of them: then they are alternatives, or at
+    least nothing proves that they are not."""
+    if system.name is not None or system.world is None:
+        return False
+    mine, yours = (_launches(system.world.systems, node) for node in (one, other))
+    return bool(mine) and bool(yours) and mine.isdisjoint(yours)
+
+
+def _launches(systems: Iterable[System], node: Node) -> set[str | None]:
+    """The launch files that start a node of this class."""
+    if node.blueprint is None:
+        return set()
+    wanted = (node.blueprint.place, node.blueprint.class_name)
+    return {
+        system.name
+        for system in systems
+        if system.launched is not None
+        and any(n.blueprint and (n.blueprint.place, n.blueprint.class_name) == wanted for n in system.nodes)
+    }
 
 
 def _finding(code: str, owners: list[Endpoint], message: str, does: str, help: str) -> Finding:

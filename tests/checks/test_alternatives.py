@@ -1,0 +1,61 @@
+"""OWN001 and launch files: who publishes one topic but is never started together."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from textwrap import dedent
+
+import pytest
+
+from archlint.config import Settings
+from archlint.session import Request, check
+
+
+LAUNCH = """
+    from launch import LaunchDescription
+    from launch_ros.actions import Node
+
+
+    def generate_launch_description():
+        return LaunchDescription([{nodes}])
+"""
+
+
+@pytest.mark.parametrize(
+    ("launch_files", "judged"),
+    [([], True), (["left"], True), (["left right"], True), (["left", "right"], False)],
+)
+def test_nodes_that_only_different_launch_files_start_are_alternatives(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, launch_files: list[str], judged: bool
+):
+    monkeypatch.chdir(tmp_path)
+    write_package(tmp_path, launch_files)
+    report = check(Request((".",), Settings(), cached=False, jobs=1))
+    assert ("OWN001" in {finding.code for finding in report.findings}) is judged
+
+
+def write_package(folder: Path, launch_files: list[str]) -> None:
+    (folder / "drive").mkdir()
+    (folder / "launch").mkdir()
+    (folder / "drive" / "__init__.py").touch()
+    (folder / "package.xml").write_text(
+        '<package format="3"><name>drive</name><version>0.1.0</version><description>d</description>'
+        "<maintainer email='a@b.c'>A</maintainer><license>MIT</license>"
+        "<export><build_type>ament_python</build_type></export></package>"
+    )
+    (folder / "setup.py").write_text(
+        "from setuptools import setup\nsetup(name='drive', packages=['drive'], entry_points={'console_scripts': ["
+        "'left = drive.left:main', 'right = drive.right:main']})\n"
+    )
+    for name in ("left", "right"):
+        (folder / "drive" / f"{name}.py").write_text(
+            "import rclpy\nfrom rclpy.node import Node\nfrom std_msgs.msg import String\n\n\n"
+            f"class {name.title()}(Node):\n    def __init__(self):\n        super().__init__('{name}')\n"
+            "        self.create_publisher(String, 'said', 10)\n\n\n"
+            f"def main():\n    rclpy.init()\n    rclpy.spin({name.title()}())\n"
+        )
+    for names in launch_files:
+        nodes = ", ".join(f"Node(package='drive', executable='{name}')" for name in names.split())
+        (folder / "launch" / f"{names.replace(' ', '_')}.launch.py").write_text(
+            dedent(LAUNCH).format(nodes=nodes).lstrip()
+        )
