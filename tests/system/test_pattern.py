@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
-from archlint.system.pattern import HUB, MANY, REQUESTS, figures, words
+from itertools import pairwise
+
 from archlint.system.model import System
+from archlint.system.pattern import HUB, MANY, REQUESTS, figures, words
 from system.builders import client, node, publisher, service, subscriber, system
 
 
@@ -65,7 +67,7 @@ def test_what_everybody_shares_ties_nobody():
 
 def test_a_node_that_holds_two_parts_together():
     chain = ["a", "b", "bridge", "c", "d"]
-    links = [*zip(chain, chain[1:], strict=False)]
+    links = [*pairwise(chain)]
     nodes = [
         node(
             f"/{name}",

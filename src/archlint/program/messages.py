@@ -103,7 +103,9 @@ def note_interface(run: Run, path: str, span: Span) -> None:
     if rclpy_names.is_part_of_interface(name) or run.interfaces.defines(package, kind, name) is not False:
         return
     others = tuple(
-        f"{package}/{other}/{name}" for other in ("msg", "srv", "action") if run.interfaces.defines(package, other, name)
+        f"{package}/{other}/{name}"
+        for other in ("msg", "srv", "action")
+        if run.interfaces.defines(package, other, name)
     )
     run.program.unknown_interfaces.append(
         model.UnknownInterface(

@@ -118,7 +118,58 @@ NODE_METHODS = frozenset(
 )
 
 _OTHER_NODE_ATTRIBUTES = frozenset(
-    ["get_logger", "get_clock", "context", "handle", "executor", "default_callback_group", "publishers", "subscriptions", "clients", "services", "timers", "guards", "waitables", "create_task", "count_publishers", "count_subscribers", "count_clients", "count_services", "get_topic_names_and_types", "get_service_names_and_types", "get_node_names", "get_node_names_and_namespaces", "get_publishers_info_by_topic", "get_subscriptions_info_by_topic", "get_publisher_names_and_types_by_node", "get_subscriber_names_and_types_by_node", "get_service_names_and_types_by_node", "get_client_names_and_types_by_node", "add_waitable", "remove_waitable", "add_on_set_parameters_callback", "remove_on_set_parameters_callback", "describe_parameter", "describe_parameters", "get_parameter_type", "get_parameter_types", "set_descriptor", "set_parameters_callback", "list_parameters", "destroy_node", "destroy_guard_condition", "destroy_rate", "add_post_set_parameters_callback", "wait_for_node", "trigger_configure", "trigger_activate", "trigger_deactivate", "trigger_cleanup", "trigger_shutdown", "add_managed_entity"]
+    [
+        "get_logger",
+        "get_clock",
+        "context",
+        "handle",
+        "executor",
+        "default_callback_group",
+        "publishers",
+        "subscriptions",
+        "clients",
+        "services",
+        "timers",
+        "guards",
+        "waitables",
+        "create_task",
+        "count_publishers",
+        "count_subscribers",
+        "count_clients",
+        "count_services",
+        "get_topic_names_and_types",
+        "get_service_names_and_types",
+        "get_node_names",
+        "get_node_names_and_namespaces",
+        "get_publishers_info_by_topic",
+        "get_subscriptions_info_by_topic",
+        "get_publisher_names_and_types_by_node",
+        "get_subscriber_names_and_types_by_node",
+        "get_service_names_and_types_by_node",
+        "get_client_names_and_types_by_node",
+        "add_waitable",
+        "remove_waitable",
+        "add_on_set_parameters_callback",
+        "remove_on_set_parameters_callback",
+        "describe_parameter",
+        "describe_parameters",
+        "get_parameter_type",
+        "get_parameter_types",
+        "set_descriptor",
+        "set_parameters_callback",
+        "list_parameters",
+        "destroy_node",
+        "destroy_guard_condition",
+        "destroy_rate",
+        "add_post_set_parameters_callback",
+        "wait_for_node",
+        "trigger_configure",
+        "trigger_activate",
+        "trigger_deactivate",
+        "trigger_cleanup",
+        "trigger_shutdown",
+        "add_managed_entity",
+    ]
 )
 
 
@@ -177,7 +228,10 @@ _PART_NAME = re.compile(r"^(\w+)_(Request|Response|Goal|Result|Feedback)$")
 
 def is_part_of_interface(name: str) -> bool:
     """Whether a class name is that of a request, response, goal … rather than of an interface."""
-    return re.search(r"_(Request|Response|Event|Goal|Result|Feedback|FeedbackMessage|SendGoal|GetResult)", name) is not None
+    return (
+        re.search(r"_(Request|Response|Event|Goal|Result|Feedback|FeedbackMessage|SendGoal|GetResult)", name)
+        is not None
+    )
 
 
 @lru_cache(maxsize=4096)

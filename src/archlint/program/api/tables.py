@@ -484,7 +484,13 @@ ROWS = [
     _row("rclpy.timer.Timer.cancel", "", watched=True),
     *(
         _row(f"rclpy.{cls}.destroy", "", watched=True)
-        for cls in ("timer.Timer", "client.Client", "publisher.Publisher", "subscription.Subscription", "service.Service")
+        for cls in (
+            "timer.Timer",
+            "client.Client",
+            "publisher.Publisher",
+            "subscription.Subscription",
+            "service.Service",
+        )
     ),
     # ---- quality of service
     _row(
