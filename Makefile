@@ -5,7 +5,7 @@ VENV   := .venv
 BIN    := $(VENV)/bin
 STAMP  := $(VENV)/.installed-$(shell cksum < pyproject.toml | tr -d ' ')
 
-.PHONY: demo test check lint bench clean
+.PHONY: demo test check style types layers suite clean
 
 # A Debian without python3-venv cannot make an environment with pip in it: install that package where we may.
 $(STAMP): pyproject.toml
@@ -21,10 +21,18 @@ $(STAMP): pyproject.toml
 demo: $(STAMP)  ## lint the seed system and its broken twin, draw the graph
 	@./scripts/demo $(BIN)/archlint
 
-test: $(STAMP)  ## types, style, layers, and the whole test suite
+test: style types layers suite  ## all of it
+
+style: $(STAMP)
 	$(BIN)/ruff check .
+
+types: $(STAMP)
 	$(BIN)/mypy
-	$(BIN)/lint-imports
+
+layers: $(STAMP)
+	$(BIN)/lint-imports --no-cache
+
+suite: $(STAMP)
 	$(BIN)/python -m pytest
 
 check: test
