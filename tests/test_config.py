@@ -180,9 +180,13 @@ def test_globs_are_relative_to_the_file_that_they_stand_in(folder: Path):
 
 @pytest.fixture
 def rule_with_options() -> Iterator[None]:
+    real = registry.registered().get("SRV004")
+    registry._REGISTERED.pop("SRV004", None)
     registry.rule("SRV004", min_rate=1.0, allowed=("/ping",), strict=False, unit="hertz")(lambda *_: iter(()))
     yield
     del registry._REGISTERED["SRV004"]
+    if real is not None:
+        registry._REGISTERED["SRV004"] = real
 
 
 @pytest.mark.usefixtures("rule_with_options")
