@@ -19,6 +19,9 @@ STOCK_LIMIT = 1_000
 DEEP_LIMIT = 20_000
 """The recursion limit that fits a stack of :data:`STACK_BYTES`."""
 
+_STARTING = threading.Lock()
+"""The size of a stack is a setting of the process: a call inside a call must not meet the one outside half done."""
+
 
 def call_with_deep_stack(function: Callable[[], Result]) -> Result:
     """What ``function`` returns or raises, called in a thread with a stack of :data:`STACK_BYTES`.
@@ -34,12 +37,13 @@ def call_with_deep_stack(function: Callable[[], Result]) -> Result:
         except BaseException as error:  # raised again in the thread that waits
             errors.append(error)
 
-    previous = threading.stack_size(STACK_BYTES)
-    try:
-        thread = threading.Thread(target=run, name="archlint-compile")
-        thread.start()
-    finally:
-        threading.stack_size(previous)
+    thread = threading.Thread(target=run, name="archlint-compile")
+    with _STARTING:
+        previous = threading.stack_size(STACK_BYTES)
+        try:
+            thread.start()
+        finally:
+            threading.stack_size(previous)
     thread.join()
     if errors:
         raise errors[0]
