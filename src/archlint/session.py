@@ -221,6 +221,7 @@ def _with_fixes(findings: Sequence[Finding], request: Request) -> Sequence[Findi
 def _problems(workspace: Workspace, files: Sequence[SourceFile], facts: FactsOfFiles) -> Iterator[Finding]:
     """What could not be read: LNT002, or LNT003 where the fault is ours."""
     from archlint.checks.registry import unreadable
+    from archlint.facts.interfaces import interface_problems
 
     for problem in workspace.problems:
         yield unreadable(problem.file, problem.line, problem.column, problem.message)
@@ -228,6 +229,10 @@ def _problems(workspace: Workspace, files: Sequence[SourceFile], facts: FactsOfF
         found = facts.facts_of(file)
         for fault in () if found is None else found.problems:
             yield unreadable(file.relative, fault.line, fault.column, fault.message)
+    for file in workspace.files:
+        if file.kind == "interface" and not file.context:
+            for line, column, message in interface_problems(file.path):
+                yield unreadable(file.relative, line, column, message)
 
 
 def _wanted(findings: Iterable[Finding], settings: Settings, workspace: Workspace) -> Iterator[Finding]:

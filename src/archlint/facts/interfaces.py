@@ -112,6 +112,18 @@ def parse_interface(text: str, kind: str) -> Interface:
     return Interface(kind, sections, problems)
 
 
+def interface_problems(path: str) -> list[tuple[int, int, str]]:
+    """Line, column and words of all that ``rosidl`` would refuse in an interface file."""
+    from archlint.facts import gate
+
+    data = gate.read_bytes(path)
+    if isinstance(data, gate.Refusal):
+        return [(data.line, data.column, data.message)]
+    kind = path.rpartition(".")[2]
+    found = parse_interface(data.decode("utf-8", "replace"), kind)
+    return [(problem.line, problem.column, problem.message) for problem in found.problems]
+
+
 class InvalidDefinition(Exception):
     """What ``rosidl`` would refuse, in words."""
 
