@@ -107,6 +107,7 @@ def test_missing_modules_are_stood_in_for_and_taint_names(execute):
             robot = sdk.connect()
             first, second = robot.arms
             node.create_publisher(String, f"arm/{first.name}/state", 10)
+            node.create_publisher(String, f"arm{int(robot.number) + 1}/state", 10)
             node.create_publisher(String, "known", 10)
 
 
@@ -116,7 +117,8 @@ def test_missing_modules_are_stood_in_for_and_taint_names(execute):
     )
     assert [(each["line"], each["name"], each.get("pattern")) for each in record["entities"]] == [
         (11, None, "/arm/*/state"),
-        (12, "/known", None),
+        (12, None, "/arm*/state"),
+        (13, "/known", None),
     ]
 
 

@@ -11,7 +11,7 @@ from functools import cache, partial
 from pathlib import Path
 from typing import Any, TextIO
 
-from .unknown import is_tainted, pattern
+from .unknown import is_uncertain, pattern
 
 _MOST_AT_ONE_PLACE = 500  # more come from a loop without end
 KINDS = ("publisher", "subscriber", "service", "client", "action_server", "action_client", "timer")
@@ -119,7 +119,7 @@ def known(name: str | None) -> dict[str, str | None]:
     """A name as it is reported: null with a pattern when part of it is not known."""
     if name is None:
         return {"name": None}
-    return {"name": None, "pattern": pattern(name)} if is_tainted(name) else {"name": name}
+    return {"name": None, "pattern": pattern(name)} if is_uncertain(name) else {"name": name}
 
 
 def text(value: object) -> str | None:

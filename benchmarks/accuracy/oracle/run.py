@@ -209,7 +209,8 @@ class Oracle:
 
     def _paths(self, file: Path, folder: Path | None = None) -> dict[str, list[str]]:
         """The package's own folders come before the library, everybody else's after it."""
-        first = [folder, folder / "src"] if folder else [file.parent]
+        _, top = self.workspace.module_of(file)
+        first = [folder, folder / "src"] if folder else [*([top] if top != file.parent else []), file.parent]
         own = [str(path) for path in [*first, *self.workspace.own_roots(file)] if path != self.workspace.root]
         others = [str(path) for path in [self.workspace.root, *self.workspace.roots] if str(path) not in own]
         return {"path_first": list(dict.fromkeys(own)), "path_last": others}

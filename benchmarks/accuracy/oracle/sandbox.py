@@ -37,6 +37,7 @@ from typing import Any
 
 import yaml
 
+from . import unknown
 from .finder import UnknownModule
 from .record import recorder
 from .unknown import Unknown, VaryingInt, is_tainted
@@ -336,6 +337,8 @@ def _do_not_require_arguments() -> None:
     def lenient(self: ArgumentParser, args: Any = None, namespace: Any = None) -> Any:
         for action in self._actions:
             if action.option_strings:
+                if unknown.other_way and isinstance(action.const, bool) and action.nargs == 0:
+                    action.default = action.const
                 if action.required:
                     action.required = False
                     action.default = Unknown(f"argument {action.dest}")

@@ -20,7 +20,8 @@ from typing import Any
 OPEN, CLOSE = "\ue000", "\ue001"
 _TAINT = re.compile(f"{OPEN}[^{CLOSE}]*{CLOSE}?|{CLOSE}")
 _PATIENCE = 20  # how often one place sees a true answer before it turns false, so that `while x:` ends
-_NUMBER = 1009  # recognisable in a name, harmless as a loop bound
+_NUMBER = 50_021  # recognisable in a name even after some arithmetic, bearable as a loop bound
+_NUMBERS = re.compile(r"\d{5,}")
 
 other_way = False
 """Whether this run decides what is unknown, and parameters that are true or false, the other way."""
@@ -33,6 +34,11 @@ def is_tainted(text: object) -> bool:
     return isinstance(text, str) and (OPEN in text or CLOSE in text)
 
 
+def is_uncertain(name: str) -> bool:
+    """Whether a name holds an unknown value, or a number as long as those that unknown values turn into."""
+    return is_tainted(name) or _NUMBERS.search(name) is not None
+
+
 def mask(text: str) -> str:
     """The text with a plain word in the place of each unknown part."""
     return _TAINT.sub("unknown", text)
@@ -40,7 +46,7 @@ def mask(text: str) -> str:
 
 def pattern(text: str) -> str:
     """The text with `*` in the place of each unknown part."""
-    return _TAINT.sub("*", text)
+    return re.sub(r"\*+", "*", _NUMBERS.sub("*", _TAINT.sub("*", text)))
 
 
 def _any_schema(source: object, handler: object) -> Any:
@@ -144,7 +150,9 @@ def unpacked_by(frame: types.FrameType) -> int | None:
 class Unknown:
     """One value that the run cannot know; `_path` says where it came from."""
 
-    def __init__(self, path: str = "unknown") -> None:
+    def __init__(self, path: Any = "unknown", *args: Any, **kwargs: Any) -> None:
+        if not isinstance(path, str):
+            return  # somebody's `unknown.Base.__init__(self, ...)`
         object.__setattr__(self, "_path", path)
         object.__setattr__(self, "_known", {})
 

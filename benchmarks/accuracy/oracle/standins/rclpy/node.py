@@ -66,6 +66,7 @@ class Node(ParameterStore):
         self._oracle_context = context or get_default_context()
         self._oracle_group = MutuallyExclusiveCallbackGroup()
         self._oracle_clock = ROSClock()
+        self._clock, self._logger = self._oracle_clock, get_logger(name)  # some nodes look at these
         self.executor: Any = None
         recorder.node(self, lifecycle=self._lifecycle)
         given = [Parameter(key, value=yaml.safe_load(value)) for key, value in remapping.parameters]

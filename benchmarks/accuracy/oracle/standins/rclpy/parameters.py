@@ -23,6 +23,7 @@ class ParameterStore:
 
     def _start_parameters(self, overrides: Any, allow_undeclared: bool, declare_overrides: bool) -> None:
         self._oracle_values: dict[str, Parameter] = {}
+        self._parameters = self._oracle_values  # some nodes look into it
         self._oracle_descriptors: dict[str, Any] = {}
         self._oracle_parameter_callbacks: list[Any] = []
         self._oracle_allow_undeclared = bool(allow_undeclared)
