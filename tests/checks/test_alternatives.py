@@ -10,7 +10,6 @@ import pytest
 from archlint.config import Settings
 from archlint.session import Request, check
 
-
 LAUNCH = """
     from launch import LaunchDescription
     from launch_ros.actions import Node

@@ -246,14 +246,14 @@ def _of_class(run: Run, value: ClassValue, name: str) -> Value:
     if name == "__name__":
         return Known(value.ir.name)
     if name == "__members__" and run.store.get(value.key, "#members"):
-        from archlint.program import expressions
+        from archlint.program import containers
 
         names = run.store.get(value.key, "#members")
         assert isinstance(names, tuple)
         entries = {
-            expressions.hashable(Known(member)): (Known(member), _of_class(run, value, member)) for member in names
+            containers.hashable(Known(member)): (Known(member), _of_class(run, value, member)) for member in names
         }
-        return expressions.new_dict(run, {k: v for k, v in entries.items() if k is not None})
+        return containers.new_dict(run, {k: v for k, v in entries.items() if k is not None})
     if name == "__mro__":
         return Unknown("the bases of a class")
     if isinstance(owner, External):
@@ -324,9 +324,7 @@ def _of_message(run: Run, value: MessageValue, name: str) -> Value:
     return Unknown(f"the field '{name}' of a message") if nested is None else nested
 
 
-def set_attribute(
-    run: Run, target: Value, name: str, value: Value, expression: facts.Attribute | None = None
-) -> None:
+def set_attribute(run: Run, target: Value, name: str, value: Value, expression: facts.Attribute | None = None) -> None:
     """``target.name = value``; where the target is one of several, each may now hold it."""
     if expression is not None:
         messages.note_use(run, target, name, expression.span, "write")

@@ -6,11 +6,11 @@ from typing import TYPE_CHECKING
 
 from archlint.facts import model as facts
 from archlint.finding import Place
-from archlint.program.api import effects, nodes, rclpy_names, tables
-from archlint.program.attributes import bind, class_lookup, get_attribute
+from archlint.program.api import effects, nodes
+from archlint.program.attributes import get_attribute
 from archlint.program.bindings import bound_names
 from archlint.program.builtin_functions import BUILTINS, call_builtin
-from archlint.program.store import Items
+from archlint.program.definitions import instantiate
 from archlint.program.values import (
     NONE,
     ApiMethod,
@@ -18,20 +18,16 @@ from archlint.program.values import (
     Builtin,
     ClassValue,
     DictValue,
-    EntityValue,
     External,
     FunctionValue,
     FutureValue,
     Instance,
     Known,
     ListValue,
-    MessageValue,
-    ModuleValue,
     NodeValue,
     OneOf,
     Partial,
     PythonValue,
-    Scope,
     SuperValue,
     Unknown,
     Value,
@@ -42,7 +38,7 @@ from archlint.program.values import (
 if TYPE_CHECKING:
     from archlint.program.run import Run
 
-__all__ = ["BUILTINS", "call", "define_class", "define_function"]
+__all__ = ["BUILTINS", "call"]
 
 
 # ----------------------------------------------------------------------------------------- a call expression
@@ -60,7 +56,7 @@ def evaluate_call(run: Run, e: facts.Call) -> Value:
 
 def evaluate_arguments(run: Run, arguments: list[facts.Argument]) -> tuple[list[Value], dict[str, Value], bool]:
     """Positional and keyword arguments; the flag says that more may follow than are known."""
-    from archlint.program import expressions
+    from archlint.program import containers
 
     args: list[Value] = []
     keywords: dict[str, Value] = {}
@@ -68,14 +64,14 @@ def evaluate_arguments(run: Run, arguments: list[facts.Argument]) -> tuple[list[
     for argument in arguments:
         value = run.evaluate(argument.value)
         if argument.star == "*":
-            items = expressions.iterate(run, value)
+            items = containers.iterate(run, value)
             if items is None or items.open:
                 open_ = True
             if items is not None:
                 args.extend(items.values)
         elif argument.star == "**":
             if isinstance(value, DictValue):
-                entries = expressions.entries_of(run, value)
+                entries = containers.entries_of(run, value)
                 open_ = open_ or entries.open
                 for key, item in entries.entries.values():
                     if isinstance(key, Known) and isinstance(key.value, str):
@@ -185,7 +181,7 @@ def bind_arguments(
     open_arguments: bool,
 ) -> dict[str, Value]:
     """The parameters of a function as a call sets them."""
-    from archlint.program import expressions
+    from archlint.program import containers
 
     defaults = dict(function.defaults)
     bound: dict[str, Value] = {}
@@ -193,11 +189,11 @@ def bind_arguments(
     left = dict(keywords)
     for param in function.ir.params:
         if param.kind == "star":
-            bound[param.name] = expressions.new_list(run, rest, "tuple", open_arguments)
+            bound[param.name] = containers.new_list(run, rest, "tuple", open_arguments)
             rest = []
         elif param.kind == "double_star":
-            entries = {expressions.hashable(Known(k)): (Known(k), v) for k, v in left.items()}
-            bound[param.name] = expressions.new_dict(
+            entries = {containers.hashable(Known(k)): (Known(k), v) for k, v in left.items()}
+            bound[param.name] = containers.new_dict(
                 run, {k: v for k, v in entries.items() if k is not None}, open_arguments
             )
             left = {}
@@ -313,7 +309,7 @@ def enter_function(
 
 
 def _leave_function(run: Run, ir: facts.Function, activation: object, status: str | None, layer: object) -> Value:
-    from archlint.program import expressions
+    from archlint.program import containers
     from archlint.program.run import Activation
 
     assert isinstance(activation, Activation) and isinstance(layer, dict)
@@ -326,286 +322,13 @@ def _leave_function(run: Run, ir: facts.Function, activation: object, status: st
     else:
         run.store.merge([*captured, layer] if falls_through or straight else captured)
     if ir.is_generator:
-        return expressions.new_list(run, activation.yields, "generator", True)
+        return containers.new_list(run, activation.yields, "generator", True)
     values = [value for value, _ in activation.returns]
     if falls_through and not straight:
         values.append(NONE)
     if not values:
         return Unknown(f"'{activation.qualified}' raises")
     return one_of(values)
-
-
-# ------------------------------------------------------------------------------------ functions and classes
-
-
-def define_function(run: Run, s: facts.Function) -> Value:
-    activation = run.activation
-    activation.closed_over = True
-    defaults = []
-    for param in s.params:
-        if param.default is not None:
-            defaults.append((param.name, _as_default(run.evaluate(param.default))))
-    owner_scope = activation.scope
-    prefix = "" if owner_scope.kind == "module" else owner_scope.qualified + "."
-    names: set[str] = set()
-    foreign: list[Value] = []
-    for decorator in s.decorators:
-        _read_decorator(run, s, decorator, names, foreign)
-    value: Value = FunctionValue(s, owner_scope, prefix + s.name, tuple(defaults), None, frozenset(names))
-    if "setter" in names:
-        before = run.store.get(owner_scope.key, s.name)
-        run.store.set(owner_scope.key, f"#setter:{s.name}", value)
-        return before if isinstance(before, Value) else value
-    for decorator_value in reversed(foreign):
-        decorated = call(run, decorator_value, [value], {})
-        if not isinstance(decorated, Unknown) and not (isinstance(decorated, Known) and decorated.value is None):
-            value = decorated
-    return value
-
-
-_KNOWN_DECORATORS = {
-    "property": "property",
-    "staticmethod": "staticmethod",
-    "classmethod": "classmethod",
-    "functools.cached_property": "property",
-    "cached_property": "property",
-    "abc.abstractmethod": "abstract",
-    "abc.abstractproperty": "property",
-    "contextlib.contextmanager": "contextmanager",
-}
-
-
-def _read_decorator(run: Run, s: facts.Function, decorator: facts.Expr, names: set[str], foreign: list[Value]) -> None:
-    if isinstance(decorator, facts.Attribute) and decorator.attr in ("setter", "getter", "deleter"):
-        names.add(decorator.attr)
-        return
-    value = run.evaluate(decorator)
-    path = value.path if isinstance(value, External) else value.name if isinstance(value, Builtin) else ""
-    if path in _KNOWN_DECORATORS:
-        names.add(_KNOWN_DECORATORS[path])
-    elif isinstance(value, (FunctionValue, Partial, ClassValue)):
-        foreign.append(value)
-
-
-def _as_default(value: Value) -> Value:
-    if isinstance(value, Known):
-        return Known(value.value, value.via, value.origin, "argument_default")
-    return value
-
-
-def define_lambda(run: Run, e: facts.Lambda) -> Value:
-    run.activation.closed_over = True
-    defaults = []
-    for param in e.params:
-        if param.default is not None:
-            defaults.append((param.name, run.evaluate(param.default)))
-    return FunctionValue(e, run.activation.scope, "<lambda>", tuple(defaults))
-
-
-def define_class(run: Run, s: facts.Class) -> Value:
-    from archlint.program.run import Activation
-
-    activation = run.activation
-    activation.closed_over = True
-    bases: list[Value] = []
-    for argument in s.bases:
-        if argument.keyword is None and not argument.star:
-            bases.append(_single_base(run.evaluate(argument.value)))
-        elif argument.keyword is not None:
-            run.evaluate(argument.value)
-    decorators: set[str] = set()
-    for decorator in s.decorators:
-        value = run.evaluate(decorator.func if isinstance(decorator, facts.Call) else decorator)
-        if isinstance(value, External):
-            decorators.add(value.path)
-    prefix = "" if activation.scope.kind == "module" else activation.scope.qualified + "."
-    key = run.store.new_key()
-    scope = Scope(key, activation.scope, activation.module, "class", prefix + s.name)
-    cls = ClassValue(s, scope, prefix + s.name, tuple(bases), key, (), frozenset(decorators))
-    object.__setattr__(cls, "mro", linearize(cls))
-    run.activations.append(Activation(prefix + s.name, activation.module, scope, s.body, run.store.depth))
-    try:
-        run.execute(s.body)
-    finally:
-        run.activations.pop()
-    _own_functions(run, cls)
-    if rclpy_names.ENUM_BASES & set(cls.external_bases()):
-        _make_members(run, cls)
-    return cls
-
-
-def _single_base(value: Value) -> Value:
-    """A base that depends on a branch (``try: import …``): the first class among the alternatives."""
-    for option in alternatives(value):
-        if isinstance(option, (ClassValue, External)):
-            return External(rclpy_names.canonical(option.path)) if isinstance(option, External) else option
-    if isinstance(value, Builtin):
-        return External(value.name)
-    return value
-
-
-def _own_functions(run: Run, cls: ClassValue) -> None:
-    """Tell the functions of a class body which class they belong to, for ``super()``."""
-    for statement in _definitions(cls.ir.body):
-        value = run.store.get(cls.key, statement.name)
-        if isinstance(value, FunctionValue) and value.owner is None:
-            object.__setattr__(value, "owner", cls)
-        setter = run.store.get(cls.key, f"#setter:{statement.name}")
-        if isinstance(setter, FunctionValue) and setter.owner is None:
-            object.__setattr__(setter, "owner", cls)
-
-
-def _definitions(body: list[facts.Stmt]) -> list[facts.Function]:
-    found: list[facts.Function] = []
-    for statement in body:
-        if isinstance(statement, facts.Function):
-            found.append(statement)
-        elif isinstance(statement, facts.If):
-            found.extend(_definitions(statement.body))
-            found.extend(_definitions(statement.orelse))
-        elif isinstance(statement, facts.Try):
-            found.extend(_definitions(statement.body))
-    return found
-
-
-def methods_of(cls: ClassValue) -> list[facts.Function]:
-    """The functions that a class body defines."""
-    return _definitions(cls.ir.body)
-
-
-def _make_members(run: Run, cls: ClassValue) -> None:
-    members: list[str] = []
-    for statement in cls.ir.body:
-        targets = (
-            statement.targets
-            if isinstance(statement, facts.Assign)
-            else ([statement.target] if isinstance(statement, facts.Annotated) and statement.value is not None else [])
-        )
-        for target in targets:
-            if isinstance(target, facts.Name) and not target.id.startswith("_"):
-                value = run.store.get(cls.key, target.id)
-                member = Instance(cls, run.store.new_key())
-                if isinstance(value, External) and value.path == "enum.auto":
-                    value = Known(len(members) + 1)
-                run.store.set(member.key, "value", value if isinstance(value, Value) else Unknown("an enum value"))
-                run.store.set(member.key, "_value_", value if isinstance(value, Value) else Unknown("an enum value"))
-                run.store.set(member.key, "name", Known(target.id))
-                run.store.set(member.key, "#enum", True)
-                run.store.set(cls.key, target.id, member)
-                members.append(target.id)
-    run.store.set(cls.key, "#members", tuple(members))
-
-
-def linearize(cls: ClassValue) -> tuple[Value, ...]:
-    """The method resolution order (C3); a broken one falls back to depth first."""
-    rows = [list(base.mro) if isinstance(base, ClassValue) else [base] for base in cls.bases]
-    rows.append(list(cls.bases))
-    order: list[Value] = [cls]
-    while any(rows):
-        rows = [row for row in rows if row]
-        for row in rows:
-            head = row[0]
-            if not any(_is_in(head, other[1:]) for other in rows):
-                break
-        else:
-            head = rows[0][0]
-        order.append(head)
-        rows = [[value for value in row if not _equal(value, head)] for row in rows]
-    return tuple(order)
-
-
-def _equal(one: Value, other: Value) -> bool:
-    return one is other or (isinstance(one, External) and one == other)
-
-
-def _is_in(value: Value, row: list[Value]) -> bool:
-    return any(_equal(value, other) for other in row)
-
-
-# ------------------------------------------------------------------------------------------ making objects
-
-
-def instantiate(
-    run: Run,
-    cls: ClassValue,
-    args: list[Value],
-    keywords: dict[str, Value],
-    expression: facts.Call | None = None,
-    open_arguments: bool = False,
-) -> Value:
-    """Make an object of a class of the workspace."""
-    if run.store.get(cls.key, "#members"):
-        return _enum_member(run, cls, args)
-    place = run.place(expression.span) if expression is not None and run.activations else None
-    made = Instance(cls, run.store.new_key(), place)
-    run.instances[made.key] = made
-    effects.adopt(run, made)
-    init, owner = class_lookup(run, cls, "__init__")
-    if init is not None:
-        call(run, bind(run, init, made, cls), args, keywords, expression, open_arguments)
-    elif isinstance(owner, External):
-        path = rclpy_names.canonical(owner.path)
-        effects.call_method(run, ApiMethod(f"{path}.__init__", made), args, keywords, expression, open_arguments)
-    elif any("dataclass" in name for name in _decorators(cls)) or "typing.NamedTuple" in cls.external_bases():
-        _fill_dataclass(run, made, cls, args, keywords, open_arguments)
-    return made
-
-
-def _decorators(cls: ClassValue) -> set[str]:
-    return {name for base in cls.mro if isinstance(base, ClassValue) for name in base.decorators}
-
-
-def _enum_member(run: Run, cls: ClassValue, args: list[Value]) -> Value:
-    from archlint.program import expressions
-
-    members = expressions.enum_members(run, cls)
-    if len(args) == 1 and isinstance(args[0], Known):
-        for member in members:
-            if isinstance(member, Instance) and run.store.get(member.key, "value") == args[0]:
-                return member
-    return one_of(members) if members else Unknown("an enum without members")
-
-
-def _fill_dataclass(
-    run: Run,
-    made: Instance,
-    cls: ClassValue,
-    args: list[Value],
-    keywords: dict[str, Value],
-    open_arguments: bool,
-) -> None:
-    fields: dict[str, ClassValue] = {}
-    for base in reversed(cls.mro):
-        if isinstance(base, ClassValue):
-            for statement in base.ir.body:
-                if isinstance(statement, facts.Annotated) and isinstance(statement.target, facts.Name):
-                    fields[statement.target.id] = base
-    rest = list(args)
-    for name, base in fields.items():
-        value: object
-        if rest:
-            value = rest.pop(0)
-        elif name in keywords:
-            value = keywords[name]
-        elif open_arguments:
-            value = Unknown("a field that is passed by * or **")
-        else:
-            value = run.store.get(base.key, name)
-            if isinstance(value, Instance) and value.note == "dataclasses.field":
-                value = _field_default(run, value)
-        run.store.set(made.key, name, value if isinstance(value, Value) else Unknown(f"the field '{name}' is not set"))
-    if "typing.NamedTuple" in cls.external_bases():
-        run.store.set(made.key, "#fields", tuple(fields))
-    after = get_attribute(run, made, "__post_init__")
-    if isinstance(after, BoundMethod):
-        call(run, after, [], {})
-
-
-def _field_default(run: Run, declared: Instance) -> Value:
-    if "default" in declared.arguments:
-        return declared.arguments["default"]
-    factory = declared.arguments.get("default_factory")
-    return Unknown("a field without a default") if factory is None else call(run, factory, [], {})
 
 
 # ------------------------------------------------------------------------------------------- odds and ends
@@ -624,10 +347,10 @@ def awaited(run: Run, value: Value, expression: facts.Await) -> Value:
 
 def enter(run: Run, value: Value) -> Value:
     """What ``with value as x`` binds."""
-    from archlint.program import expressions
+    from archlint.program import containers
 
     if isinstance(value, ListValue) and value.kind == "generator":
-        items = expressions.items_of(run, value)
+        items = containers.items_of(run, value)
         return items.values[0] if items.values else Unknown("what a context manager gives")
     if isinstance(value, Instance) and isinstance(value.cls, ClassValue):
         method = get_attribute(run, value, "__enter__")
@@ -652,12 +375,3 @@ def never_returns(run: Run, e: facts.Call) -> bool:
 def place_of(function: FunctionValue) -> Place:
     span = function.ir.name_span if isinstance(function.ir, facts.Function) else function.ir.span
     return Place(function.scope.module.path, *span)
-
-
-__all__ += [
-    "EntityValue",
-    "Items",
-    "MessageValue",
-    "ModuleValue",
-    "tables",
-]

@@ -135,23 +135,23 @@ def _read_setup(installs: Installs, module: Module, index: ModuleIndex) -> None:
 
 def _items(run: Run, value: Value | None) -> tuple[list[Value], bool]:
     """The items of a list, and whether there may be more."""
-    from archlint.program import expressions
+    from archlint.program import containers
 
     if value is None or (isinstance(value, Known) and value.value is None):
         return [], False
-    items = expressions.iterate(run, value)
+    items = containers.iterate(run, value)
     return ([], True) if items is None else (list(items.values), items.open)
 
 
 def _console_scripts(installs: Installs, run: Run, value: Value | None, where: Place) -> None:
-    from archlint.program import expressions
+    from archlint.program import containers
 
     if value is None:
         return
     if not isinstance(value, DictValue):
         installs.open_executables = True
         return
-    entries = expressions.entries_of(run, value)
+    entries = containers.entries_of(run, value)
     installs.open_executables |= entries.open
     for key, rows in entries.entries.values():
         if not isinstance(key, Known) or key.value != "console_scripts":
@@ -228,10 +228,10 @@ def record_setup(run: Run, args: list[Value], keywords: dict[str, Value], e: fac
 
 def glob_pattern(run: Run, args: list[Value], keywords: dict[str, Value], e: facts.Call | None) -> Value:
     """``glob(pattern)`` in a setup.py: the pattern stands for the files."""
-    from archlint.program import expressions
+    from archlint.program import containers
 
     if isinstance(run, SetupRun) and args and isinstance(args[0], Known):
-        return expressions.new_list(run, [args[0]])
+        return containers.new_list(run, [args[0]])
     return Unknown("the files that a pattern finds")
 
 

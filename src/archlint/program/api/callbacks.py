@@ -190,19 +190,19 @@ def _missing_method(value: ApiMethod | External) -> str | None:
 
 def thread(run: Run, call: ApiUse) -> Value:
     """``threading.Thread(target=…, args=…)``."""
-    from archlint.program import expressions
+    from archlint.program import containers
 
     arguments: list[Value] = []
     given = call.get("args")
     if isinstance(given, ListValue):
-        arguments = list(expressions.items_of(run, given).values)
+        arguments = list(containers.items_of(run, given).values)
     keywords = call.get("kwargs")
     for parameter, role in call.api.callbacks:
         value = call.get(parameter)
         if value is None:
             continue
         if isinstance(keywords, DictValue):
-            entries = expressions.entries_of(run, keywords).entries.values()
+            entries = containers.entries_of(run, keywords).entries.values()
             pairs = tuple(
                 (key.value, item) for key, item in entries if isinstance(key, Known) and isinstance(key.value, str)
             )

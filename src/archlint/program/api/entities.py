@@ -78,7 +78,7 @@ def endpoint(run: Run, call: ApiUse) -> Value:
 
 
 def _names(run: Run, call: ApiUse, missing: str) -> list[model.Text]:
-    from archlint.program.expressions import plain_text
+    from archlint.program.formatting import plain_text
 
     api = call.api
     if api.fixed_name is not None:

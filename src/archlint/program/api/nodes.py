@@ -238,9 +238,9 @@ def _set_names(run: Run, blueprint: model.Blueprint, call: ApiUse) -> None:
     _note_overrides(run, call)
     arguments = call.get("cli_args")
     if isinstance(arguments, ListValue):
-        from archlint.program import expressions
+        from archlint.program import containers
 
-        items = expressions.items_of(run, arguments)
+        items = containers.items_of(run, arguments)
         blueprint.cli_arguments = tuple(
             item.value for item in items.values if isinstance(item, Known) and isinstance(item.value, str)
         )
@@ -248,10 +248,10 @@ def _set_names(run: Run, blueprint: model.Blueprint, call: ApiUse) -> None:
 
 def _note_overrides(run: Run, call: ApiUse) -> None:
     """``parameter_overrides=[Parameter(…)]``: the constructor wins over every default and the command line."""
-    from archlint.program import expressions
+    from archlint.program import containers
 
     given = call.get("parameter_overrides")
-    items = expressions.iterate(run, given) if given is not None else None
+    items = containers.iterate(run, given) if given is not None else None
     key = call.receiver.key if isinstance(call.receiver, Instance) else None
     for item in items.values if items is not None else ():
         if key is not None and isinstance(item, Instance):

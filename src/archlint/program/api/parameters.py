@@ -65,9 +65,9 @@ def type_name(run: Run, value: Value | None) -> str | None:
     if isinstance(value, External) and ".Type." in value.path:
         return _TYPE_NAMES.get(value.path.rpartition(".")[2])
     if isinstance(value, ListValue):
-        from archlint.program import expressions
+        from archlint.program import containers
 
-        items = expressions.items_of(run, value)
+        items = containers.items_of(run, value)
         kinds = {type_name(run, item) for item in items.values}
         if len(kinds) == 1 and not items.open:
             kind = kinds.pop()
@@ -86,10 +86,10 @@ def from_parameter(run: Run, value: Value, name: str) -> Value:
     if isinstance(value, Holed):
         return Holed(value.parts, value.reason, value.via | {name}, value.origin)
     if isinstance(value, ListValue):
-        from archlint.program import expressions
+        from archlint.program import containers
 
-        items = expressions.items_of(run, value)
-        return expressions.new_list(
+        items = containers.items_of(run, value)
+        return containers.new_list(
             run, [from_parameter(run, item, name) for item in items.values], value.kind, items.open
         )
     if isinstance(value, Unknown):
@@ -104,9 +104,9 @@ def from_parameter(run: Run, value: Value, name: str) -> Value:
 def value_from_python(run: Run, value: object) -> Value:
     """A value of a parameter file or launch file."""
     if isinstance(value, (list, tuple)):
-        from archlint.program import expressions
+        from archlint.program import containers
 
-        return expressions.new_list(run, [value_from_python(run, item) for item in value])
+        return containers.new_list(run, [value_from_python(run, item) for item in value])
     if isinstance(value, (str, int, float, bool)):
         return Known(value)
     return Unknown("a value that a parameter cannot have")
@@ -183,9 +183,9 @@ def to_python(run: Run, value: Value | None) -> tuple[object, bool]:
     if isinstance(value, Known):
         return value.value, True
     if isinstance(value, ListValue):
-        from archlint.program import expressions
+        from archlint.program import containers
 
-        items = expressions.items_of(run, value)
+        items = containers.items_of(run, value)
         rows = [to_python(run, item) for item in items.values]
         if not items.open and all(known for _, known in rows):
             return [item for item, _ in rows], True
@@ -203,15 +203,15 @@ def declare_parameter(run: Run, call: ApiUse) -> Value:
 
 
 def declare_parameters(run: Run, call: ApiUse) -> Value:
-    from archlint.program import expressions
+    from archlint.program import containers
 
     namespace = call.get("namespace")
-    rows = expressions.iterate(run, call.get("parameters") or Unknown("no parameters"))
+    rows = containers.iterate(run, call.get("parameters") or Unknown("no parameters"))
     made: list[Value] = []
     if rows is None:
         return Unknown("the parameters that are declared are not known")
     for row in rows.values:
-        parts = expressions.iterate(run, row)
+        parts = containers.iterate(run, row)
         if parts is None or not parts.values:
             continue
         name = parts.values[0]
@@ -221,7 +221,7 @@ def declare_parameters(run: Run, call: ApiUse) -> Value:
             name = Unknown("the namespace of the parameters is not known")
         default = parts.values[1] if len(parts.values) > 1 else None
         made.append(declare_one(run, call, name, default, call.get("ignore_override") == TRUE))
-    return expressions.new_list(run, made, "list", rows.open)
+    return containers.new_list(run, made, "list", rows.open)
 
 
 def read(run: Run, call: ApiUse, name: Value) -> Value:
@@ -249,13 +249,13 @@ def get_parameter(run: Run, call: ApiUse) -> Value:
 
 
 def get_parameters(run: Run, call: ApiUse) -> Value:
-    from archlint.program import expressions
+    from archlint.program import containers
 
-    names = expressions.iterate(run, call.get("names") or Unknown("no names"))
+    names = containers.iterate(run, call.get("names") or Unknown("no names"))
     if names is None:
         return Unknown("the parameters that are read are not known")
     made: list[Value] = [new_parameter(run, name, read(run, call, name)) for name in names.values]
-    return expressions.new_list(run, made, "list", names.open)
+    return containers.new_list(run, made, "list", names.open)
 
 
 def get_parameter_or(run: Run, call: ApiUse) -> Value:
@@ -271,7 +271,7 @@ def get_parameter_or(run: Run, call: ApiUse) -> Value:
 
 
 def get_parameters_by_prefix(run: Run, call: ApiUse) -> Value:
-    from archlint.program import expressions
+    from archlint.program import containers
 
     prefix = call.get("prefix")
     node = nodes.known_node(run, call.receiver)
@@ -283,10 +283,10 @@ def get_parameters_by_prefix(run: Run, call: ApiUse) -> Value:
         text = declared.name.text
         if text is not None and text.startswith(start):
             key = Known(text[len(start) :])
-            at = expressions.hashable(key)
+            at = containers.hashable(key)
             if at is not None:
                 entries[at] = (key, new_parameter(run, Known(text), read(run, call, Known(text))))
-    made: DictValue = expressions.new_dict(run, entries, True)
+    made: DictValue = containers.new_dict(run, entries, True)
     return made
 
 
@@ -302,9 +302,9 @@ def has_parameter(run: Run, call: ApiUse) -> Value:
 
 
 def set_parameters(run: Run, call: ApiUse) -> Value:
-    from archlint.program import expressions
+    from archlint.program import containers
 
-    rows = expressions.iterate(run, call.get("parameter_list") or Unknown("no parameters"))
+    rows = containers.iterate(run, call.get("parameter_list") or Unknown("no parameters"))
     key = nodes.node_key(run, call.receiver)
     for row in rows.values if rows is not None else ():
         if isinstance(row, Instance):

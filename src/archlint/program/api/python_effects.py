@@ -61,7 +61,7 @@ def path_join(run: Run, call: ApiUse) -> Value:
 
 def environment(run: Run, call: ApiUse) -> Value:
     """``os.environ.get('X', default)``: the default, or what the environment says."""
-    from archlint.program.expressions import ENVIRONMENT
+    from archlint.program.containers import ENVIRONMENT
 
     key = call.get("key")
     if isinstance(key, Known) and key.value in ENVIRONMENT:
@@ -120,10 +120,10 @@ def _parse_args(
 def _parse_known_args(
     run: Run, receiver: Value, args: list[Value], keywords: dict[str, Value], e: facts.Call | None
 ) -> Value:
-    from archlint.program import expressions
+    from archlint.program import containers
 
     parsed = _parse_args(run, receiver, args, keywords, e)
-    return expressions.new_list(run, [parsed, Unknown("the rest of the command line")], "tuple")
+    return containers.new_list(run, [parsed, Unknown("the rest of the command line")], "tuple")
 
 
 def _group(run: Run, receiver: Value, args: list[Value], keywords: dict[str, Value], e: facts.Call | None) -> Value:
@@ -144,17 +144,17 @@ Plain = Callable[["Run", list[Value], dict[str, Value], "facts.Call | None"], Va
 
 
 def _copy(run: Run, args: list[Value], keywords: dict[str, Value], e: facts.Call | None) -> Value:
-    from archlint.program import expressions
+    from archlint.program import containers
     from archlint.program.values import DictValue, ListValue
 
     found: list[Value] = []
     for value in alternatives(args[0]) if args else ():
         if isinstance(value, ListValue):
-            items = expressions.items_of(run, value)
-            found.append(expressions.new_list(run, items.values, value.kind, items.open))
+            items = containers.items_of(run, value)
+            found.append(containers.new_list(run, items.values, value.kind, items.open))
         elif isinstance(value, DictValue):
-            entries = expressions.entries_of(run, value)
-            found.append(expressions.new_dict(run, dict(entries.entries), entries.open))
+            entries = containers.entries_of(run, value)
+            found.append(containers.new_dict(run, dict(entries.entries), entries.open))
         else:
             found.append(profiles.copy_profile(run, value))
     return one_of(found)
@@ -184,9 +184,9 @@ def _auto(run: Run, args: list[Value], keywords: dict[str, Value], e: facts.Call
 
 
 def _default_dict(run: Run, args: list[Value], keywords: dict[str, Value], e: facts.Call | None) -> Value:
-    from archlint.program import expressions
+    from archlint.program import containers
 
-    made = expressions.new_dict(run, {}, len(args) > 1)
+    made = containers.new_dict(run, {}, len(args) > 1)
     if args:
         run.store.set(made.key, "#factory", args[0])
     return made
@@ -194,13 +194,13 @@ def _default_dict(run: Run, args: list[Value], keywords: dict[str, Value], e: fa
 
 def _named_tuple(run: Run, args: list[Value], keywords: dict[str, Value], e: facts.Call | None) -> Value:
     """``namedtuple('Point', 'x y')``: a class whose objects have these fields."""
-    from archlint.program import expressions
+    from archlint.program import containers
 
     fields = args[1] if len(args) > 1 else keywords.get("field_names")
     if isinstance(fields, Known) and isinstance(fields.value, str):
         names: list[Value] = [Known(name) for name in fields.value.replace(",", " ").split()]
     else:
-        items = expressions.iterate(run, fields) if fields is not None else None
+        items = containers.iterate(run, fields) if fields is not None else None
         if items is None or items.open:
             return Unknown("a named tuple whose fields are not known")
         names = list(items.values)
@@ -218,15 +218,15 @@ def _named_tuple(run: Run, args: list[Value], keywords: dict[str, Value], e: fac
 
 
 def _product(run: Run, args: list[Value], keywords: dict[str, Value], e: facts.Call | None) -> Value:
-    from archlint.program import expressions
+    from archlint.program import containers
 
     rows: list[list[Value]] = [[]]
     for arg in args:
-        items = expressions.iterate(run, arg)
+        items = containers.iterate(run, arg)
         if items is None or items.open or "repeat" in keywords or len(rows) * len(items.values) > 4096:
             return Unknown("the combinations are not known")
         rows = [[*row, item] for row in rows for item in items.values]
-    return expressions.new_list(run, [expressions.new_list(run, row, "tuple") for row in rows])
+    return containers.new_list(run, [containers.new_list(run, row, "tuple") for row in rows])
 
 
 def _of_setup(name: str) -> Plain:
@@ -266,18 +266,18 @@ PLAIN: dict[str, Plain] = {
 
 
 def _chain(run: Run, args: list[Value]) -> Value:
-    from archlint.program import expressions
+    from archlint.program import containers
 
     values: list[Value] = []
     open_ = False
     for arg in args:
-        items = expressions.iterate(run, arg)
+        items = containers.iterate(run, arg)
         if items is None:
             open_ = True
         else:
             values.extend(items.values)
             open_ = open_ or items.open
-    return expressions.new_list(run, values, "list", open_)
+    return containers.new_list(run, values, "list", open_)
 
 
 def _path_part(args: list[Value], at: int) -> Value:

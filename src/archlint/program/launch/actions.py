@@ -71,13 +71,13 @@ def _visit(run: LaunchRun, entity: Value) -> None:
 
 
 def _visit_several(run: LaunchRun, entity: ListValue | OneOf) -> None:
-    from archlint.program import expressions
+    from archlint.program import containers
 
     if isinstance(entity, OneOf):
         for option in entity.values:
             visit(run, option)
         return
-    visit_items(run, expressions.items_of(run, entity))
+    visit_items(run, containers.items_of(run, entity))
 
 
 def visit_items(run: LaunchRun, items: Items) -> None:
@@ -166,10 +166,10 @@ def _group(run: LaunchRun, entity: Instance) -> None:
 
 
 def _set_configurations(run: LaunchRun, value: Value | None) -> None:
-    from archlint.program import expressions
+    from archlint.program import containers
 
     if isinstance(value, DictValue):
-        for key, item in expressions.entries_of(run, value).entries.values():
+        for key, item in containers.entries_of(run, value).entries.values():
             name = perform(run, key)
             if isinstance(name, Known):
                 run.launch.configurations[str(name.value)] = perform(run, item)

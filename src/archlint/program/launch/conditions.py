@@ -113,9 +113,9 @@ def _template(run: LaunchRun, value: Value | None) -> str | None:
     if isinstance(value, Known):
         return str(value.value)
     if isinstance(value, ListValue):
-        from archlint.program import expressions
+        from archlint.program import containers
 
-        parts = [_template(run, item) for item in expressions.items_of(run, value).values]
+        parts = [_template(run, item) for item in containers.items_of(run, value).values]
         return None if None in parts else "".join(part for part in parts if part is not None)
     kind = kind_of(value)
     if kind == "LaunchConfiguration":

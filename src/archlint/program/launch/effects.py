@@ -44,11 +44,11 @@ def launch_object(run: Run, call: ApiUse) -> Value:
 
 
 def _items(run: Run, value: Value | None) -> Items:
-    from archlint.program import expressions
+    from archlint.program import containers
 
     if value is None or value == NONE:
         return Items(())
-    found = expressions.iterate(run, value)
+    found = containers.iterate(run, value)
     return Items((value,), True) if found is None else found
 
 
@@ -179,13 +179,13 @@ def _load_yaml(run: Run, args: list[Value], keywords: dict[str, Value], e: facts
 
 
 def _value_of(run: Run, value: object) -> Value:
-    from archlint.program import expressions
+    from archlint.program import containers
 
     if isinstance(value, dict):
-        rows = {expressions.hashable(Known(key)): (Known(key), _value_of(run, item)) for key, item in value.items()}
-        return expressions.new_dict(run, {key: row for key, row in rows.items() if key is not None})
+        rows = {containers.hashable(Known(key)): (Known(key), _value_of(run, item)) for key, item in value.items()}
+        return containers.new_dict(run, {key: row for key, row in rows.items() if key is not None})
     if isinstance(value, list):
-        return expressions.new_list(run, [_value_of(run, item) for item in value])
+        return containers.new_list(run, [_value_of(run, item) for item in value])
     assert value is None or isinstance(value, (str, int, float, bool))
     return Known(value)
 

@@ -31,9 +31,9 @@ class Frontend:
         return made
 
     def list(self, values: Sequence[Value]) -> Value:
-        from archlint.program import expressions
+        from archlint.program import containers
 
-        return expressions.new_list(self.run, values)
+        return containers.new_list(self.run, values)
 
     # ------------------------------------------------------------------------------------------ elements
 
@@ -163,10 +163,10 @@ class Frontend:
             given["remappings"] = self.list(remaps)
 
     def _pair(self, element: Element, first: str, second: str) -> Value:
-        from archlint.program import expressions
+        from archlint.program import containers
 
         values = [self.get(element, name) or Known("") for name in (first, second)]
-        made = expressions.new_list(self.run, values, "tuple")
+        made = containers.new_list(self.run, values, "tuple")
         self.run.store.set(made.key, "#place", self.place(element.span))
         return made
 
@@ -188,7 +188,7 @@ class Frontend:
 
     def _nested(self, element: Element, name: Value, prefix: str) -> Value | None:
         """A parameter with parameters in it: a dict."""
-        from archlint.program import expressions
+        from archlint.program import containers
 
         entries: dict[Hashable, tuple[Value, Value]] = {}
         for number, child in enumerate(element.of("param")):
@@ -197,10 +197,10 @@ class Frontend:
                 key = Known(str(key.value), origin=self.place(child.span))
             inner = self._nested(child, Known(""), "") if child.of("param") else self._value(child)
             entries[("#", number)] = (key, inner or Unknown("a parameter without a value"))
-        made = expressions.new_dict(self.run, entries)
+        made = containers.new_dict(self.run, entries)
         if isinstance(name, Known) and not name.value:
             return made
-        return expressions.new_dict(self.run, {("#", 0): (name, made)})
+        return containers.new_dict(self.run, {("#", 0): (name, made)})
 
     def _value(self, element: Element) -> Value:
         """The value of a parameter: in XML text that is read as YAML, in YAML what it is."""

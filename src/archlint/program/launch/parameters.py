@@ -37,11 +37,11 @@ CONSTANT_LIMIT = 20_000
 
 def parameters_of(run: LaunchRun, value: Value | None, place: Place) -> list[Parameter]:
     """What a list of parameters sets, in order."""
-    from archlint.program import expressions
+    from archlint.program import containers
 
     if value is None:
         return []
-    items = expressions.iterate(run, value) if isinstance(value, (ListValue, OneOf)) else None
+    items = containers.iterate(run, value) if isinstance(value, (ListValue, OneOf)) else None
     if items is None:
         if isinstance(value, (DictValue, Known)) or kind_of(value):
             return list(_one(run, value, place))
@@ -88,9 +88,9 @@ def _given(item: Value, name: str) -> Value:
 
 
 def _entries(run: LaunchRun, item: DictValue, prefix: str, place: Place) -> Iterator[Parameter]:
-    from archlint.program import expressions
+    from archlint.program import containers
 
-    entries = expressions.entries_of(run, item)
+    entries = containers.entries_of(run, item)
     for key, value in entries.entries.values():
         name = perform(run, key)
         where = key.origin if isinstance(key, Known) and key.origin is not None else place
@@ -128,9 +128,9 @@ def python_of(run: LaunchRun, value: Value) -> tuple[object, bool]:
 
 def _list(run: LaunchRun, value: ListValue) -> tuple[object, bool]:
     """A list of constants is an array; one with substitutions among texts is one text."""
-    from archlint.program import expressions
+    from archlint.program import containers
 
-    items = expressions.items_of(run, value)
+    items = containers.items_of(run, value)
     if items.open:
         return None, False
     if any(kind_of(item) in SUBSTITUTIONS for item in items.values):

@@ -93,22 +93,22 @@ class LaunchRun(Run):
 
     def items(self, value: Value | None) -> list[Value]:
         """The known items of a list, dict (as pairs) or ``dict.items()``."""
-        from archlint.program import expressions
+        from archlint.program import containers
 
         if value is None:
             return []
         if isinstance(value, DictValue):
-            rows = expressions.entries_of(self, value).entries.values()
-            return [expressions.new_list(self, pair, "tuple") for pair in rows]
+            rows = containers.entries_of(self, value).entries.values()
+            return [containers.new_list(self, pair, "tuple") for pair in rows]
         if isinstance(value, OneOf):
             return [item for option in value.values for item in self.items(option)]
-        items = expressions.iterate(self, value)
+        items = containers.iterate(self, value)
         return [] if items is None else list(items.values)
 
     def is_open(self, value: Value) -> bool:
-        from archlint.program import expressions
+        from archlint.program import containers
 
-        items = expressions.iterate(self, value)
+        items = containers.iterate(self, value)
         return items is None or items.open
 
     def places_of(self, entity: Instance) -> dict[str, Place]:
@@ -161,12 +161,12 @@ class LaunchRun(Run):
     @contextmanager
     def root(self, module: Module) -> Iterator[None]:
         """Run code of a module, from a fresh chain of calls."""
-        from archlint.program.link import _enter_root
+        from archlint.program.roots import enter_root
 
         kept, kept_arms = self.activations, self.arms
         self.steps, self.repeats, self.runs = 0, {}, {}
         self.activations, self.arms = [], sorted(self.code_arms)
-        _enter_root(self, module)
+        enter_root(self, module)
         depth = self.store.depth
         self.store.push()
         try:
@@ -178,24 +178,24 @@ class LaunchRun(Run):
 
     def call_opaque(self, function: Value, args: list[Value], kwargs: Value | None) -> Value:
         """Call the function of an OpaqueFunction with a launch context; what it sets there stays set."""
-        from archlint.program import calls, expressions
-        from archlint.program.link import _module_of
+        from archlint.program import calls, containers
+        from archlint.program.roots import _module_of
 
         module = _module_of(function)
         if module is None:
             return Unknown("an OpaqueFunction whose function is not followed")
         context = Instance(External("launch.LaunchContext"), self.store.new_key())
-        entries = {expressions.hashable(Known(n)): (Known(n), v) for n, v in self.launch.configurations.items()}
-        known = expressions.new_dict(self, {key: row for key, row in entries.items() if key is not None})
+        entries = {containers.hashable(Known(n)): (Known(n), v) for n, v in self.launch.configurations.items()}
+        known = containers.new_dict(self, {key: row for key, row in entries.items() if key is not None})
         self.store.set(context.key, "launch_configurations", known)
         keywords = {}
         if isinstance(kwargs, DictValue):
-            for key, value in expressions.entries_of(self, kwargs).entries.values():
+            for key, value in containers.entries_of(self, kwargs).entries.values():
                 if isinstance(key, Known):
                     keywords[str(key.value)] = value
         with self.root(module):
             result = calls.call(self, function, [context, *args], keywords)
-        for key, value in expressions.entries_of(self, known).entries.values():
+        for key, value in containers.entries_of(self, known).entries.values():
             if isinstance(key, Known):
                 self.launch.configurations[str(key.value)] = value
         return result

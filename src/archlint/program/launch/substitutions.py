@@ -51,9 +51,9 @@ def perform(run: LaunchRun, value: Value | None) -> Value:
     if isinstance(value, OneOf):
         return one_of(perform(run, option) for option in value.values)
     if isinstance(value, ListValue):
-        from archlint.program import expressions
+        from archlint.program import containers
 
-        items = expressions.items_of(run, value)
+        items = containers.items_of(run, value)
         if items.open:
             return Unknown("a text of parts that are not known")
         return concatenate([perform(run, item) for item in items.values])
@@ -79,10 +79,10 @@ def concatenate(parts: Sequence[Value], joint: str = "") -> Value:
 
 
 def _parts(run: LaunchRun, value: Value | None) -> list[Value]:
-    from archlint.program import expressions
+    from archlint.program import containers
 
     if isinstance(value, ListValue):
-        return list(expressions.items_of(run, value).values)
+        return list(containers.items_of(run, value).values)
     return [] if value is None else [value]
 
 

@@ -1,0 +1,231 @@
+"""Running callbacks and the methods that nothing calls, each from the state that it would meet."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from archlint.facts import model as facts
+from archlint.program import calls, definitions, model
+from archlint.program.api import executors
+from archlint.program.api.callbacks import describe
+from archlint.program.interest import interesting
+from archlint.program.modules import Module
+from archlint.program.run import FEW_STEPS, STEPS, Activation, Run
+from archlint.program.values import (
+    NONE,
+    BoundMethod,
+    ClassValue,
+    EntityValue,
+    ExecutorValue,
+    FunctionValue,
+    Instance,
+    Known,
+    NodeValue,
+    Unknown,
+    Value,
+)
+from archlint.workspace.test_code import is_test_file
+
+if TYPE_CHECKING:
+    pass
+
+INSTANCES = 8
+"""On how many objects of one class the methods that nothing calls are tried."""
+ROUNDS = 4
+"""How often callbacks that hand over callbacks are followed."""
+
+NOT_PASSED = "nothing in the workspace passes"
+
+LIFECYCLE = frozenset({"on_configure", "on_activate", "on_deactivate", "on_cleanup", "on_shutdown", "on_error"})
+
+
+def enter_root(run: Run, module: Module) -> None:
+    """An activation at the root, so that what runs has a module and a scope."""
+    scope = module.scope
+    if scope is None:
+        scope = run.new_scope(None, module, "module", module.name)
+    run.activations.append(Activation(module.name, module, scope, [], run.store.depth))
+
+
+def run_callbacks(run: Run) -> None:
+    """Run what was handed over, then the methods that nothing calls; again where they hand over more."""
+    for _ in range(ROUNDS):
+        run_pending(run)
+        run.stateful |= _run_methods(run)
+        if not run.pending:
+            break
+    if run.stateful and run.left > 0:
+        # What one callback leaves in an attribute, another may use: each sees the joined state once.
+        for pending in list(run.started):
+            run_root(run, pending.callback, pending.value, pending.arguments)
+        run_pending(run)
+
+
+def run_pending(run: Run) -> None:
+    """Run the callbacks that were handed over so far, and those that they hand over."""
+    while run.pending:
+        pending = run.pending.pop(0)
+        run.started.append(pending)
+        run.stateful |= run_root(run, pending.callback, pending.value, pending.arguments)
+
+
+def run_root(
+    run: Run, callback: model.Callback, value: Value, arguments: tuple[Value, ...], *, certain: bool = False
+) -> bool:
+    """Run one callback on the state so far; True where it left an object in an attribute."""
+    kept_context, kept_activations = run.context, run.activations
+    kept_bounds = run.steps, run.repeats, run.runs, run.arms
+    kept_allowed = run.allowed_steps
+    run.left -= run.steps
+    run.allowed_steps = max(FEW_STEPS, min(STEPS, run.left))
+    run.context = callback
+    run.steps = 0
+    run.repeats = {}
+    run.runs = {}
+    run.arms = []
+    module = _module_of(value) or kept_activations[0].module
+    run.activations = []
+    enter_root(run, module)
+    depth = run.store.depth
+    run.store.push()
+    try:
+        calls.call(run, value, _fit(value, arguments), {})
+    finally:
+        layer = run.store.cut(depth)
+        run.context, run.activations = kept_context, kept_activations
+        run.left -= run.steps
+        _, run.repeats, run.runs, run.arms = kept_bounds
+        run.steps, run.allowed_steps = 0, max(FEW_STEPS, kept_allowed - kept_bounds[0])
+    written = [(at, run.store.get(*at), value) for at, value in layer.items() if at[0] in run.instances]
+    changed = run.store.merge([layer] if certain else [layer, {}]) or certain
+    return changed and any(_is_state(run, key, slot, before, value) for (key, slot), before, value in written)
+
+
+def _is_state(run: Run, key: int, slot: object, before: object, value: object) -> bool:
+    """Whether an attribute now holds what another callback may act on: an object, or another constant."""
+    if isinstance(value, (EntityValue, NodeValue, ExecutorValue)):
+        return True
+    return isinstance(before, Known) and isinstance(value, Known) and before != value and slot != "#"
+
+
+def _module_of(value: Value) -> Module | None:
+    if isinstance(value, FunctionValue):
+        return value.scope.module
+    function = getattr(value, "function", None)
+    return _module_of(function) if isinstance(function, Value) else None
+
+
+def _fit(value: Value, arguments: tuple[Value, ...]) -> list[Value]:
+    """The arguments a callback takes: rclpy passes a subscription's callback the message, and the
+    message's info where it takes two."""
+    ir, bound = _function_and_bound(value)
+    if ir is None:
+        return list(arguments)
+    positional = [p for p in ir.params if p.kind in ("positional_only", "normal")]
+    room = max(0, len(positional) - bound)
+    if any(p.kind == "star" for p in ir.params):
+        return list(arguments)
+    fitted = list(arguments[:room])
+    while len(fitted) < room and positional[bound + len(fitted)].default is None:
+        fitted.append(Unknown(f"what '{positional[bound + len(fitted)].name}' is called with"))
+    return fitted
+
+
+def _function_and_bound(value: Value) -> tuple[facts.Function | facts.Lambda | None, int]:
+    from archlint.program.values import Partial
+
+    if isinstance(value, FunctionValue):
+        return value.ir, 0
+    if isinstance(value, BoundMethod):
+        ir, bound = _function_and_bound(value.function)
+        return ir, bound + 1
+    if isinstance(value, Partial):
+        ir, bound = _function_and_bound(value.function)
+        return ir, bound + len(value.args)
+    return None, 0
+
+
+def _run_methods(run: Run) -> bool:
+    """Methods of the program's objects that nothing has called, if they can matter."""
+    stateful = False
+    seen: dict[int, int] = {}
+    for instance in list(run.instances.values()):
+        cls = instance.cls
+        if not isinstance(cls, ClassValue):
+            continue
+        seen[id(cls)] = seen.get(id(cls), 0) + 1
+        if seen[id(cls)] > INSTANCES:
+            continue
+        for function, owner in _methods(run, cls):
+            ir = function.ir
+            if (instance.key, id(ir)) in run.executed or not isinstance(ir, facts.Function):
+                continue
+            special = ir.name.startswith("__") and ir.name != "__call__"
+            if special or "abstract" in function.decorators or not interesting(ir):
+                continue
+            bound = bind_quietly(function, instance, owner)
+            callback = describe(run, bound)
+            callback.role = "lifecycle" if ir.name in LIFECYCLE else "method"
+            callback.node = run.blueprints.get(instance.key)
+            run.program.callbacks.append(callback)
+            stateful |= run_root(run, callback, bound, _uncalled_arguments(ir, callback.bound_arguments))
+    return stateful
+
+
+def _uncalled_arguments(ir: facts.Function, bound: int) -> tuple[Value, ...]:
+    """Arguments of a method that nothing calls: unknown, flags included, since a caller may set them.  Defaults
+    after the last of these stand."""
+    given: list[Value] = []
+    known = 0
+    for param in ir.params[bound:]:
+        if param.kind not in ("positional_only", "normal"):
+            break
+        flag = isinstance(param.default, facts.Literal) and isinstance(param.default.value, bool)
+        if param.default is None or flag:
+            given.append(Unknown(f"{NOT_PASSED} '{param.name}'", name=param.name))
+            known = len(given)
+        else:
+            given.append(NONE)
+    if any(value is NONE for value in given[:known]):
+        # A default stands before a flag: positional arguments would replace it.
+        known = next(number for number, value in enumerate(given) if value is NONE)
+    return tuple(given[:known])
+
+
+def bind_quietly(function: FunctionValue, instance: Instance, owner: ClassValue) -> Value:
+    """Bind a method without running it, should it be a property."""
+    if "staticmethod" in function.decorators:
+        return function
+    if "classmethod" in function.decorators:
+        return BoundMethod(function, owner)
+    return BoundMethod(function, instance)
+
+
+def _methods(run: Run, cls: ClassValue) -> list[tuple[FunctionValue, ClassValue]]:
+    """The methods an object of a class has, overridden ones left out."""
+    found: dict[str, tuple[FunctionValue, ClassValue]] = {}
+    for base in cls.mro:
+        if isinstance(base, ClassValue):
+            for statement in definitions.methods_of(base):
+                value = run.store.get(base.key, statement.name)
+                if isinstance(value, FunctionValue):
+                    found.setdefault(statement.name, (value, cls))
+    return list(found.values())
+
+
+def finish(run: Run) -> None:
+    """What is only known at the end: the executable's name, test code, an executor that never spun."""
+    program = run.program
+    from_test = is_test_file(program.file)
+    kept = []
+    for blueprint in program.nodes:
+        if from_test and not blueprint.test:
+            continue  # a test makes an object of the real node: not a node of the system
+        if from_test:
+            # What a test makes the library create is no part of the system either.
+            blueprint.creations = [c for c in blueprint.creations if is_test_file(c.place.file)]
+        if program.executable:
+            blueprint.executables = (program.name,)
+        kept.append(blueprint)
+    program.nodes[:] = kept
+    executors.settle(program)
