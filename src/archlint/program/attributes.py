@@ -7,7 +7,6 @@ from typing import TYPE_CHECKING
 from archlint.facts import model as facts
 from archlint.program import messages
 from archlint.program.api import rclpy_names
-from archlint.program.store import Items
 from archlint.program.values import (
     NONE,
     ApiMethod,
@@ -368,4 +367,4 @@ def _owner_key(run: Run, cls: ClassValue, name: str) -> int:
     return cls.key
 
 
-__all__ = ["Items", "bind", "class_lookup", "get_attribute", "set_attribute"]
+__all__ = ["bind", "class_lookup", "get_attribute", "set_attribute"]

@@ -21,11 +21,8 @@ from archlint.program.containers import (
 from archlint.program.decisions import narrow, truth
 from archlint.program.formatting import CARTESIAN, combine, format_one
 from archlint.program.operators import binary, compare_values
-from archlint.program.store import Items
 from archlint.program.values import (
-    FALSE,
     NONE,
-    TRUE,
     Builtin,
     DictValue,
     External,
@@ -41,7 +38,7 @@ from archlint.program.values import (
 if TYPE_CHECKING:
     from archlint.program.run import Run
 
-__all__ = ["Items", "evaluate", "get_attribute", "set_attribute"]
+__all__ = ["evaluate", "get_attribute", "set_attribute"]
 
 
 def evaluate(run: Run, expression: facts.Expr) -> Value:
@@ -362,4 +359,3 @@ _EXPRESSIONS: dict[type, Callable[[Run, Any], Value]] = {
     facts.Opaque: _opaque,
 }
 
-__all__ += ["FALSE", "TRUE"]

@@ -16,17 +16,14 @@ from archlint.facts.deep_stack import call_with_deep_stack
 from archlint.finding import Place
 from archlint.program import calls, definitions, model
 from archlint.program.api import nodes
-from archlint.program.attributes import bind
 from archlint.program.interest import interesting, names_in
 from archlint.program.modules import Module, ModuleIndex
 from archlint.program.roots import NOT_PASSED, enter_root, finish, run_callbacks, run_pending
 from archlint.program.run import TEST_STEPS, Activation, Run
 from archlint.program.store import Store
 from archlint.program.values import (
-    NONE,
     ClassValue,
     FunctionValue,
-    Known,
     Value,
 )
 from archlint.workspace.test_code import is_test_file, look_below
@@ -364,4 +361,4 @@ def _definitions(body: list[facts.Stmt]) -> list[facts.Function | facts.Class]:
     return found
 
 
-__all__ = ["NONE", "EntryPoint", "Known", "Linker", "bind", "link_files", "run_callbacks"]
+__all__ = ["EntryPoint", "Linker", "link_files", "run_callbacks"]

@@ -15,15 +15,11 @@ from archlint.finding import Place
 from archlint.program import model
 from archlint.program.store import Layer, Store
 from archlint.program.values import (
-    FALSE,
-    TRUE,
-    ClassValue,
     FunctionValue,
     Instance,
     Known,
     MessageValue,
     ModuleValue,
-    NodeValue,
     Scope,
     Unknown,
     Value,
@@ -311,4 +307,4 @@ class Run:
 # The three modules are one machine in three rooms: statements here need expressions and calls there.
 from archlint.program import calls, expressions, statements  # noqa: E402
 
-__all__ = ["FALSE", "TRUE", "Activation", "ClassValue", "NodeValue", "Pending", "Run"]
+__all__ = ["Activation", "Pending", "Run"]
