@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 from archlint.finding import Place
 from archlint.program import model
-from archlint.program.api import nodes
+from archlint.program.api import nodes, profiles
 from archlint.program.texts import text_of_value
 from archlint.program.values import (
     FALSE,
@@ -62,6 +62,8 @@ def type_name(run: Run, value: Value | None) -> str | None:
     """The ROS type of a default, or of a ``Parameter.Type``."""
     if isinstance(value, Known):
         return _TYPES.get(type(value.value))
+    if isinstance(value, External) and profiles.policy_number(value.path) is not None:
+        return "integer"
     if isinstance(value, External) and ".Type." in value.path:
         return _TYPE_NAMES.get(value.path.rpartition(".")[2])
     if isinstance(value, ListValue):
@@ -81,6 +83,9 @@ def _is_type(value: Value | None) -> bool:
 
 def from_parameter(run: Run, value: Value, name: str) -> Value:
     """A default as the value of a parameter: known, but by way of the parameter."""
+    if isinstance(value, External):
+        number = profiles.policy_number(value.path)
+        value = value if number is None else Known(number)
     if isinstance(value, Known):
         return Known(value.value, value.via | {name}, value.origin, value.kind)
     if isinstance(value, Holed):

@@ -251,6 +251,24 @@ def _of_profile(run: Run, profile: Instance) -> Qos:
     return replace(result, **fields)  # type: ignore[arg-type]
 
 
+_POLICY_CLASSES = {
+    "rclpy.qos.HistoryPolicy": "history",
+    "rclpy.qos.ReliabilityPolicy": "reliability",
+    "rclpy.qos.DurabilityPolicy": "durability",
+    "rclpy.qos.LivelinessPolicy": "liveliness",
+}
+
+
+def policy_number(path: str) -> int | None:
+    """The number of a policy's enum member, such as a parameter has it for a default; None for other names."""
+    owner, _, member = rclpy_names.canonical(path.removesuffix(".value")).rpartition(".")
+    name = _POLICY_CLASSES.get(owner)
+    if name is None:
+        return None
+    wanted = policy(name, External(f"{owner}.{member}"))
+    return next((number for number, text in _BY_NUMBER[name].items() if text == wanted), None)
+
+
 def policy(name: str, value: Value) -> str | None:
     """The policy that an enum member, its number or its short key stands for."""
     if isinstance(value, External):
