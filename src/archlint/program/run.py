@@ -31,13 +31,13 @@ if TYPE_CHECKING:
 
 DEPTH = 48
 """How many calls deep a run follows."""
-STEPS = 20_000
+STEPS = 8_000
 """How many statements one callback may run."""
-PROGRAM_STEPS = 150_000
+PROGRAM_STEPS = 80_000
 """How many statements all of a program may run, its entry point first; from then on each root has few."""
 TEST_STEPS = 8_000
 """The same for test code: its nodes are shown, but what it calls in the library is not its own."""
-FEW_STEPS = 600
+FEW_STEPS = 400
 """What a root may run in any case, so that no callback goes unseen."""
 REPEATS = 3
 """How often one root runs a function with the same arguments."""
