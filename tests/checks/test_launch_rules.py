@@ -141,6 +141,48 @@ def test_a_configuration_behind_a_condition_may_be_set_by_then(findings):
     assert findings("LCH003", '<arg name="x"/>' + node(name="$(var y)", **{"if": "$(var x)"})) == []
 
 
+def test_one_forgotten_argument_is_told(findings):
+    (found,) = findings("LCH003", '<arg name="x" default="a"/>' + node(name="$(var y)"))
+    assert "no launch argument 'y' is declared" in found.message
+
+
+@pytest.mark.parametrize(
+    "launch",
+    [
+        '<arg name="x"/>' + node(name="$(var y)"),
+        node(name="$(var a)", namespace="$(var b)", args="$(var c)"),
+    ],
+)
+def test_a_file_that_is_meant_to_be_included_gets_its_arguments_from_elsewhere(findings, launch):
+    assert findings("LCH003", launch) == []
+
+
+@pytest.mark.parametrize(("substitutes", "told"), [("true", 0), ("false", 1)])
+def test_a_parameter_file_with_substitutions_may_read_an_includes_argument(findings, substitutes, told):
+    load_it = f'<param from="$(find-pkg-share robot)/config/p.yaml" allow_substs="{substitutes}"/>'
+    files = {
+        "launch/inner.launch.xml": f"<launch>{node(load_it)}</launch>",
+        "config/p.yaml": "talker: {ros__parameters: {rate: $(var speed)}}",
+    }
+    outer = '<include file="$(dirname)/inner.launch.xml"><arg name="speed" value="2.0"/></include>'
+    assert len(findings("LCH003", outer, **files)) == told
+
+
+@pytest.mark.parametrize(("condition", "told"), [("True", 1), ("os.getenv('ROS_DISTRO') == 'dashing'", 0)])
+def test_keywords_of_an_older_ros(findings, condition, told):
+    text = f"""\
+import os
+from launch import LaunchDescription
+from launch_ros.actions import Node
+
+def generate_launch_description():
+    if {condition}:
+        return LaunchDescription([Node(package='robot', node_executable='talker')])
+    return LaunchDescription([Node(package='robot', executable='talker')])
+"""
+    assert len(findings("LCH005", **{"launch/old.launch.py": text})) == told
+
+
 def test_files_of_other_packages_are_not_looked_for(findings):
     assert findings("LCH004", '<include file="$(find-pkg-share nav2_bringup)/launch/x.launch.py"/>') == []
 
@@ -216,6 +258,28 @@ def test_reads_that_may_find_nothing(findings):
     assert findings("PRM003", **{"robot/talker.py": text}) == []
 
 
+def test_a_parameter_that_nobody_reads(findings):
+    (found,) = findings("PRM006")
+    assert found.message == "parameter 'rate' is declared and never read"
+
+
+@pytest.mark.parametrize(
+    "declaration",
+    [
+        "for name in ['rate', 'other']:\n            self.declare_parameter(name, 1.0)",
+        "self.port = find_port()\n        self.declare_parameter('rate', self.port)",
+    ],
+)
+def test_declarations_that_say_nothing_of_who_reads(findings, declaration):
+    text = TALKER.replace("self.declare_parameter('rate', 1.0)", declaration)
+    assert findings("PRM006", **{"robot/talker.py": text}) == []
+
+
+def test_a_parameter_that_another_file_of_the_package_reads(findings):
+    reader = "def rate_of(node):\n    return node.get_parameter('rate').value\n"
+    assert findings("PRM006", **{"robot/reader.py": reader}) == []
+
+
 # -------------------------------------------------------------------------------------------------- packages
 
 
@@ -223,6 +287,31 @@ def test_imports_that_may_fail_or_are_for_tests_need_no_dependency(findings):
     optional = "try:\n    from sensor_msgs.msg import Image\nexcept ImportError:\n    Image = None\n"
     test = "from geometry_msgs.msg import Pose\nimport rclpy\n"
     assert findings("PKG001", **{"robot/talker.py": optional + TALKER, "test/test_it.py": test}) == []
+
+
+@pytest.mark.parametrize(("declared", "missing"), [("nav_msgs", []), ("std_srvs", ["geometry_msgs"])])
+def test_what_a_well_known_package_brings_is_there(findings, declared, missing):
+    text = "from geometry_msgs.msg import Pose\n" + TALKER
+    manifest = MANIFEST.format(name="robot", type="ament_python", more=f"<depend>{declared}</depend>")
+    found = findings("PKG001", **{"robot/talker.py": text, "package.xml": manifest})
+    assert [one.identity[1] for one in found] == missing
+
+
+@pytest.mark.parametrize(("tag", "missing"), [("exec_depend", []), ("test_depend", ["lidar_msgs"])])
+def test_what_a_package_of_the_workspace_brings_is_there(tmp_path, monkeypatch, tag, missing):
+    monkeypatch.chdir(tmp_path)
+    texts = {
+        "archlint.toml": 'select = ["PKG001"]',
+        "lidar/package.xml": MANIFEST.format(name="lidar", type="ament_python", more=f"<{tag}>lidar_msgs</{tag}>"),
+        "robot/package.xml": MANIFEST.format(name="robot", type="ament_python", more="<depend>lidar</depend>"),
+        "robot/setup.py": SETUP,
+        "robot/robot/talker.py": "from lidar_msgs.msg import Scan\n" + TALKER,
+    }
+    for name, text in texts.items():
+        (tmp_path / name).parent.mkdir(parents=True, exist_ok=True)
+        (tmp_path / name).write_text(text, encoding="utf-8")
+    found = check(Request((".",), load(tmp_path), cached=False, jobs=1)).findings
+    assert [one.identity[1] for one in found] == missing
 
 
 def test_the_missing_line_for_the_manifest(findings):

@@ -12,7 +12,7 @@ from archlint.checks.near import did_you_mean
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.whole import is_whole
 from archlint.finding import Finding, Related
-from archlint.program.launch.model import MISSING, NOT_INSTALLED
+from archlint.program.launch.model import MISSING, NOT_INSTALLED, ParameterFileUse
 from archlint.program.model import ACTION_CLIENT, ACTION_SERVER
 from archlint.system import names
 from archlint.system.instances import instantiate
@@ -164,7 +164,8 @@ def undeclared_launch_argument(system: System, options: Options) -> Iterator[Fin
         return
     includers = _includers(system.world.launched)
     told: set[str] = set()
-    for use in launched.undeclared if not launched.gaps else ():
+    judged = not launched.gaps and not _meant_to_be_included(launched)
+    for use in launched.undeclared if judged else ():
         alone = use.file == launched.file
         if use.conditional or (alone and includers.get(use.file)):
             continue  # whoever includes it may pass it: that system tells
@@ -183,6 +184,17 @@ def undeclared_launch_argument(system: System, options: Options) -> Iterator[Fin
         yield from _unknown_arguments(system, include)
 
 
+_MANY = 3
+"""From so many undeclared names on, nobody forgot one: whoever includes the file sets them all."""
+
+
+def _meant_to_be_included(launched: Launched) -> bool:
+    """Whether a launch file evidently gets its arguments from another one that is not here."""
+    if any(argument.default is None and argument.file == launched.file for argument in launched.declared):
+        return True
+    return len({use.name for use in launched.undeclared if not use.conditional}) >= _MANY
+
+
 def _includers(launches: list[Launched]) -> dict[str, bool]:
     found: dict[str, bool] = {}
     for launched in launches:
@@ -198,7 +210,7 @@ def _unknown_arguments(system: System, include: Included) -> Iterator[Finding]:
     if world is None or world.loader is None or source is None:
         return
     target = world.loader.launched_once(source)
-    if target.gaps or target.ros1 or not target.is_launch_file:
+    if target.gaps or target.ros1 or not target.is_launch_file or _substitutes_in_parameters(target):
         return
     declared = sorted({argument.name for argument in target.declared})
     files = {source, *(i.reference.source for i in target.included if i.reference.source is not None)}
@@ -214,6 +226,15 @@ def _unknown_arguments(system: System, include: Included) -> Iterator[Finding]:
             help=listed,
             identity=(source, name),
         )
+
+
+def _substitutes_in_parameters(target: Launched) -> bool:
+    """Whether parameter files may read any configuration: an include's arguments are set for these too."""
+    return any(
+        isinstance(parameter, ParameterFileUse) and parameter.substitutions
+        for started in target.started
+        for parameter in started.parameters
+    )
 
 
 # ------------------------------------------------------------------------------------------ LCH004, LCH005
@@ -254,7 +275,10 @@ _RENAMED = {
 @rule("LCH005")
 def unknown_launch_attribute(system: System, options: Options) -> Iterator[Finding]:
     """Keywords and attributes that an action does not have."""
+    loader = None if system.world is None else system.world.loader
     for wrong in system.launched.unknown_attributes if system.launched is not None else ():
+        if loader is not None and loader.mentions(wrong.place.file, "ROS_DISTRO"):
+            continue  # what one distribution of ROS refuses, another wants
         renamed = _RENAMED.get(wrong.name)
         hint = f"; it is called '{renamed}'" if renamed in wrong.known else did_you_mean(wrong.name, wrong.known)
         kind = "attribute" if wrong.action.startswith("<") else "argument"

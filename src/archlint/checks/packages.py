@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 
 from archlint.checks.near import did_you_mean, distance, nearest
 from archlint.checks.registry import Options, finding, rule
-from archlint.checks.ros_packages import package_of_module
+from archlint.checks.ros_packages import BROUGHT, package_of_module
 from archlint.checks.whole import walk
 from archlint.facts import model as facts
 from archlint.finding import Edit, Finding, Fix, Place
@@ -44,7 +44,8 @@ def undeclared_dependency(system: System, options: Options) -> Iterator[Finding]
         if package is None or needed == owner or (owner, needed) in told or package.build_type == "catkin":
             continue
         declared = {d.name for d in package.dependencies if condition_holds(d.condition)}
-        if needed in declared or _ALSO.get(needed) in declared or needed in options.external:
+        there = declared | _brought(declared, world)
+        if needed in there or _ALSO.get(needed) in there or needed in options.external:
             continue
         told.add((owner, needed))
         near = nearest(needed, declared - set(world.packages))
@@ -57,6 +58,25 @@ def undeclared_dependency(system: System, options: Options) -> Iterator[Finding]
             identity=(owner, needed),
         )
         yield replace(found, fix=_declared_fix(world, package, needed))
+
+
+_AT_RUN_TIME = frozenset({"depend", "exec", "run", "build_export"})
+
+
+def _brought(declared: set[str], world: World) -> set[str]:
+    """What the declared packages need when they run, and what that needs: it is installed with them."""
+    found: set[str] = set()
+    waiting = sorted(declared)
+    while waiting:
+        name = waiting.pop()
+        package = world.packages.get(name)
+        further = set(BROUGHT.get(name, ()))
+        if package is not None:
+            needed = [d for d in package.dependencies if d.kind in _AT_RUN_TIME]
+            further.update(d.name for d in needed if condition_holds(d.condition))
+        waiting.extend(sorted(further - found))
+        found |= further
+    return found
 
 
 def _declared_fix(world: World, package: Package, needed: str) -> Fix | None:

@@ -290,7 +290,7 @@ def unused_parameter(system: System, options: Options) -> Iterator[Finding]:
             name = declaration.name.text
             if name is None or declaration.name.resolution != "exact" or name in reads:
                 continue
-            if _mentioned(system.world, declaration, name):
+            if _mentioned(system.world, declaration, name) or _elsewhere(system.world, node, declaration, name):
                 continue
             yield finding(
                 "PRM006",
@@ -312,10 +312,37 @@ def _mentioned(world: World, declaration: ParameterDeclaration, name: str) -> bo
     for item in walk(found.body):
         literals += isinstance(item, facts.Literal) and item.value == name
         if isinstance(item, facts.Expression) and isinstance(item.value, facts.Call):
-            discarded = discarded or item.value.span[:2] == (declaration.place.line, declaration.place.column)
+            here = item.value.span[:2] == (declaration.place.line, declaration.place.column)
+            discarded = discarded or (here and _plainly_declared(item.value, name))
         if isinstance(item, facts.Attribute) and item.attr in ("get_parameters_by_prefix", "get_parameters"):
             return True
     return literals != 1 or not discarded
+
+
+def _plainly_declared(call: facts.Call, name: str) -> bool:
+    """Whether the call itself spells the name, as no loop does, and its default is no value of the running
+    node: such a one is declared for others to see."""
+    given = [argument.value for argument in call.args]
+    spelled = any(isinstance(value, facts.Literal) and value.value == name for value in given)
+    return spelled and not any(_of_the_running_node(value) for value in given[1:2])
+
+
+def _of_the_running_node(value: facts.Expr) -> bool:
+    if isinstance(value, facts.Attribute):
+        return isinstance(value.value, facts.Name) and value.value.id == "self"
+    return isinstance(value, facts.Name)
+
+
+def _elsewhere(world: World, node: Node, declaration: ParameterDeclaration, name: str) -> bool:
+    """Whether another file of the package speaks of the parameter: a subclass or a client may read it."""
+    package = node.package
+    if world.loader is None or package is None:
+        return world.loader is None
+    return any(
+        world.loader.mentions(path, name)
+        for path in world.loader.python_files_of(package)
+        if path != declaration.place.file
+    )
 
 
 @rule("PRM008")

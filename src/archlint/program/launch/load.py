@@ -130,6 +130,10 @@ class LaunchLoader:
             if file.package == package and file.module and file.kind in ("python", "launch_python")
         }
 
+    def python_files_of(self, package: str) -> list[str]:
+        """The Python files of a package, whether they are modules or scripts."""
+        return [f.relative for f in self._files if f.package == package and f.kind in ("python", "launch_python")]
+
     def files_named(self, package: str, module: str) -> list[str]:
         """Files of a package whose path ends like a module's name."""
         tail = module.replace(".", "/")
