@@ -161,6 +161,27 @@ def test_python_expressions_on_known_values(launches, expression, expected):
     assert names(launched) == expected
 
 
+@pytest.mark.parametrize(("arguments", "expected"), [({}, ["slow"]), ({"fast": "True"}, ["quick"])])
+def test_eval_of_an_argument_decides_what_a_function_starts(launches, arguments, expected):
+    launched = launches.python(
+        """[DeclareLaunchArgument('fast', default_value='False'), OpaqueFunction(function=start)]""",
+        before="""\
+def start(context):
+    fast = eval(LaunchConfiguration('fast').perform(context))
+    return [Node(package='robot', executable='talker', name='quick' if fast else 'slow')]
+""",
+        **arguments,
+    )
+    assert names(launched) == expected
+
+
+def test_eval_of_more_than_constants_stays_unknown(launches):
+    launched = launches.python(
+        "[Node(package='robot', executable='talker', name=eval('__import__(\"os\").getcwd()'))]",
+    )
+    assert names(launched) == ["?"]
+
+
 def test_no_expression_is_executed(launches, tmp_path):
     marker = tmp_path / "executed"
     text = f"__import__(&apos;os&apos;).mkdir(&apos;{marker}&apos;)"

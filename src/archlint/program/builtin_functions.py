@@ -120,6 +120,25 @@ def _number(convert: Callable[[Any], Any]) -> Callable[..., Value]:
     return handler
 
 
+def _eval(run: Run, args: Arguments, keywords: Keywords, e: object) -> Value:
+    """``eval('True')``: how launch files turn an argument's text into a value.  Constants only; nothing runs."""
+    from archlint.program.launch.expression import NotFollowed, evaluate
+
+    found: list[Value] = []
+    for option in alternatives(_first(args)):
+        value: object = None
+        if isinstance(option, Known) and isinstance(option.value, str):
+            try:
+                value = evaluate(option.value)
+            except NotFollowed:
+                value = None
+        if isinstance(value, (str, int, float)):
+            found.append(Known(value, via(option)))
+        else:
+            found.append(Unknown("what eval() gives"))
+    return one_of(found)
+
+
 def _bool(run: Run, args: Arguments, keywords: Keywords, e: object) -> Value:
     from archlint.program import decisions
 
@@ -497,7 +516,7 @@ BUILTINS: dict[str, Callable[..., Value]] = {
     "super": _unknown("super()"),
     "chr": _unknown("a character"),
     "ord": _unknown("a character"),
-    "eval": _unknown("what eval() gives"),
+    "eval": _eval,
     "exec": _nothing,
     "exit": _nothing,
     "quit": _nothing,
