@@ -275,9 +275,10 @@ def test_declarations_that_say_nothing_of_who_reads(findings, declaration):
     assert findings("PRM006", **{"robot/talker.py": text}) == []
 
 
-def test_a_parameter_that_another_file_of_the_package_reads(findings):
-    reader = "def rate_of(node):\n    return node.get_parameter('rate').value\n"
-    assert findings("PRM006", **{"robot/reader.py": reader}) == []
+@pytest.mark.parametrize(("first", "told"), [("from robot.talker import Talker", 0), ("import math", 1)])
+def test_a_parameter_that_a_subclass_in_another_file_reads(findings, first, told):
+    reader = f"{first}\n\ndef rate_of(node):\n    return node.get_parameter('rate').value\n"
+    assert len(findings("PRM006", **{"robot/reader.py": reader})) == told
 
 
 # -------------------------------------------------------------------------------------------------- packages

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import posixpath
 from collections.abc import Iterable, Iterator
 from typing import TYPE_CHECKING
 
@@ -334,15 +335,22 @@ def _of_the_running_node(value: facts.Expr) -> bool:
 
 
 def _elsewhere(world: World, node: Node, declaration: ParameterDeclaration, name: str) -> bool:
-    """Whether another file of the package speaks of the parameter: a subclass or a client may read it."""
-    package = node.package
-    if world.loader is None or package is None:
-        return world.loader is None
+    """Whether a file that knows this one, or that this one knows, speaks of the parameter: a subclass or a
+    helper may read it."""
+    loader = world.loader
+    if loader is None or node.package is None:
+        return loader is None
+    here = declaration.place.file
     return any(
-        world.loader.mentions(path, name)
-        for path in world.loader.python_files_of(package)
-        if path != declaration.place.file
+        path != here
+        and loader.mentions(path, name)
+        and (loader.mentions(path, _stem(here)) or loader.mentions(here, _stem(path)))
+        for path in loader.python_files_of(node.package)
     )
+
+
+def _stem(path: str) -> str:
+    return posixpath.splitext(posixpath.basename(path))[0]
 
 
 @rule("PRM008")

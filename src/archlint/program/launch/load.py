@@ -131,8 +131,8 @@ class LaunchLoader:
         }
 
     def python_files_of(self, package: str) -> list[str]:
-        """The Python files of a package, whether they are modules or scripts."""
-        return [f.relative for f in self._files if f.package == package and f.kind in ("python", "launch_python")]
+        """The Python files of a package that are no launch files, whether they are modules or scripts."""
+        return [file.relative for file in self._files if file.package == package and file.kind == "python"]
 
     def files_named(self, package: str, module: str) -> list[str]:
         """Files of a package whose path ends like a module's name."""
