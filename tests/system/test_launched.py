@@ -87,6 +87,42 @@ def test_parameters_decide_names(robot):
     assert "/gossip" in topics(system(t="gossip"))["/talker"]
 
 
+BRANCHING = """\
+import rclpy
+from rclpy.node import Node
+from std_msgs.msg import String
+
+class Talker(Node):
+    def __init__(self):
+        super().__init__('talker')
+        self.declare_parameter('robots', 1)
+        self.create_publisher(String, 'one', 10)
+        if self.get_parameter('robots').value == 2:
+            self.create_publisher(String, 'two', 10)
+
+def main():
+    rclpy.init()
+    rclpy.spin(Talker())
+"""
+
+
+@pytest.mark.parametrize(
+    ("robots", "expected"),
+    [
+        ("3", [("/one", False)]),
+        ("2", [("/one", False), ("/two", False)]),
+        ("$(env ROBOTS_OF_TODAY)", [("/one", False), ("/two", True)]),
+    ],
+)
+def test_a_parameter_that_the_launch_file_sets_decides_a_branch(robot, robots, expected):
+    robot(
+        f'<node pkg="robot" exec="talker"><param name="robots" value="{robots}"/></node>',
+        **{"robot/talker.py": BRANCHING},
+    )
+    (node,) = system().nodes
+    assert [(endpoint.name, endpoint.conditional) for endpoint in node.endpoints] == expected
+
+
 @pytest.mark.parametrize(
     ("yaml", "name"),
     [

@@ -29,10 +29,12 @@ if TYPE_CHECKING:
 def truth(run: Run, value: Value) -> bool | None:
     """Whether a value is true; None where that is not known.
 
-    A parameter's default is one value of many: the default decides nothing.
+    A parameter's default is one value of many: the default decides nothing.  What a launch file sets decides
+    while the program starts; callbacks may see what was set later.
     """
     if isinstance(value, Known):
-        return None if value.via else bool(value.value)
+        settled = run.context.role in ("main", "init") and value.via <= run.overrides.keys()
+        return bool(value.value) if settled or not value.via else None
     if isinstance(value, OneOf):
         found = {truth(run, alternative) for alternative in value.values}
         return found.pop() if len(found) == 1 else None
