@@ -94,8 +94,9 @@ def test_a_reader_that_goes_away_ends_it_quietly(tmp_path: Path):
 
 @pytest.mark.skipif(not hasattr(signal, "SIGINT") or os.name == "nt", reason="signals of POSIX")
 def test_ctrl_c_ends_it_quietly(tmp_path: Path):
+    # Every file is another, and takes long to parse: the run is far from its end when the signal comes.
     for number in range(400):
-        (tmp_path / f"node_{number}.py").write_text(NODE + f"x = [{'1, ' * 3000}]\n")
+        (tmp_path / f"node_{number}.py").write_text(NODE + f"x = [{f'{number}, ' * 3000}]\n")
     process = subprocess.Popen(
         [sys.executable, "-m", "archlint", "check", "--no-cache"],
         cwd=tmp_path,
