@@ -20,8 +20,8 @@ from typing import Any
 OPEN, CLOSE = "\ue000", "\ue001"
 _TAINT = re.compile(f"{OPEN}[^{CLOSE}]*{CLOSE}?|{CLOSE}")
 _PATIENCE = 20  # how often one place sees a true answer before it turns false, so that `while x:` ends
-_NUMBER = 50_021  # recognisable in a name even after some arithmetic, bearable as a loop bound
-_NUMBERS = re.compile(r"\d{5,}")
+_NUMBER = 1009  # recognisable in a name even after some arithmetic, and bearable as a loop bound
+_NUMBERS = re.compile(r"(?<!\d)1\d{3}(?!\d)")
 
 other_way = False
 """Whether this run decides what is unknown, and parameters that are true or false, the other way."""
@@ -35,7 +35,7 @@ def is_tainted(text: object) -> bool:
 
 
 def is_uncertain(name: str) -> bool:
-    """Whether a name holds an unknown value, or a number as long as those that unknown values turn into."""
+    """Whether a name holds an unknown value, or a number like those that unknown values turn into."""
     return is_tainted(name) or _NUMBERS.search(name) is not None
 
 
