@@ -183,3 +183,51 @@ def test_cmake_comments_quotes_and_brackets():
     commands = parse_cmake(text)
     assert [(c.name, c.texts) for c in commands][-1] == ("foo", ["x;y z", "x;y z"])
     assert commands[-1].line == 4
+
+
+def scripts_of(installs: Installs) -> dict[str, str | None]:
+    return {executable.name: executable.script for executable in installs.executables.values()}
+
+
+def test_a_folder_and_a_pattern_of_programs(installs_of):
+    installs = installs_of(
+        **{
+            "CMakeLists.txt": """\
+project(robot)
+install(DIRECTORY scripts/ USE_SOURCE_PERMISSIONS DESTINATION lib/${PROJECT_NAME})
+file(GLOB NODES nodes/*.py)
+install(PROGRAMS ${NODES} DESTINATION lib/${PROJECT_NAME})
+""",
+            "scripts/talk": "#!/usr/bin/env python3\n",
+            "scripts/deeper/other.py": "",
+            "nodes/listen.py": "",
+            "launch/it.launch.py": "",
+        }
+    )
+    assert scripts_of(installs) == {"talk": "robot/scripts/talk", "listen.py": "robot/nodes/listen.py"}
+
+
+def test_a_link_is_the_file_that_it_leads_to(installs_of, tmp_path):
+    (tmp_path / "robot" / "scripts").mkdir(parents=True)
+    (tmp_path / "robot" / "scripts" / "talk").symlink_to("../src/talk.py")
+    installs = installs_of(
+        **{
+            "CMakeLists.txt": "install(PROGRAMS scripts/talk DESTINATION lib/robot RENAME speak)",
+            "src/talk.py": "",
+        }
+    )
+    assert scripts_of(installs) == {"speak": "robot/src/talk.py"}
+    assert [entry.file.relative for entry in installs_of.entry_points] == ["robot/src/talk.py"]
+
+
+def test_a_link_out_of_the_workspace_is_not_followed(tmp_path):
+    outside = tmp_path / "elsewhere.py"
+    outside.write_text("")
+    workspace = tmp_path / "workspace"
+    (workspace / "robot").mkdir(parents=True)
+    (workspace / "robot" / "package.xml").write_text(MANIFEST)
+    (workspace / "robot" / "CMakeLists.txt").write_text("install(PROGRAMS talk DESTINATION lib/robot)")
+    (workspace / "robot" / "talk").symlink_to(outside)
+    files = [*find(["."], working_directory=str(workspace)).files, *find([str(outside)]).files]
+    assert SourceTree(tmp_path).same_file("workspace/robot/talk", files) is not None
+    assert SourceTree(workspace).same_file("robot/talk", files) is None

@@ -250,3 +250,24 @@ def test_ros1_launch_files_are_passed_over_with_a_word(robot):
     robot("", **{"launch/old.launch": '<launch><node pkg="robot" type="talker" name="t"/></launch>'})
     report = check(Request((".",), load(Path()), cached=False, jobs=1))
     assert list(report.notices) == ["launch/old.launch is for ROS 1 and passed over"]
+
+
+SCRIPT = TALKER.replace("def main():", "if __name__ == '__main__':")
+
+
+def test_a_script_without_a_suffix_is_the_node_that_it_runs(robot):
+    root = robot(
+        '<node pkg="robot" exec="speak"/><node pkg="robot" exec="again"/>',
+        **{
+            "setup.py": "from setuptools import setup\nsetup()",
+            "CMakeLists.txt": "project(robot)\ninstall(PROGRAMS scripts/speak scripts/again DESTINATION lib/${PROJECT_NAME})",
+            "scripts/speak": f"#!/usr/bin/env python3\n{SCRIPT}",
+        },
+    )
+    (root / "scripts" / "again").symlink_to("speak")
+    nodes = system().nodes
+    assert [(node.name, node.executable, node.external) for node in nodes] == [
+        ("/talker", "speak", False),
+        ("/talker", "again", False),
+    ]
+    assert all("/chatter" in topics for topics in topics(system()).values())

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import posixpath
 from collections.abc import Callable, Iterable, Sequence
+from dataclasses import replace
 from typing import TYPE_CHECKING, Protocol
 
 from archlint.facts import model as facts
@@ -49,6 +50,8 @@ class Tree(Protocol):
 
     def files_below(self, folder: str) -> list[str]: ...
 
+    def same_file(self, path: str, files: Iterable[SourceFile]) -> SourceFile | None: ...
+
 
 class SetupRun(Run):
     """The symbolic run of a setup.py: what it calls ``setup`` with, and where."""
@@ -79,8 +82,39 @@ def read_installs(
                 installs.open_executables = installs.open_files = True
             else:
                 _read_setup(installs, module, index)
+        _find_programs(installs, files)
+        _follow_links(installs, files, tree)
         found[package.name] = installs
     return found
+
+
+def _find_programs(installs: Installs, files: Sequence[SourceFile]) -> None:
+    """The scripts that come to the program folder with a whole folder or by a pattern."""
+    programs = f"lib/{installs.package}"
+    rows = [row for row in installs.files if posixpath.normpath(row.destination) == programs]
+    if not rows:
+        return
+    place = Place(installs.build_files[-1], 1, 1, 1, 1)
+    for file in files:
+        if file.kind != "python" or file.package != installs.package:
+            continue
+        name = posixpath.basename(file.relative)
+        if file.relative in installs.source_of(f"{programs}/{name}", rows):
+            installs.add(Executable(name, installs.package, place, script=file.relative))
+
+
+def _follow_links(installs: Installs, files: Sequence[SourceFile], tree: Tree) -> None:
+    """A script that is a link to another file of the workspace is that file."""
+    scripts = [executable for executable in installs.executables.values() if executable.script is not None]
+    if not scripts:
+        return
+    known = {file.relative for file in files}
+    for executable in scripts:
+        assert executable.script is not None
+        if executable.script not in known:
+            meant = tree.same_file(executable.script, files)
+            if meant is not None:
+                installs.executables[executable.name] = replace(executable, script=meant.relative)
 
 
 def entry_points(installs: dict[str, Installs], files: Sequence[SourceFile]) -> list[EntryPoint]:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import fnmatch
 import posixpath
 import re
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
 
 from archlint.facts.cmake import Argument, Command, parse_cmake
@@ -58,10 +58,11 @@ class Installs:
     def add(self, executable: Executable) -> None:
         self.executables.setdefault(executable.name, executable)
 
-    def source_of(self, installed: str) -> Iterator[str]:
-        """Shown paths that an installed path (below the prefix) may come from, best first."""
+    def source_of(self, installed: str, rows: Sequence[InstalledFiles] | None = None) -> Iterator[str]:
+        """Shown paths that an installed path (below the prefix) may come from, best first; ``rows`` narrows the
+        choice."""
         installed = posixpath.normpath(installed)
-        for row in self.files:
+        for row in self.files if rows is None else rows:
             destination = posixpath.normpath(row.destination)
             if row.folder:
                 base = destination

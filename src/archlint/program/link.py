@@ -83,6 +83,8 @@ class Linker:
         self.interfaces = interfaces
         self.store = Store()
         self.programs: list[model.Program] = []
+        self.started: dict[tuple[str | None, str], model.Program] = {}
+        """The program of each entry point, by package and executable."""
         self.ran: set[int] = set()
         self.made: set[int] = set()
         """Classes of which an object was made, and their bases."""
@@ -95,7 +97,7 @@ class Linker:
             module = self._module_of(entry)
             if module is not None:
                 started.setdefault(module.file.path, set()).add(entry.function or "")
-                self.run_entry(entry, module)
+                self.started[entry.package, entry.executable] = self.run_entry(entry, module)
         modules = [m for m in (self._relevant_module(file) for file in self.files) if m is not None]
         for test in (False, True):
             chosen = [m for m in modules if is_test_file(m.path) is test]

@@ -56,18 +56,17 @@ class LaunchSystems:
         self.entries = {(entry.package, entry.executable): entry for entry in entries}
         self.parameters_of = parameters_of
         self.installs = installs
-        self._programs: dict[tuple[object, ...], Program | None] = {
-            (program.package, program.name): program
-            for program in linker.programs
-            if (program.package, program.name) in self.entries
-        }
+        self._programs: dict[tuple[object, ...], Program | None] = dict(linker.started)
         self._modules: dict[tuple[str | None, str], Module | None] = {}
 
     def system(self, launched: Launched, closed: bool, dependencies: dict[str, frozenset[str]]) -> System:
         nodes: list[Node] = []
         for started in launched.started:
             if not started.dormant and started.kind != "process":
-                nodes.extend(self.nodes(started, launched.file))
+                made = self.nodes(started, launched.file)
+                for node in made:
+                    node.condition = launched.condition(started.arms)
+                nodes.extend(made)
         programs = list({id(node.program): node.program for node in nodes if node.program is not None}.values())
         return System(
             name=launched.file,

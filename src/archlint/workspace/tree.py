@@ -4,7 +4,12 @@ from __future__ import annotations
 
 import os
 import posixpath
+from collections.abc import Iterable
 from pathlib import Path
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from archlint.workspace.model import SourceFile
 
 TEXT_LIMIT = 8_000_000
 """Bytes; a launch or parameter file that is larger is not read."""
@@ -48,6 +53,18 @@ class SourceTree:
             return real.read_bytes().decode("utf-8-sig")
         except (OSError, UnicodeDecodeError):
             return None
+
+    def same_file(self, path: str, files: Iterable[SourceFile]) -> SourceFile | None:
+        """The file that a path leads to through symbolic links; None where that is none of ``files``."""
+        real = self._real(path)
+        if real is None:
+            return None
+        try:
+            inode = real.stat().st_ino
+        except OSError:
+            return None
+        candidates = (file for file in files if file.inode == inode)
+        return next((file for file in candidates if os.path.realpath(file.path) == str(real)), None)
 
     def files_below(self, folder: str) -> list[str]:
         """All files below a folder, sorted; links to folders are not followed."""
