@@ -83,6 +83,9 @@ class Finding:
     related: tuple[Related, ...] = ()
     fix: Fix | None = None
     identity: tuple[str, ...] = field(default=(), compare=False)
+    condition: str | None = None
+    """The launch arguments (``name:=value``) under which it holds, where no default decides; None for always.
+    The message of a finished finding says so, too."""
 
     @property
     def sort_key(self) -> tuple[str, int, int, str, str, str]:

@@ -139,6 +139,7 @@ def _finding(entry: dict[str, Any]) -> Finding:
         related=related,
         fix=None if entry["fix"] is None else _fix(entry["fix"]),
         identity=tuple(str(part) for part in entry["identity"]),
+        condition=entry["condition"],
     )
 
 

@@ -189,14 +189,14 @@ def _judged(request: Request, workspace: Workspace, facts: FactsOfFiles) -> Judg
 
 def _rules(settings: Settings, systems: Sequence[System]) -> Iterator[Finding]:
     from archlint.checks.merge import depends_on_system
-    from archlint.checks.registry import judge, options_for
+    from archlint.checks.registry import judge_alternatives, options_for
 
     selection = settings.selection
     for system in systems:
         codes = [code for code in selection.codes if selection.runs(code, system.closed)]
         if system.launched is not None and len(systems) > 1:
             codes = [code for code in codes if depends_on_system(code)]
-        yield from judge(system, options_for(settings, codes))
+        yield from judge_alternatives(system, options_for(settings, codes))
 
 
 def _ran(request: Request, systems: Sequence[System]) -> frozenset[str]:

@@ -42,6 +42,7 @@ def test_json_is_the_contract():
                 "end_column": 49,
                 "node": "/planner",
                 "system": None,
+                "condition": None,
                 "related": [
                     {
                         "file": "pkg/node.py",

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
+from dataclasses import replace
 
 from archlint.finding import Finding
 
@@ -35,6 +36,15 @@ _OF_CODE = ("NME002", "SRV004")
 """Of these a place is told once, whatever name or period a launch file gives it."""
 
 
+_OF_LAUNCH_FILE = ("LCH001", "LCH003", "LCH004", "LCH005")
+"""What these find stands in the launch file, whichever arguments it is given."""
+
+
+def depends_on_arguments(code: str) -> bool:
+    """Whether a rule may answer differently for the systems that one launch file makes."""
+    return depends_on_system(code) and code not in _OF_LAUNCH_FILE
+
+
 def depends_on_system(code: str) -> bool:
     """Whether a rule is to be run for each launch file."""
     return code.startswith(OF_SYSTEMS)
@@ -43,13 +53,20 @@ def depends_on_system(code: str) -> bool:
 def merged(findings: Iterable[Finding]) -> Iterator[Finding]:
     """The findings without repetitions; those of the open system come first and stay."""
     seen: dict[tuple[object, ...], str | None] = {}
-    for finding in sorted(findings, key=lambda one: one.system is not None):
+    for finding in sorted(findings, key=lambda one: (one.system is not None, one.condition is not None)):
         keys = _keys(finding)
         # Two findings of one system differ for a reason: only what another system has said is a repetition.
         if all(seen.get(key, finding.system) == finding.system for key in keys):
-            yield finding
+            yield _with_condition(finding)
         for key in keys:
             seen.setdefault(key, finding.system)
+
+
+def _with_condition(finding: Finding) -> Finding:
+    """The finding with the arguments under which it holds in its message."""
+    if finding.condition is None:
+        return finding
+    return replace(finding, message=f"{finding.message} (with {finding.condition})")
 
 
 def _keys(finding: Finding) -> set[tuple[object, ...]]:

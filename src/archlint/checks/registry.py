@@ -20,8 +20,10 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from archlint import checks
+from archlint.checks.merge import depends_on_arguments
 from archlint.finding import Finding, Place, Related
 from archlint.rulebook import rules
+from archlint.system.variants import Arguments, condition
 
 if TYPE_CHECKING:
     from archlint.architecture import Contract, Layers
@@ -174,6 +176,24 @@ def judge(system: System, selected: Mapping[str, Options]) -> Iterator[Finding]:
             yield failure(f"the rule {rules()[code].title}", error, _place_of(system))
         else:
             yield from (replace(one, system=system.name) for one in found)
+
+
+def judge_alternatives(system: System, selected: Mapping[str, Options]) -> Iterator[Finding]:
+    """As :func:`judge`; where arguments that nothing decides make several systems of one launch file, each is
+    judged, and a finding says under which arguments it holds."""
+    if not system.alternatives:
+        yield from judge(system, selected)
+        return
+    split = {code: options for code, options in selected.items() if depends_on_arguments(code)}
+    yield from judge(system, {code: options for code, options in selected.items() if code not in split})
+    every = [arguments for arguments, _ in system.alternatives]
+    holding: dict[tuple[object, ...], tuple[Finding, list[Arguments]]] = {}
+    for arguments, alternative in system.alternatives:
+        for one in judge(alternative, split):
+            key = (one.code, one.place, one.message, one.node, one.related)
+            holding.setdefault(key, (one, []))[1].append(arguments)
+    for one, where in holding.values():
+        yield replace(one, condition=condition(where, every))
 
 
 def failure(what: str, error: Exception, place: Place) -> Finding:

@@ -67,6 +67,7 @@ def _node(node: Node) -> dict[str, Any]:
         "executor": node.executor,
         "launched_by": node.launched_by,
         "external": node.external,
+        "condition": node.condition,
         "remappings": _remappings(node),
         "test": node.test,
         "complete": all(b.complete for b in node.blueprints),

@@ -38,11 +38,16 @@ PALETTE = {
 
 
 def node_label(node: Node) -> str:
-    """A node's name, or its class where the name is not known."""
+    """A node's name, or its class where the name is not known, and when it is started."""
     if node.name is not None:
-        return visible(node.name)
+        return _lines([node.name, condition_words(node)])
     called = node.blueprint.class_name if node.blueprint else node.executable or "?"
-    return _lines([called, "name not known"])
+    return _lines([called, "name not known", condition_words(node)])
+
+
+def condition_words(node: Node) -> str:
+    """Under which launch arguments a node is started; empty for always."""
+    return f"with {node.condition}" if node.condition else ""
 
 
 def node_details(node: Node) -> str:

@@ -66,12 +66,14 @@ def _heading(node: Node) -> Iterator[Cell]:
     yield (node.name, "node") if node.name else ("name not known", "alarm")
     if node.blueprint is None:
         yield f"{node.package}/{node.executable}, not in this workspace", "quiet"
+        yield look.condition_words(node), "quiet"
         return
     place = node.blueprint.place
     yield node.blueprint.class_name, "plain"
     yield "/".join(filter(None, [node.package, ", ".join(node.executables)])), "plain"
     yield "lifecycle" if node.blueprint.lifecycle else "", "plain"
     yield f"{place.file}:{place.line}", "quiet"
+    yield look.condition_words(node), "quiet"
     yield "test code" if node.test else "", "quiet"
     yield node.error or "", "alarm"
 

@@ -43,6 +43,7 @@ def diagnostic(finding: Finding) -> dict[str, Any]:
         "end_column": place.end_column,
         "node": finding.node,
         "system": finding.system,
+        "condition": finding.condition,
         "related": [
             {
                 "file": related.place.file,

@@ -89,7 +89,7 @@ def _result(finding: Finding, codes: list[str], mark: str) -> dict[str, Any]:
             {"id": number, "physicalLocation": _location(related.place), "message": {"text": related.message}}
             for number, related in enumerate(finding.related[: MAX_LOCATIONS - 1], 1)
         ]
-    about = {"node": finding.node, "system": finding.system}
+    about = {"node": finding.node, "system": finding.system, "condition": finding.condition}
     properties = {key: value for key, value in about.items() if value is not None}
     return result | ({"properties": properties} if properties else {})
 

@@ -11,6 +11,7 @@ from archlint.program.launch.model import UNKNOWN, Launched
 from archlint.program.model import Blueprint, Program
 from archlint.system.launched import LaunchSystems, World, started_pairs
 from archlint.system.model import System
+from archlint.system.variants import undecided_arguments
 
 if TYPE_CHECKING:
     from archlint.config_values import Glob
@@ -56,6 +57,11 @@ def launch_systems(
             system.launched = one
             # What another launch file includes is a part: its nodes may have their partners beside it.
             system.closed = (closed and one.file not in parts) or (named and _whole(one, system))
+            for chosen_now in undecided_arguments(one):
+                other = loader.launch(one.file, {**one.arguments, **chosen_now})
+                alternative = maker.system(other, closed, opened.package_dependencies)
+                alternative.launched, alternative.closed, alternative.world = other, system.closed, world
+                system.alternatives.append((chosen_now, alternative))
             systems.append(system)
         opened.apart = frozenset(started_pairs(launched, _by_executable(opened.programs)))
         return systems

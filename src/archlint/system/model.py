@@ -88,6 +88,9 @@ class Node:
     endpoints: list[Endpoint] = field(default_factory=list)
     alternatives: frozenset[tuple[str, int]] = frozenset()
     """Branches of launch files that this node depends on (as ``Creation.arms``)."""
+    condition: str | None = None
+    """What the launch file says of when it starts this node (``use_sim:=true``), where no argument decides that;
+    None for always."""
     program: Program | None = None
     launch_place: Place | None = None
     overrides: dict[str, object] = field(default_factory=dict)
@@ -157,6 +160,8 @@ class System:
 
     launched: Launched | None = None
     """The launch that starts this system."""
+    alternatives: list[tuple[dict[str, str], System]] = field(default_factory=list)
+    """The systems that it may be, with the launch arguments that make them, where nothing decides some."""
     world: World | None = None
     apart: frozenset[frozenset[object]] = frozenset()
     """Pairs of node classes, each as ``(place, class name)``, that some launch file starts together."""

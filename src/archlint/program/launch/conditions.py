@@ -77,8 +77,10 @@ def _arm_of_value(run: LaunchRun, name: str, expected: Value, wanted: bool) -> t
         return None
     text = str(expected.value)
     if text.lower() in ("true", "false"):
+        run.note_undecided(name, "true", "false")
         truth = (text.lower() == "true") is wanted
         return run.label((name, int(truth)), f"{name}:={str(truth).lower()}")
+    run.note_undecided(name, text)
     if wanted:
         return run.label((name, 2 + run.number_of_value(name, text)), f"{name}:={text}")
     return run.label((f"{name}!={text}", 1), f"{name} other than {text}")
@@ -86,6 +88,9 @@ def _arm_of_value(run: LaunchRun, name: str, expected: Value, wanted: bool) -> t
 
 _EQUALS = re.compile(r"""^\s*['"]?\0(?P<name>[^\0]+)\0['"]?\s*(?P<op>==|!=)\s*['"](?P<value>[^'"]*)['"]\s*$""")
 _PLAIN = re.compile(r"^\s*\0(?P<name>[^\0]+)\0\s*$")
+_ARGUMENT = re.compile(r"\0([^\0]+)\0")
+_OPERANDS = re.compile(r"\0[^\0]+\0|\b(?:and|or|not)\b|[()]")
+"""What a test of truth values consists of."""
 _NOT = re.compile(r"^\s*not\s+\0(?P<name>[^\0]+)\0\s*$")
 
 
@@ -99,12 +104,16 @@ def _branch(run: LaunchRun, expression: Value | None, expected: bool) -> tuple[s
     if plain or negated:
         name = (plain or negated)["name"]  # type: ignore[index]
         truth = expected if plain else not expected
+        run.note_undecided(name, "true", "false")
         return run.label((name, int(truth)), f"{name}:={str(truth).lower()}")
     equality = _EQUALS.match(template)
     if equality:
         wanted = (equality["op"] == "==") is expected
         return _arm_of_value(run, equality["name"], Known(equality["value"]), wanted)
-    shown = re.sub(r"\0([^\0]+)\0", r"\1", template)
+    if not _OPERANDS.sub("", template).strip():
+        for name in _ARGUMENT.findall(template):
+            run.note_undecided(name, "true", "false")
+    shown = _ARGUMENT.sub(r"\1", template)
     return run.label((f"({shown})", int(expected)), f"{'' if expected else 'not '}({shown})")
 
 

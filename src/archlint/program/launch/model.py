@@ -165,9 +165,12 @@ class Launched:
     gaps: list[Gap] = field(default_factory=list)
     labels: dict[tuple[str, int], str] = field(default_factory=dict)
     """What a branch means to a user: ``use_sim:=true``."""
+    undecided: dict[str, list[str]] = field(default_factory=dict)
+    """Arguments that conditions ask for and that nothing decides, with the values that make a difference."""
     ros1: bool = False
     is_launch_file: bool = True
 
-    def condition(self, arms: Arms) -> str:
-        """Under which arguments branches are taken, for people; empty where none is known by name."""
-        return " ".join(sorted(self.labels[arm] for arm in arms if arm in self.labels))
+    def condition(self, arms: Arms) -> str | None:
+        """Under which arguments branches are taken, for people; None for no branch at all."""
+        known = sorted(self.labels[arm] for arm in arms if arm in self.labels)
+        return " ".join(known) or ("a condition" if arms else None)

@@ -121,6 +121,11 @@ class LaunchRun(Run):
         self.result.labels.setdefault(arm, text)
         return arm
 
+    def note_undecided(self, name: str, *values: str) -> None:
+        """A condition asks for an argument that nothing decides."""
+        known = self.result.undecided.setdefault(name, [])
+        known.extend(value for value in values if value not in known)
+
     def number_of_value(self, name: str, value: str) -> int:
         """A number for one value of an argument that is compared with several."""
         values = self._values.setdefault(name, [])
