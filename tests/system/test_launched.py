@@ -260,7 +260,7 @@ def test_a_script_without_a_suffix_is_the_node_that_it_runs(robot):
         '<node pkg="robot" exec="speak"/><node pkg="robot" exec="again"/>',
         **{
             "setup.py": "from setuptools import setup\nsetup()",
-            "CMakeLists.txt": "project(robot)\ninstall(PROGRAMS scripts/speak scripts/again DESTINATION lib/${PROJECT_NAME})",
+            "CMakeLists.txt": "install(PROGRAMS scripts/speak scripts/again DESTINATION lib/robot)",
             "scripts/speak": f"#!/usr/bin/env python3\n{SCRIPT}",
         },
     )

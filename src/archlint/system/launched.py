@@ -40,6 +40,9 @@ class World:
     loader: LaunchLoader | None = None
     explicit: bool = False
     """True where a launch file was named: the only system then."""
+    partial: bool = False
+    """True where only files of one package, or single ones, of all that the configuration is for were asked for:
+    what is not seen may be elsewhere."""
 
 
 class LaunchSystems:
@@ -56,7 +59,7 @@ class LaunchSystems:
         self.entries = {(entry.package, entry.executable): entry for entry in entries}
         self.parameters_of = parameters_of
         self.installs = installs
-        self._programs: dict[tuple[object, ...], Program | None] = dict(linker.started)
+        self._programs: dict[tuple[object, ...], Program | None] = dict(linker.started.items())
         self._modules: dict[tuple[str | None, str], Module | None] = {}
 
     def system(self, launched: Launched, closed: bool, dependencies: dict[str, frozenset[str]]) -> System:
