@@ -4,6 +4,7 @@ import pytest
 
 from archlint.checks.ownership import SHARED_BY_DESIGN, multiple_publishers, multiple_servers
 from archlint.checks.registry import Options
+from archlint.finding import Severity
 from archlint.system.model import System
 from system.builders import action_server, node, partial, publisher, service, subscriber, system
 
@@ -25,13 +26,30 @@ def _nodes(identity: tuple[str, ...]) -> tuple[str, ...]:
 
 class TestMultiplePublishers:
     def test_two_nodes(self):
-        judged = system(node("/joystick", publisher("cmd_vel")), node("/planner", publisher("cmd_vel")))
+        nodes = node("/joystick", publisher("cmd_vel")), node("/planner", publisher("cmd_vel"))
+        judged = system(*nodes, name="launch/robot.launch.py")
 
         [finding] = multiple_publishers(judged, NOTHING_SAID)
 
         assert finding.place.file.endswith("planner.py")
         assert [related.place.file for related in finding.related] == ["src/demo/demo/joystick.py"]
         assert finding.message == "/joystick and /planner both publish the topic '/cmd_vel'"
+        assert finding.severity is Severity.WARNING
+
+    def test_where_nothing_starts_both_it_is_for_information(self):
+        judged = system(node("/joystick", publisher("cmd_vel")), node("/planner", publisher("cmd_vel")))
+
+        [finding] = multiple_publishers(judged, NOTHING_SAID)
+
+        assert finding.severity is Severity.INFO
+        assert finding.message.endswith(", if they run together: no launch file here starts both")
+
+    def test_in_a_closed_world_everything_runs_together(self):
+        judged = system(node("/joystick", publisher("cmd_vel")), node("/planner", publisher("cmd_vel")), closed=True)
+
+        [finding] = multiple_publishers(judged, NOTHING_SAID)
+
+        assert finding.severity is Severity.WARNING
 
     def test_three_nodes_are_one_finding(self):
         judged = system(*(node(f"/{name}", publisher("cmd_vel")) for name in "abc"))

@@ -59,7 +59,7 @@ def meet(system: System, one: Endpoint, other: Endpoint) -> bool:
         and one.node.name != other.node.name
         and not exclusive(one.creation.arms, other.creation.arms)
         and _started_alike(one.node, other.node)
-        and not (_nobody_starts_both(system, one.node, other.node) and _apart(one, other))
+        and not (not seen_together(system, one.node, other.node) and _apart(one, other))
     )
 
 
@@ -68,9 +68,9 @@ def _started_alike(one: Node, other: Node) -> bool:
     return one.alternatives <= other.alternatives or other.alternatives <= one.alternatives
 
 
-def _nobody_starts_both(system: System, one: Node, other: Node) -> bool:
-    """True where neither a launch file nor one executable is seen to start both nodes."""
-    return system.name is None and _starters(one).isdisjoint(_starters(other))
+def seen_together(system: System, one: Node, other: Node) -> bool:
+    """Whether a launch file or one executable is seen to start both nodes."""
+    return system.name is not None or not _starters(one).isdisjoint(_starters(other))
 
 
 def _starters(node: Node) -> set[tuple[str | None, str]]:

@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
+from dataclasses import replace
+from itertools import combinations
 from typing import TYPE_CHECKING
 
-from archlint.checks.conflicts import in_source_order, meeting, named_by_library
+from archlint.checks.conflicts import in_source_order, meeting, named_by_library, seen_together
 from archlint.checks.registry import Options, finding, rule
-from archlint.finding import Finding, Related
+from archlint.finding import Finding, Related, Severity
 
 if TYPE_CHECKING:
     from archlint.system.model import Connection, Endpoint, Node, System
@@ -31,6 +33,7 @@ def multiple_publishers(system: System, options: Options) -> Iterator[Finding]:
         for owners in _several_owners(system, connection):
             yield _finding(
                 "OWN001",
+                system,
                 owners,
                 f"{_nodes(owners)} publish the topic '{connection.name}'",
                 "publishes it here",
@@ -54,6 +57,7 @@ def multiple_servers(system: System, options: Options) -> Iterator[Finding]:
         for owners in _several_owners(system, connection):
             yield _finding(
                 "OWN002",
+                system,
                 owners,
                 f"{_nodes(owners)} serve the {connection.kind} '{connection.name}': "
                 "a request reaches every one of them",
@@ -100,17 +104,20 @@ def _launches(systems: Iterable[System], node: Node) -> set[str | None]:
     }
 
 
-def _finding(code: str, owners: list[Endpoint], message: str, does: str, help: str) -> Finding:
+def _finding(code: str, system: System, owners: list[Endpoint], message: str, does: str, help: str) -> Finding:
+    """The finding at the last owner; for information only where nothing is seen to start any two of them."""
     last, others = owners[-1], owners[:-1]
-    return finding(
+    proven = system.closed or any(seen_together(system, a.node, b.node) for a, b in combinations(owners, 2))
+    found = finding(
         code,
         last.place,
-        message,
+        message if proven else f"{message}, if they run together: no launch file here starts both",
         help=help,
         related=[Related(other.place, f"{other.node.name} {does}") for other in others],
         node=last.node.name,
         identity=(last.kind, last.name or "", *_names(owners)),
     )
+    return found if proven else replace(found, severity=Severity.INFO)
 
 
 def _nodes(owners: Iterable[Endpoint]) -> str:
