@@ -271,3 +271,41 @@ def test_a_script_without_a_suffix_is_the_node_that_it_runs(robot):
         ("/talker", "again", False),
     ]
     assert all("/chatter" in topics for topics in topics(system()).values())
+
+
+def test_a_script_without_a_main_guard_runs_again_with_the_parameters_of_a_launch(robot):
+    robot(
+        '<node pkg="robot" exec="speak.py"><param name="topic" value="news"/></node>',
+        **{
+            "setup.py": "from setuptools import setup\nsetup(scripts=['scripts/speak.py'])",
+            "scripts/speak.py": "from robot.talker import main\nmain()\n",
+        },
+    )
+    assert topics(system()) == {"/talker": ["/news", "/talker/state"]}
+
+
+def test_an_entry_point_in_a_folder_that_is_no_python_package(robot):
+    robot(
+        '<node pkg="robot" exec="talker"/>',
+        **{
+            "setup.py": "from setuptools import setup\n"
+            "setup(entry_points={'console_scripts': ['talker = src.robot.speaker:main']})",
+            "src/robot/__init__.py": "",
+            "src/robot/speaker.py": TALKER,
+        },
+    )
+    assert list(topics(system())) == ["/talker"]
+
+
+def test_of_two_packages_with_one_name_the_nearer_one_is_started(robot):
+    texts = {"package.xml": PACKAGE.format(name="robot"), "setup.py": SETUP.format(name="robot")}
+    first = {f"first/{name}": text for name, text in {**texts, "robot/talker.py": TALKER}.items()}
+    second = {f"second/{name}": text for name, text in {**texts, "robot/talker.py": TALKER}.items()}
+    started = '<launch><node pkg="robot" exec="talker"/></launch>'
+    root = robot("", **first, **second, **{f"{one}/launch/it.launch.xml": started for one in ("first", "second")})
+    for name in ("package.xml", "setup.py", "robot/talker.py", "launch/it.launch.xml"):
+        (root / name).unlink()
+    for one in ("first", "second"):
+        request = Request((".",), Settings(), cached=False, jobs=1, launch=f"{one}/launch/it.launch.xml")
+        [node] = graph(request).nodes
+        assert node.blueprint is not None and node.blueprint.place.file == f"{one}/robot/talker.py"

@@ -94,7 +94,7 @@ class Linker:
     def run_all(self, entry_points: list[EntryPoint]) -> list[model.Program]:
         started: dict[str, set[str]] = {}
         for entry in sorted(entry_points, key=lambda e: (e.package or "", e.executable)):
-            module = self._module_of(entry)
+            module = self.module_of(entry)
             if module is not None:
                 started.setdefault(module.file.path, set()).add(entry.function or "")
                 self.started[entry.package, entry.executable] = self.run_entry(entry, module)
@@ -133,7 +133,9 @@ class Linker:
             return None
         return self.index.module(file)
 
-    def _module_of(self, entry: EntryPoint) -> Module | None:
+    def module_of(self, entry: EntryPoint, near: str = "") -> Module | None:
+        """The module that an entry point starts; of packages that share a name, that of the one nearest to the
+        shown path ``near``."""
         if entry.file is not None:
             return self.index.module(entry.file)
         found = [
@@ -141,7 +143,17 @@ class Linker:
             for file in self.files
             if file.module == entry.module and file.package == entry.package and file.kind != "setup_py"
         ]
-        return self.index.module(found[0]) if found else None
+        found = found or self._files_at(entry)
+        if not found:
+            return None
+        return self.index.module(max(found, key=lambda file: len(_common_folder([file.relative, near]))))
+
+    def _files_at(self, entry: EntryPoint) -> list[SourceFile]:
+        """The one file of the package whose path ends like the module's name: a build may move folders."""
+        tail = "/" + entry.module.replace(".", "/") + ".py"
+        files = (file for file in self.files if file.package == entry.package and file.kind != "setup_py")
+        found = [file for file in files if f"/{file.relative}".endswith(tail)]
+        return found if len(found) == 1 else []
 
     def new_run(self, name: str, module: Module, role: str = "main", overrides: dict[str, object] | None = None) -> Run:
         place = Place(module.path, 1, 1, 1, 1)
@@ -157,6 +169,7 @@ class Linker:
         """Run one executable; also used to run it again with parameter overrides."""
         run = self.new_run(entry.executable, module, overrides=overrides)
         run.program.package = entry.package
+        ran_before = module.state != "new"
         with _Program(self, run, module):
             run.import_module(module)
             if entry.function is not None:
@@ -164,8 +177,10 @@ class Linker:
                 if function is not None:
                     run.context.name = entry.function
                     calls.call(run, function, [], {})
-            else:
-                _run_guard(run, module)
+            elif _main_guard(module) is not None:
+                _run_block(run, module, _main_guard(module))
+            elif ran_before:
+                _run_block(run, module, module.facts)
         return run.program
 
     def _dotted(self, run: Run, module: Module, name: str) -> Value | None:
@@ -184,7 +199,7 @@ class Linker:
         run.program.executable = _main_guard(module) is not None
         with _Program(self, run, module):
             run.import_module(module)
-            _run_guard(run, module)
+            _run_block(run, module, _main_guard(module))
         return run.program
 
     # ------------------------------------------------------------------------------------------- the rest
@@ -344,12 +359,12 @@ def _main_guard(module: Module) -> facts.If | None:
     return None
 
 
-def _run_guard(run: Run, module: Module) -> None:
-    guard = _main_guard(module)
-    if guard is None or module.scope is None:
+def _run_block(run: Run, module: Module, block: facts.If | facts.Facts | None) -> None:
+    """Run what stands at the top level of a module: its main guard, or all of it."""
+    if block is None or module.scope is None:
         return
-    run.activations[-1] = Activation(module.name, module, module.scope, guard.body, run.store.depth)
-    run.execute(guard.body)
+    run.activations[-1] = Activation(module.name, module, module.scope, block.body, run.store.depth)
+    run.execute(block.body)
 
 
 def _definitions(body: list[facts.Stmt]) -> list[facts.Function | facts.Class]:

@@ -59,8 +59,10 @@ class LaunchSystems:
         self.entries = {(entry.package, entry.executable): entry for entry in entries}
         self.parameters_of = parameters_of
         self.installs = installs
-        self._programs: dict[tuple[object, ...], Program | None] = dict(linker.started.items())
-        self._modules: dict[tuple[str | None, str], Module | None] = {}
+        self._programs: dict[tuple[object, ...], Program | None] = {
+            (*key, program.file): program for key, program in linker.started.items()
+        }
+        self._modules: dict[tuple[str | None, str, str], Module | None] = {}
 
     def system(self, launched: Launched, closed: bool, dependencies: dict[str, frozenset[str]]) -> System:
         nodes: list[Node] = []
@@ -84,12 +86,13 @@ class LaunchSystems:
     def nodes(self, started: Started, launch_file: str) -> list[Node]:
         """The nodes of one started process."""
         program = self.program(started, {})
-        if program is None or not any(not blueprint.test for blueprint in program.nodes):
+        if program is None or not _has_nodes(program):
             return [_external(started, launch_file)]
         overrides = self._overrides(started, program)
         decisive = _decisive(program, overrides)
         if decisive:
-            program = self.program(started, decisive) or program
+            again = self.program(started, decisive)
+            program = again if again is not None and _has_nodes(again) else program
         rules = _rules(started)
         found = []
         for blueprint in program.nodes:
@@ -131,21 +134,25 @@ class LaunchSystems:
         entry = self.entries.get((package, executable))
         if entry is None:
             return None
-        key = (package, executable, *sorted((name, repr(value)) for name, value in overrides.items()))
+        module = self._module(entry, posixpath.dirname(started.file))
+        if module is None:
+            return None
+        key = (package, executable, module.path, *sorted((name, repr(value)) for name, value in overrides.items()))
         if key not in self._programs:
             if len(self._programs) > RERUNS:
-                return self._programs.get((package, executable))
-            module = self._module(entry)
-            self._programs[key] = (
-                None if module is None else self.linker.run_entry(entry, module, dict(overrides) or None)
-            )
+                return self._programs.get((package, executable, module.path))
+            self._programs[key] = self.linker.run_entry(entry, module, dict(overrides) or None)
         return self._programs[key]
 
-    def _module(self, entry: EntryPoint) -> Module | None:
-        key = (entry.package, entry.executable)
+    def _module(self, entry: EntryPoint, folder: str) -> Module | None:
+        key = (entry.package, entry.executable, folder)
         if key not in self._modules:
-            self._modules[key] = self.linker._module_of(entry)
+            self._modules[key] = self.linker.module_of(entry, f"{folder}/")
         return self._modules[key]
+
+
+def _has_nodes(program: Program) -> bool:
+    return any(not blueprint.test for blueprint in program.nodes)
 
 
 def _decisive(program: Program, overrides: Mapping[str, object]) -> dict[str, object]:
