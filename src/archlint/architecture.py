@@ -5,31 +5,38 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 from fnmatch import fnmatchcase
-from typing import TYPE_CHECKING
 
-from archlint.config_values import one_of, string, strings, table, unknown_key
 from archlint.finding import Place
-from archlint.toml_places import headers, locate
-
-if TYPE_CHECKING:
-    from archlint.config_values import Value
 
 Globs = tuple[str, ...]
 
-FORBID, REQUIRE, INDEPENDENT, TYPES = "forbid", "require", "independent", "types"
-KINDS = (FORBID, REQUIRE, INDEPENDENT, TYPES)
+FORBID, REQUIRE, INDEPENDENT, TYPES, QOS = "forbid", "require", "independent", "types", "qos"
+KINDS = (FORBID, REQUIRE, INDEPENDENT, TYPES, QOS)
 
-_OF_A_PACKAGE = "package:"
+TOPIC, SERVICE, ACTION = "topic", "service", "action"
+CONNECTIONS = (TOPIC, SERVICE, ACTION)
+
+POLICIES: Mapping[str, tuple[str, ...]] = {
+    "history": ("keep_last", "keep_all"),
+    "reliability": ("reliable", "best_effort"),
+    "durability": ("volatile", "transient_local"),
+    "liveliness": ("automatic", "manual_by_topic"),
+}
+"""The policies of a profile that are words, and the words that a contract may ask for."""
+NUMBERS = ("depth", "deadline", "lifespan", "liveliness-lease")
+"""The policies that are numbers: a count of messages, and durations in seconds."""
+
+PACKAGE = "package:"
 
 
 @dataclass(frozen=True)
 class Contract:
-    """One ``[[contracts]]`` entry.  Nodes and topics are globs over full names; ``package:NAME`` stands for the
-    nodes of a package.
+    """One ``[[contracts]]`` entry.  Nodes and names are patterns as :func:`matches` reads them.
 
-    ``forbid`` has ``source`` and ``target``; ``require`` these too, or ``topic`` with ``publisher`` or
-    ``subscriber`` (or both); ``independent`` has ``nodes``, no two of which are connected; ``types`` has
-    ``topic`` and the types that it may have.
+    ``forbid`` has ``source`` and ``target``, and may say over which ``names``; ``require`` these too, or
+    ``names`` with ``provider`` or ``user`` (or both) or with ``through``; ``independent`` has ``nodes``, no two
+    of which are connected; ``types`` has ``names`` and the types that they may have; ``qos`` has ``names``, the
+    ``policies`` that their ends must have, and may say which ends.
     """
 
     name: str
@@ -37,16 +44,36 @@ class Contract:
     place: Place
     source: Globs = ()
     target: Globs = ()
-    topic: Globs = ()
-    publisher: Globs = ()
-    subscriber: Globs = ()
+    connection: str = ""
+    """What ``names`` are: ``topic``, ``service`` or ``action``; empty where the contract has none."""
+    names: Globs = ()
+    provider: Globs = ()
+    """Who publishes or serves."""
+    user: Globs = ()
+    """Who subscribes or calls."""
+    through: Globs = ()
     nodes: Globs = ()
     types: Globs = ()
+    policies: tuple[tuple[str, tuple[str | float, ...]], ...] = ()
+    """Each policy with the values that are allowed."""
+    given: tuple[tuple[str, object], ...] = ()
+    """The keys and values as they are written, ``name`` and ``kind`` first."""
 
-    def as_table(self) -> dict[str, str | Globs]:
-        """The keys and values as the configuration has them."""
-        globs = {key: getattr(self, name) for key, name in _FIELDS.items()}
-        return {"name": self.name, "kind": self.kind, **{key: one for key, one in globs.items() if one}}
+    @property
+    def patterns(self) -> Globs:
+        """Every pattern for a node or a name that it has."""
+        return (
+            *self.source,
+            *self.target,
+            *self.names,
+            *self.provider,
+            *self.user,
+            *self.through,
+            *self.nodes,
+        )
+
+    def as_table(self) -> dict[str, object]:
+        return dict(self.given)
 
 
 @dataclass(frozen=True)
@@ -62,93 +89,23 @@ class Layers:
 
 
 def matches(globs: Globs, name: str, package: str | None = None) -> bool:
-    """Whether a node (of a package) or a topic is meant."""
+    """Whether a node (of a package), or a topic, service or action, is meant.
+
+    ``/left/motor`` is a full name, ``/left/*`` everything in a namespace, however deep; a pattern without a slash
+    in front stands for the end of a name, in any namespace; ``package:NAME`` for the nodes of a package.
+    """
     return any(
-        package is not None and fnmatchcase(package, glob.removeprefix(_OF_A_PACKAGE))
-        if glob.startswith(_OF_A_PACKAGE)
-        else fnmatchcase(name, glob)
+        package is not None and fnmatchcase(package, glob.removeprefix(PACKAGE))
+        if glob.startswith(PACKAGE)
+        else _names(glob, name)
         for glob in globs
     )
 
 
-# ------------------------------------------------------------------------------------------------ reading
+def _names(glob: str, name: str) -> bool:
+    return fnmatchcase(name, glob) or (not glob.startswith("/") and fnmatchcase(name, f"*/{glob}"))
 
 
-def owners(value: Value) -> dict[str, Globs]:
-    return {name: _globs(given) for name, given in table(value).items()}
-
-
-def layers(value: Value) -> Layers:
-    given = table(value)
-    if "order" not in given:
-        raise value.source.error("`layers` needs `order`, the names of the layers from top to bottom", value.path)
-    order = strings(given.pop("order"))
-    for name in order:
-        if name not in given:
-            raise value.source.error(f"`layers` does not say which nodes are in `{name}`", (*value.path, "order"), name)
-    for name, one in given.items():
-        if name not in order:
-            raise value.source.error(unknown_key(name, dict.fromkeys(order), "`order` does not have"), one.path)
-    return Layers(order, {name: _globs(one) for name, one in given.items()})
-
-
-_FIELDS = {
-    "from": "source",
-    "to": "target",
-    "topic": "topic",
-    "publisher": "publisher",
-    "subscriber": "subscriber",
-    "nodes": "nodes",
-    "types": "types",
-}
-_KEYS = {
-    FORBID: (("from", "to"),),
-    REQUIRE: (("from", "to"), ("topic", "publisher"), ("topic", "subscriber"), ("topic", "publisher", "subscriber")),
-    INDEPENDENT: (("nodes",),),
-    TYPES: (("topic", "types"),),
-}
-"""The sets of keys that a contract of each kind may have beside ``name`` and ``kind``."""
-
-
-def contracts(value: Value) -> tuple[Contract, ...]:
-    if not isinstance(value.value, list) or not all(isinstance(one, dict) for one in value.value):
-        raise value.wrong("a list of tables, each headed by [[contracts]]")
-    return tuple(_contract(value, at) for at in range(len(value.value)))
-
-
-def _contract(value: Value, at: int) -> Contract:
-    from archlint.config_values import Value as Given
-
-    place = _place(value, at)
-    fields = {key: Given(one, (*value.path, key), value.source) for key, one in value.value[at].items()}
-
-    def fault(message: str) -> Exception:
-        return value.source.error_at(message, place.line, place.column, place.end_column)
-
-    for key in fields:
-        if key not in ("name", "kind", *_FIELDS):
-            known = dict.fromkeys(("name", "kind", *_FIELDS))
-            raise fault(unknown_key(key, known, "unknown key of a contract"))
-    for key in ("name", "kind"):
-        if key not in fields:
-            raise fault(f"this contract has no `{key}`")
-    kind = one_of(KINDS)(fields["kind"])
-    given = {key for key in fields if key in _FIELDS}
-    if given not in [set(keys) for keys in _KEYS[kind]]:
-        wanted = "; or ".join(" and ".join(f"`{key}`" for key in keys) for keys in _KEYS[kind])
-        raise fault(f"a contract of kind `{kind}` has {wanted}")
-    globs = {_FIELDS[key]: _globs(fields[key]) for key in given}
-    return Contract(string(fields["name"]), kind, place, **globs)
-
-
-def _globs(value: Value) -> Globs:
-    return (value.value,) if isinstance(value.value, str) else strings(value)
-
-
-def _place(value: Value, at: int) -> Place:
-    """Where a contract stands in its file: its header, or the key of an inline list."""
-    path = value.source.table + value.path
-    found = headers(value.source.text, path)
-    span = found[at] if at < len(found) else locate(value.source.text, path)
-    line, column, end = span or (1, 1, 1)
-    return Place(value.source.shown, line, column, line, end)
+def any_node(globs: Globs) -> bool:
+    """Whether patterns stand for no node in particular: one is enough then, where else each is meant."""
+    return any(glob in ("*", "/*", "**", "/**") for glob in globs)

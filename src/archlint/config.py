@@ -15,12 +15,13 @@ from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from archlint import architecture
+from archlint import architecture_config
 from archlint import config_values as read
 from archlint.config_values import ConfigurationError, Glob, Source, Value
 from archlint.selection import Layer, Selection, resolve
 
 if TYPE_CHECKING:
+    from archlint.architecture import Contract, Layers
     from archlint.checks.registry import OptionValue
     from archlint.finding import Severity
 
@@ -53,8 +54,8 @@ class Settings:
     shared_topics: tuple[str, ...] = ()
     cache_dir: str | None = None
     owners: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
-    contracts: tuple[architecture.Contract, ...] = ()
-    layers_of_nodes: architecture.Layers | None = None
+    contracts: tuple[Contract, ...] = ()
+    node_layers: Layers | None = None
     rules: Mapping[str, Mapping[str, OptionValue]] = field(default_factory=dict)
     origins: Mapping[str, str] = field(default_factory=dict)
     file: str | None = None
@@ -79,7 +80,7 @@ class Settings:
 KEYS: dict[str, Callable[[Value], object]] = {
     "cache-dir": read.folder,
     "closed-world": read.boolean,
-    "contracts": architecture.contracts,
+    "contracts": architecture_config.contracts,
     "distro": read.one_of(DISTROS),
     "exclude": read.globs,
     "extend": read.string,
@@ -87,8 +88,8 @@ KEYS: dict[str, Callable[[Value], object]] = {
     "external": read.strings,
     "ignore": read.selectors,
     "launch": read.globs,
-    "layers": architecture.layers,
-    "owners": architecture.owners,
+    "layers": architecture_config.layers,
+    "owners": architecture_config.owners,
     "per-file-ignores": read.ignores_by_glob,
     "per-package-ignores": read.ignores_by_name,
     "rules": read.rule_options,
@@ -99,7 +100,7 @@ KEYS: dict[str, Callable[[Value], object]] = {
 """Every key and how its value is read.  A new key is a row here and a field of :class:`Settings`."""
 
 _OF_A_LAYER = ("select", "extend-select", "ignore")
-_FIELDS = {"layers": "layers_of_nodes"}
+_FIELDS = {"layers": "node_layers"}
 """Keys that are called otherwise in :class:`Settings`, whose ``layers`` are those of configuration."""
 
 

@@ -77,9 +77,12 @@ class Source:
         except ValueError:
             return self.path.as_posix()
 
-    def error(self, message: str, path: KeyPath = (), element: str | None = None) -> ConfigurationError:
-        """An error about a key, or about a string in its value, with the line in a frame."""
-        place = locate(self.text, self.table + path, element) if path else None
+    def error(
+        self, message: str, path: KeyPath = (), element: str | None = None, after: int = 0
+    ) -> ConfigurationError:
+        """An error about a key (the first one after a line), or about a string in its value, with the line in a
+        frame."""
+        place = locate(self.text, self.table + path, element, after) if path else None
         return self.error_at(message, *place) if place else ConfigurationError(message, self.shown)
 
     def error_at(self, message: str, line: int, column: int, end: int) -> ConfigurationError:
@@ -102,15 +105,18 @@ class Value:
     value: Any
     path: KeyPath
     source: Source
+    after: int = 0
+    """The line of the header that it stands under, where several tables have the same path."""
 
     @property
     def base(self) -> str:
         return self.source.path.parent.as_posix()
 
     def wrong(self, wanted: str) -> ConfigurationError:
-        return self.source.error(
-            f"`{'.'.join(self.path)}` must be {wanted}, not {_kind(self.value)}", self.path
-        )
+        return self.error(f"`{'.'.join(self.path)}` must be {wanted}, not {_kind(self.value)}")
+
+    def error(self, message: str) -> ConfigurationError:
+        return self.source.error(message, self.path, after=self.after)
 
     def at(self, key: str) -> Value:
         return Value(self.value[key], (*self.path, key), self.source)
@@ -142,9 +148,9 @@ def boolean(value: Value) -> bool:
     return value.value
 
 
-def strings(value: Value) -> tuple[str, ...]:
+def strings(value: Value, wanted: str = "a list of strings") -> tuple[str, ...]:
     if not isinstance(value.value, list) or not all(isinstance(text, str) for text in value.value):
-        raise value.wrong("a list of strings")
+        raise value.wrong(wanted)
     return tuple(value.value)
 
 
@@ -170,10 +176,9 @@ def one_of(words: tuple[str, ...]) -> Callable[[Value], str]:
     def read(value: Value) -> str:
         if value.value not in words:
             near = get_close_matches(str(value.value), words, 1)
-            raise value.source.error(
+            raise value.error(
                 f"`{'.'.join(value.path)}` must be one of {', '.join(words)}"
-                + (f"; did you mean {near[0]}?" if near else ""),
-                value.path,
+                + (f"; did you mean {near[0]}?" if near else "")
             )
         return str(value.value)
 

@@ -137,12 +137,30 @@ def _systems(request: Request, workspace: Workspace, facts: FactsOfFiles) -> lis
         linker,
         entries,
         loader,
-        World(installs, {package.name: package for package in workspace.packages}, loader=loader),
+        World(
+            installs,
+            {package.name: package for package in workspace.packages},
+            loader=loader,
+            partial=_partial(request, workspace),
+        ),
         closed=request.settings.closed_world,
         chosen=request.launch,
         arguments=dict(request.launch_arguments),
         configured=request.settings.launch,
     )
+
+
+def _partial(request: Request, workspace: Workspace) -> bool:
+    """Whether every path is a file, or (in) a package, below the folder that the configuration is for."""
+    if request.settings.file is None:
+        return False
+    base = Path(request.settings.file).parent.resolve()
+    roots = {Path(package.root).resolve() for package in workspace.packages}
+    for path in (Path(path).resolve() for path in request.paths):
+        part = path if path.is_file() else next((root for root in (path, *path.parents) if root in roots), None)
+        if part is None or part == base or part in base.parents:
+            return False
+    return True
 
 
 def _asked_for(system: System, workspace: Workspace) -> System:
@@ -181,7 +199,7 @@ def _judged(request: Request, workspace: Workspace, facts: FactsOfFiles) -> Judg
     )
     refused = [suppressions.refusal(file, suppression) for file, suppression in outcome.refused]
     notices = loader.notices() if loader is not None else []
-    return Judged(findings, summary, [*refused, *notices])
+    return Judged(findings, summary, [*refused, *notices, *_idle(request.settings, systems)])
 
 
 # --- judging
@@ -197,6 +215,17 @@ def _rules(settings: Settings, systems: Sequence[System]) -> Iterator[Finding]:
         if system.launched is not None and len(systems) > 1:
             codes = [code for code in codes if depends_on_system(code)]
         yield from judge_alternatives(system, options_for(settings, codes))
+
+
+def _idle(settings: Settings, systems: Sequence[System]) -> list[str]:
+    """Parts of the declared architecture that no system has, so that nothing was held against them."""
+    from archlint.checks.registry import options_for
+
+    if not (settings.contracts or settings.owners or settings.node_layers):
+        return []
+    from archlint.checks.idle_contracts import idle_patterns
+
+    return list(dict.fromkeys(idle_patterns(systems, options_for(settings, ["ARC003"])["ARC003"])))
 
 
 def _ran(request: Request, systems: Sequence[System]) -> frozenset[str]:

@@ -28,10 +28,15 @@ class _Entry:
     """Lines of the value: number, column offset, text."""
 
 
-def locate(text: str, path: KeyPath, element: str | None = None) -> TextSpan | None:
-    """The place of a key or table, or of the string ``element`` in its value; None where it is not found."""
+def locate(text: str, path: KeyPath, element: str | None = None, after: int = 0) -> TextSpan | None:
+    """The place of a key or table, or of the string ``element`` in its value; None where it is not found.
+
+    Of several the first one counts that stands on line ``after`` or below.
+    """
     prefixes = []
     for entry in _entries(text):
+        if entry.line < after:
+            continue
         if entry.path == path or (entry.path[: len(path)] == path and not entry.value):
             return _inside(entry, element) or (entry.line, *entry.columns)
         if entry.value and path[: len(entry.path)] == entry.path:

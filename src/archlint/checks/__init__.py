@@ -27,6 +27,7 @@ MODULES: tuple[str, ...] = (
     "near_misses",
     "published",
     "qos",
+    "required",
     "unmatched",
 )
 """The modules of this package that register rules; a new theme is a new row."""

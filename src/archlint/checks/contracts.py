@@ -1,94 +1,41 @@
-"""OWN003 and ARC001 to ARC003: the system against the architecture that the configuration declares."""
+"""OWN003, ARC001 and ARC002: what the system has, against the architecture that the configuration declares."""
 
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass
 from fnmatch import fnmatchcase
 from typing import TYPE_CHECKING
 
-from archlint.architecture import FORBID, INDEPENDENT, REQUIRE, TYPES, Contract, Globs, matches
+from archlint.architecture import FORBID, INDEPENDENT, QOS, TYPES, Contract, Globs, matches
 from archlint.checks.conflicts import in_source_order
+from archlint.checks.links import Link, by_source, connections, counts, is_meant, links, named
 from archlint.checks.registry import Options, finding, rule
 from archlint.finding import Finding, Related
-from archlint.program.model import PUBLISHER, SUBSCRIBER
-from archlint.system.model import exclusive
+from archlint.program.model import PUBLISHER
+from archlint.system.qos import allowed
 
 if TYPE_CHECKING:
-    from archlint.system.model import Connection, Endpoint, Node, System
-
-_DOES = {
-    "topic": ("publishes", "subscribes to it"),
-    "service": ("calls", "serves it"),
-    "action": ("calls", "serves it"),
-}
-
-
-@dataclass(frozen=True)
-class Link:
-    """A connection in the direction of the data or the request: from ``source`` to ``target``."""
-
-    connection: Connection
-    source: Endpoint
-    target: Endpoint
-
-    def words(self) -> str:
-        does, answers = _DOES[self.connection.kind]
-        kind = "" if self.connection.kind == "topic" else f"the {self.connection.kind} "
-        return f"{self.source.node.name} {does} {kind}'{self.connection.name}' and {self.target.node.name} {answers}"
-
-
-def links(system: System) -> Iterator[Link]:
-    """Every connection of two nodes of the system that can run together."""
-    for connection in (*system.topics.values(), *system.services.values(), *system.actions.values()):
-        topic = connection.kind == "topic"
-        sources = connection.providers if topic else connection.users
-        targets = connection.users if topic else connection.providers
-        for source in in_source_order(end for end in sources if _counts(end)):
-            for target in in_source_order(end for end in targets if _counts(end)):
-                if source.node is not target.node and _meet(system, source, target):
-                    yield Link(connection, source, target)
-
-
-def _counts(end: Endpoint) -> bool:
-    return end.node.name is not None and not end.node.test and not end.creation.destroyed
-
-
-def _meet(system: System, one: Endpoint, other: Endpoint) -> bool:
-    return (
-        not exclusive(one.node.alternatives, other.node.alternatives)
-        and not exclusive(one.creation.arms, other.creation.arms)
-        and one.node.name != other.node.name
-        and _judged_here(system, one.node, other.node)
-    )
-
-
-def _judged_here(system: System, one: Node, other: Node) -> bool:
-    """False in the system of all nodes where a launch file's own system has the two under their final names."""
-    return system.name is not None or system.together(one, other) or not system.apart
-
-
-# ---------------------------------------------------------------------------------------------- the rules
+    from archlint.system.model import Connection, Endpoint, System
 
 
 @rule("OWN003")
 def not_the_declared_owner(system: System, options: Options) -> Iterator[Finding]:
     """Publishers and servers of names that the configuration gives to another node."""
-    for connection in (*system.topics.values(), *system.services.values(), *system.actions.values()):
-        declared = [name for name in options.owners if fnmatchcase(connection.name, name)]
-        # The more specific declaration counts: the name itself before a glob.
+    for connection in connections(system):
+        declared = [name for name in options.owners if matches((name,), connection.name)]
+        # The more specific declaration counts: the name itself before a pattern.
         declared.sort(key=lambda name: (name != connection.name, -len(name), name))
         if not declared:
             continue
         owners = options.owners[declared[0]]
-        for end in in_source_order(end for end in connection.providers if _counts(end)):
-            if not _is(owners, end.node):
+        for end in in_source_order(end for end in connection.providers if counts(end)):
+            if not is_meant(owners, end.node):
                 yield _not_the_owner(connection, end, owners)
 
 
 def _not_the_owner(connection: Connection, end: Endpoint, owners: Globs) -> Finding:
     does = "publishes" if end.kind == PUBLISHER else "serves"
-    others = [other for other in connection.providers if _counts(other) and _is(owners, other.node)]
+    others = [other for other in connection.providers if counts(other) and is_meant(owners, other.node)]
     return finding(
         "OWN003",
         end.place,
@@ -108,30 +55,26 @@ def forbidden_connection(system: System, options: Options) -> Iterator[Finding]:
     """Connections that a contract rules out, one finding for each end and contract."""
     for contract in options.contracts:
         if contract.kind == FORBID:
-            chosen = [one for one in links(system) if _goes(contract.source, contract.target, one)]
+            chosen = [one for one in links(system, contract.source, contract.target) if one.goes(contract)]
             yield from _broken(contract, chosen)
         elif contract.kind == INDEPENDENT:
-            yield from _broken(contract, [one for one in links(system) if _ties(contract.nodes, one)])
+            groups = [(glob,) for glob in contract.nodes]
+            yield from _broken(contract, [one for one in links(system, *groups) if _ties(groups, one)])
         elif contract.kind == TYPES:
             yield from _other_types(system, contract)
+        elif contract.kind == QOS:
+            yield from _other_qos(system, contract)
 
 
-def _goes(source: Globs, target: Globs, link: Link) -> bool:
-    return _is(source, link.source.node) and _is(target, link.target.node)
-
-
-def _ties(groups: Globs, link: Link) -> bool:
+def _ties(groups: Iterable[Globs], link: Link) -> bool:
     """Whether a connection leads from one of the groups into another."""
-    mine = {glob for glob in groups if _is((glob,), link.source.node)}
-    yours = {glob for glob in groups if _is((glob,), link.target.node)}
+    mine = {globs for globs in groups if is_meant(globs, link.source.node)}
+    yours = {globs for globs in groups if is_meant(globs, link.target.node)}
     return bool(mine) and bool(yours) and mine.isdisjoint(yours)
 
 
 def _broken(contract: Contract, chosen: Iterable[Link]) -> Iterator[Finding]:
-    by_source: dict[int, list[Link]] = {}
-    for link in chosen:
-        by_source.setdefault(id(link.source), []).append(link)
-    for found in by_source.values():
+    for found in by_source(chosen):
         source = found[0].source
         yield finding(
             "ARC001",
@@ -148,22 +91,75 @@ def _broken(contract: Contract, chosen: Iterable[Link]) -> Iterator[Finding]:
 
 
 def _other_types(system: System, contract: Contract) -> Iterator[Finding]:
-    for topic in system.topics.values():
-        if not matches(contract.topic, topic.name):
-            continue
-        for end in in_source_order((*topic.providers, *topic.users)):
-            if end.type is None or not _counts(end) or any(fnmatchcase(end.type, glob) for glob in contract.types):
+    for connection in named(system, contract):
+        for end in in_source_order((*connection.providers, *connection.users)):
+            if end.type is None or not counts(end) or any(fnmatchcase(end.type, glob) for glob in contract.types):
                 continue
-            yield finding(
-                "ARC001",
-                end.place,
-                f"{end.node.name} uses '{topic.name}' as {end.type}; the contract '{contract.name}' allows "
-                f"{' or '.join(contract.types)}",
-                help="use the type that the contract allows, or change the contract",
-                related=[Related(contract.place, "the contract is here")],
-                node=end.node.name,
-                identity=(contract.name, topic.name, end.node.name or ""),
+            yield _differs(
+                contract,
+                connection,
+                end,
+                f"uses '{connection.name}' as {end.type}",
+                " or ".join(contract.types),
+                "use the type that the contract allows, or change the contract",
             )
+
+
+def _other_qos(system: System, contract: Contract) -> Iterator[Finding]:
+    for topic in named(system, contract):
+        for end in in_source_order((*topic.providers, *topic.users)):
+            if end.qos is None or not counts(end) or not _is_an_end_of(contract, end):
+                continue
+            if end.qos.overridable or end.qos.parameter is not None:
+                continue
+            for policy, values in contract.policies:
+                if allowed(end.qos, policy.replace("-", "_"), values) is False:
+                    yield _wrong_policy(contract, topic, end, policy, values)
+
+
+def _is_an_end_of(contract: Contract, end: Endpoint) -> bool:
+    """Whether a contract about QoS asks for this end: for all of them where it names no node."""
+    if not contract.provider and not contract.user:
+        return True
+    return is_meant(contract.provider if end.kind == PUBLISHER else contract.user, end.node)
+
+
+def _wrong_policy(
+    contract: Contract, topic: Connection, end: Endpoint, policy: str, values: tuple[str | float, ...]
+) -> Finding:
+    does = "publishes" if end.kind == PUBLISHER else "subscribes to"
+    given = getattr(end.qos, policy.replace("-", "_"))
+    unit = "" if isinstance(given, str) or policy == "depth" else " s"
+    words = f"no {policy}" if given is None else f"{policy} {given}{unit}"
+    return _differs(
+        contract,
+        topic,
+        end,
+        f"{does} '{topic.name}' with {words}",
+        " or ".join(str(value) + unit for value in values) if given is not None else f"{policy} {values[0]} s",
+        f"set the {policy} that the contract allows, or change the contract",
+        (policy,),
+    )
+
+
+def _differs(
+    contract: Contract,
+    connection: Connection,
+    end: Endpoint,
+    does: str,
+    wanted: str,
+    help: str,
+    more: tuple[str, ...] = (),
+) -> Finding:
+    return finding(
+        "ARC001",
+        end.place,
+        f"{end.node.name} {does}; the contract '{contract.name}' allows {wanted}",
+        help=help,
+        related=[Related(contract.place, "the contract is here")],
+        node=end.node.name,
+        identity=(contract.name, connection.name, end.node.name or "", *more),
+    )
 
 
 @rule("ARC002")
@@ -172,13 +168,13 @@ def layer_violation(system: System, options: Options) -> Iterator[Finding]:
     layers = options.layers
     if layers is None:
         return
-    by_source: dict[int, list[Link]] = {}
-    for link in links(system):
+    skipping = []
+    for link in links(system, *(layers.members[name] for name in layers.order)):
         mine = layers.of(link.source.node.name or "", link.source.node.package)
         yours = layers.of(link.target.node.name or "", link.target.node.package)
         if mine and yours and all(abs(here - there) > 1 for here in mine for there in yours):
-            by_source.setdefault(id(link.source), []).append(link)
-    for found in by_source.values():
+            skipping.append(link)
+    for found in by_source(skipping):
         source, target = found[0].source, found[0].target
         high = layers.order[layers.of(source.node.name or "", source.node.package)[0]]
         low = layers.order[layers.of(target.node.name or "", target.node.package)[0]]
@@ -191,77 +187,3 @@ def layer_violation(system: System, options: Options) -> Iterator[Finding]:
             node=source.node.name,
             identity=(high, low, source.name or "", source.node.name or ""),
         )
-
-
-@rule("ARC003")
-def missing_connection(system: System, options: Options) -> Iterator[Finding]:
-    """Contracts whose connection is not there."""
-    for contract in options.contracts:
-        if contract.kind != REQUIRE or not _concerned(system, contract):
-            continue
-        missing = _missing_link(system, contract) if contract.source else _missing_end(system, contract)
-        if missing is not None:
-            yield finding(
-                "ARC003",
-                contract.place,
-                f"{missing}, which the contract '{contract.name}' requires",
-                help="make the connection, or change the contract",
-                identity=(contract.name,),
-            )
-
-
-def _concerned(system: System, contract: Contract) -> bool:
-    """Whether a contract is to be held against this system: it has a node or topic of each name in it; the
-    system of all nodes is asked where no launch file starts them."""
-    if system.name is not None:
-        return _has_all(system, contract)
-    others = [] if system.world is None else system.world.systems
-    return not any(other.name is not None and _has_all(other, contract) for other in others)
-
-
-def _has_all(system: System, contract: Contract) -> bool:
-    wanted = (contract.source, contract.target, contract.publisher, contract.subscriber)
-    return all(any(_is(globs, node) for node in system.nodes) for globs in wanted if globs) and (
-        not contract.topic or any(matches(contract.topic, name) for name in system.topics)
-    )
-
-
-def _missing_link(system: System, contract: Contract) -> str | None:
-    """What is missing between nodes, in words: each ``from`` is to be connected to some ``to``."""
-    source, target = " or ".join(contract.source), " or ".join(contract.target)
-    starts = [node for node in system.nodes if _is(contract.source, node)]
-    reached = {id(link.source.node) for link in links(system) if _goes(contract.source, contract.target, link)}
-    if not starts:
-        return f"there is no node {source} to connect to {target}"
-    lost = [node for node in starts if id(node) not in reached and _followed(node)]
-    if not lost or not all(_followed(node) for node in system.nodes if _is(contract.target, node)):
-        return None
-    return f"nothing goes from {lost[0].name} to {target}"
-
-
-def _missing_end(system: System, contract: Contract) -> str | None:
-    topics = [topic for name, topic in system.topics.items() if matches(contract.topic, name)]
-    for globs, kind, does in (
-        (contract.publisher, PUBLISHER, "publish"),
-        (contract.subscriber, SUBSCRIBER, "subscribe to"),
-    ):
-        if not globs:
-            continue
-        name = " or ".join(contract.topic)
-        nodes = [node for node in system.nodes if _is(globs, node)]
-        if not nodes:
-            return f"there is no node {' or '.join(globs)} to {does} {name}"
-        there = {id(end.node) for topic in topics for end in (*topic.providers, *topic.users) if end.kind == kind}
-        lost = [node for node in nodes if id(node) not in there and _followed(node, kind)]
-        if lost:
-            return f"{lost[0].name} does not {does} {name}"
-    return None
-
-
-def _followed(node: Node, kind: str | None = None) -> bool:
-    """Whether everything that a node has is known, so that what is missing is missing."""
-    return not node.external and all(end.resolved for end in node.endpoints if kind in (None, end.kind))
-
-
-def _is(globs: Globs, node: Node) -> bool:
-    return node.name is not None and not node.test and matches(globs, node.name, node.package)

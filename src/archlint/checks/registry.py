@@ -157,7 +157,7 @@ def options_for(settings: Settings, codes: Iterable[str]) -> dict[str, Options]:
             external=settings.external,
             owners=settings.owners,
             contracts=settings.contracts,
-            layers=settings.layers_of_nodes,
+            layers=settings.node_layers,
             own={**checks[code].defaults, **settings.rules.get(code, {})},
         )
         for code in codes

@@ -63,8 +63,8 @@ def _architecture(settings: Settings) -> Iterator[tuple[str, object]]:
         yield "owners", settings.owners
     if settings.contracts:
         yield "contracts", [contract.as_table() for contract in settings.contracts]
-    if settings.layers_of_nodes is not None:
-        yield "layers", {"order": settings.layers_of_nodes.order, **settings.layers_of_nodes.members}
+    if settings.node_layers is not None:
+        yield "layers", {"order": settings.node_layers.order, **settings.node_layers.members}
 
 
 def _toml(value: object) -> str:

@@ -80,6 +80,7 @@ _RULES = (
 _UNDECIDED = ("system_default", "unknown")
 """What the middleware decides."""
 _DURATIONS = ("deadline", "liveliness_lease")
+_TIMES = (*_DURATIONS, "lifespan")
 
 
 def compatible(offered: Qos, requested: Qos) -> list[Verdict]:
@@ -122,3 +123,20 @@ def _duration_verdict(policy: str, offered: Qos, requested: Qos) -> Verdict | No
     if not request or (offer and request >= offer):
         return None
     return Verdict(policy, "error", offer, request)
+
+
+def allowed(qos: Qos, policy: str, values: tuple[str | float, ...]) -> bool | None:
+    """Whether a policy of a profile has one of the values; None where only the middleware or run time knows.
+
+    Durations are in seconds; one that is not set, or 0, is no bound at all.
+    """
+    if policy in qos.unknown_durations:
+        return None
+    given: str | float | None = getattr(qos, policy)
+    if policy in _TIMES:
+        return (given or 0) in values
+    if given is None or given in (*_UNDECIDED, "best_available"):
+        return None
+    if policy == "depth" and qos.history != "keep_last":
+        return None
+    return given in values

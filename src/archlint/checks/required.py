@@ -1,0 +1,171 @@
+"""ARC003: connections that a contract requires and the system does not have."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from archlint.architecture import REQUIRE, Contract, Globs, any_node
+from archlint.checks.conflicts import in_source_order
+from archlint.checks.links import Link, counts, has, is_meant, is_named, launched, links, named
+from archlint.checks.registry import Options, finding, rule
+from archlint.finding import Finding, Related
+from archlint.program.model import ACTION_CLIENT, ACTION_SERVER, CLIENT, PUBLISHER, SERVICE, SUBSCRIBER
+
+if TYPE_CHECKING:
+    from archlint.system.model import Connection, Endpoint, Node, System
+
+_ENDS = {
+    "topic": ((PUBLISHER, "publish"), (SUBSCRIBER, "subscribe to")),
+    "service": ((SERVICE, "serve"), (CLIENT, "call")),
+    "action": ((ACTION_SERVER, "serve"), (ACTION_CLIENT, "call")),
+}
+"""By kind of connection: the two kinds of ends, the provider's first, and what a node does there."""
+
+
+@rule("ARC003")
+def missing_connection(system: System, options: Options) -> Iterator[Finding]:
+    """Contracts whose connection is not there."""
+    for contract in options.contracts:
+        if contract.kind != REQUIRE or not is_concerned(system, contract):
+            continue
+        outside = any(options.is_external(glob) for glob in contract.patterns)
+        if contract.through:
+            yield from _around(system, contract, outside)
+        elif not outside:
+            missing = _missing_link(system, contract) if contract.source else _missing_end(system, contract)
+            if missing is not None:
+                yield _finding(contract, f"{missing}, which the contract '{contract.name}' requires")
+
+
+def _finding(contract: Contract, message: str, *related: Related, identity: tuple[str, ...] = ()) -> Finding:
+    return finding(
+        "ARC003",
+        contract.place,
+        message,
+        help="make the connection, or change the contract; a node that is not in this workspace belongs under "
+        "`external`",
+        related=related,
+        identity=(contract.name, *identity),
+    )
+
+
+# ------------------------------------------------------------------------------ which systems a contract is about
+
+
+def is_concerned(system: System, contract: Contract) -> bool:
+    """Whether a contract is held against this system.
+
+    One of a launch file may be a part of the robot, and is held to the contract if it has the nodes of each group;
+    a closed one, which is all there is, as soon as it has one of them.  The system of all nodes is asked where no
+    launch file is, and must have them too where it is only a part of what the configuration is for.
+    """
+    if system.name is not None or (system.world is not None and system.world.partial):
+        return _has_nodes(system, contract)
+    return not any(_has_nodes(other, contract) for other in launched(system))
+
+
+def _has_nodes(system: System, contract: Contract) -> bool:
+    groups = [one for one in (contract.source, contract.target, contract.provider, contract.user) if one]
+    special = [globs for globs in groups if not any_node(globs)]
+    if contract.through:
+        return bool(named(system, contract)) and (system.closed or has(system, contract.through))
+    if not special:
+        return bool(named(system, contract))
+    there = [has(system, globs) for globs in special]
+    return any(there) or bool(named(system, contract)) if system.closed else all(there)
+
+
+# ------------------------------------------------------------------------------------------------ what is missing
+
+
+def _missing_link(system: System, contract: Contract) -> str | None:
+    """What is missing between nodes, in words: each ``from`` is to be connected to some ``to``."""
+    source, target = " or ".join(contract.source), " or ".join(contract.target)
+    starts = [node for node in system.nodes if is_meant(contract.source, node)]
+    found = links(system, contract.source, contract.target)
+    reached = {id(link.source.node) for link in found if link.goes(contract)}
+    if not starts:
+        return f"there is no node {source} to connect to {target}"
+    lost = [node for node in starts if id(node) not in reached and _followed(node)]
+    if not lost or not all(_followed(node) for node in system.nodes if is_meant(contract.target, node)):
+        return None
+    over = f" over {' or '.join(contract.names)}" if contract.names else ""
+    return f"nothing goes from {_listed(lost)} to {target}{over}"
+
+
+def _missing_end(system: System, contract: Contract) -> str | None:
+    """What is missing at a topic, service or action, in words: each node that is meant is to be at one that is
+    meant, and each of these is to have such a node."""
+    for globs, (kind, does) in zip((contract.provider, contract.user), _ENDS[contract.connection], strict=True):
+        if globs:
+            missing = _end_of_no_node(system, contract, globs, kind, does)
+            if missing is not None:
+                return missing
+    return None
+
+
+def _end_of_no_node(system: System, contract: Contract, globs: Globs, kind: str, does: str) -> str | None:
+    name = " or ".join(contract.names)
+    there = named(system, contract)
+    nodes = [node for node in system.nodes if is_meant(globs, node)]
+    if not any_node(globs):
+        if not nodes:
+            return f"there is no node {' or '.join(globs)} to {does} {name}"
+        doing = {id(end.node) for one in there for end in _ends(one, kind)}
+        lost = [node for node in nodes if id(node) not in doing and _followed(node, kind)]
+        if lost:
+            return f"{_listed(lost)} {'does' if len(lost) == 1 else 'do'} not {does} {name}"
+    if not all(_followed(node, kind) for node in nodes):
+        return None
+    if not there:
+        return f"no node is there to {does} {name}"
+    bare = [one for one in there if not any(is_meant(globs, end.node) for end in _ends(one, kind))]
+    return f"no node {' or '.join(globs)} is there to {does} {bare[0].name}" if bare else None
+
+
+def _listed(nodes: list[Node]) -> str:
+    names = sorted({node.name or "" for node in nodes})
+    return names[0] if len(names) == 1 else f"{', '.join(names[:-1])} and {names[-1]}"
+
+
+def _ends(connection: Connection, kind: str) -> list[Endpoint]:
+    return [end for end in (*connection.providers, *connection.users) if end.kind == kind and counts(end)]
+
+
+def _around(system: System, contract: Contract, outside: bool) -> Iterator[Finding]:
+    """Publishers of a topic whose messages reach somebody else than the node that they must pass, or nobody.
+
+    ``outside`` is True where that node is not in this workspace, and nobody can tell what it listens to.
+    """
+    found = [link for link in links(system, contract.through) if is_named(contract, link.connection)]
+    passing = {id(link.source) for link in found if is_meant(contract.through, link.target.node)}
+    for topic in named(system, contract):
+        for end in in_source_order(end for end in topic.providers if counts(end)):
+            if is_meant(contract.through, end.node):
+                continue
+            past = [one for one in found if one.source is end and not is_meant(contract.through, one.target.node)]
+            if past or not (outside or id(end) in passing or not _all_followed(system, contract.through)):
+                yield _passes_by(contract, topic, end, past)
+
+
+def _passes_by(contract: Contract, topic: Connection, end: Endpoint, past: list[Link]) -> Finding:
+    through = " or ".join(contract.through)
+    reaches = f"and {past[0].target.node.name} gets it" if past else "and nobody takes it there"
+    return _finding(
+        contract,
+        f"{end.node.name} publishes '{topic.name}' {reaches} without passing {through}, which the contract "
+        f"'{contract.name}' requires",
+        Related(end.place, f"{end.node.name} publishes it here"),
+        *(Related(link.target.place, f"{link.target.node.name} gets it here") for link in past),
+        identity=(topic.name, end.node.name or ""),
+    )
+
+
+def _all_followed(system: System, globs: Globs) -> bool:
+    return all(_followed(node, SUBSCRIBER) for node in system.nodes if is_meant(globs, node))
+
+
+def _followed(node: Node, kind: str | None = None) -> bool:
+    """Whether everything that a node has is known, so that what is missing is missing."""
+    return not node.external and all(end.resolved for end in node.endpoints if kind in (None, end.kind))
