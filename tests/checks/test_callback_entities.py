@@ -131,6 +131,18 @@ class TestSpinning:
         assert codes(run(source(setup, self.TICK, ON_ONE_THREAD))) == ["CBG002"]
         assert codes(run(source(setup, self.TICK, ON_SEVERAL_THREADS))) == []
 
+    def test_several_groups_of_one_node_are_one_finding(self, run: Run):
+        setup = (
+            "self.create_timer(5.0, self.tick, callback_group=ReentrantCallbackGroup())\n"
+            "self.create_timer(6.0, self.tick, callback_group=MutuallyExclusiveCallbackGroup())"
+        )
+
+        [finding] = run(source(setup, self.TICK, ON_ONE_THREAD))
+
+        assert finding.message.startswith("2 callback groups in a node that one thread spins")
+        assert finding.related[0].message == "a mutually exclusive group is made here"
+        assert finding.related[0].place.line == finding.place.line + 1
+
 
 class TestPolling:
     CLIENT = "self.client = self.create_client(Trigger, 'level')\n"

@@ -15,7 +15,7 @@ from archlint.program.model import ACTION_SERVER, SERVICE, SUBSCRIBER, TIMER
 from archlint.workspace.test_code import is_test_file
 
 if TYPE_CHECKING:
-    from archlint.program.model import Blueprint, Creation, Group, Program
+    from archlint.program.model import Blueprint, Creation, Program
     from archlint.system.model import System
 
 _SERVED = {SUBSCRIBER: "subscription", SERVICE: "service", TIMER: "timer", ACTION_SERVER: "action server"}
@@ -93,32 +93,39 @@ def groups_without_threads(system: System, options: Options) -> Iterator[Finding
         if call.api.endswith(".await") and runs_in_executor(call.context)
     }
     yield from one_for_each_place(
-        _useless(system, program, node, group, place)
+        _useless(system, program, node, groups)
         for program, node in _judged(system)
         if threads_of(node, program) == blocking.ONE and node.place not in threaded and id(node) not in awaiting
-        for group, place in _groups(node)
+        for groups in [_groups(node)]
+        if groups
     )
 
 
-def _groups(node: Blueprint) -> Iterator[tuple[Group, Place]]:
-    """The groups that something of a node is put into, each once."""
-    seen: set[str] = set()
-    for creation in node.creations:
-        group = creation.group
-        made_here = group.kind in ("mutually_exclusive", "reentrant") and group.key is not None
-        if made_here and group.place is not None and group.key not in seen and not is_test_file(group.place.file):
-            seen.add(group.key or "")
-            yield group, group.place
+def _groups(node: Blueprint) -> list[tuple[Place, str]]:
+    """The groups that something of a node is put into: where each is made, the node's own file first, and its
+    kind in words."""
+    found = {
+        group.place: group.kind.replace("_", " ")
+        for group in (creation.group for creation in node.creations)
+        if group.kind in ("mutually_exclusive", "reentrant") and group.key is not None
+        if group.place is not None and not is_test_file(group.place.file)
+    }
+    return sorted(found.items(), key=lambda one: (one[0].file != node.place.file, one[0]))
 
 
-def _useless(system: System, program: Program, node: Blueprint, group: Group, place: Place) -> Finding:
-    kind = group.kind.replace("_", " ")
+def _useless(system: System, program: Program, node: Blueprint, groups: list[tuple[Place, str]]) -> Finding:
+    """One finding a node: it is the executor that is wrong, or all of its groups."""
+    (place, kind), *others = groups
+    what = f"{len(groups)} callback groups" if others else f"a {kind} callback group"
     return finding(
         "CBG002",
         place,
-        f"a {kind} callback group in a node that one thread spins: nothing runs at the same time there",
-        help="spin the node with a MultiThreadedExecutor, or leave the group out",
-        related=list(related_executor(node, program)),
+        f"{what} in a node that one thread spins: nothing runs at the same time there",
+        help=f"spin the node with a MultiThreadedExecutor, or leave the group{'s' if others else ''} out",
+        related=[
+            *(Related(other, f"a {kind} group is made here") for other, kind in others),
+            *related_executor(node, program),
+        ],
         node=node_name(system, node),
-        identity=(node.class_name, group.kind),
+        identity=(node.class_name,),
     )
