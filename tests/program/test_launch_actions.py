@@ -366,3 +366,36 @@ def test_yaml_that_a_launch_file_loads_itself(launches):
     assert names(launched) == ["quick"]
     assert parameters(launched.started[0]) == {"mode": "fast", "n": 2}
     assert not launched.started[0].arms
+
+
+def test_a_list_that_may_have_fewer_items_has_no_others(launches):
+    before = """\
+sides = ['left', 'right']
+if has_an_arm():
+    sides.append('hand')
+nodes = []
+for side in sides:
+    nodes.append(ComposableNode(package='p', plugin='P', name='camera_' + side))
+"""
+    launched = launches.python("[LoadComposableNodes(composable_node_descriptions=nodes, target_container='c')]", before)
+    assert names(launched) == ["camera_left", "camera_right", "camera_hand"]
+    assert not launched.gaps
+
+
+@pytest.mark.parametrize(
+    ("condition", "expected"),
+    [
+        ("IfCondition(LaunchConfiguration('mock', default='true'))", ["mock"]),
+        ("UnlessCondition(LaunchConfiguration('mock', default='true'))", ["real"]),
+        ("LaunchConfigurationEquals('mock', 'true')", ["real"]),
+        ("IfCondition(EnvironmentVariable('MOCK'))", ["mock", "real"]),
+    ],
+)
+def test_a_condition_that_code_evaluates(launches, condition, expected):
+    before = f"""\
+def setup(context):
+    if {condition}.evaluate(context):
+        return [{node("mock")}]
+    return [{node("real")}]
+"""
+    assert names(launches.python("[OpaqueFunction(function=setup)]", before)) == expected

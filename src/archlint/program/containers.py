@@ -31,9 +31,11 @@ if TYPE_CHECKING:
 ITEM_LIMIT = 4096
 
 
-def new_list(run: Run, values: Sequence[Value], kind: str = "list", open_: bool = False) -> ListValue:
+def new_list(
+    run: Run, values: Sequence[Value], kind: str = "list", open_: bool = False, whole: bool = False
+) -> ListValue:
     made = ListValue(run.store.new_key(), kind)
-    run.store.set(made.key, "#items", Items(tuple(values), open_))
+    run.store.set(made.key, "#items", Items(tuple(values), open_, whole))
     return made
 
 
@@ -89,7 +91,8 @@ def iterate(run: Run, value: Value) -> Items | None:
         for row in known:
             union.extend(item for item in row.values if item not in union)
         same = len(known) == len(rows) and all(row == known[0] for row in known)
-        return Items(tuple(union), not same or known[0].open)
+        whole = len(known) == len(rows) and all(row.whole for row in known)
+        return Items(tuple(union), not same or known[0].open, whole)
     return None
 
 

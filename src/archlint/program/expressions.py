@@ -124,18 +124,20 @@ def _yield(run: Run, e: facts.Yield) -> Value:
 
 def _sequence(run: Run, e: facts.Sequence) -> Value:
     values: list[Value] = []
-    open_ = False
+    open_, whole = False, True
     for element in e.elements:
         if isinstance(element, facts.Starred):
             items = iterate(run, run.evaluate(element.value))
             if items is None:
-                open_ = True
+                open_, whole = True, False
             else:
                 values.extend(items.values)
-                open_ = open_ or items.open
+                open_, whole = open_ or items.open, whole and items.whole
         else:
             values.append(run.evaluate(element))
-    return new_list(run, values[:ITEM_LIMIT], e.kind, open_ or len(values) > ITEM_LIMIT)
+    if len(values) > ITEM_LIMIT:
+        open_, whole = True, False
+    return new_list(run, values[:ITEM_LIMIT], e.kind, open_, whole)
 
 
 def _mapping(run: Run, e: facts.Mapping) -> Value:
@@ -169,12 +171,12 @@ def _comprehension(run: Run, e: facts.Comprehension) -> Value:
     kept, activation.scope = activation.scope, scope
     activation.scopes.append(scope.key)
     rows: list[tuple[Value, Value]] = []
-    open_ = False
+    open_, whole = False, True
 
     def walk(depth: int) -> None:
-        nonlocal open_
+        nonlocal open_, whole
         if len(rows) > ITEM_LIMIT:
-            open_ = True
+            open_, whole = True, False
             return
         if depth == len(e.generators):
             value = NONE if e.value is None else run.evaluate(e.value)
@@ -185,11 +187,12 @@ def _comprehension(run: Run, e: facts.Comprehension) -> Value:
         items = iterate(run, iterable)
         values: Sequence[Value]
         if items is None or len(items.values) > ITEM_LIMIT:
-            open_ = True
+            open_, whole = True, False
             why = reason(iterable)
             values = (Unknown("what the loop runs over is not known" if why.startswith("the value") else why),)
         else:
             open_ = open_ or items.open
+            whole = whole and items.whole
             values = items.values
         for item in values:
             assign(run, generator.target, item)
@@ -211,7 +214,7 @@ def _comprehension(run: Run, e: facts.Comprehension) -> Value:
             open_ = open_ or at is None
             entries[at if at is not None else ("#unknown", len(entries))] = (key, value)
         return new_dict(run, entries, open_)
-    return new_list(run, [element for element, _ in rows], "set" if e.kind == "set" else "list", open_)
+    return new_list(run, [element for element, _ in rows], "set" if e.kind == "set" else "list", open_, whole)
 
 
 def _slice_bounds(run: Run, index: facts.Slice) -> slice | None:

@@ -80,7 +80,9 @@ def _binary_one(run: Run, op: str, left: Value, right: Value, span: facts.Span) 
         return percent_format(run, left, right, span)
     if op == "+" and isinstance(left, ListValue) and isinstance(right, ListValue):
         one, other = items_of(run, left), items_of(run, right)
-        return new_list(run, (one.values + other.values)[:ITEM_LIMIT], left.kind, one.open or other.open)
+        values = one.values + other.values
+        whole = one.whole and other.whole and len(values) <= ITEM_LIMIT
+        return new_list(run, values[:ITEM_LIMIT], left.kind, one.open or other.open, whole)
     if op == "|" and isinstance(left, DictValue) and isinstance(right, DictValue):
         first, second = entries_of(run, left), entries_of(run, right)
         return new_dict(run, {**first.entries, **second.entries}, first.open or second.open)

@@ -162,7 +162,7 @@ def _loop_of_unknown(run: Run, s: facts.For, iterable: Value, items: Items | Non
                 assign(run, s.target, item)
                 run.execute(s.body)
             run.store.merge([taken[0], {}])
-        if any(isinstance(item, Unknown) for item in items.values):
+        if items.whole or any(isinstance(item, Unknown) for item in items.values):
             return None
     from archlint.program.values import reason
 

@@ -132,19 +132,25 @@ def _join(found: Sequence[object]) -> object:
 
 
 class Items:
-    """Items of a list; ``open`` where there may be more than are known."""
+    """Items of a list; ``open`` where which of them there are is not known: there may be more, or, if it is
+    ``whole``, fewer, but no others."""
 
-    __slots__ = ("open", "values")
+    __slots__ = ("open", "values", "whole")
 
-    def __init__(self, values: tuple[Value, ...], open_: bool = False) -> None:
+    def __init__(self, values: tuple[Value, ...], open_: bool = False, whole: bool = False) -> None:
         self.values = values
         self.open = open_
+        self.whole = whole or not open_
 
     def __eq__(self, other: object) -> bool:
-        return isinstance(other, Items) and self.values == other.values and self.open == other.open
+        return isinstance(other, Items) and self._all == other._all
 
     def __hash__(self) -> int:
-        return hash((self.values, self.open))
+        return hash(self._all)
+
+    @property
+    def _all(self) -> tuple[object, ...]:
+        return (self.values, self.open, self.whole)
 
 
 class Entries:
@@ -165,13 +171,14 @@ class Entries:
 def join_items(found: Sequence[Items]) -> Items:
     """A list that is one of several: known where all agree in length, else the union, open."""
     first = found[0]
+    whole = all(items.whole for items in found)
     if all(len(items.values) == len(first.values) for items in found):
         columns = zip(*(items.values for items in found), strict=True)
-        return Items(tuple(one_of(column) for column in columns), any(items.open for items in found))
+        return Items(tuple(one_of(column) for column in columns), any(items.open for items in found), whole)
     union: list[Value] = []
     for items in found:
         union.extend(value for value in items.values if value not in union)
-    return Items(tuple(union), True)
+    return Items(tuple(union), True, whole)
 
 
 def join_entries(found: Sequence[Entries]) -> Entries:

@@ -220,17 +220,19 @@ def _list_method(run: Run, target: ListValue, name: str, args: Arguments, keywor
 
     items = containers.items_of(run, target)
 
-    def put(values: tuple[Value, ...], open_: bool) -> None:
+    def put(values: tuple[Value, ...], open_: bool, whole: bool = False) -> None:
         full = len(values) > containers.ITEM_LIMIT
-        run.store.set(target.key, "#items", Items(values[: containers.ITEM_LIMIT], open_ or full))
+        kept = Items(values[: containers.ITEM_LIMIT], open_ or full, whole and not full)
+        run.store.set(target.key, "#items", kept)
 
     if name in ("append", "add") and args:
         if not (name == "add" and args[0] in items.values):
-            put((*items.values, args[0]), items.open)
+            put((*items.values, args[0]), items.open, items.whole)
         return NONE
     if name in ("extend", "update") and args:
         more = containers.iterate(run, args[0])
-        put((*items.values, *(more.values if more else ())), items.open or more is None or more.open)
+        whole = items.whole and more is not None and more.whole
+        put((*items.values, *(more.values if more else ())), items.open or more is None or more.open, whole)
         return NONE
     if name == "insert" and len(args) == 2:
         at = args[0].value if isinstance(args[0], Known) and isinstance(args[0].value, int) else None

@@ -84,7 +84,7 @@ def visit_items(run: LaunchRun, items: Items) -> None:
     for value in items.values:
         visit(run, value)
     branches = any(isinstance(v, Instance) and run.store.get(v.key, "#arms") for v in items.values)
-    if items.open and not branches and not any(isinstance(v, Unknown) for v in items.values):
+    if not items.whole and not branches and not any(isinstance(v, Unknown) for v in items.values):
         run.gap("a list of actions that is not wholly known")
 
 

@@ -21,6 +21,8 @@ from archlint.program.values import (
     reason,
 )
 
+CONDITIONS = ("IfCondition", "UnlessCondition", "LaunchConfigurationEquals", "LaunchConfigurationNotEquals")
+
 if TYPE_CHECKING:
     from archlint.program.api.effects import ApiUse
     from archlint.program.run import Run
@@ -111,6 +113,17 @@ def _find(run: Run, receiver: Value, args: list[Value], keywords: dict[str, Valu
     return one_of(package_share(str(row.value)) if isinstance(row, Known) else Unknown(reason(row)) for row in rows)
 
 
+def _evaluate(run: Run, receiver: Value, args: list[Value], keywords: dict[str, Value], e: facts.Call | None) -> Value:
+    """``IfCondition(…).evaluate(context)``."""
+    from archlint.program.launch import conditions
+    from archlint.program.launch.run import LaunchRun
+
+    verdict = conditions.judge(run, receiver) if isinstance(run, LaunchRun) else None
+    if verdict is None or verdict.holds is None:
+        return Unknown("a condition that the launch arguments do not decide")
+    return Known(verdict.holds)
+
+
 METHODS = {
     "launch.LaunchDescription.add_action": _add,
     "launch.LaunchDescription.add_entity": _add,
@@ -118,6 +131,7 @@ METHODS = {
     "launch.FindPackageShare.find": _find,
     "launch.FindPackagePrefix.find": _find,
     **{f"launch.{name}.perform": _perform for name in SUBSTITUTIONS},
+    **{f"launch.{name}.evaluate": _evaluate for name in CONDITIONS},
 }
 
 

@@ -109,7 +109,7 @@ class LaunchRun(Run):
         from archlint.program import containers
 
         items = containers.iterate(self, value)
-        return items is None or items.open
+        return items is None or not items.whole
 
     def places_of(self, entity: Instance) -> dict[str, Place]:
         found = self.store.get(entity.key, "#places")
