@@ -7,13 +7,15 @@ import pytest
 from archlint.checks.near_misses import nearly_equal
 from archlint.checks.registry import judge, options_for
 from archlint.config import Settings
-from archlint.finding import Finding
+from archlint.finding import Finding, Place
+from archlint.program.launch.model import FileReference, Gap, Included, Launched, Started
 from archlint.program.model import Qos
-from archlint.system.model import System
+from archlint.system.model import Node, System
 from system.builders import (
     action_client,
     action_server,
     client,
+    exact,
     node,
     partial,
     publisher,
@@ -174,3 +176,97 @@ def test_the_one_bad_publisher_of_three_is_named():
 )
 def test_a_profile_against_itself(qos: Qos, wrong: bool):
     assert bool(findings(system(node("/a", publisher("said", qos=qos))), "QOS004")) is wrong
+
+
+# --- what must be in sight before anybody is missed
+
+PLACE = Place("launch/robot.launch.py", 5, 1, 5, 20)
+
+
+def launched(*nodes: Node, **parts: object) -> System:
+    """A closed system that a launch file starts; ``parts`` are what that file holds besides the nodes."""
+    made = system(*nodes, name=PLACE.file, closed=True)
+    made.launched = Launched(PLACE.file, "robot", **parts)  # type: ignore[arg-type]
+    return made
+
+
+def process(dormant: bool = False) -> Started:
+    """``ros2 topic pub /heard …``, which no reader of its words would take for a node."""
+    words = ["topic", "pub", "/heard"]
+    return Started("process", unknown(), exact("ros2"), PLACE, PLACE.file, arguments=words, dormant=dormant)
+
+
+def include(source: str | None) -> Included:
+    found = FileReference("launch", "camera.launch.py", source, "installed" if source else "external", "camera", PLACE)
+    return Included(found, (), PLACE, PLACE.file)
+
+
+@pytest.mark.parametrize(
+    ("parts", "told"),
+    [
+        ({}, True),
+        ({"started": [process()]}, False),
+        ({"started": [process(dormant=True)]}, True),
+        ({"included": [include(None)]}, False),
+        ({"included": [include("launch/camera.launch.py")]}, True),
+        ({"gaps": [Gap("a file that is read at run time", PLACE)]}, False),
+    ],
+)
+def test_nobody_is_missed_while_somebody_is_out_of_sight(parts: dict[str, object], told: bool):
+    found = launched(
+        node("/a", publisher("said"), subscriber("heard"), client("asked"), action_client("sent")), **parts
+    )
+    assert bool(findings(found, *LONELY)) is told
+
+
+def test_a_node_without_its_source_may_be_anybodys_partner():
+    camera = Node("/camera", None, "camera", "camera_node", "unknown", external=True)
+    assert findings(launched(node("/a", publisher("said"), subscriber("heard")), camera), *LONELY, "GRF001") == []
+
+
+def test_a_library_may_do_what_it_likes_with_a_node_that_it_is_given():
+    given = node("/a", subscriber("heard"))
+    assert given.blueprint is not None
+    given.blueprint.handed_out = True
+    assert findings(system(given, closed=True), "TOP003") == []
+
+
+def test_tools_show_markers():
+    markers = publisher("shapes", "visualization_msgs/msg/MarkerArray")
+    assert findings(system(node("/a", markers), closed=True), "TOP002") == []
+
+
+def test_a_name_is_proposed_where_a_slip_of_the_pen_explains_it():
+    offered = service("/robot/set_speed")
+    [slip] = findings(system(node("/a", client("/robot/set_sped")), node("/b", offered), closed=True), "SRV001")
+    assert slip.message.endswith("did you mean '/robot/set_speed'?")
+    [other] = findings(system(node("/a", client("/robot/get_speed")), node("/b", offered), closed=True), "SRV001")
+    assert "did you mean" not in other.message
+
+
+# --- the shape of what is in sight
+
+
+def chain(middle: Node) -> list[Node]:
+    """Two nodes on each side of another one."""
+    return [
+        node("/mission", publisher("goals"), subscriber("done")),
+        node("/planner", subscriber("goals"), publisher("plans")),
+        middle,
+        node("/control", subscriber("commands"), publisher("effort")),
+        node("/motor", subscriber("effort"), publisher("done")),
+    ]
+
+
+def test_the_one_node_that_holds_two_parts_together():
+    nodes = chain(node("/bridge", subscriber("plans"), publisher("commands")))
+    nodes[0] = node("/mission", publisher("goals"))
+    nodes[4] = node("/motor", subscriber("effort"))
+    assert [one.node for one in findings(system(*nodes), "GRF004")] == ["/bridge"]
+    unseen = Node("/camera", None, "camera", "camera_node", "unknown", external=True)
+    assert findings(system(*nodes, unseen), "GRF004") == []  # it may tie the parts, too
+    assert findings(system(*nodes, node("/x", subscriber(unknown()))), "GRF004") == []
+
+
+def test_a_second_way_is_enough():
+    assert findings(system(*chain(node("/bridge", subscriber("plans"), publisher("commands")))), "GRF004") == []

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from archlint.checks.registry import Options, finding, rule
-from archlint.checks.unmatched import whole
+from archlint.checks.unmatched import in_sight, whole
 from archlint.finding import Finding, Related
 from archlint.program.model import SUBSCRIBER
 from archlint.system.rates import rates
@@ -22,8 +22,9 @@ def isolated_node(system: System, options: Options) -> Iterator[Finding]:
     if not whole(system) or any(not end.resolved for end in system.endpoints):
         return
     tied = connected(system)
-    for node in system.nodes:
-        if len(system.nodes) > 1 and id(node) not in tied and _judged(node):
+    judged = [node for node in system.nodes if _judged(node)]
+    for node in judged:
+        if len(judged) > 1 and id(node) not in tied:
             yield _finding(
                 "GRF001",
                 node,
@@ -78,7 +79,9 @@ def _rate_of(system: System, end: Endpoint, known: dict[int, float]) -> float:
 @rule("GRF004")
 def single_point_of_failure(system: System, options: Options) -> Iterator[Finding]:
     """Nodes without which the rest falls into parts of two nodes and more."""
-    for node, parts in splits(system) if _runs(system) else ():
+    # Somebody unseen, or under a name that is not known, may tie the parts.
+    known = in_sight(system) and all(end.resolved for end in system.endpoints)
+    for node, parts in splits(system) if known and _runs(system) else ():
         if not _judged(node):
             continue
         names = ["{" + ", ".join(sorted(one.name or "?" for one in part)[:4]) + "}" for part in parts]

@@ -7,8 +7,8 @@ from fnmatch import fnmatchcase
 from typing import TYPE_CHECKING
 
 from archlint.checks.conflicts import certain, in_source_order, named_by_library
-from archlint.checks.near import did_you_mean
-from archlint.checks.ownership import SHARED_BY_DESIGN
+from archlint.checks.near_misses import nearly_equal
+from archlint.checks.ownership import SHARED_BY_DESIGN, TYPES_SHARED_BY_DESIGN
 from archlint.checks.registry import Options, finding, rule
 from archlint.finding import Finding, Related
 from archlint.program.model import (
@@ -22,7 +22,7 @@ from archlint.program.model import (
 from archlint.system.implicit import implicit_names
 
 if TYPE_CHECKING:
-    from archlint.system.model import Connection, Endpoint, System
+    from archlint.system.model import Connection, Endpoint, Node, System
 
 _FOR_TOOLS = (*SHARED_BY_DESIGN, "/robot_description")
 """Topics that tools such as RViz and the diagnostics aggregator listen to."""
@@ -40,7 +40,7 @@ _PARTNER = {
 def topic_without_subscriber(system: System, options: Options) -> Iterator[Finding]:
     """Topics of a closed system that are published and that nobody subscribes to."""
     for end in _lonely(system, options, system.topics, PUBLISHER):
-        if end.name not in _FOR_TOOLS:
+        if end.name not in _FOR_TOOLS and end.type not in TYPES_SHARED_BY_DESIGN:
             yield _finding(
                 "TOP002",
                 system,
@@ -108,14 +108,34 @@ def _lonely(system: System, options: Options, connections: Mapping[str, Connecti
 
 
 def whole(system: System) -> bool:
-    """Whether the system is closed, no node's endpoints are out of sight, and it is no part of another one."""
-    if not system.closed or any(node.external for node in system.nodes):
+    """Whether the system is closed, all of it is in sight, and it is no part of another one."""
+    if not system.closed or not in_sight(system):
         return False
     others = [] if system.world is None else [one for one in system.world.systems if one.launched is not None]
     if system.launched is None:
         return not others  # what runs is what the launch files start
     included = {i.reference.source for one in others if one.launched is not None for i in one.launched.included}
-    return system.launched.file not in included and not system.launched.gaps
+    return system.launched.file not in included
+
+
+def in_sight(system: System) -> bool:
+    """Whether the source of everything that runs is here, so that nobody unseen publishes, listens or serves: no
+    node and no included launch file of another workspace, no plain process (``ros2 topic pub``, a simulator), and
+    no node in the hands of a library."""
+    if any(node.external or not _seen(node) for node in system.nodes):
+        return False
+    launched = system.launched
+    if launched is None:
+        return True
+    processes = any(started.kind == "process" and not started.dormant for started in launched.started)
+    elsewhere = any(include.reference.source is None and not include.dormant for include in launched.included)
+    return not (processes or elsewhere or launched.gaps)
+
+
+def _seen(node: Node) -> bool:
+    """Whether a node's endpoints are those that its own code creates, and all of that code was followed."""
+    followed = node.program is None or not node.program.exhausted
+    return followed and not any(blueprint.handed_out or not blueprint.complete for blueprint in node.blueprints)
 
 
 def _may_meet(end: Endpoint, other: Endpoint) -> bool:
@@ -125,19 +145,24 @@ def _may_meet(end: Endpoint, other: Endpoint) -> bool:
 
 
 def _finding(code: str, system: System, end: Endpoint, message: str, help: str) -> Finding:
-    partners = {
-        other.name: other
-        for other in system.endpoints
-        if other.kind == _PARTNER[end.kind] and other.resolved and other.type in (end.type, None)
-    }
-    near = did_you_mean(end.name or "", [name for name in partners if name is not None])
-    other = next((partner for name, partner in partners.items() if near and f"'{name}'" in near), None)
+    other = _nearest(system, end)
     return finding(
         code,
         end.place,
-        message + near,
+        message + (f"; did you mean '{other.name}'?" if other is not None else ""),
         help=help,
         related=[Related(other.place, f"{other.node.name} has this one")] if other is not None else (),
         node=end.node.name,
         identity=(end.kind, end.name or ""),
     )
+
+
+def _nearest(system: System, end: Endpoint) -> Endpoint | None:
+    """A possible partner whose name differs by a slip of the pen."""
+    partners = [
+        other
+        for other in system.endpoints
+        if other.kind == _PARTNER[end.kind] and other.resolved and other.type in (end.type, None)
+    ]
+    near = [other for other in partners if nearly_equal(other.name or "", end.name or "")]
+    return min(near, key=lambda other: (other.name or "", other.place), default=None)
