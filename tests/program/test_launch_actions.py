@@ -377,7 +377,8 @@ nodes = []
 for side in sides:
     nodes.append(ComposableNode(package='p', plugin='P', name='camera_' + side))
 """
-    launched = launches.python("[LoadComposableNodes(composable_node_descriptions=nodes, target_container='c')]", before)
+    loads = "[LoadComposableNodes(composable_node_descriptions=nodes, target_container='c')]"
+    launched = launches.python(loads, before)
     assert names(launched) == ["camera_left", "camera_right", "camera_hand"]
     assert not launched.gaps
 

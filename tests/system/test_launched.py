@@ -309,3 +309,26 @@ def test_of_two_packages_with_one_name_the_nearer_one_is_started(robot):
         request = Request((".",), Settings(), cached=False, jobs=1, launch=f"{one}/launch/it.launch.xml")
         [node] = graph(request).nodes
         assert node.blueprint is not None and node.blueprint.place.file == f"{one}/robot/talker.py"
+
+
+HANDED_OUT = TALKER.replace("import rclpy\n", "import rclpy\nimport somewhere.process as process\n")
+
+
+@pytest.mark.parametrize(
+    "main",
+    ["process.spin(Talker)", "process.run(args, node=Talker)", "process.Runner().go(Talker)"],
+)
+def test_a_class_that_is_given_to_code_from_elsewhere_is_the_node(robot, main):
+    talker = HANDED_OUT.replace("    rclpy.init()\n    rclpy.spin(Talker())\n", f"    {main}\n")
+    talker = talker.replace("main()", "main(args=None)")
+    robot('<node pkg="robot" exec="talker" name="t"/>', **{"robot/talker.py": talker})
+    [node] = system().nodes
+    assert (node.name, node.external, node.executor) == ("/t", False, "unknown")
+    assert [endpoint.name for endpoint in node.endpoints] == ["/chatter", "/t/state"]
+
+
+def test_of_several_classes_that_are_given_away_none_is_guessed(robot):
+    talker = HANDED_OUT.replace("    rclpy.init()\n    rclpy.spin(Talker())\n", "    process.spin(Talker, Other)\n")
+    robot('<node pkg="robot" exec="talker"/>', **{"robot/talker.py": talker + "\n\nclass Other(Talker):\n    pass\n"})
+    [node] = system().nodes
+    assert node.blueprint is None

@@ -15,6 +15,7 @@ from archlint.finding import Place
 from archlint.program import model
 from archlint.program.store import Layer, Store
 from archlint.program.values import (
+    ClassValue,
     FunctionValue,
     Instance,
     Known,
@@ -123,6 +124,8 @@ class Run:
         self.blueprints: dict[int, model.Blueprint] = {}
         self.nodes: dict[str, model.Blueprint] = {}
         self.instances: dict[int, Instance] = {}
+        self.handed_out: dict[int, ClassValue] = {}
+        """Node classes that the entry point gives to code that is not here."""
         self.pending: list[Pending] = []
         self.started: list[Pending] = []
         """Callbacks that ran, in their order."""

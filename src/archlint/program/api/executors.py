@@ -72,7 +72,7 @@ def settle(program: model.Program) -> None:
         uses = [use for use in uses if use.steady] or uses
         kinds = {"single_threaded" if use.kind == "events" else use.kind for use in uses}
         if not kinds:
-            node.executor = "unknown" if astray else "none"
+            node.executor = "unknown" if astray or node.handed_out else "none"
         elif len(kinds) == 1:
             node.executor = kinds.pop()
         else:

@@ -88,11 +88,18 @@ def known_node(run: Run, value: Value | None) -> model.Blueprint | None:
 
 
 def hand_out(run: Run, values: Iterable[Value]) -> None:
-    """Note that nodes are given to code that we do not see."""
+    """Note that nodes, or the classes of some, are given to code that we do not see."""
     for value in values:
         node = known_node(run, value)
         if node is not None:
             node.handed_out = True
+        elif isinstance(value, ClassValue) and run.context.role == "main" and _may_be_node_class(value):
+            run.handed_out.setdefault(id(value), value)
+
+
+def _may_be_node_class(cls: ClassValue) -> bool:
+    """Whether a class derives from rclpy's Node, or from something elsewhere that is called one."""
+    return is_node_class(cls) or any(path.endswith("Node") for path in cls.external_bases())
 
 
 def node_key(run: Run, value: Value | None) -> int:
