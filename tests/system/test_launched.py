@@ -7,6 +7,7 @@ from pathlib import Path
 import pytest
 
 from archlint.config import Settings
+from archlint.render.json import document
 from archlint.session import Request, check, graph
 from archlint.system.overrides import key_matches
 from program.launching import PACKAGE, SETUP
@@ -330,5 +331,7 @@ def test_a_class_that_is_given_to_code_from_elsewhere_is_the_node(robot, main):
 def test_of_several_classes_that_are_given_away_none_is_guessed(robot):
     talker = HANDED_OUT.replace("    rclpy.init()\n    rclpy.spin(Talker())\n", "    process.spin(Talker, Other)\n")
     robot('<node pkg="robot" exec="talker"/>', **{"robot/talker.py": talker + "\n\nclass Other(Talker):\n    pass\n"})
-    [node] = system().nodes
-    assert node.blueprint is None
+    made = system()
+    [node] = document(made)["nodes"]
+    assert (node["class"], node["external"], node["complete"]) == (None, False, False)
+    assert [row["reason"] for row in document(made)["unresolved"]] == ["no node was found in the code it starts"]

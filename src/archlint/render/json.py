@@ -66,11 +66,11 @@ def _node(node: Node) -> dict[str, Any]:
         "lifecycle": blueprint.lifecycle if blueprint else False,
         "executor": node.executor,
         "launched_by": node.launched_by,
-        "external": node.external,
+        "external": node.external and node.unfollowed is None,
         "condition": node.condition,
         "remappings": _remappings(node),
         "test": node.test,
-        "complete": all(b.complete for b in node.blueprints),
+        "complete": node.unfollowed is None and all(b.complete for b in node.blueprints),
         "error": node.error,
         **lists,
         "timers": [_timer(timer) for timer in node.timers],
@@ -191,6 +191,9 @@ def unresolved(system: System) -> list[dict[str, Any]]:
     """
     found: dict[tuple[str, int, int, str, str], None] = {}
     for node in system.nodes:
+        place = node.launch_place
+        if node.unfollowed is not None and place is not None:
+            found[_file(place.file), place.line, place.column, "node", node.unfollowed] = None
         for endpoint in node.endpoints:
             if endpoint.resolution == "unknown":
                 place = endpoint.place

@@ -8,6 +8,7 @@ from functools import partial
 from archlint.program import model as program
 from archlint.program.model import Creation, ParameterDeclaration
 from archlint.render import json, look
+from archlint.system.externals import remapped_names
 from archlint.system.model import Connection, Endpoint, Node, System
 from archlint.visible import visible
 
@@ -65,7 +66,8 @@ def _nodes(system: System, paint: Paint) -> Iterator[str]:
 def _heading(node: Node) -> Iterator[Cell]:
     yield (node.name, "node") if node.name else ("name not known", "alarm")
     if node.blueprint is None:
-        yield f"{node.package}/{node.executable}, not in this workspace", "quiet"
+        where = "not followed" if node.unfollowed else "not in this workspace"
+        yield f"{node.package}/{node.executable}, {where}", "quiet"
         yield look.condition_words(node), "quiet"
         return
     place = node.blueprint.place
@@ -79,6 +81,8 @@ def _heading(node: Node) -> Iterator[Cell]:
 
 
 def _rows(node: Node) -> Iterator[Sequence[Cell]]:
+    if node.external:
+        yield from ([("remaps", "plain"), (old, "name"), (f"to {new}", "plain")] for old, new in remapped_names(node))
     for kind, verb in _VERBS.items():
         yield from (_endpoint_row(endpoint, verb) for endpoint in node.of_kind(kind))
     yield from map(_timer_row, node.timers)

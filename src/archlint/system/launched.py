@@ -87,7 +87,7 @@ class LaunchSystems:
         """The nodes of one started process."""
         program = self.program(started, {})
         if program is None or not _has_nodes(program):
-            return [_external(started, launch_file)]
+            return [_external(started, launch_file, self._why_unfollowed(started, program))]
         overrides = self._overrides(started, program)
         decisive = _decisive(program, overrides)
         if decisive:
@@ -115,6 +115,12 @@ class LaunchSystems:
             _forget_unknown_remaps(node, started)
             found.append(node)
         return found
+
+    def _why_unfollowed(self, started: Started, program: Program | None) -> str | None:
+        """Why an executable of this workspace has no node; None for one that is not here."""
+        if (started.package.text or "", started.executable.text or "") not in self.entries:
+            return None
+        return "the file that it starts is not here" if program is None else "no node was found in the code it starts"
 
     def _overrides(self, started: Started, program: Program) -> dict[str, object]:
         """What is set for any node of the process.  Nodes of one process that are set differently share the
@@ -234,8 +240,8 @@ def _unknown(endpoint: Endpoint) -> Endpoint:
     return replace(endpoint, name=None, resolution="unknown", reason=reason)
 
 
-def _external(started: Started, launch_file: str) -> Node:
-    """A node whose source is not here, with what the launch file says of its name."""
+def _external(started: Started, launch_file: str, unfollowed: str | None) -> Node:
+    """A node whose source is not here or of no use, with what the launch file says of its name."""
     name = started.name.text if started.name is not None and _known(started.name) else None
     namespace: str | None = "/"
     if started.namespace is not None:
@@ -249,6 +255,7 @@ def _external(started: Started, launch_file: str) -> Node:
         executor="unknown",
         launched_by=launch_file,
         external=True,
+        unfollowed=unfollowed,
         alternatives=started.arms,
         started=started,
         launch_place=started.place,

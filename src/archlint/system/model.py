@@ -75,7 +75,8 @@ class Endpoint:
 class Node:
     """A node of a system.  ``name`` is its fully qualified name, None where unknown.
 
-    ``external`` nodes are started by a launch file but their source is not in this workspace.
+    Of ``external`` nodes only the launch file that starts them is known: their source is not in this workspace, or
+    ``unfollowed`` says why it was of no use.
     """
 
     name: str | None
@@ -85,6 +86,7 @@ class Node:
     executor: str
     launched_by: str | None = None
     external: bool = False
+    unfollowed: str | None = None
     endpoints: list[Endpoint] = field(default_factory=list)
     alternatives: frozenset[tuple[str, int]] = frozenset()
     """Branches of launch files that this node depends on (as ``Creation.arms``)."""
