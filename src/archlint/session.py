@@ -221,7 +221,8 @@ def _idle(settings: Settings, systems: Sequence[System]) -> list[str]:
     """Parts of the declared architecture that no system has, so that nothing was held against them."""
     from archlint.checks.registry import options_for
 
-    if not (settings.contracts or settings.owners or settings.node_layers):
+    judged = {"ARC001", "ARC002", "ARC003", "OWN003"} & set(settings.selection.codes)
+    if not judged or not (settings.contracts or settings.owners or settings.node_layers):
         return []
     from archlint.checks.idle_contracts import idle_patterns
 

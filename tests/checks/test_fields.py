@@ -8,6 +8,7 @@ NODE = """
     import rclpy
     from geometry_msgs.msg import PoseStamped, Twist
     from nav2_msgs.action import Spin
+    from nav_msgs.msg import Path
     from rclpy.action import ActionClient
     from rclpy.node import Node
     from sensor_msgs.msg import BatteryState, LaserScan
@@ -20,6 +21,7 @@ NODE = """
             self.latest = None
             self.create_subscription(LaserScan, 'scan', self.on_scan, 10)
             self.create_subscription(BatteryState, 'battery', self.on_battery, 10)
+            self.create_subscription(Path, 'path', self.on_path, 10)
             self.client = self.create_client(SetBool, 'enable')
             self.spin = ActionClient(self, Spin, 'spin')
 
@@ -29,6 +31,12 @@ NODE = """
 
         def on_battery(self, battery):
             {on_battery}
+
+        def on_path(self, path):
+            {on_path}
+
+        def smooth(self, poses):
+            return unheard_of(poses)
 
         def on_done(self, future):
             {on_done}
@@ -48,7 +56,14 @@ NODE = """
     if __name__ == '__main__':
         main()
 """
-PLACES = ("on_scan", "on_battery", "on_done", "on_feedback", "helper")
+PLACES = ("on_scan", "on_battery", "on_path", "on_done", "on_feedback", "helper")
+
+
+HERE = "  # here"
+
+
+def loop(head: str, read: str) -> str:
+    return f"for {head}:\n                print({read})"
 
 
 def node(**lines: str) -> str:
@@ -69,6 +84,25 @@ def node(**lines: str) -> str:
         {"on_scan": "self.spin.send_goal_async(Spin.Goal(), feedback_callback=self.on_feedback)",
          "on_feedback": "print(message.feedback.angle)  # here"},
         {"on_battery": "print(self.latest.nothing)  # here"},  # None or a LaserScan
+        # Items of arrays of messages.
+        {"on_path": "print(path.poses[0].pose.positon)  # here"},
+        {"on_path": "print(path.poses[-1].positon)  # here"},
+        {"on_path": "print(path.poses[1:][0].positon)  # here"},
+        {"on_path": "[print(pose.x) for pose in path.poses]  # here"},
+        {"on_path": "print({pose.stamp for pose in reversed(path.poses)})  # here"},
+        {"on_path": "print(next(pose for pose in path.poses).stamp)  # here"},
+        {"on_path": "print(min(path.poses, key=len).stamp)  # here"},
+        {"on_path": "first = path.poses.pop if path.poses else None; print(list(path.poses)[0].x)  # here"},
+        {"on_path": loop("pose in path.poses", "pose.x") + HERE},
+        {"on_path": loop("number, pose in enumerate(path.poses, 1)", "pose.x") + HERE},
+        {"on_path": loop("one, other in zip(path.poses, path.poses[1:])", "other.x") + HERE},
+        {"on_path": loop("pose in sorted(path.poses, key=id)", "pose.header.stamp.secs") + HERE},
+        {"on_path": "built = []; built.append(PoseStamped()); path.poses = built; print(path.poses[0].x)  # here"},
+        {"on_path": "print(Path(poses=[PoseStamped()]).poses[0].x)  # here"},
+        # Constants.
+        {"on_scan": "print(BatteryState.POWER_SUPPLY_STATUS_FUL)  # here"},
+        {"on_scan": "print(BatteryState().POWER_SUPPLY_STATUS_FUL)  # here"},
+        {"on_scan": "print(Spin.Result.NO_SUCH_OUTCOME)  # here"},
     ],
 )  # fmt: skip
 def test_a_field_that_is_not_there(judge: Judge, lines: dict[str, str]):
@@ -86,6 +120,15 @@ def test_a_field_that_is_not_there(judge: Judge, lines: dict[str, str]):
          "on_done": "print(future.result().success, future.done())"},
         {"on_scan": "self.spin.send_goal_async(Spin.Goal(), feedback_callback=self.on_feedback)",
          "on_feedback": "print(message.feedback.angular_distance_traveled, message.goal_id)"},
+        {"on_scan": "print(BatteryState.POWER_SUPPLY_STATUS_FULL, BatteryState.SLOT_TYPES, LaserScan.__slots__)"},
+        {"on_scan": "print(BatteryState.voltage, BatteryState.get_fields_and_field_types(), SetBool.Request)"},
+        {"on_path": "print(path.poses[0].pose.position.x, path.poses[0].header.stamp.nanosec, len(path.poses))"},
+        {"on_path": "path.poses = self.smooth(path.poses); print(path.poses[0].anything)"},
+        {"on_path": "path.poses.append(self.smooth(path)); print([pose.pose for pose in path.poses])"},
+        {"on_path": loop("pose in self.smooth(path.poses)", "pose.anything")},
+        {"on_path": loop("name, pose in zip(self.names, path.poses)", "name.anything, pose.pose")},
+        {"on_path": loop("number in range(len(path.poses))", "path.poses[number].pose.orientation.w")},
+        {"on_scan": "print(scan.ranges[0].anything, [value.anything for value in scan.ranges])"},
         # A helper that several types of message are handed to.
         {"on_scan": "self.describe(scan)", "on_battery": "self.describe(battery)",
          "helper": "print(message.voltage)"},

@@ -31,12 +31,13 @@ def unknown_field(system: System, options: Options) -> Iterator[Finding]:
 
 def _unknown_field(use: FieldUse) -> Finding:
     of = f"the {use.part.lower()} of {use.type}" if use.part else use.type
+    what = "constant" if use.access == "constant" else "field"
     raised = "TypeError or AssertionError" if use.access == "keyword" else "AttributeError"
     return finding(
         "MSG001",
         use.place,
-        f"{of} has no field '{use.name}'{did_you_mean(use.name, use.fields)}",
-        help=f"this line raises {raised} when it runs; the fields are {_listed(use.fields)}",
+        f"{of} has no {what} '{use.name}'{did_you_mean(use.name, use.fields)}",
+        help=f"this line raises {raised} when it runs; the {what}s are {_listed(use.fields)}",
         node=None if use.node is None else use.node.name.text,
         identity=(use.type, use.part, use.name, use.access),
     )

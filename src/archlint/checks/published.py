@@ -10,7 +10,7 @@ from archlint.facts import model as facts
 from archlint.finding import Finding, Place, Related
 from archlint.program.api.effects import creations_of
 from archlint.program.api.rclpy_names import canonical, interface_and_part
-from archlint.program.values import DictValue, External, Known, ListValue, MessageValue, Value
+from archlint.program.values import DictValue, EachValue, External, Known, ListValue, MessageValue, Value
 
 if TYPE_CHECKING:
     from archlint.program.model import ApiCall, Creation
@@ -67,8 +67,8 @@ def _wrong(given: Value, type_: str, part: str) -> str | None:
     if isinstance(given, Known):
         bytes_pass = isinstance(given.value, bytes) and not part
         return None if bytes_pass else repr(given.value) if given.value is not None else "None"
-    if isinstance(given, ListValue):
-        return f"a {given.kind}"
+    if isinstance(given, (ListValue, EachValue)):
+        return "a list" if isinstance(given, EachValue) else f"a {given.kind}"
     return "a dict" if isinstance(given, DictValue) else None
 
 

@@ -53,6 +53,8 @@ def get_attribute(run: Run, value: Value, name: str, expression: facts.Attribute
     if isinstance(value, External):
         if expression is not None and value.path.endswith((".msg", ".srv", ".action")):
             messages.note_interface(run, f"{value.path}.{name}", expression.span)
+        if expression is not None:
+            messages.note_constant(run, value.path, name, expression.span)
         return _of_external(run, value, name)
     if isinstance(value, ClassValue):
         return _of_class(run, value, name)

@@ -18,6 +18,7 @@ from archlint.program.values import (
     Builtin,
     ClassValue,
     DictValue,
+    EachValue,
     External,
     FunctionValue,
     Holed,
@@ -179,11 +180,23 @@ def _range(run: Run, args: Arguments, keywords: Keywords, e: object) -> Value:
     return containers.new_list(run, [Known(number, via(*args)) for number in wanted])
 
 
+def _rows(row: list[Value], run: Run) -> Value:
+    from archlint.program import containers
+
+    return EachValue(containers.new_list(run, row, "tuple"))
+
+
+def _element(value: Value) -> Value:
+    return value.element if isinstance(value, EachValue) else Unknown("an item beside others")
+
+
 def _enumerate(run: Run, args: Arguments, keywords: Keywords, e: object) -> Value:
     from archlint.program import containers
 
     items = containers.iterate(run, _first(args))
     start = args[1] if len(args) > 1 else keywords.get("start", Known(0))
+    if isinstance(_first(args), EachValue):
+        return _rows([Unknown("the number of an item"), _element(_first(args))], run)
     if items is None:
         return Unknown(reason(*args))
     rows: list[Value] = []
@@ -196,6 +209,8 @@ def _enumerate(run: Run, args: Arguments, keywords: Keywords, e: object) -> Valu
 def _zip(run: Run, args: Arguments, keywords: Keywords, e: object) -> Value:
     from archlint.program import containers
 
+    if any(isinstance(arg, EachValue) for arg in args):
+        return _rows([_element(arg) for arg in args], run)
     columns = [containers.iterate(run, arg) for arg in args]
     if not columns or any(column is None for column in columns):
         return Unknown(reason(*args))
@@ -214,6 +229,9 @@ def _collect(kind: str) -> Callable[..., Value]:
             return containers.new_list(run, [], kind)
         found: list[Value] = []
         for option in alternatives(args[0]):
+            if isinstance(option, EachValue):
+                found.append(option)
+                continue
             items = containers.iterate(run, option)
             if items is None:
                 found.append(Unknown(reason(option), next(iter(sorted(via(option))), None)))
@@ -230,6 +248,8 @@ def _collect(kind: str) -> Callable[..., Value]:
 def _reversed(run: Run, args: Arguments, keywords: Keywords, e: object) -> Value:
     from archlint.program import containers
 
+    if isinstance(_first(args), EachValue):
+        return _first(args)
     items = containers.iterate(run, _first(args))
     if items is None:
         return Unknown(reason(*args))
@@ -239,6 +259,8 @@ def _reversed(run: Run, args: Arguments, keywords: Keywords, e: object) -> Value
 def _sorted(run: Run, args: Arguments, keywords: Keywords, e: object) -> Value:
     from archlint.program import containers
 
+    if isinstance(_first(args), EachValue):
+        return _first(args)
     items = containers.iterate(run, _first(args))
     if items is None:
         return Unknown(reason(*args))
@@ -386,6 +408,8 @@ def _map(run: Run, args: Arguments, keywords: Keywords, e: object) -> Value:
 def _filter(run: Run, args: Arguments, keywords: Keywords, e: object) -> Value:
     from archlint.program import containers, decisions
 
+    if len(args) == 2 and isinstance(args[1], EachValue):
+        return args[1]
     items = containers.iterate(run, args[1]) if len(args) == 2 else None
     if items is None:
         return Unknown("what filter() leaves")
@@ -403,6 +427,8 @@ def _extreme(pick: Callable[..., Any]) -> Callable[..., Value]:
     def handler(run: Run, args: Arguments, keywords: Keywords, e: object) -> Value:
         from archlint.program import containers
 
+        if len(args) == 1 and isinstance(args[0], EachValue):
+            return args[0].element
         items = containers.iterate(run, args[0]) if len(args) == 1 else Items(tuple(args))
         if items is None or items.open or "key" in keywords:
             return Unknown(reason(*args))
@@ -451,7 +477,10 @@ def _callable(run: Run, args: Arguments, keywords: Keywords, e: object) -> Value
 def _next(run: Run, args: Arguments, keywords: Keywords, e: object) -> Value:
     from archlint.program import containers
 
-    items = containers.iterate(run, _first(args))
+    first = _first(args)
+    if isinstance(first, EachValue):
+        return one_of((first.element, *args[1:]))
+    items = containers.iterate(run, first)
     if items is not None and items.values:
         return one_of(items.values)
     return args[1] if len(args) > 1 and items is not None and not items.open else Unknown("what an iterator gives")

@@ -12,6 +12,7 @@ from archlint.program.values import (
     BoundMethod,
     ClassValue,
     DictValue,
+    EachValue,
     EntityValue,
     External,
     Instance,
@@ -106,6 +107,9 @@ def _fields_of_tuple(run: Run, value: Instance) -> Items | None:
 
 
 def unknown_item(run: Run, iterable: Value, why: str) -> Value:
+    """What stands for any of the items of what cannot be iterated over."""
+    if isinstance(iterable, EachValue):
+        return iterable.element
     if isinstance(iterable, Unknown) and iterable.parameter is not None:
         return Unknown(iterable.reason, iterable.parameter)
     return Unknown(why)
@@ -120,6 +124,8 @@ def enum_members(run: Run, cls: ClassValue) -> list[Value]:
 
 
 def slice_of(run: Run, value: Value, bounds: slice | None) -> Value:
+    if isinstance(value, EachValue):
+        return value
     if bounds is None or bounds.step == 0:
         return Unknown("a slice whose bounds are not known")
     if isinstance(value, ListValue):
@@ -134,6 +140,8 @@ def slice_of(run: Run, value: Value, bounds: slice | None) -> Value:
 
 def get_item(run: Run, container: Value, index: Value) -> Value:
     """``container[index]``."""
+    if isinstance(container, EachValue):
+        return container.element
     if isinstance(container, ListValue):
         items = items_of(run, container)
         if isinstance(index, Known) and isinstance(index.value, int):

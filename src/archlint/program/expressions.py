@@ -25,6 +25,7 @@ from archlint.program.values import (
     NONE,
     Builtin,
     DictValue,
+    EachValue,
     External,
     Known,
     Unknown,
@@ -189,7 +190,8 @@ def _comprehension(run: Run, e: facts.Comprehension) -> Value:
         if items is None or len(items.values) > ITEM_LIMIT:
             open_, whole = True, False
             why = reason(iterable)
-            values = (Unknown("what the loop runs over is not known" if why.startswith("the value") else why),)
+            why = "what the loop runs over is not known" if why.startswith("the value") else why
+            values = (iterable.element if isinstance(iterable, EachValue) else Unknown(why),)
         else:
             open_ = open_ or items.open
             whole = whole and items.whole

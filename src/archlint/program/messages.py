@@ -5,12 +5,13 @@ Only what is certain is noted: plain attribute names on a value whose type is kn
 
 from __future__ import annotations
 
+import re
 from typing import TYPE_CHECKING
 
 from archlint.facts import model as facts
 from archlint.program import model
 from archlint.program.api import rclpy_names
-from archlint.program.values import Known, MessageValue, OneOf, Value
+from archlint.program.values import EachValue, Known, MessageValue, OneOf, Value
 
 if TYPE_CHECKING:
     from archlint.facts.model import Span
@@ -18,6 +19,7 @@ if TYPE_CHECKING:
 
 _OF_EVERY_MESSAGE = frozenset({"get_fields_and_field_types", "SLOT_TYPES", "structure_needs_at_least_one_member"})
 """What rosidl's generator gives each class beside its fields and constants."""
+_CONSTANT = re.compile(r"[A-Z][A-Z0-9_]*\Z")
 _CALLBACK = 2
 """How deep the stack of calls is in a callback itself: the module, and the callback."""
 
@@ -33,18 +35,19 @@ def of_value(value: Value) -> MessageValue | None:
     return rest[0] if len(rest) == 1 and isinstance(rest[0], MessageValue) else None
 
 
-def nested(run: Run, value: MessageValue, name: str) -> MessageValue | None:
-    """The message that a field holds, one and the same at each read; None for other fields."""
+def nested(run: Run, value: MessageValue, name: str) -> MessageValue | EachValue | None:
+    """The message, or array of messages, that a field holds, one and the same at each read; None for others."""
     if run.interfaces is None or not value.key:
         return None
     made = run.fields.get((value.key, name))
     if made is None:
         kind = run.interfaces.field_type(value.type, value.part, name)
-        if kind is None or kind.is_primitive or kind.array or run.interfaces.get(kind.name) is None:
+        if kind is None or kind.is_primitive or run.interfaces.get(kind.name) is None:
             return None
-        made = run.fields[(value.key, name)] = MessageValue(kind.name, "", run.store.new_key())
+        inner = MessageValue(kind.name, "", run.store.new_key())
         if value.key in run.made_in:
-            run.made_in[made.key] = run.made_in[value.key]
+            run.made_in[inner.key] = run.made_in[value.key]
+        made = run.fields[(value.key, name)] = EachValue(inner) if kind.array else inner
     return made
 
 
@@ -75,6 +78,27 @@ def note_use(run: Run, value: Value, name: str, span: Span, access: str) -> None
             run.context.node,
         )
     )
+
+
+def note_constant(run: Run, path: str, name: str, span: Span) -> None:
+    """Note that the code reads what looks like a constant from an interface class; ``path`` is dotted.
+
+    Other attributes of such a class are functions, descriptors of its fields, and default values.
+    """
+    interface, part = rclpy_names.interface_and_part(path)
+    if run.interfaces is None or interface is None or not _CONSTANT.match(name) or not _certain(run):
+        return
+    if name in _OF_EVERY_MESSAGE or name.endswith("__DEFAULT"):
+        return
+    section = run.interfaces.section(interface, part)
+    known = run.interfaces.has(interface, part, name)
+    if section is None or known is None:
+        return
+    constants = tuple(constant.name for constant in section.constants)
+    use = model.FieldUse(
+        run.place(span), interface, part, name, "constant", known, () if known else constants, run.context.node
+    )
+    run.program.field_uses.append(use)
 
 
 def _may_be_told_apart(run: Run, message: MessageValue) -> bool:

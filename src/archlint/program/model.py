@@ -290,7 +290,8 @@ class ExecutorUse:
 
 @dataclass(frozen=True)
 class FieldUse:
-    """A field of a message that the code names; ``access`` is ``read``, ``write`` or ``keyword``.
+    """A field of a message that the code names; ``access`` is ``read``, ``write`` or ``keyword``, or ``constant`` for
+    what looks like one and is read from the class.
 
     ``type`` and ``part`` are those of the message.  ``exists`` is None where its definition is not known; where
     it is False, ``fields`` are those that the message has.

@@ -16,6 +16,7 @@ from archlint.program import model
 from archlint.program.store import Layer, Store
 from archlint.program.values import (
     ClassValue,
+    EachValue,
     FunctionValue,
     Instance,
     Known,
@@ -134,7 +135,7 @@ class Run:
         self.at_spin: Callable[[Run], None] | None = None
         """Runs what is pending when main spins: callbacks see the state of then, not what main does at the end."""
         self.registered: set[tuple[Any, ...]] = set()
-        self.fields: dict[tuple[int, str], MessageValue] = {}
+        self.fields: dict[tuple[int, str], MessageValue | EachValue] = {}
         """Messages that fields of messages hold, where nothing was assigned to them."""
         self.made_in: dict[int, Activation] = {}
         """Which call of a function made a message, by its key."""

@@ -262,6 +262,14 @@ class MessageValue(Value):
     key: int = 0
 
 
+@dataclass(frozen=True, slots=True)
+class EachValue(Value):
+    """A collection of which only this is known: every item is like ``element``, however many there are.  What a
+    message has in an array of messages."""
+
+    element: Value
+
+
 @dataclass(frozen=True, slots=True, eq=False)
 class PythonValue(Value):
     """A function of the run itself: called with the call's values, it returns a value."""
