@@ -177,3 +177,11 @@ def _edges(graph: networkx.MultiDiGraph, ids: dict[Key, str]) -> Iterator[str]:
             "tooltip": details,
         }
         yield f"  {ids[tail]} -> {ids[head]} {_attributes(line)};"
+    for node, interface in graph.graph["remapped"]:
+        line = {
+            "color": look.PALETTE["aside"].line,
+            "dir": "none",
+            "style": "dashed",
+            "tooltip": "remapped by the launch file; which end this is, the source would tell",
+        }
+        yield f"  {ids[node]} -> {ids[interface]} {_attributes(line)};"

@@ -139,6 +139,8 @@ def caption(graph: networkx.MultiDiGraph) -> str:
         sentences.append("dashed: nobody at the other end")
     if any(one["kind"] != NODE and one["resolution"] == "partial" for one in data):
         sentences.append("*: known only at run time")
+    if graph.graph["remapped"]:
+        sentences.append("dashed without an arrow: remapped, its source is not here")
     if any(edge["endpoint"].conditional for _, _, edge in graph.edges(data=True)):
         sentences.append("dotted: only under a condition")
     return "  ·  ".join(sentences)

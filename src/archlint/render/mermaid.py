@@ -71,6 +71,8 @@ def _edges(graph: networkx.MultiDiGraph, ids: dict[Key, str]) -> Iterator[str]:
         interface = graph.nodes[tail if tail[0] != NODE else head]
         arrow = "-->" if interface["matched"] and not conditional else "-.->"
         yield f"  {ids[tail]} {arrow} {ids[head]}"
+    for node, interface in graph.graph["remapped"]:
+        yield f"  {ids[node]} -.- {ids[interface]}"
 
 
 def _styles(graph: networkx.MultiDiGraph, ids: dict[Key, str]) -> Iterator[str]:

@@ -8,7 +8,7 @@ from functools import partial
 from archlint.program import model as program
 from archlint.program.model import Creation, ParameterDeclaration
 from archlint.render import json, look
-from archlint.system.externals import remapped_names
+from archlint.system.externals import connections_of_externals, remapped_names
 from archlint.system.model import Connection, Endpoint, Node, System
 from archlint.visible import visible
 
@@ -36,11 +36,12 @@ Paint = Callable[[str, str], str]
 
 def render(system: System, *, color: bool = False) -> str:
     paint = partial(_paint, color)
+    remapped = _remapped(system)
     sections = [
         _nodes(system, paint),
-        _connections("topic", system.topics.values(), paint),
-        _connections("service", system.services.values(), paint),
-        _connections("action", system.actions.values(), paint),
+        _connections("topic", system.topics.values(), remapped, paint),
+        _connections("service", system.services.values(), remapped, paint),
+        _connections("action", system.actions.values(), remapped, paint),
         _shape(system, paint),
         _unresolved(system, paint),
     ]
@@ -134,7 +135,17 @@ def _parameter_row(parameter: ParameterDeclaration) -> Sequence[Cell]:
     ]
 
 
-def _connections(kind: str, connections: Iterable[Connection], paint: Paint) -> Iterator[str]:
+def _remapped(system: System) -> dict[str, list[str]]:
+    """The external nodes that are remapped to a name, by that name."""
+    found: dict[str, list[str]] = {}
+    for node, name in connections_of_externals(system):
+        found.setdefault(name, []).append(look.node_label(node).partition("\n")[0])
+    return found
+
+
+def _connections(
+    kind: str, connections: Iterable[Connection], remapped: dict[str, list[str]], paint: Paint
+) -> Iterator[str]:
     every = list(connections)
     if every:
         yield paint(look.counted(len(every), kind), "title")
@@ -145,6 +156,8 @@ def _connections(kind: str, connections: Iterable[Connection], paint: Paint) -> 
         )
         ends = zip(_ENDS[kind], (connection.providers, connection.users), strict=True)
         lines = [f"  {words:<13}  {_names(endpoints, paint)}" for words, endpoints in ends]
+        if connection.name in remapped:
+            lines.append(f"  {'remapped for':<13}  {paint(', '.join(remapped[connection.name]), 'plain')}")
         yield "\n".join([f"{paint(connection.name, 'name')}  {types}", *lines])
 
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from archlint.program import model as program
+from archlint.system.externals import connections_of_externals
 from archlint.system.implicit import implicit_names
 from archlint.system.model import Endpoint, Node, System
 
@@ -38,7 +39,8 @@ def to_networkx(system: System) -> networkx.MultiDiGraph:
 
     Vertices are :data:`Key`; each has ``kind``, ``name`` and ``resolution``, those of interfaces also
     ``types``, ``matched`` (somebody at either end, be it without saying so) and ``error``, those of nodes
-    ``node``.  Each edge has its ``endpoint``.  Vertices and edges are in the order of names, the same on every run.
+    ``node``.  Each edge has its ``endpoint``.  ``graph.graph["remapped"]`` are the lines between external nodes and
+    the names that they are remapped to.  Vertices and edges are in the order of names, the same on every run.
     """
     import networkx
 
@@ -62,7 +64,22 @@ def to_networkx(system: System) -> networkx.MultiDiGraph:
                 line=endpoint.place.line,
                 endpoint=endpoint,
             )
+    graph.graph["remapped"] = _remapped(system, graph, keys)
     return graph
+
+
+def _remapped(system: System, graph: networkx.MultiDiGraph, keys: dict[int, Key]) -> list[tuple[Key, Key]]:
+    """External nodes and the interfaces that a launch file remaps them to: lines without a direction."""
+    lines = []
+    for node, name in connections_of_externals(system):
+        interfaces = [key for key in ((kind, name) for kind in (TOPIC, SERVICE, ACTION)) if key in graph]
+        if not interfaces:
+            interfaces = [(TOPIC, name)]
+            graph.add_node((TOPIC, name), kind=TOPIC, name=name, resolution="exact", types=[], matched=True, error=None)
+        for key in interfaces:
+            graph.nodes[key]["matched"] = True  # the external node may be its other end
+            lines.append((keys[id(node)], key))
+    return lines
 
 
 def node_keys(system: System) -> dict[int, Key]:
