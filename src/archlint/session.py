@@ -124,7 +124,8 @@ def _systems(request: Request, workspace: Workspace, facts: FactsOfFiles) -> lis
 
     tree = SourceTree(Path.cwd(), Path(workspace.root))
     installs = read_installs(workspace.packages, workspace.files, facts.facts_of, tree)
-    interfaces = InterfaceTable(workspace.files, lambda file: tree.text(file.relative))
+    words = {name: one.words for name, one in installs.items()}
+    interfaces = InterfaceTable(workspace.files, lambda file: tree.text(file.relative), words)
     linker = Linker(workspace.files, facts.facts_of, facts.relevant, interfaces)
     entries = entry_points(installs, workspace.files)
     programs = call_with_deep_stack(lambda: linker.run_all(entries))

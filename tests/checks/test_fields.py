@@ -149,6 +149,19 @@ def test_what_was_probably_meant(judge: Judge):
     assert found.message == "sensor_msgs/msg/LaserScan has no field 'Ranges'; did you mean 'ranges'?"
 
 
+def test_a_name_of_ros_1(judge: Judge):
+    [found] = judge("MSG001", node(on_scan="print(scan.header.stamp.nsecs)  # here"))
+    assert found.message == "builtin_interfaces/msg/Time has no field 'nsecs'; did you mean 'nanosec'?"
+
+
+def test_a_constant_in_words(judge: Judge):
+    [found] = judge("MSG001", node(on_scan="print(BatteryState.POWER_SUPPLY_STATUS_FUL)  # here"))
+    assert found.message == (
+        "sensor_msgs/msg/BatteryState has no constant 'POWER_SUPPLY_STATUS_FUL'; "
+        "did you mean 'POWER_SUPPLY_STATUS_FULL'?"
+    )
+
+
 def test_an_attribute_that_may_fail_on_purpose(judge: Judge):
     judge(
         "MSG001",

@@ -8,14 +8,16 @@ from archlint.program.interface_table import InterfaceTable
 from archlint.workspace.model import SourceFile
 
 
-def table(**files: str) -> InterfaceTable:
-    """Interface files of the package ``robot_interfaces``; ``Battery_msg`` is ``msg/Battery.msg``."""
+def table(cmake: str = "", **files: str) -> InterfaceTable:
+    """Interface files of the package ``robot_interfaces``; ``Battery_msg`` is ``msg/Battery.msg``.  ``cmake`` are
+    the words of its CMakeLists.txt."""
     texts = {f"msg/{name.replace('_', '.')}": text for name, text in files.items()}
     found = [
         SourceFile(path=f"/w/{path}", relative=path, kind="interface", package="robot_interfaces", module=None)
         for path in texts
     ]
-    return InterfaceTable(found, lambda file: texts[file.relative])
+    listed = {"robot_interfaces": cmake.split()} if cmake else {}
+    return InterfaceTable(found, lambda file: texts[file.relative], listed)
 
 
 STANDARD = table()
@@ -84,3 +86,48 @@ def test_other_definitions_of_a_package_may_be_out_of_sight():
     own = table(Battery_msg="float64 voltage\n", Arm_idl="module robot_interfaces {};")
     assert own.defines("robot_interfaces", "msg", "Battery") is True
     assert own.defines("robot_interfaces", "msg", "Arm") is None
+
+
+@pytest.mark.parametrize(
+    ("words", "defined"),
+    [
+        ("rosidl_generate_interfaces Battery.msg", False),
+        ("rosidl_generate_interfaces Battery.msg Arm.msg", None),  # in another folder, or made by the build
+        ("rosidl_generate_interfaces Battery.msg Arm.idl", None),
+        ("rosidl_generate_interfaces Battery.msg .idl GLOB", None),  # all that match *.idl
+        ("rosidl_generate_interfaces Battery.msg configure_file", None),
+        ("install Arm.msg", False),
+    ],
+)
+def test_what_is_generated_but_not_read(words: str, defined: bool | None):
+    assert table(words, Battery_msg="float64 voltage\n").defines("robot_interfaces", "msg", "Arm") is defined
+
+
+@pytest.mark.parametrize(
+    ("words", "left_out"),
+    [
+        ("rosidl_generate_interfaces Battery.msg", True),
+        ("rosidl_generate_interfaces Battery.msg Arm.msg", False),
+        ("rosidl_generate_interfaces Battery.msg GLOB .msg", False),
+        ("rosidl_generate_interfaces Battery.msg foreach", False),
+        ("rosidl_generate_interfaces", False),  # what it is given stands somewhere else
+        ("", False),
+    ],
+)
+def test_a_file_that_is_not_generated(words: str, left_out: bool):
+    own = table(words, Battery_msg="float64 voltage\n", Arm_msg="float64 angle\n")
+    assert own.is_left_out("robot_interfaces", "msg", "Arm") is left_out
+    assert own.defines("robot_interfaces", "msg", "Arm") is not left_out
+    assert own.defines("robot_interfaces", "msg", "Battery") is True
+
+
+def test_types_of_fields():
+    own = table(All_msg="Point[<=5] bounded\nPoint[3] fixed\nstring<=4 name\nwstring wide\nbuiltin_interfaces/Time t\n")
+    types = {name: own.field_type("robot_interfaces/msg/All", "", name) for name in ("bounded", "fixed", "wide", "t")}
+    assert [(one.name, one.array) for one in types.values() if one is not None] == [
+        ("robot_interfaces/msg/Point", "bounded"),
+        ("robot_interfaces/msg/Point", "fixed"),
+        ("wstring", ""),
+        ("builtin_interfaces/msg/Time", ""),
+    ]
+    assert own.has("robot_interfaces/msg/All", "", "name") is True

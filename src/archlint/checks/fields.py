@@ -15,6 +15,8 @@ if TYPE_CHECKING:
 
 _SHOWN = 12
 """How many names a help line lists."""
+_IN_ROS_1 = {"secs": "sec", "nsecs": "nanosec", "nsec": "nanosec"}
+"""What the fields of times and durations were called."""
 
 
 @rule("MSG001")
@@ -36,11 +38,16 @@ def _unknown_field(use: FieldUse) -> Finding:
     return finding(
         "MSG001",
         use.place,
-        f"{of} has no {what} '{use.name}'{did_you_mean(use.name, use.fields)}",
+        f"{of} has no {what} '{use.name}'{_instead(use)}",
         help=f"this line raises {raised} when it runs; the {what}s are {_listed(use.fields)}",
         node=None if use.node is None else use.node.name.text,
         identity=(use.type, use.part, use.name, use.access),
     )
+
+
+def _instead(use: FieldUse) -> str:
+    renamed = _IN_ROS_1.get(use.name)
+    return f"; did you mean '{renamed}'?" if renamed in use.fields else did_you_mean(use.name, use.fields)
 
 
 @rule("MSG002")
@@ -56,6 +63,8 @@ def _unknown_interface(one: UnknownInterface) -> Finding:
     names = [other for other in one.others if "/" not in other]
     hint = f"; there is {moved[0]}" if moved else did_you_mean(one.name, names)
     what = {"msg": "message", "srv": "service", "action": "action"}[one.kind]
+    if one.left_out:
+        hint = f": {one.kind}/{one.name}.{one.kind} is not given to rosidl_generate_interfaces in its CMakeLists.txt"
     return finding(
         "MSG002",
         one.place,

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Collection, Iterable, Mapping
+from types import MappingProxyType
 from typing import TYPE_CHECKING
 
 from archlint.facts.interfaces import FieldType, Interface, Section, parse_interface
@@ -30,19 +31,38 @@ def type_of_file(file: SourceFile) -> str | None:
     return f"{file.package}/{kind}/{stem}"
 
 
+_MADE_BY_CMAKE = frozenset(
+    {"configure_file", "add_custom_command", "execute_process", "foreach", "add_subdirectory", "include", "macro"}
+)
+"""Commands with which a package may make, or list, interfaces that stand nowhere as a file."""
+
+
 class InterfaceTable:
     """Interfaces by name.  ``read`` gives the text of a file, None where it cannot be read.
 
-    A package of the workspace that defines interfaces hides the standard one of its name.
+    ``listed`` are the words of each package's CMakeLists.txt: it may generate interfaces from files that are not
+    read (``.idl``), lie elsewhere, or are made when it is built.  Nothing is said about these.  A package of the
+    workspace that defines interfaces hides the standard one of its name.
     """
 
-    def __init__(self, files: Iterable[SourceFile], read: Callable[[SourceFile], str | None]) -> None:
+    def __init__(
+        self,
+        files: Iterable[SourceFile],
+        read: Callable[[SourceFile], str | None],
+        listed: Mapping[str, Collection[str]] = MappingProxyType({}),
+    ) -> None:
         self._files: dict[str, SourceFile] = {}
         self._packages: set[str] = set()
         self._unread: set[str] = set()
         for file in files:
             if file.kind == "interface":
                 self._add(file)
+        self._listed: set[tuple[str, str]] = set()
+        self._complete: set[str] = set()
+        """Packages whose CMakeLists.txt names every interface that is generated."""
+        for package, words in listed.items():
+            if "rosidl_generate_interfaces" in words:
+                self._add_listed(package, words)
         self._read = read
         self._parsed: dict[str, Interface | None] = {}
 
@@ -53,6 +73,18 @@ class InterfaceTable:
             self._packages.add(name.partition("/")[0])
         elif file.package is not None:
             self._unread.add(file.package)
+
+    def _add_listed(self, package: str, words: Collection[str]) -> None:
+        for word in words:
+            stem, _, suffix = word.rpartition(".")
+            if stem and suffix in ("msg", "srv", "action", "idl"):
+                self._listed.add((package, stem.rpartition("/")[2]))
+        globbed = any(f".{suffix}" in words for suffix in ("msg", "srv", "action"))
+        if not globbed and package in {one for one, _ in self._listed} and "GLOB" not in words:
+            self._complete.add(package)
+        if ".idl" in words or not _MADE_BY_CMAKE.isdisjoint(words):
+            self._unread.add(package)
+            self._complete.discard(package)
 
     def names(self) -> list[str]:
         """The interfaces of the workspace."""
@@ -65,8 +97,8 @@ class InterfaceTable:
         """Whether a package defines an interface of that kind (``msg``, ``srv``, ``action``); None where the
         package is not known, or only in part."""
         if f"{package}/{kind}/{name}" in self._files:
-            return True
-        if package in self._unread:
+            return not self.is_left_out(package, kind, name)
+        if package in self._unread or (package, name) in self._listed:
             return None
         if package in self._packages:
             return False
@@ -74,6 +106,15 @@ class InterfaceTable:
         if package not in standard.packages:
             return None
         return f"{package}/{kind}/{name}" in standard.interfaces
+
+    def is_left_out(self, package: str, kind: str, name: str) -> bool:
+        """Whether the file of an interface is there, and the CMakeLists.txt, which lists others by name, does not
+        have it: then it is not generated."""
+        return (
+            f"{package}/{kind}/{name}" in self._files
+            and package in self._complete
+            and (package, name) not in self._listed
+        )
 
     def of_package(self, package: str, kind: str) -> list[str]:
         """The names of the interfaces that a package has of one kind, sorted."""

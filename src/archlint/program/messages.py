@@ -133,7 +133,12 @@ def note_interface(run: Run, path: str, span: Span) -> None:
     )
     run.program.unknown_interfaces.append(
         model.UnknownInterface(
-            run.place(span), package, kind, name, (*others, *run.interfaces.of_package(package, kind))
+            run.place(span),
+            package,
+            kind,
+            name,
+            (*others, *run.interfaces.of_package(package, kind)),
+            run.interfaces.is_left_out(package, kind, name),
         )
     )
 

@@ -317,6 +317,8 @@ class UnknownInterface:
     kind: str
     name: str
     others: tuple[str, ...] = ()
+    left_out: bool = False
+    """True where its file is there, but the package does not generate it."""
 
 
 @dataclass(eq=False)
