@@ -64,6 +64,10 @@ class TestSignatures:
             ("self.create_timer(5.0, self.take)", "def take():\n    pass", ["EXE006"]),
             ("self.create_timer(5.0, self.taken)", "def take(self):\n    pass", ["EXE006"]),
             ("self.create_timer(5.0, self.on_take)", "def take(self):\n    pass", ["EXE006"]),
+            ("self.create_timer(5.0, self._take)", "def take(self):\n    pass", ["EXE006"]),
+            ("self.create_timer(5.0, self.__take)", "def _take(self):\n    pass", ["EXE006"]),
+            ("self.create_timer(5.0, self.__take)", "def __take(self):\n    pass", []),
+            ("self.create_timer(5.0, self._wake_executor)", "def take(self):\n    pass", []),
             ("self.create_subscription(Empty, 'a', self.take, 10)", "def take(self):\n    pass", ["EXE006"]),
             (
                 "self.create_subscription(Empty, 'a', partial(self.take, arm=1), 10)",

@@ -179,12 +179,14 @@ def _missing_method(value: ApiMethod | External) -> str | None:
     if not isinstance(value, ApiMethod) or not isinstance(value.self_value, Instance):
         return None
     cls, (base, _, name) = value.self_value.cls, value.path.rpartition(".")
-    if not isinstance(cls, ClassValue) or base not in rclpy_names.NODE_CLASSES or name.startswith("_"):
+    special = name.startswith("__") and name.endswith("__")
+    if not isinstance(cls, ClassValue) or base not in rclpy_names.NODE_CLASSES or special:
         return None
     foreign = [b for b in cls.mro if not isinstance(b, (ClassValue, External))] + [
         b for b in cls.external_bases() if b not in rclpy_names.NODE_CLASSES | rclpy_names.PLAIN_BASES
     ]
-    of_rclpy = rclpy_names.is_node_attribute(name) and not name.startswith("on_")
+    public = rclpy_names.is_node_attribute(name) and not name.startswith(("on_", "__"))
+    of_rclpy = public or name in rclpy_names.PRIVATE_NODE_METHODS
     return None if foreign or of_rclpy or rclpy_names.LIFECYCLE_NODE in cls.external_bases() else name
 
 
