@@ -174,14 +174,26 @@ _OTHER_NODE_ATTRIBUTES = frozenset(
 
 
 PRIVATE_NODE_METHODS = frozenset(
-    """
-    _apply_descriptor _apply_descriptor_and_set _apply_descriptors _apply_floating_point_range
-    _apply_integer_range _call_post_set_parameters_callback _call_pre_set_parameters_callback
-    _check_undeclared_parameters _count_clients_or_servers _count_publishers_or_subscribers
-    _declare_parameter_common _get_info_by_topic _set_parameters _set_parameters_atomically
-    _set_parameters_atomically_common _validate_qos_or_depth_parameter _validate_topic_or_service_name
-    _wake_executor
-    """.split()
+    [
+        "_apply_descriptor",
+        "_apply_descriptor_and_set",
+        "_apply_descriptors",
+        "_apply_floating_point_range",
+        "_apply_integer_range",
+        "_call_post_set_parameters_callback",
+        "_call_pre_set_parameters_callback",
+        "_check_undeclared_parameters",
+        "_count_clients_or_servers",
+        "_count_publishers_or_subscribers",
+        "_declare_parameter_common",
+        "_get_info_by_topic",
+        "_set_parameters",
+        "_set_parameters_atomically",
+        "_set_parameters_atomically_common",
+        "_validate_qos_or_depth_parameter",
+        "_validate_topic_or_service_name",
+        "_wake_executor",
+    ]
 )
 """Methods of Node that are not meant for others, in every distribution from Foxy on (rclpy ``node.py``)."""
 
