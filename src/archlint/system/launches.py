@@ -57,7 +57,7 @@ def launch_systems(
             system.launched = one
             # What another launch file includes is a part: its nodes may have their partners beside it.
             system.closed = (closed and one.file not in parts) or (named and _whole(one, system))
-            for chosen_now in undecided_arguments(one):
+            for chosen_now in undecided_arguments(one) if _differs(system) else ():
                 other = loader.launch(one.file, {**one.arguments, **chosen_now})
                 alternative = maker.system(other, closed, opened.package_dependencies)
                 alternative.launched, alternative.closed, alternative.world = other, system.closed, world
@@ -79,6 +79,11 @@ def launches(loader: LaunchLoader, chosen: str | None, arguments: Mapping[str, s
     if chosen is not None:
         return [loader.launch(chosen, arguments)]
     return [loader.launch(path) for path in loader.launch_files()]
+
+
+def _differs(system: System) -> bool:
+    """Whether arguments that nothing decides can change what is judged: something of it runs only with some."""
+    return any(node.condition for node in system.nodes) and not all(node.external for node in system.nodes)
 
 
 def _whole(launched: Launched, system: System) -> bool:
