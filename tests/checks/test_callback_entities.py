@@ -81,6 +81,15 @@ class TestSignatures:
     def test_what_rclpy_can_call(self, run: Run, create: str, method: str, expected: list[str]):
         assert codes(run(source(create, method))) == expected
 
+    @pytest.mark.parametrize(
+        ("callback", "expected"),
+        [("take", []), ("taken", ["EXE006"]), ("_taken", ["EXE006"]), ("trigger_cleanup", [])],
+    )
+    def test_a_lifecycle_node_has_methods_of_its_own(self, run: Run, callback: str, expected: list[str]):
+        text = source(f"self.create_timer(5.0, self.{callback})", "def take(self):\n    pass")
+        lifecycle = text.replace("import Node\n", "import Node\nfrom rclpy.lifecycle import LifecycleNode\n")
+        assert codes(run(lifecycle.replace("class Robot(Node)", "class Robot(LifecycleNode)"))) == expected
+
     def test_message_info_came_with_jazzy(self, run: Run):
         text = source("self.create_subscription(Empty, 'a', self.take, 10)", "def take(self, message, info):\n    pass")
         assert codes(run(text, distro="jazzy")) == []

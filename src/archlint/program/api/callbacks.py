@@ -187,7 +187,9 @@ def _missing_method(value: ApiMethod | External) -> str | None:
     ]
     public = rclpy_names.is_node_attribute(name) and not name.startswith(("on_", "__"))
     of_rclpy = public or name in rclpy_names.PRIVATE_NODE_METHODS
-    return None if foreign or of_rclpy or rclpy_names.LIFECYCLE_NODE in cls.external_bases() else name
+    if rclpy_names.LIFECYCLE_NODE in cls.external_bases():
+        of_rclpy = of_rclpy or name in rclpy_names.LIFECYCLE_METHODS
+    return None if foreign or of_rclpy else name
 
 
 def thread(run: Run, call: ApiUse) -> Value:

@@ -197,6 +197,26 @@ PRIVATE_NODE_METHODS = frozenset(
 )
 """Methods of Node that are not meant for others, in every distribution from Foxy on (rclpy ``node.py``)."""
 
+LIFECYCLE_METHODS = frozenset(
+    [
+        "add_managed_entity",
+        "create_lifecycle_publisher",
+        "destroy_lifecycle_publisher",
+        "on_activate",
+        "on_cleanup",
+        "on_configure",
+        "on_deactivate",
+        "on_error",
+        "on_shutdown",
+        "trigger_activate",
+        "trigger_cleanup",
+        "trigger_configure",
+        "trigger_deactivate",
+        "trigger_shutdown",
+    ]
+)
+"""What LifecycleNode has besides, in every distribution (rclpy ``lifecycle/node.py``)."""
+
 
 def is_node_attribute(name: str) -> bool:
     """Whether rclpy's Node (or LifecycleNode) may have an attribute of this name; private ones are not ours to
