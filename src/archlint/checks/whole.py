@@ -115,13 +115,8 @@ def _followed(world: World, file: str) -> bool:
     found = facts_at(world, file)
     if found is None:
         return False
-    local = _ours(world, found)
-    for item in walk(found.body):
-        if isinstance(item, facts.Call) and any(_is_node(argument.value) for argument in item.args):
-            name = _last(item.func)
-            if name is None or (name not in _HARMLESS and name not in local and not _method_of_self(item.func)):
-                return False
-    return True
+    given_to = _given_to(_Same(found))
+    return None not in given_to and given_to - _HARMLESS <= _ours(world, found)
 
 
 def _method_of_self(function: facts.Expr) -> bool:
@@ -138,6 +133,18 @@ def _last(value: facts.Expr) -> str | None:
     if isinstance(value, facts.Attribute):
         return value.attr
     return value.id if isinstance(value, facts.Name) else None
+
+
+@lru_cache(maxsize=10_000)
+def _given_to(file: _Same) -> frozenset[str | None]:
+    """The names of what is called with the node, but for the node's own methods; None for one without a name."""
+    return frozenset(
+        _last(item.func)
+        for item in walk(file.found.body)
+        if isinstance(item, facts.Call)
+        and any(_is_node(argument.value) for argument in item.args)
+        and not _method_of_self(item.func)
+    )
 
 
 class _Same:
