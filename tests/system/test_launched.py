@@ -335,3 +335,78 @@ def test_of_several_classes_that_are_given_away_none_is_guessed(robot):
     [node] = document(made)["nodes"]
     assert (node["class"], node["external"], node["complete"]) == (None, False, False)
     assert [row["reason"] for row in document(made)["unresolved"]] == ["no node was found in the code it starts"]
+
+
+ARGUMENTS = """\
+import argparse
+import sys
+
+import rclpy
+from rclpy.node import Node
+from rclpy.utilities import remove_ros_args
+from std_msgs.msg import String
+
+
+def short(word):
+    return word[:3]
+
+
+def main(args=None):
+    parser = argparse.ArgumentParser()
+    parser.add_argument('name', nargs='?', default='nobody', type=short)
+    parser.add_argument('--best-effort', action='store_true')
+    parser.add_argument('-c', '--copies', type=int, default='1')
+    parser.add_argument('--extra', nargs='*', default=[])
+    {parse}
+    rclpy.init(args=args)
+    node = Node(given.name + ('_best' if given.best_effort else ''))
+    for number in range(given.copies):
+        node.create_publisher(String, f'copy_{{number}}', 10)
+    for name in given.extra:
+        node.create_publisher(String, name, 10)
+    rclpy.spin(node)
+"""
+STRIPPED = "given = parser.parse_args(remove_ros_args(args=sys.argv)[1:])"
+SOME = "given, rest = parser.parse_known_args()"
+
+
+@pytest.mark.parametrize(
+    ("parse", "words", "expected"),
+    [
+        (STRIPPED, "", {"/nob": ["/copy_0"]}),
+        (STRIPPED, "sensor --best-effort", {"/sen_best": ["/copy_0"]}),
+        (SOME, "-c2 lidar --extra a b", {"/lid": ["/a", "/b", "/copy_0", "/copy_1"]}),
+        (STRIPPED, "--copies=2 --ros-args -r copy_1:=/second", {"/nob": ["/copy_0", "/second"]}),
+        ("given = parser.parse_args(sys.argv[1:3])", "'two words' --best-effort", {"/two_best": ["/copy_0"]}),
+        (STRIPPED, "$(var name) --extra $(var name)/x", {"/rea": ["/copy_0", "/rear/x"]}),
+        (STRIPPED, "front --extra $(env TOPIC)", {"/fro": ["/copy_0", None]}),
+    ],
+)
+def test_words_of_the_command_line(robot, parse, words, expected):
+    robot(
+        f'<arg name="name" default="rear"/><node pkg="robot" exec="talker" args="{words}"/>',
+        **{"robot/talker.py": ARGUMENTS.format(parse=parse)},
+    )
+    assert topics(system()) == expected
+
+
+@pytest.mark.parametrize("words", ["$(env WORDS)", "--copies $(env COPIES) $(env MORE)"])
+def test_words_that_nothing_decides_leave_the_name_open(robot, words):
+    robot(f'<node pkg="robot" exec="talker" args="{words}"/>', **{"robot/talker.py": ARGUMENTS.format(parse=STRIPPED)})
+    [node] = system().nodes
+    assert node.resolution in ("partial", "unknown")
+
+
+def test_rclpy_alone_takes_ros_arguments_away(robot):
+    parse = "given = parser.parse_args()"
+    text = ARGUMENTS.format(parse=parse)
+    robot('<node pkg="robot" exec="talker" args="sensor"/>', **{"robot/talker.py": text})
+    assert system().nodes[0].resolution in ("partial", "unknown"), "argparse ends the program at --ros-args"
+    robot('<executable cmd="ros2 run robot talker sensor --best-effort"/>', **{"robot/talker.py": text})
+    assert list(topics(system())) == ["/sen_best"]
+
+
+def test_words_in_sys_argv(robot):
+    text = TALKER.replace("import rclpy\n", "import sys\nimport rclpy\n").replace("'chatter'", "sys.argv[1]")
+    robot('<node pkg="robot" exec="talker" args="news --loud"/>', **{"robot/talker.py": text})
+    assert "/news" in topics(system())["/talker"]

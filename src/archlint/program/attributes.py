@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 from archlint.facts import model as facts
 from archlint.program import messages
-from archlint.program.api import rclpy_names
+from archlint.program.api import command_line, rclpy_names
 from archlint.program.values import (
     NONE,
     ApiMethod,
@@ -216,6 +216,8 @@ def answer_of(run: Run, held: Value) -> Value:
 
 def _of_external(run: Run, value: External, name: str) -> Value:
     path = f"{value.path}.{name}"
+    if path == "sys.argv":
+        return command_line.program_arguments(run)
     if run.activations:
         module = run.index.find(run.activation.module, path)
         if module is not None:

@@ -15,7 +15,7 @@ from archlint.facts import model as facts
 from archlint.facts.deep_stack import call_with_deep_stack
 from archlint.finding import Place
 from archlint.program import calls, definitions, model
-from archlint.program.api import nodes
+from archlint.program.api import command_line, nodes
 from archlint.program.interest import interesting, names_in
 from archlint.program.modules import Module, ModuleIndex
 from archlint.program.roots import NOT_PASSED, enter_root, finish, run_callbacks, run_pending
@@ -165,12 +165,21 @@ class Linker:
             run.left = run.allowed_steps = TEST_STEPS
         return run
 
-    def run_entry(self, entry: EntryPoint, module: Module, overrides: dict[str, object] | None = None) -> model.Program:
-        """Run one executable; also used to run it again with parameter overrides."""
+    def run_entry(
+        self,
+        entry: EntryPoint,
+        module: Module,
+        overrides: dict[str, object] | None = None,
+        words: Sequence[str | None] | None = None,
+    ) -> model.Program:
+        """Run one executable; also used to run it again with parameter overrides, and with the words of a command
+        line (None for one that is not known)."""
         run = self.new_run(entry.executable, module, overrides=overrides)
         run.program.package = entry.package
         ran_before = module.state != "new"
         with _Program(self, run, module):
+            if words is not None:
+                command_line.give_words(run, words)
             run.import_module(module)
             if entry.function is not None:
                 function = self._dotted(run, module, entry.function)

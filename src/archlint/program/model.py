@@ -335,6 +335,9 @@ class Program:
     executors: list[ExecutorUse] = field(default_factory=list)
     field_uses: list[FieldUse] = field(default_factory=list)
     unknown_interfaces: list[UnknownInterface] = field(default_factory=list)
+    reads_command_line: bool = False
+    parses_command_line: bool = False
+    """Whether it looks at ``sys.argv``, and whether argparse divides that up for it."""
     exhausted: bool = False
     """True where a bound on depth or steps cut the run short."""
     executable: bool = True

@@ -125,6 +125,8 @@ class Run:
         self.blueprints: dict[int, model.Blueprint] = {}
         self.nodes: dict[str, model.Blueprint] = {}
         self.instances: dict[int, Instance] = {}
+        self.argv: Value | None = None
+        """The list ``sys.argv``, where the command line is known."""
         self.handed_out: dict[int, ClassValue] = {}
         """Node classes that the entry point gives to code that is not here."""
         self.pending: list[Pending] = []

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 from archlint.program.launch.model import Launched, Started
 from archlint.program.model import ENDPOINT_KINDS, Blueprint, Program, Text
 from archlint.system import names
+from archlint.system.command_line import Word, words_of
 from archlint.system.instances import instantiate
 from archlint.system.model import Endpoint, Node, System
 from archlint.system.overrides import overrides_of
@@ -85,13 +86,17 @@ class LaunchSystems:
 
     def nodes(self, started: Started, launch_file: str) -> list[Node]:
         """The nodes of one started process."""
-        program = self.program(started, {})
+        program, words = self.program(started, {}), None
+        if program is not None and (program.parses_command_line or (program.reads_command_line and started.arguments)):
+            words = words_of(started)
+            again = None if words is None else self.program(started, {}, words)
+            program = again if again is not None and _has_nodes(again) else program
         if program is None or not _has_nodes(program):
             return [_external(started, launch_file, self._why_unfollowed(started, program))]
         overrides = self._overrides(started, program)
         decisive = _decisive(program, overrides)
         if decisive:
-            again = self.program(started, decisive)
+            again = self.program(started, decisive, words)
             program = again if again is not None and _has_nodes(again) else program
         rules = _rules(started)
         found = []
@@ -132,8 +137,11 @@ class LaunchSystems:
             found.update(overrides_of(started, full, self.parameters_of))
         return found
 
-    def program(self, started: Started, overrides: Mapping[str, object]) -> Program | None:
-        """The program of an executable, run with parameters from outside; None for one that is not here."""
+    def program(
+        self, started: Started, overrides: Mapping[str, object], words: tuple[Word, ...] | None = None
+    ) -> Program | None:
+        """The program of an executable, run with parameters and the words of a command line from outside; None
+        for one that is not here."""
         package, executable = started.package.text, started.executable.text
         if package is None or executable is None or started.kind not in ("node", "process"):
             return None
@@ -143,11 +151,12 @@ class LaunchSystems:
         module = self._module(entry, posixpath.dirname(started.file))
         if module is None:
             return None
-        key = (package, executable, module.path, *sorted((name, repr(value)) for name, value in overrides.items()))
+        settings = sorted((name, repr(value)) for name, value in overrides.items())
+        key = (package, executable, module.path, *settings, *([words] if words is not None else []))
         if key not in self._programs:
             if len(self._programs) > RERUNS:
                 return self._programs.get((package, executable, module.path))
-            self._programs[key] = self.linker.run_entry(entry, module, dict(overrides) or None)
+            self._programs[key] = self.linker.run_entry(entry, module, dict(overrides) or None, words)
         return self._programs[key]
 
     def _module(self, entry: EntryPoint, folder: str) -> Module | None:

@@ -329,6 +329,7 @@ def _get_interface(run: Run, call: ApiUse) -> Value:
 
 from archlint.program.api import (  # noqa: E402
     callbacks,
+    command_line,
     entities,
     executors,
     nodes,
@@ -339,8 +340,8 @@ from archlint.program.api import (  # noqa: E402
 from archlint.program.launch import effects as launch_effects  # noqa: E402
 
 adopt = nodes.adopt
-python_effects.METHODS.update(launch_effects.METHODS)
-python_effects.PLAIN.update(launch_effects.PLAIN)
+python_effects.METHODS.update({**launch_effects.METHODS, **command_line.METHODS})
+python_effects.PLAIN.update({**launch_effects.PLAIN, **command_line.PLAIN})
 
 EFFECTS: dict[str, Effect] = {
     "none": _none,
@@ -383,7 +384,7 @@ EFFECTS: dict[str, Effect] = {
     "partial": python_effects.partial,
     "path_join": python_effects.path_join,
     "environment": python_effects.environment,
-    "argument_parser": python_effects.argument_parser,
+    "argument_parser": command_line.argument_parser,
     "launch_object": launch_effects.launch_object,
     "package_path": launch_effects.package_path,
 }

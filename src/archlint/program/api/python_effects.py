@@ -9,7 +9,6 @@ from archlint.facts import model as facts
 from archlint.program.api import profiles
 from archlint.program.builtin_functions import BUILTINS
 from archlint.program.values import (
-    NONE,
     EntityValue,
     External,
     FutureValue,
@@ -71,74 +70,9 @@ def environment(run: Run, call: ApiUse) -> Value:
     return Unknown(name) if default is None else one_of((default, Unknown(name)))
 
 
-def argument_parser(run: Run, call: ApiUse) -> Value:
-    return Instance(External("argparse.ArgumentParser"), run.store.new_key())
-
-
-def _add_argument(
-    run: Run, receiver: Value, args: list[Value], keywords: dict[str, Value], e: facts.Call | None
-) -> Value:
-    if not isinstance(receiver, Instance):
-        return NONE
-    names = [arg.value for arg in args if isinstance(arg, Known) and isinstance(arg.value, str)]
-    long = [name for name in names if name.startswith("--")] or names
-    destination = keywords.get("dest")
-    name = (
-        str(destination.value)
-        if isinstance(destination, Known)
-        else long[0].lstrip("-").replace("-", "_")
-        if long
-        else None
-    )
-    if name is not None:
-        what = Unknown(f"the command-line argument '{name}'")
-        default = keywords.get("default") or _default_of_action(keywords.get("action"))
-        value: Value = what if default is None else one_of((default, what))
-        run.store.set(receiver.key, ("#argument", name), value)
-    return NONE
-
-
-def _default_of_action(action: Value | None) -> Value | None:
-    """``store_true`` is false unless it is given, and the other way round."""
-    if isinstance(action, Known) and action.value in ("store_true", "store_false"):
-        return Known(action.value == "store_false")
-    return None
-
-
-def _parse_args(
-    run: Run, receiver: Value, args: list[Value], keywords: dict[str, Value], e: facts.Call | None
-) -> Value:
-    made = Instance(External("argparse.Namespace"), run.store.new_key())
-    if isinstance(receiver, Instance):
-        for layer in run.store.layers:
-            for (key, slot), value in list(layer.items()):
-                if key == receiver.key and isinstance(slot, tuple) and slot[0] == "#argument":
-                    run.store.set(made.key, slot[1], value)
-    return made
-
-
-def _parse_known_args(
-    run: Run, receiver: Value, args: list[Value], keywords: dict[str, Value], e: facts.Call | None
-) -> Value:
-    from archlint.program import containers
-
-    parsed = _parse_args(run, receiver, args, keywords, e)
-    return containers.new_list(run, [parsed, Unknown("the rest of the command line")], "tuple")
-
-
-def _group(run: Run, receiver: Value, args: list[Value], keywords: dict[str, Value], e: facts.Call | None) -> Value:
-    return receiver
-
-
 Method = Callable[["Run", Value, list[Value], dict[str, Value], "facts.Call | None"], Value]
 
-METHODS: dict[str, Method] = {
-    "argparse.ArgumentParser.add_argument": _add_argument,
-    "argparse.ArgumentParser.parse_args": _parse_args,
-    "argparse.ArgumentParser.parse_known_args": _parse_known_args,
-    "argparse.ArgumentParser.add_argument_group": _group,
-    "argparse.ArgumentParser.add_mutually_exclusive_group": _group,
-}
+METHODS: dict[str, Method] = {}
 
 Plain = Callable[["Run", list[Value], dict[str, Value], "facts.Call | None"], Value]
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+import shlex
 from collections.abc import Callable
 from typing import TYPE_CHECKING
 
@@ -319,8 +320,9 @@ def _started(run: LaunchRun, entity: Instance, kind: str) -> Started:
         *(run.launch.parameters or ()),
         *parameters_of(run, argument(entity, "parameters"), started.places.get("parameters", run.place_now)),
     ]
-    started.arguments = _words(run, argument(entity, "arguments"))
-    started.ros_arguments = _words(run, argument(entity, "ros_arguments"))
+    started.arguments, whole = _words(run, argument(entity, "arguments"))
+    started.ros_arguments, whole_ros = _words(run, argument(entity, "ros_arguments"))
+    started.whole_arguments = whole and whole_ros
     if run.store.get(entity.key, "#open"):
         started.parameters.append(OpenParameters("arguments that are passed by **", run.place_now))
     for word in started.arguments:
@@ -347,17 +349,26 @@ def _remaps(run: LaunchRun, value: Value | None) -> list[Remap]:
     return found
 
 
-def _words(run: LaunchRun, value: Value | None) -> list[str | None]:
+def _words(run: LaunchRun, value: Value | None) -> tuple[list[str | None], bool]:
+    """The words of a command line, None for one that is not known; False where there may be others."""
     if value is None:
-        return []
-    if isinstance(value, (Known,)) or kind_of(value):
+        return [], True
+    if isinstance(value, Known) or kind_of(value):
         text = perform(run, value)
-        return list(str(text.value).split()) if isinstance(text, Known) else [None]
+        return (_split(str(text.value)), True) if isinstance(text, Known) else ([None], False)
     found: list[str | None] = []
     for item in run.items(value):
         text = perform(run, item)
         found.append(str(text.value) if isinstance(text, Known) else None)
-    return found
+    return found, isinstance(value, ListValue) and run.is_closed(value)
+
+
+def _split(text: str) -> list[str | None]:
+    """The words of a text as a shell divides it."""
+    try:
+        return [*shlex.split(text)]
+    except ValueError:
+        return [*text.split()]
 
 
 _KEYWORDS_OF_ALL = frozenset({"condition", "sigterm_timeout", "sigkill_timeout", "log_cmd"})
@@ -406,7 +417,9 @@ def _load(run: LaunchRun, entity: Instance) -> None:
 
 def _process(run: LaunchRun, entity: Instance) -> None:
     """``ros2 run package executable arguments…`` and the path of an executable are nodes like any other."""
-    words = _words(run, argument(entity, "cmd"))
+    words, whole = _words(run, argument(entity, "cmd"))
+    if len(words) == 1 and words[0] and " " in words[0]:
+        words = _split(words[0])
     installed = _INSTALLED.match(words[0]) if words and words[0] else None
     if installed:
         words = ["ros2", "run", installed[1], installed[2], *words[1:]]
@@ -420,6 +433,8 @@ def _process(run: LaunchRun, entity: Instance) -> None:
             arms=run.current_arms,
             dormant=run.is_dormant,
             arguments=words[4:],
+            whole_arguments=whole,
+            bare=True,
         )
     elif words[:2] == ["ros2", "launch"] and len(words) > 3 and words[2] and words[3]:
         path = Known(f"$(find-pkg-share {words[2]})/launch/{words[3]}")

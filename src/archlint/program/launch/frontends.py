@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import shlex
 from collections.abc import Callable, Hashable, Iterator, Sequence
 from typing import TYPE_CHECKING
 
@@ -147,12 +148,40 @@ class Frontend:
                 "executable": "executable",
                 "name": "name",
                 "namespace": "namespace",
-                "args": "arguments",
-                "ros_args": "ros_arguments",
             },
         )
+        for name, parameter in (("args", "arguments"), ("ros_args", "ros_arguments")):
+            self._command_line(element, name, parameter, given, places)
         self._described(element, given)
         return self.make(kind, self.place(element.span), given, places)
+
+    def _command_line(
+        self, element: Element, name: str, parameter: str, given: dict[str, Value], places: dict[str, Place]
+    ) -> None:
+        """An attribute that holds the words of a command line: text is split as a shell does, what a substitution
+        gives is not."""
+        attribute = element.attributes.get(name)
+        if attribute is None:
+            return
+        places[parameter] = self.place(attribute.span)
+        if not isinstance(attribute.value, str):
+            given[parameter] = self.text(attribute)
+            return
+        words: list[list[Value]] = [[]]
+        for part in self._parts(attribute.value, places[parameter], 0):
+            if not isinstance(part, Known):
+                words[-1].append(part)
+                continue
+            text = str(part.value)
+            pieces = _shell_words(text)
+            if not pieces or text[0].isspace():
+                words.append([])
+            for number, piece in enumerate(pieces):
+                words += [[]] if number else []
+                words[-1].append(Known(piece, origin=places[parameter]))
+            if pieces and text[-1].isspace():
+                words.append([])
+        given[parameter] = self.list([word[0] if len(word) == 1 else self.list(word) for word in words if word])
 
     def _described(self, element: Element, given: dict[str, Value]) -> None:
         parameters = [self._parameter(child) for child in element.of("param")]
@@ -288,10 +317,8 @@ class Frontend:
         return self.make("DeclareLaunchArgument", self.place(element.span), given, places)
 
     def executable(self, element: Element) -> Instance:
-        given, places = self.arguments(element, {"cmd": "cmd", "name": "name"})
-        if isinstance(given.get("cmd"), Known):
-            words = str(given["cmd"].value).split()  # type: ignore[attr-defined]
-            given["cmd"] = self.list([Known(word) for word in words])
+        given, places = self.arguments(element, {"name": "name"})
+        self._command_line(element, "cmd", "cmd", given, places)
         return self.make("ExecuteProcess", self.place(element.span), given, places)
 
 
@@ -387,6 +414,13 @@ _SUBSTITUTIONS: dict[str, tuple[str, tuple[str, ...]]] = {
     "param": ("ParameterSubstitution", ("name",)),
     "path-join": ("PathJoinSubstitution", ()),
 }
+
+
+def _shell_words(text: str) -> list[str]:
+    try:
+        return shlex.split(text)
+    except ValueError:
+        return text.split()
 
 
 def _closing(text: str, at: int) -> int:

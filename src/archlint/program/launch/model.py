@@ -81,7 +81,8 @@ class Started:
 
     ``kind`` is ``node``, ``container``, ``component`` or ``process``.  ``name`` and ``namespace`` are what the
     launch file gives; None leaves the code's own.  A ``dormant`` one is started under other arguments only.
-    ``arguments`` is its command line, None for what is not known of it.
+    ``arguments`` is its command line, None for a word that is not known; of one that is not ``whole_arguments`` not
+    even the number of words is.  A ``bare`` one is started by that command line alone.
     """
 
     kind: str
@@ -95,6 +96,8 @@ class Started:
     parameters: Parameters = field(default_factory=list)
     arguments: list[str | None] = field(default_factory=list)
     ros_arguments: list[str | None] = field(default_factory=list)
+    whole_arguments: bool = True
+    bare: bool = False
     arms: Arms = frozenset()
     dormant: bool = False
     lifecycle: bool = False

@@ -111,6 +111,13 @@ class LaunchRun(Run):
         items = containers.iterate(self, value)
         return items is None or not items.whole
 
+    def is_closed(self, value: Value) -> bool:
+        """Whether all items of a list are there for certain."""
+        from archlint.program import containers
+
+        items = containers.iterate(self, value)
+        return items is not None and not items.open
+
     def places_of(self, entity: Instance) -> dict[str, Place]:
         found = self.store.get(entity.key, "#places")
         return found if isinstance(found, dict) else {}
