@@ -333,3 +333,36 @@ def test_circles_that_are_none(findings):
     arm = MANIFEST.format(name="arm", type="ament_python", more="<exec_depend>robot</exec_depend>")
     robot = MANIFEST.format(name="robot", type="ament_python", more=more)
     assert findings("PKG003", **{"package.xml": robot, "arm/package.xml": arm}) == []
+
+
+# ------------------------------------------------------------------------------------------------------ GRF002
+
+STARTS = """
+from launch import LaunchDescription
+from launch_ros.actions import Node
+
+PACKAGE = 'robot'
+
+def generate_launch_description():
+    talker = Node(package=PACKAGE, executable='talker')
+    return LaunchDescription([])
+"""
+
+
+@pytest.mark.parametrize(
+    ("name", "text", "told"),
+    [
+        ("launch/more.launch.py", STARTS.replace("'talker'", "'listener'"), True),
+        ("launch/more.launch.py", STARTS, False),  # under some condition it may well be returned
+        ("launch/more.launch.py", STARTS.replace("'robot'", "'other'"), True),
+        (
+            "launch/more.launch.py",
+            "import os\n\ndef generate_launch_description():\n    os.system(\"xterm -e 'ros2 run robot talker'\")\n",
+            False,
+        ),
+        ("robot/actions.py", STARTS.replace("def generate_launch_description", "def actions"), False),
+        ("robot/words.py", "NAMES = ['talker']\n", True),
+    ],
+)
+def test_a_node_that_no_launch_file_speaks_of(findings, name: str, text: str, told: bool):
+    assert bool(findings("GRF002", **{name: text})) is told

@@ -10,7 +10,8 @@ from typing import TYPE_CHECKING
 
 from archlint.checks.near import did_you_mean
 from archlint.checks.registry import Options, finding, rule
-from archlint.checks.whole import is_whole
+from archlint.checks.whole import is_whole, walk
+from archlint.facts import model as facts
 from archlint.finding import Finding, Related
 from archlint.program.launch.model import MISSING, NOT_INSTALLED, ParameterFileUse
 from archlint.program.model import ACTION_CLIENT, ACTION_SERVER
@@ -19,6 +20,7 @@ from archlint.system.instances import instantiate
 
 if TYPE_CHECKING:
     from archlint.program.launch.model import Included, Launched, Remap, Started, UnknownAttribute
+    from archlint.system.launched import World
     from archlint.system.model import Node, System
 
 
@@ -332,6 +334,7 @@ def node_not_launched(system: System, options: Options) -> Iterator[Finding]:
     if system.launched is not None or world is None or not world.launched:
         return
     started = {(s.package.text, s.executable.text) for one in world.launched for s in one.started}
+    spoken = _words_of_launch_code(world)
     for node in system.nodes:
         blueprint = node.blueprint
         if blueprint is None or node.test or not node.executables or blueprint.held:
@@ -340,6 +343,10 @@ def node_not_launched(system: System, options: Options) -> Iterator[Finding]:
         installed = world.installs.get(run_package(node) or "")
         runs = {run for run in runs if installed is not None and run[1] in installed.executables}
         if not runs or not runs.isdisjoint(started):
+            continue
+        if any(_spoken_of(words, *run) for run in runs for words in spoken) or any(
+            _offered(world, *run) for run in runs
+        ):
             continue
         shown = node.name or blueprint.class_name
         yield finding(
@@ -350,6 +357,32 @@ def node_not_launched(system: System, options: Options) -> Iterator[Finding]:
             node=node.name,
             identity=(blueprint.class_name,),
         )
+
+
+def _words_of_launch_code(world: World) -> list[frozenset[str]]:
+    """The texts in each launch file in Python: other arguments, or an event, may start what its defaults do not."""
+    files = world.loader.python_facts() if world.loader is not None else []
+    return [
+        frozenset(str(item.value) for item in walk(found.body) if isinstance(item, facts.Literal))
+        for file, found in files
+        if file.kind == "launch_python"
+    ]
+
+
+def _spoken_of(words: frozenset[str], package: str | None, executable: str) -> bool:
+    """Whether a file names an executable and its package, or the command that runs it."""
+    if executable in words:
+        return package in words
+    return any(f"ros2 run {package} {executable}" in word for word in words)
+
+
+def _offered(world: World, package: str | None, executable: str) -> bool:
+    """Whether a module of the package has an action for it that launch files can use."""
+    loader = world.loader
+    return loader is None or any(
+        loader.mentions(path, executable) and loader.mentions(path, "launch_ros")
+        for path in loader.python_files_of(package or "")
+    )
 
 
 def run_package(node: Node) -> str | None:
