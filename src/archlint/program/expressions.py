@@ -165,6 +165,7 @@ def _mapping(run: Run, e: facts.Mapping) -> Value:
 
 
 def _comprehension(run: Run, e: facts.Comprehension) -> Value:
+    from archlint.program.run import UNROLL
     from archlint.program.statements import assign
 
     activation = run.activation
@@ -187,7 +188,7 @@ def _comprehension(run: Run, e: facts.Comprehension) -> Value:
         iterable = run.evaluate(generator.iterable)
         items = iterate(run, iterable)
         values: Sequence[Value]
-        if items is None or len(items.values) > ITEM_LIMIT:
+        if items is None or len(items.values) > min(UNROLL, run.items_left):
             open_, whole = True, False
             why = reason(iterable)
             why = "what the loop runs over is not known" if why.startswith("the value") else why
@@ -196,6 +197,7 @@ def _comprehension(run: Run, e: facts.Comprehension) -> Value:
             open_ = open_ or items.open
             whole = whole and items.whole
             values = items.values
+            run.items_left -= len(values)
         for item in values:
             assign(run, generator.target, item)
             truths = [truth(run, run.evaluate(condition)) for condition in generator.conditions]

@@ -47,6 +47,8 @@ RUNS = 150
 """How often one root runs a function with any arguments."""
 UNROLL = 512
 """How many items of a known collection a loop is unrolled over."""
+COMPREHENDED = 8_000
+"""How many items all comprehensions of a program go through one by one: tables of numbers are no names."""
 
 Status = str | None
 """How a block ended: None (fell through), ``return``, ``break``, ``continue``, ``raise``."""
@@ -122,6 +124,8 @@ class Run:
         self.allowed_steps = PROGRAM_STEPS
         self.left = PROGRAM_STEPS
         """What is left of the program's statements."""
+        self.items_left = COMPREHENDED
+        """How many more items its comprehensions go through."""
         self.blueprints: dict[int, model.Blueprint] = {}
         self.nodes: dict[str, model.Blueprint] = {}
         self.instances: dict[int, Instance] = {}
