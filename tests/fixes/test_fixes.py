@@ -40,18 +40,19 @@ if __name__ == '__main__':
 class Workbench:
     def __init__(self, folder: Path) -> None:
         self.folder = folder
+        self.head = HEAD
         self.file = folder / "worker.py"
 
     def fix(self, line: str, *options: str, code: str) -> str:
         """The lines of the constructor after ``--fix``; a second run must change nothing."""
-        self.file.write_text(HEAD + f"        {line}\n" + TAIL, encoding="utf-8")
+        self.file.write_text(self.head + f"        {line}\n" + TAIL, encoding="utf-8")
         main(["check", "--fix", "--select", code, "--no-cache", *options])
         after = self.file.read_text("utf-8")
         compile(after, "worker.py", "exec")
         main(["check", "--fix", "--select", code, "--no-cache", *options])
         assert self.file.read_text("utf-8") == after
-        assert after.startswith(HEAD) and after.endswith(TAIL)
-        return dedent(after.removeprefix(HEAD).removesuffix(TAIL)).strip()
+        assert after.startswith(self.head) and after.endswith(TAIL)
+        return dedent(after.removeprefix(self.head).removesuffix(TAIL)).strip()
 
 
 @pytest.fixture
@@ -130,12 +131,155 @@ def test_two_names_that_end_alike_get_a_parameter_each(workbench: Workbench):
 
 
 @pytest.mark.parametrize(
+    ("before", "after"),
+    [
+        (  # a constant of the module, and a keyword
+            "self.create_publisher(msg_type=String, topic=SAID, qos_profile=10)",
+            """
+            self.declare_parameter('said_topic', SAID)
+            said_topic = self.get_parameter('said_topic').value
+            self.create_publisher(msg_type=String, topic=said_topic, qos_profile=10)
+            """,
+        ),
+        (  # a text that is put together
+            "self.create_client(Trigger, f'{SAID}/reset')",
+            """
+            self.declare_parameter('reset_service', f'{SAID}/reset')
+            reset_service = self.get_parameter('reset_service').value
+            self.create_client(Trigger, reset_service)
+            """,
+        ),
+        (  # one name, two endpoints
+            "self.create_publisher(String, '/echo', 10); x = 1\n"
+            "self.create_subscription(String, '/echo', print, 10)",
+            """
+            self.declare_parameter('echo_topic', '/echo')
+            echo_topic = self.get_parameter('echo_topic').value
+            self.create_publisher(String, echo_topic, 10); x = 1
+            self.create_subscription(String, echo_topic, print, 10)
+            """,
+        ),
+        (  # one name in two branches, neither of which reaches the other
+            "if rclpy.ok():\n    self.create_publisher(String, '/echo', 10)\n"
+            "else:\n    self.create_publisher(String, '/echo', 5)",
+            """
+            if rclpy.ok():
+                self.declare_parameter('echo_topic', '/echo')
+                echo_topic = self.get_parameter('echo_topic').value
+                self.create_publisher(String, echo_topic, 10)
+            else:
+                self.declare_parameter('echo_topic_2', '/echo')
+                echo_topic_2 = self.get_parameter('echo_topic_2').value
+                self.create_publisher(String, echo_topic_2, 5)
+            """,
+        ),
+        (
+            "ActionClient(self, Fibonacci, '/count')",
+            """
+            self.declare_parameter('count_action', '/count')
+            count_action = self.get_parameter('count_action').value
+            ActionClient(self, Fibonacci, count_action)
+            """,
+        ),
+    ],
+)
+def test_names_that_are_not_simply_written_in_the_call(workbench: Workbench, before: str, after: str):
+    workbench.head = HEAD.replace("\n\nclass", "\nSAID = '/said'\n\n\nclass", 1)
+    fixed = workbench.fix(before.replace("\n", "\n        "), "--unsafe-fixes", code="NME001")
+    assert fixed == dedent(after).strip()
+
+
+def test_a_method_that_may_run_again_asks_for_the_parameter_first(workbench: Workbench):
+    fixed = workbench.fix(
+        "self.open()\n        self.open()\n\n    def open(self):\n        self.create_publisher(String, '/said', 10)",
+        "--unsafe-fixes",
+        code="NME001",
+    )
+    assert fixed.partition("def open(self):\n")[2].splitlines() == [
+        "    if not self.has_parameter('said_topic'):",
+        "        self.declare_parameter('said_topic', '/said')",
+        "    said_topic = self.get_parameter('said_topic').value",
+        "    self.create_publisher(String, said_topic, 10)",
+    ]
+
+
+@pytest.mark.parametrize(
+    "lines",
+    [
+        "say = '/said'\ndef again():\n    self.create_publisher(String, say, 10)\nagain()\nagain()",
+        "self.open('/said')\n\ndef open(self, say):\n    self.create_publisher(String, say, 10)",
+    ],
+)
+def test_a_name_that_a_method_may_be_given_is_left_alone(workbench: Workbench, lines: str):
+    indent = "        " if "self, say" not in lines else "    "
+    body = lines.replace("\n", "\n" + indent)
+    assert "declare_parameter" not in workbench.fix(body, "--unsafe-fixes", code="NME001")
+
+
+def test_a_method_that_only_the_constructor_calls_declares_it_plainly(workbench: Workbench):
+    fixed = workbench.fix(
+        "self._set_up()\n\n    def _set_up(self):\n        self.create_publisher(String, '/said', 10)",
+        "--unsafe-fixes",
+        code="NME001",
+    )
+    assert "has_parameter" not in fixed and "self.declare_parameter('said_topic', '/said')" in fixed
+
+
+SCRIPT = """\
+import rclpy
+from std_msgs.msg import String
+
+
+def main():
+    rclpy.init()
+    node = rclpy.create_node('talker')
+    {}
+    rclpy.spin(node)
+
+
+main()
+"""
+
+
+def test_a_node_of_a_function(workbench: Workbench):
+    workbench.file.write_text(SCRIPT.format("node.create_publisher(String, '/said', 10)"), encoding="utf-8")
+    main(["check", "--fix", "--unsafe-fixes", "--select", "NME001", "--no-cache"])
+    assert workbench.file.read_text("utf-8") == SCRIPT.format(
+        "node.declare_parameter('said_topic', '/said')\n"
+        "    said_topic = node.get_parameter('said_topic').value\n"
+        "    node.create_publisher(String, said_topic, 10)"
+    )
+
+
+HELPER = """\
+from std_msgs.msg import String
+
+
+class Helper:
+    def __init__(self, node):
+        self.node = node
+        self.node.create_publisher(String, '/said', 10)
+"""
+
+
+def test_a_node_that_is_handed_over_may_have_a_parameter_of_that_name(workbench: Workbench):
+    (workbench.folder / "helper.py").write_text(HELPER, encoding="utf-8")
+    workbench.fix("self.declare_parameter('said_topic', 'x'); import helper; helper.Helper(self)",
+                  "--unsafe-fixes", code="NME001")  # fmt: skip
+    fixed = (workbench.folder / "helper.py").read_text("utf-8")
+    assert "if not self.node.has_parameter('said_topic_2'):" in fixed
+
+
+@pytest.mark.parametrize(
     "line",
     [
         "for _ in 'ab': self.create_publisher(String, '/said', 10)",
         "if self.context: self.create_publisher(String, '/said', 10)",
         "x = 1; self.create_publisher(String, '/said', 10)",
         "[self.create_publisher(String, '/said', 10) for _ in 'a']",
+        "say = lambda: self.create_publisher(String, '/said', 10); say()",
+        "with open('x') as f, self.create_publisher(String, '/said', 10): pass",
+        "self.create_publisher(String, str('/said'), 10)",
     ],
 )
 def test_a_name_that_cannot_become_a_parameter_in_one_step(workbench: Workbench, line: str):

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable
 from dataclasses import replace
+from pathlib import Path
 from typing import TYPE_CHECKING
 
 from archlint.fixes import names, timeouts
@@ -14,8 +15,11 @@ if TYPE_CHECKING:
 
 Builder = Callable[["Finding", Source, "Surroundings"], "Fix | None"]
 
+_MOST_FILES = 1_000
+"""How many files of a package are looked through for names in use."""
+
 BUILDERS: dict[str, Builder] = {
-    "NME001": lambda finding, source, _: names.declare_parameter(finding, source),
+    "NME001": names.declare_parameter,
     "TMO001": lambda finding, source, _: timeouts.limit_wait(finding, source),
     "TMO002": lambda finding, source, around: timeouts.limit_call(finding, source, around.distros),
     "TMO003": lambda finding, source, _: timeouts.limit_spin(finding, source),
@@ -30,16 +34,42 @@ class Surroundings:
     def __init__(self, distros: tuple[str, ...]) -> None:
         self.distros: tuple[str, ...] = distros
         self._sources: dict[str, Source | None] = {}
+        self._findings: dict[tuple[str, str], list[Finding]] = {}
+        self._texts: dict[Path, dict[str, str]] = {}
+        self.handed_over: set[str] = set()
+        """Parameters that fixes declare on nodes of other files."""
+
+    def keep(self, findings: Iterable[Finding]) -> None:
+        """Take the findings of a run, of which a fix may mend several."""
+        for one in findings:
+            self._findings.setdefault((one.code, one.place.file), []).append(one)
+
+    def findings_like(self, finding: Finding) -> list[Finding]:
+        """The other findings of the rule in the same file."""
+        return [one for one in self._findings.get((finding.code, finding.place.file), []) if one is not finding]
 
     def source(self, file: str) -> Source | None:
         if file not in self._sources:
             self._sources[file] = read(file)
         return self._sources[file]
 
+    def elsewhere(self, source: Source) -> str:
+        """The text of the other Python files of a file's package, and the names that fixes bring into them."""
+        file = Path(source.file).resolve()
+        root = next((folder for folder in file.parents if (folder / "package.xml").is_file()), file.parent)
+        if root not in self._texts:
+            files = sorted(root.rglob("*.py"))[:_MOST_FILES]
+            found = ((str(one), read(str(one))) for one in files)
+            self._texts[root] = {name: one.text for name, one in found if one is not None}
+        taken = (name for other in self._sources.values() if other not in (None, source) for name in other.taken)
+        return "\n".join((*(t for name, t in self._texts[root].items() if name != str(file)), *sorted(taken)))
+
 
 def attach(findings: Iterable[Finding], around: Surroundings) -> list[Finding]:
     """The findings, each with its fix where there is one."""
-    return [_with_fix(finding, around) for finding in findings]
+    found = list(findings)
+    around.keep(found)
+    return [_with_fix(finding, around) for finding in found]
 
 
 def _with_fix(finding: Finding, around: Surroundings) -> Finding:

@@ -7,9 +7,11 @@ import re
 from typing import TYPE_CHECKING
 
 from archlint.finding import Edit, Fix
+from archlint.fixes import scopes
 
 if TYPE_CHECKING:
     from archlint.finding import Finding
+    from archlint.fixes import Surroundings
     from archlint.fixes.source import Source
 
 _KIND = {
@@ -23,37 +25,105 @@ _KIND = {
 }
 
 
-def declare_parameter(finding: Finding, source: Source) -> Fix | None:
+def declare_parameter(finding: Finding, source: Source, around: Surroundings) -> Fix | None:
     """Declare a parameter in front of the create call and read the name from it.
 
-    Only in a constructor, where it is declared once, and only for a name that is written in the call.
+    Other calls with the same name in reach of the new variable take it too: their fix is that of the first.
     """
-    literal = source.node_at(finding.place, ast.Constant)
-    if not isinstance(literal, ast.Constant) or not isinstance(literal.value, str):
+    site = _site_of(finding, source)
+    if site is None or "(one of " in finding.message:
         return None
-    call = source.parents.get(literal)
+    others = around.findings_like(finding)
+    mine = [other for one in others if (other := _site_of(one, source)) is not None and site.shares_with(other)]
+    if any(other.reaches(site) for other in mine if other.start < site.start):
+        return None  # the first one's fix is also this one's
+    # Whoever else declares parameters on a node that is handed over is perhaps in another file.
+    elsewhere = around.elsewhere(source) if site.handed_over else ""
+    name = _free_name(source, _written(finding), site.kind, elsewhere + "\n".join(around.handed_over))
+    if site.handed_over:
+        around.handed_over.add(name)
+    at = source.starts[site.statement.lineno - 1]
+    edits = [Edit(source.place(at, at), _lines(site, source, name))]
+    for one in sorted((site, *(other for other in mine if site.reaches(other))), key=lambda other: other.start):
+        edits.append(Edit(source.place(*source.span(one.expression)), name))
+    return Fix("unsafe", tuple(edits), f"take the name from the parameter '{name}'")
+
+
+def _lines(site: _Site, source: Source, name: str) -> str:
+    """The lines that declare and read the parameter; a node that may have it already is asked first."""
+    line = source.line(site.statement.lineno)
+    indent = line[: len(line) - len(line.lstrip())]
+    node = ast.unparse(site.node)
+    declare = f"{node}.declare_parameter('{name}', {source.text[slice(*source.span(site.expression))]})"
+    lines = [declare, f"{name} = {node}.get_parameter('{name}').value"]
+    if not site.once:
+        step = "\t" if indent.startswith("\t") else "    "
+        lines[:1] = [f"if not {node}.has_parameter('{name}'):", step + declare]
+    return "".join(f"{indent}{one}{source.newline}" for one in lines)
+
+
+class _Site:
+    """A create call whose name can become a parameter: the name's ``expression``, the ``statement`` in front of
+    which the parameter can be declared, and the ``node`` to declare it on."""
+
+    def __init__(self, source: Source, expression: ast.expr, node: ast.expr, kind: str, statement: ast.stmt) -> None:
+        self.source, self.expression, self.node, self.kind, self.statement = source, expression, node, kind, statement
+        self.start = source.span(expression)[0]
+        self.function = scopes.enclosing_function(source, statement)
+        own = scopes.own_node(source, node, statement)
+        self.once = own and scopes.runs_once(source, self.function)
+        self.handed_over = not own
+        """True where other files may declare parameters on the same node."""
+
+    def shares_with(self, other: _Site) -> bool:
+        return (
+            self.function is other.function
+            and self.kind == other.kind
+            and ast.dump(self.node) == ast.dump(other.node)
+            and ast.dump(self.expression) == ast.dump(other.expression)
+        )
+
+    def reaches(self, other: _Site) -> bool:
+        """Whether the other call always runs after this one's statement has begun."""
+        if other.start <= self.start:
+            return False
+        block = scopes.block_of(self.source, self.statement)
+        around: ast.AST | None = other.statement
+        while around is not None and around not in block:
+            around = self.source.parents.get(around)
+        return around is not None
+
+
+def _site_of(finding: Finding, source: Source) -> _Site | None:
+    if finding.place not in source.sites:
+        source.sites[finding.place] = _made_site(finding, source)
+    found = source.sites[finding.place]
+    return found if isinstance(found, _Site) else None
+
+
+def _made_site(finding: Finding, source: Source) -> _Site | None:
+    expression = source.node_at(finding.place, ast.expr)
+    call = None if expression is None else source.parents.get(expression)
     if isinstance(call, ast.keyword):
         call = source.parents.get(call)
-    if not isinstance(call, ast.Call):
+    if expression is None or not isinstance(call, ast.Call):
         return None
     node, kind = _node_and_kind(call)
-    statement = _statement(source, call)
-    if node is None or statement is None:
+    statement = scopes.statement_before(source, call)
+    if node is None or statement is None or not scopes.is_plain(expression):
         return None
-    line = source.line(statement.lineno)
-    indent = line[: len(line) - len(line.lstrip())]
-    at = source.span(statement)[0]
-    if source.text[at - len(indent) : at] != indent or line[: len(indent)].strip():
+    indent = source.line(statement.lineno)
+    if indent[: source.span(statement)[0] - source.starts[statement.lineno - 1]].strip():
+        return None  # something else stands in front of it
+    if not scopes.is_node(source, node, statement):
         return None
-    name = _free_name(source, literal.value, kind)
-    receiver = ast.unparse(node)
-    old = source.text[slice(*source.span(literal))]
-    lines = (
-        f"{receiver}.declare_parameter('{name}', {old}){source.newline}{indent}"
-        f"{name} = {receiver}.get_parameter('{name}').value{source.newline}{indent}"
-    )
-    edits = (Edit(source.place(at, at), lines), Edit(source.place(*source.span(literal)), name))
-    return Fix("unsafe", edits, f"take the name from the parameter '{name}'")
+    site = _Site(source, expression, node, kind, statement)
+    again = not site.once or scopes.is_other_method(source, site.function)
+    return site if not again or scopes.is_constant(source, expression, statement) else None
+
+
+def _written(finding: Finding) -> str:
+    return finding.identity[-1]
 
 
 def _node_and_kind(call: ast.Call) -> tuple[ast.expr | None, str]:
@@ -71,31 +141,14 @@ def _node_and_kind(call: ast.Call) -> tuple[ast.expr | None, str]:
     return (node if plain else None), _KIND[name]
 
 
-def _statement(source: Source, call: ast.Call) -> ast.stmt | None:
-    """The statement of a constructor that holds the call; None in loops, nested functions and comprehensions."""
-    node: ast.AST = call
-    statement: ast.stmt | None = None
-    while node in source.parents:
-        node = source.parents[node]
-        if isinstance(node, (ast.FunctionDef, ast.AsyncFunctionDef)):
-            return statement if node.name == "__init__" else None
-        if isinstance(node, (ast.For, ast.AsyncFor, ast.While, ast.Lambda, ast.comprehension, ast.ListComp)):
-            return None
-        if isinstance(node, ast.stmt) and statement is None:
-            if isinstance(node, (ast.If, ast.With, ast.Try)):
-                return None
-            statement = node
-    return None
-
-
-def _free_name(source: Source, topic: str, kind: str) -> str:
-    """A name for the parameter and the variable that the file does not use yet: of the last part of the topic,
-    else of the last two, and so on."""
+def _free_name(source: Source, topic: str, kind: str, elsewhere: str) -> str:
+    """A name for the parameter and the variable that is not in use yet: of the last part of the topic, else of the
+    last two, and so on."""
     parts = [re.sub(r"\W+", "_", part).strip("_").lower() for part in topic.split("/")]
     parts = [part for part in parts if part] or [kind]
     names = [_base("_".join(parts[-count:]), kind) for count in range(1, len(parts) + 1)]
     names += [f"{names[0]}_{number}" for number in range(2, 1_000)]
-    name = next(one for one in names if one not in source.taken and not _used(one, source))
+    name = next(one for one in names if one not in source.taken and not _used(one, source.text + elsewhere))
     source.taken.add(name)
     return name
 
@@ -105,6 +158,6 @@ def _base(words: str, kind: str) -> str:
     return base if base[0].isalpha() else f"{kind}_{words}"
 
 
-def _used(name: str, source: Source) -> bool:
-    """Whether the file uses a name as a variable or in a text; attributes are in nobody's way."""
-    return re.search(rf"(?<![\w.]){name}\b", source.text) is not None
+def _used(name: str, text: str) -> bool:
+    """Whether a text uses a name as a variable or in a string; attributes are in nobody's way."""
+    return re.search(rf"(?<![\w.]){name}\b", text) is not None

@@ -25,6 +25,8 @@ class Source:
     encoding: str = "utf-8"
     taken: set[str] = field(default_factory=set)
     """Names that fixes of this file have brought in already."""
+    sites: dict[Place, object] = field(default_factory=dict)
+    """What fixes have found at places, so that they look once."""
 
     @cached_property
     def starts(self) -> list[int]:

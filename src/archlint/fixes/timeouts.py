@@ -43,9 +43,7 @@ def limit_spin(finding: Finding, source: Source) -> Fix | None:
 def _of_rclpy(call: ast.Call) -> bool:
     function = call.func
     return isinstance(function, ast.Name) or (
-        isinstance(function, ast.Attribute)
-        and isinstance(function.value, ast.Name)
-        and function.value.id == "rclpy"
+        isinstance(function, ast.Attribute) and isinstance(function.value, ast.Name) and function.value.id == "rclpy"
     )
 
 
