@@ -124,6 +124,11 @@ class TestSpinning:
             "executor = MultiThreadedExecutor()\nexecutor.add_node(robot)\nrclpy.spin(robot, executor)",
             "executor = load_executor()\nrclpy.spin(robot, executor=executor)",
             "some_framework.run(robot)",
+            "from window import clock\nclock.ticked.connect(lambda: rclpy.spin_once(robot, timeout_sec=0.01))",
+            "def spin():\n    while rclpy.ok():\n        rclpy.spin_once(robot)\n\n\n"
+            "asyncio.get_event_loop().run_in_executor(None, spin)",
+            "def spin(node):\n    rclpy.spin(node)\n\n\n"
+            "from window import pool\npool.submit(partial(spin, robot))",
         ],
     )
     def test_a_node_that_is_spun_somehow(self, run: Run, body: str):

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from typing import TYPE_CHECKING
 
 from archlint.facts import model as facts
@@ -89,6 +90,28 @@ def register(
             run.pending.append(Pending(callback, option, given))
         made = made or callback
     return made
+
+
+def hand_out(run: Run, values: Iterable[Value]) -> None:
+    """Note functions that are given to code which we do not see (an event loop, a user interface): it may call
+    them.  Methods of objects need no note, since all that can matter are run."""
+    from archlint.program.interest import interesting
+    from archlint.program.run import Pending
+
+    for option in (option for value in values for option in alternatives(value)):
+        function: Value = option
+        while isinstance(function, Partial):
+            function = function.function
+        if not isinstance(function, FunctionValue) or not interesting(function.ir):
+            continue
+        callback = describe(run, option)
+        key = ("method", None, callback.name, callback.place, function.scope.key, 0)
+        if key in run.registered:
+            continue
+        run.registered.add(key)
+        callback.role = "method"
+        run.program.callbacks.append(callback)
+        run.pending.append(Pending(callback, option, ()))
 
 
 def _receiver(value: Value) -> int:

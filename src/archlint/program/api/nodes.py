@@ -88,8 +88,12 @@ def known_node(run: Run, value: Value | None) -> model.Blueprint | None:
 
 
 def hand_out(run: Run, values: Iterable[Value]) -> None:
-    """Note that nodes, or the classes of some, are given to code that we do not see."""
-    for value in values:
+    """Note that nodes, the classes of some, or functions are given to code that we do not see."""
+    from archlint.program.api import callbacks
+
+    given = list(values)
+    callbacks.hand_out(run, given)
+    for value in given:
         node = known_node(run, value)
         if node is not None:
             node.handed_out = True
