@@ -410,3 +410,64 @@ def test_words_in_sys_argv(robot):
     text = TALKER.replace("import rclpy\n", "import sys\nimport rclpy\n").replace("'chatter'", "sys.argv[1]")
     robot('<node pkg="robot" exec="talker" args="news --loud"/>', **{"robot/talker.py": text})
     assert "/news" in topics(system())["/talker"]
+
+
+PAIR = """\
+import rclpy
+from rclpy.node import Node
+from std_msgs.msg import String
+
+class Side(Node):
+    def __init__(self, name):
+        super().__init__(name)
+        topic = self.declare_parameter('topic', 'silence').value
+        self.create_publisher(String, topic, 10)
+        if self.declare_parameter('loud', False).value:
+            self.create_publisher(String, topic + '/loud', 10)
+
+def main():
+    rclpy.init()
+    executor = rclpy.executors.SingleThreadedExecutor()
+    for name in ('left', 'right'):
+        executor.add_node(Side(name))
+    executor.spin()
+"""
+SILENT = ["/silence", "/silence/loud"]
+
+
+@pytest.mark.parametrize(
+    ("parameters", "left", "right"),
+    [
+        ("left: {ros__parameters: {topic: l}}", ["/l", "/l/loud"], SILENT),
+        (
+            "left: {ros__parameters: {topic: l}}\nright: {ros__parameters: {topic: r}}",
+            ["/l", "/l/loud"],
+            ["/r", "/r/loud"],
+        ),
+        ("/**: {ros__parameters: {topic: both, loud: false}}", ["/both"], ["/both"]),
+        ("/**: {ros__parameters: {loud: true}}\nright: {ros__parameters: {loud: false}}", SILENT, ["/silence"]),
+        ("/other/left: {ros__parameters: {topic: l}}", SILENT, SILENT),
+    ],
+)
+def test_a_section_reaches_only_the_nodes_that_it_names(robot, parameters, left, right):
+    root = robot(
+        '<node pkg="robot" exec="talker"><param from="$(dirname)/p.yaml"/></node>', **{"robot/talker.py": PAIR}
+    )
+    (root / "launch" / "p.yaml").write_text(parameters)
+    assert topics(system()) == {"/left": left, "/right": right}
+
+
+def test_parameters_of_a_node_action_without_a_name_reach_all_nodes_of_its_process(robot):
+    robot('<node pkg="robot" exec="talker"><param name="topic" value="t"/></node>', **{"robot/talker.py": PAIR})
+    assert topics(system()) == {"/left": ["/t", "/t/loud"], "/right": ["/t", "/t/loud"]}
+
+
+def test_a_name_and_a_namespace_in_a_node_action_are_the_key_of_its_parameters(robot):
+    named = PAIR.replace(
+        "super().__init__(name)", "super().__init__(name, cli_args=['--ros-args', '-r', '__node:=own'])"
+    )
+    robot(
+        '<node pkg="robot" exec="talker" name="n" namespace="a"><param name="topic" value="t"/></node>',
+        **{"robot/talker.py": named},
+    )
+    assert topics(system()) == {"/a/own": ["/a/silence", "/a/silence/loud"]}, "the key is /a/n"

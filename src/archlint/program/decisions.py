@@ -33,7 +33,7 @@ def truth(run: Run, value: Value) -> bool | None:
     while the program starts; callbacks may see what was set later.
     """
     if isinstance(value, Known):
-        settled = run.context.role in ("main", "init") and value.via <= run.overrides.keys()
+        settled = run.context.role in ("main", "init") and value.via <= run.overrides.settled
         return bool(value.value) if settled or not value.via else None
     if isinstance(value, OneOf):
         found = {truth(run, alternative) for alternative in value.values}

@@ -155,7 +155,7 @@ class Linker:
         found = [file for file in files if f"/{file.relative}".endswith(tail)]
         return found if len(found) == 1 else []
 
-    def new_run(self, name: str, module: Module, role: str = "main", overrides: dict[str, object] | None = None) -> Run:
+    def new_run(self, name: str, module: Module, role: str = "main", overrides: model.Overrides | None = None) -> Run:
         place = Place(module.path, 1, 1, 1, 1)
         program = model.Program(name, module.file.package, module.path)
         context = model.Callback(role, name, place, None, file=module.path)
@@ -169,7 +169,7 @@ class Linker:
         self,
         entry: EntryPoint,
         module: Module,
-        overrides: dict[str, object] | None = None,
+        overrides: model.Overrides | None = None,
         words: Sequence[str | None] | None = None,
     ) -> model.Program:
         """Run one executable; also used to run it again with parameter overrides, and with the words of a command

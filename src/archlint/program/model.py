@@ -5,6 +5,7 @@ Names here are still as the code gives them (relative, ``~``); the load floor ex
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
 
@@ -319,6 +320,38 @@ class UnknownInterface:
     others: tuple[str, ...] = ()
     left_out: bool = False
     """True where its file is there, but the package does not generate it."""
+
+
+@dataclass(frozen=True)
+class Overrides:
+    """The parameter values that one process gets from outside.
+
+    ``of_nodes`` are those of its nodes, by the name and namespace that their constructors give; ``others`` are
+    for a node that is not among them.  ``settled`` are the parameters that are set on every node that has them.
+    """
+
+    of_nodes: Mapping[tuple[str | None, str | None], Mapping[str, object]] = field(default_factory=dict)
+    others: Mapping[str, object] = field(default_factory=dict)
+    settled: frozenset[str] = frozenset()
+
+    def of(self, node: Blueprint | None) -> Mapping[str, object]:
+        """Values by parameter name."""
+        return self.others if node is None else self.of_nodes.get(node_key(node), self.others)
+
+    @property
+    def key(self) -> tuple[object, ...]:
+        """What tells two of them apart."""
+        rows = [(repr(node), _rows(values)) for node, values in self.of_nodes.items()]
+        return (*sorted(rows), _rows(self.others))
+
+
+def _rows(values: Mapping[str, object]) -> tuple[tuple[str, str], ...]:
+    return tuple(sorted((name, repr(value)) for name, value in values.items()))
+
+
+def node_key(node: Blueprint) -> tuple[str | None, str | None]:
+    """The name and namespace that a node's constructor gives."""
+    return node.name.text, node.namespace.text
 
 
 @dataclass(eq=False)

@@ -110,14 +110,14 @@ class Run:
         program: model.Program,
         context: model.Callback,
         interfaces: InterfaceTable | None = None,
-        overrides: dict[str, object] | None = None,
+        overrides: model.Overrides | None = None,
     ) -> None:
         self.index = index
         self.store = store
         self.program = program
         self.context = context
         self.interfaces = interfaces
-        self.overrides = overrides or {}
+        self.overrides = overrides or model.Overrides()
         self.activations: list[Activation] = []
         self.arms: list[tuple[str, int]] = []
         self.steps = 0

@@ -8,11 +8,12 @@ from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING
 
 from archlint.program.launch.model import Launched, Started
-from archlint.program.model import ENDPOINT_KINDS, Blueprint, Program, Text
+from archlint.program.model import Blueprint, Overrides, Program, Text
 from archlint.system import names
 from archlint.system.command_line import Word, words_of
 from archlint.system.instances import instantiate
 from archlint.system.model import Endpoint, Node, System
+from archlint.system.outside import known_name, outside
 from archlint.system.overrides import overrides_of
 from archlint.system.remap import RemapRule, rules_of_arguments
 
@@ -80,46 +81,46 @@ class LaunchSystems:
             programs=programs,
             closed=closed,
             package_dependencies=dependencies,
+            launched=launched,
         )
 
     # --------------------------------------------------------------------------------------------- nodes
 
     def nodes(self, started: Started, launch_file: str) -> list[Node]:
         """The nodes of one started process."""
-        program, words = self.program(started, {}), None
+        program, words = self.program(started), None
         if program is not None and (program.parses_command_line or (program.reads_command_line and started.arguments)):
             words = words_of(started)
-            again = None if words is None else self.program(started, {}, words)
+            again = None if words is None else self.program(started, None, words)
             program = again if again is not None and _has_nodes(again) else program
         if program is None or not _has_nodes(program):
             return [_external(started, launch_file, self._why_unfollowed(started, program))]
-        overrides = self._overrides(started, program)
-        decisive = _decisive(program, overrides)
-        if decisive:
-            again = self.program(started, decisive, words)
+        changes = outside(started, program, self.parameters_of)
+        if changes is not None:
+            again = self.program(started, changes, words)
             program = again if again is not None and _has_nodes(again) else program
-        rules = _rules(started)
-        found = []
-        for blueprint in program.nodes:
-            if blueprint.test:
-                continue
-            node = instantiate(
-                blueprint,
-                program,
-                name=started.name,
-                namespace=started.namespace,
-                remaps=rules,
-                launched_by=launch_file,
-            )
-            node.overrides = overrides  # the program has run with them: its names are final
-            node.launch_place = started.place
-            node.started = started
-            node.alternatives = started.arms
-            node.package = started.package.text or node.package
-            node.executable = started.executable.text or node.executable
-            _forget_unknown_remaps(node, started)
-            found.append(node)
-        return found
+        return [
+            self._node(blueprint, program, started, launch_file) for blueprint in program.nodes if not blueprint.test
+        ]
+
+    def _node(self, blueprint: Blueprint, program: Program, started: Started, launch_file: str) -> Node:
+        node = instantiate(
+            blueprint,
+            program,
+            name=started.name,
+            namespace=started.namespace,
+            remaps=_rules(started),
+            launched_by=launch_file,
+        )
+        # The program has run with its parameters: its names are final.
+        node.overrides = overrides_of(started, known_name(node), self.parameters_of)
+        node.launch_place = started.place
+        node.started = started
+        node.alternatives = started.arms
+        node.package = started.package.text or node.package
+        node.executable = started.executable.text or node.executable
+        _forget_unknown_remaps(node, started)
+        return node
 
     def _why_unfollowed(self, started: Started, program: Program | None) -> str | None:
         """Why an executable of this workspace has no node; None for one that is not here."""
@@ -127,18 +128,8 @@ class LaunchSystems:
             return None
         return "the file that it starts is not here" if program is None else "no node was found in the code it starts"
 
-    def _overrides(self, started: Started, program: Program) -> dict[str, object]:
-        """What is set for any node of the process.  Nodes of one process that are set differently share the
-        values: few executables make several nodes."""
-        found: dict[str, object] = {}
-        for blueprint in program.nodes:
-            node = instantiate(blueprint, program, name=started.name, namespace=started.namespace)
-            full = node.name if node.resolution in ("exact", "parameter") else None
-            found.update(overrides_of(started, full, self.parameters_of))
-        return found
-
     def program(
-        self, started: Started, overrides: Mapping[str, object], words: tuple[Word, ...] | None = None
+        self, started: Started, changes: Overrides | None = None, words: tuple[Word, ...] | None = None
     ) -> Program | None:
         """The program of an executable, run with parameters and the words of a command line from outside; None
         for one that is not here."""
@@ -151,12 +142,13 @@ class LaunchSystems:
         module = self._module(entry, posixpath.dirname(started.file))
         if module is None:
             return None
-        settings = sorted((name, repr(value)) for name, value in overrides.items())
-        key = (package, executable, module.path, *settings, *([words] if words is not None else []))
+        key: tuple[object, ...] = (package, executable, module.path)
+        if changes is not None or words is not None:
+            key = (*key, None if changes is None else changes.key, words)
         if key not in self._programs:
             if len(self._programs) > RERUNS:
                 return self._programs.get((package, executable, module.path))
-            self._programs[key] = self.linker.run_entry(entry, module, dict(overrides) or None, words)
+            self._programs[key] = self.linker.run_entry(entry, module, changes, words)
         return self._programs[key]
 
     def _module(self, entry: EntryPoint, folder: str) -> Module | None:
@@ -168,50 +160,6 @@ class LaunchSystems:
 
 def _has_nodes(program: Program) -> bool:
     return any(not blueprint.test for blueprint in program.nodes)
-
-
-def _decisive(program: Program, overrides: Mapping[str, object]) -> dict[str, object]:
-    """The values from outside that can change what a program creates: those of parameters it declares (or may
-    declare) with another default, where a name, period or QoS comes from them, or a branch may."""
-    if not overrides:
-        return {}
-    defaults: dict[str, object] = {}
-    mentioned: set[str] = set()
-    everything = False
-    for blueprint in program.nodes:
-        everything |= blueprint.allow_undeclared_parameters or blueprint.automatically_declare_parameters
-        for declaration in blueprint.parameters:
-            everything |= declaration.name.text is None
-            if declaration.name.text is not None:
-                defaults[declaration.name.text] = declaration.default if declaration.known else _NO_DEFAULT
-        for creation in blueprint.creations:
-            unclear = creation.name.resolution in ("partial", "unknown") and creation.kind in ENDPOINT_KINDS
-            everything |= creation.conditional or unclear or (creation.type is None and unclear)
-            for names_ in (creation.name.parameter, creation.period_parameter, creation.qos and creation.qos.parameter):
-                mentioned.update((names_ or "").split(","))
-    return {
-        name: value
-        for name, value in overrides.items()
-        if (everything and (not defaults or name in defaults or _any_name(program))) or name in mentioned
-        if name not in defaults or defaults[name] is _NO_DEFAULT or not _same(defaults[name], value)
-    }
-
-
-_NO_DEFAULT = object()
-
-
-def _any_name(program: Program) -> bool:
-    """Whether a node of the program takes parameters that it does not declare by a known name."""
-    return any(
-        blueprint.allow_undeclared_parameters
-        or blueprint.automatically_declare_parameters
-        or any(declaration.name.text is None for declaration in blueprint.parameters)
-        for blueprint in program.nodes
-    )
-
-
-def _same(default: object, value: object) -> bool:
-    return type(default) is type(value) and default == value
 
 
 def _rules(started: Started) -> list[RemapRule]:

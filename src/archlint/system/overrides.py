@@ -12,6 +12,7 @@ from archlint.facts.parameters import ParameterFacts
 from archlint.facts.safe_yaml import plain_scalar
 from archlint.finding import Place
 from archlint.program.launch.model import OpenParameters, ParameterFileUse, ParameterSetting, Started
+from archlint.system import names
 
 EVERY_NODE = "/**"
 
@@ -82,7 +83,7 @@ def settings_of(started: Started, node: str | None, facts_of: Callable[[str], Pa
     words = [*started.arguments, "--ros-args", *started.ros_arguments]
     for name, value in command_line_parameters(words):
         yield Setting(EVERY_NODE, name, value, started.places.get("arguments", started.place))
-    own = node if node is not None and started.name is not None and started.namespace is not None else EVERY_NODE
+    own = _own_key(started)
     for parameter in started.parameters:
         if isinstance(parameter, ParameterSetting) and parameter.name is not None:
             key = EVERY_NODE if parameter.shared else own
@@ -100,6 +101,16 @@ def settings_of(started: Started, node: str | None, facts_of: Callable[[str], Pa
                         section.written,
                         parameter.shared,
                     )
+
+
+def _own_key(started: Started) -> str:
+    """The key under which launch_ros writes the dicts of ``parameters=``: the node's full name, if the launch file
+    gives both parts of it."""
+    name, namespace = started.name, started.namespace
+    if name is None or namespace is None:
+        return EVERY_NODE
+    known = name.text is not None and namespace.text is not None and "*" not in name.text + namespace.text
+    return names.join(namespace.text or "/", name.text or "") if known else EVERY_NODE
 
 
 def file_value(value: Any, use: ParameterFileUse) -> object:

@@ -128,6 +128,7 @@ def declare_one(
     """Declare a parameter on the node of a call; returns the Parameter object."""
     place = span_place or (run.place(call.expression.span) if call.expression is not None else Place("", 1, 1, 1, 1))
     found = []
+    overrides = run.overrides.of(nodes.known_node(run, call.receiver))
     for option in alternatives(name):
         text = text_of_value(option, "no name is given")
         kind = type_name(run, default)
@@ -141,8 +142,8 @@ def declare_one(
             value = from_parameter(run, override, text.text)
         elif text.text is None or text.resolution not in ("exact", "parameter"):
             value = Unknown("the parameter's name is not known")
-        elif text.text in run.overrides and not ignore_override:
-            value = from_parameter(run, value_from_python(run, run.overrides[text.text]), text.text)
+        elif text.text in overrides and not ignore_override:
+            value = from_parameter(run, value_from_python(run, overrides[text.text]), text.text)
         elif has_default:
             assert default is not None
             value = from_parameter(run, default, text.text)
@@ -232,6 +233,7 @@ def declare_parameters(run: Run, call: ApiUse) -> Value:
 def read(run: Run, call: ApiUse, name: Value) -> Value:
     """The value of a parameter by name."""
     found: list[Value] = []
+    overrides = run.overrides.of(nodes.known_node(run, call.receiver))
     for option in alternatives(name):
         if not isinstance(option, Known) or not isinstance(option.value, str):
             found.append(Unknown("the parameter's name is not known"))
@@ -239,8 +241,8 @@ def read(run: Run, call: ApiUse, name: Value) -> Value:
         value = run.store.get(nodes.node_key(run, call.receiver), ("#parameter", option.value))
         if isinstance(value, Value):
             found.append(value)
-        elif option.value in run.overrides:
-            found.append(from_parameter(run, value_from_python(run, run.overrides[option.value]), option.value))
+        elif option.value in overrides:
+            found.append(from_parameter(run, value_from_python(run, overrides[option.value]), option.value))
         elif option.value == "use_sim_time":
             found.append(Known(False, frozenset({"use_sim_time"})))
         else:
@@ -301,7 +303,7 @@ def has_parameter(run: Run, call: ApiUse) -> Value:
         value = run.store.get(nodes.node_key(run, call.receiver), ("#parameter", name.value))
         if isinstance(value, Value):
             return TRUE
-        if run.context.role == "init" and not run.arms and not run.overrides:
+        if run.context.role == "init" and not run.arms and run.overrides == model.Overrides():
             return FALSE
     return Unknown("whether the parameter is declared")
 

@@ -1,0 +1,92 @@
+"""Which parameter values from outside a program has to run again with."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from typing import TYPE_CHECKING
+
+from archlint.program.model import ENDPOINT_KINDS, Blueprint, Overrides, Program, node_key
+from archlint.system.instances import instantiate
+from archlint.system.overrides import overrides_of
+
+if TYPE_CHECKING:
+    from archlint.facts.parameters import ParameterFacts
+    from archlint.program.launch.model import Started
+    from archlint.system.model import Node
+
+_NO_DEFAULT = object()
+
+
+def known_name(node: Node) -> str | None:
+    """The full name of a node, where it is one."""
+    return node.name if node.resolution in ("exact", "parameter") else None
+
+
+def outside(started: Started, program: Program, parameters_of: Callable[[str], ParameterFacts]) -> Overrides | None:
+    """What is set on the nodes of a process and can change what the program creates; None where nothing is."""
+    found: dict[tuple[str | None, str | None], Mapping[str, object]] = {}
+    nodes = [blueprint for blueprint in program.nodes if not blueprint.test]
+    for blueprint in nodes:
+        node = instantiate(blueprint, program, name=started.name, namespace=started.namespace)
+        found[node_key(blueprint)] = overrides_of(started, known_name(node), parameters_of)
+    everything, mentioned = _decided_by(program)
+    decisive = {
+        key: _decisive([node for node in nodes if node_key(node) == key], values, everything, mentioned)
+        for key, values in found.items()
+    }
+    if not any(decisive.values()):
+        return None
+    others = next(iter(decisive.values())) if len(decisive) == 1 else overrides_of(started, None, parameters_of)
+    return Overrides(decisive, others, _settled(nodes, decisive))
+
+
+def _decided_by(program: Program) -> tuple[bool, set[str]]:
+    """The parameters that names, periods and QoS come from; first whether any other may matter, too."""
+    mentioned: set[str] = set()
+    everything = False
+    for blueprint in program.nodes:
+        everything |= _takes_any(blueprint)
+        for creation in blueprint.creations:
+            unclear = creation.name.resolution in ("partial", "unknown") and creation.kind in ENDPOINT_KINDS
+            everything |= creation.conditional or unclear
+            for names in (creation.name.parameter, creation.period_parameter, creation.qos and creation.qos.parameter):
+                mentioned.update((names or "").split(","))
+    return everything, mentioned
+
+
+def _takes_any(blueprint: Blueprint) -> bool:
+    """Whether a node takes parameters that it does not declare by a known name."""
+    unknown = any(declaration.name.text is None for declaration in blueprint.parameters)
+    return unknown or blueprint.allow_undeclared_parameters or blueprint.automatically_declare_parameters
+
+
+def _decisive(
+    nodes: list[Blueprint], values: Mapping[str, object], everything: bool, mentioned: set[str]
+) -> dict[str, object]:
+    """The values of parameters that the nodes of one name declare (or may declare), where something that they
+    create depends on them: with another default, or deciding a branch that a default does not."""
+    defaults: dict[str, object] = {}
+    for declaration in (declaration for node in nodes for declaration in node.parameters):
+        if declaration.name.text is not None:
+            defaults[declaration.name.text] = declaration.default if declaration.known else _NO_DEFAULT
+    any_name = not defaults or any(map(_takes_any, nodes))
+    return {
+        name: value
+        for name, value in values.items()
+        if (everything and (any_name or name in defaults))
+        or (name in mentioned and not _same(defaults.get(name, _NO_DEFAULT), value))
+    }
+
+
+def _same(default: object, value: object) -> bool:
+    return type(default) is type(value) and default == value
+
+
+def _settled(
+    nodes: list[Blueprint], values: Mapping[tuple[str | None, str | None], Mapping[str, object]]
+) -> frozenset[str]:
+    found = {name for settings in values.values() for name in settings}
+    for node in nodes:
+        declared = {declaration.name.text for declaration in node.parameters}
+        found -= {name for name in found & declared if name is not None and name not in values[node_key(node)]}
+    return frozenset(found)
