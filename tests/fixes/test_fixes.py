@@ -68,10 +68,25 @@ SERVER = "ActionClient(self, Fibonacci, 'count')"
 @pytest.mark.parametrize(
     ("before", "after"),
     [
-        (f"{CLIENT}.wait_for_service()", f"{CLIENT}.wait_for_service(timeout_sec=5.0)"),
-        (f"{CLIENT}.wait_for_service(None)", f"{CLIENT}.wait_for_service(5.0)"),
-        (f"{CLIENT}.wait_for_service(timeout_sec = None)", f"{CLIENT}.wait_for_service(timeout_sec = 5.0)"),
-        (f"{SERVER}.wait_for_server( )", f"{SERVER}.wait_for_server(timeout_sec=5.0 )"),
+        (f"ok = {CLIENT}.wait_for_service()", f"ok = {CLIENT}.wait_for_service(timeout_sec=5.0)"),
+        (f"ok = {CLIENT}.wait_for_service(None)", f"ok = {CLIENT}.wait_for_service(5.0)"),
+        (f"ok = {CLIENT}.wait_for_service(timeout_sec = None)", f"ok = {CLIENT}.wait_for_service(timeout_sec = 5.0)"),
+        (f"ok = {SERVER}.wait_for_server( )", f"ok = {SERVER}.wait_for_server(timeout_sec=5.0 )"),
+        (
+            f"{CLIENT}.wait_for_service()  # patiently",
+            f"if not {CLIENT}.wait_for_service(timeout_sec=5.0):  # patiently\n"
+            "    self.get_logger().warning('the service far is not there')",
+        ),
+        (
+            f"{SERVER}.wait_for_server(\n    # patiently\n)",
+            f"if not {SERVER}.wait_for_server(timeout_sec=5.0\n    # patiently\n):\n"
+            "    self.get_logger().warning('the action server count is not there')",
+        ),
+        (
+            f"while not {CLIENT}.wait_for_service(): pass",
+            f"while rclpy.ok() and not {CLIENT}.wait_for_service(timeout_sec=5.0): pass",
+        ),
+        (f"x = 1; {CLIENT}.wait_for_service()", f"x = 1; {CLIENT}.wait_for_service(timeout_sec=5.0)"),
         ("wait_for_message(String, self, 'x')", "wait_for_message(String, self, 'x', time_to_wait=5.0)"),
         ("wait_for_message(String, self, ('x'),)", "wait_for_message(String, self, ('x'), time_to_wait=5.0,)"),
         (
@@ -82,6 +97,52 @@ SERVER = "ActionClient(self, Fibonacci, 'count')"
 )
 def test_a_wait_gets_a_limit(workbench: Workbench, before: str, after: str):
     assert workbench.fix(before.replace("\n", "\n        "), code="TMO001") == after
+
+
+def test_a_limited_wait_breaks_no_other_rule_about_time(workbench: Workbench, capsys: pytest.CaptureFixture[str]):
+    for line in (f"{CLIENT}.wait_for_service()", f"while not {CLIENT}.wait_for_service(): pass"):
+        workbench.fix(line, code="TMO001")
+        capsys.readouterr()
+        assert main(["check", "--select", "TMO", "--no-cache", "--format", "concise"]) == 0, capsys.readouterr().out
+
+
+WAITING_SCRIPT = """\
+import rclpy
+from std_srvs.srv import Trigger
+
+
+def make(node):
+    return node.create_client(Trigger, 'far')
+
+
+def main():
+    rclpy.init()
+    node = rclpy.create_node('asker')
+    client = {}
+    {}
+    rclpy.spin(node)
+
+
+main()
+"""
+
+
+@pytest.mark.parametrize(
+    ("made", "after"),
+    [
+        (
+            "node.create_client(Trigger, 'far')",
+            "if not client.wait_for_service(timeout_sec=5.0):\n"
+            "        node.get_logger().warning('the service far is not there')",
+        ),
+        ("make(node)", None),  # whose client this is, only another function tells
+    ],
+)
+def test_a_wait_in_a_function(workbench: Workbench, made: str, after: str | None):
+    workbench.file.write_text(WAITING_SCRIPT.format(made, "client.wait_for_service()"), encoding="utf-8")
+    main(["check", "--fix", "--select", "TMO001", "--no-cache"])
+    expected = "client.wait_for_service(timeout_sec=5.0)" if after is None else after
+    assert workbench.file.read_text("utf-8") == WAITING_SCRIPT.format(made, expected)
 
 
 def test_a_limit_that_the_caller_decides_is_left_alone(workbench: Workbench):
@@ -329,7 +390,11 @@ def test_a_diff_changes_nothing(workbench: Workbench, capsys: pytest.CaptureFixt
     before = HEAD + f"        {CLIENT}.wait_for_service()\n" + TAIL
     workbench.file.write_text(before, encoding="utf-8")
     assert main(["check", "--diff", "--select", "TMO001", "--no-cache"]) == 1
-    assert capsys.readouterr().out.splitlines()[-4:-3] == [f"+        {CLIENT}.wait_for_service(timeout_sec=5.0)"]
+    assert [line for line in capsys.readouterr().out.splitlines() if line[:2] in ("+ ", "- ")] == [
+        f"-        {CLIENT}.wait_for_service()",
+        f"+        if not {CLIENT}.wait_for_service(timeout_sec=5.0):",
+        "+            self.get_logger().warning('the service far is not there')",
+    ]
     assert workbench.file.read_text("utf-8") == before
 
 

@@ -121,6 +121,27 @@ def _makes_node(value: ast.expr) -> bool:
     )
 
 
+def maker_in_function(source: Source, client: ast.Name, statement: ast.stmt) -> str | None:
+    """The node, a plain name, that made a client: ``node`` for ``client = node.create_client(…)`` in the function
+    around and ``ActionClient(node, …)``; None where it is set in another way, or several times."""
+    function = enclosing_function(source, statement)
+    values = [
+        one.value
+        for one in _all(source, ast.Assign)
+        if enclosing_function(source, one) is function
+        and any(isinstance(target, ast.Name) and target.id == client.id for target in one.targets)
+    ]
+    made = values[0] if len(values) == 1 else None
+    if not isinstance(made, ast.Call):
+        return None
+    maker: ast.expr | None = None
+    if isinstance(made.func, ast.Attribute) and made.func.attr == "create_client":
+        maker = made.func.value
+    elif isinstance(made.func, ast.Name) and made.func.id == "ActionClient" and made.args:
+        maker = made.args[0]
+    return maker.id if isinstance(maker, ast.Name) else None
+
+
 def runs_once(source: Source, function: Function | None) -> bool:
     """Whether a function runs once for each node: a constructor, what only a constructor calls and at one place,
     or one that is no method (which then makes the node that it works on)."""
@@ -219,7 +240,7 @@ def _is_constant_attribute(source: Source, expression: ast.Attribute, statement:
         return isinstance(owner, ast.Attribute) and _is_constant_attribute(source, owner, statement)
     cls = enclosing_class(source, statement)
     if cls is None or owner.id not in ("self", "cls", cls.name):
-        return _is_constant_name(source, owner.id, statement) and _is_imported(source, owner.id)
+        return _is_constant_name(source, owner.id, statement) and is_imported(source, owner.id)
     bound = [
         one for one in _all(source, ast.Attribute) if one.attr == expression.attr and not isinstance(one.ctx, ast.Load)
     ]
@@ -244,7 +265,7 @@ def _is_constant_attribute(source: Source, expression: ast.Attribute, statement:
     )
 
 
-def _is_imported(source: Source, name: str) -> bool:
+def is_imported(source: Source, name: str) -> bool:
     imports: list[ast.Import | ast.ImportFrom] = [*_all(source, ast.Import), *_all(source, ast.ImportFrom)]
     return any((alias.asname or alias.name).partition(".")[0] == name for one in imports for alias in one.names)
 

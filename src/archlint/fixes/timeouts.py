@@ -3,15 +3,19 @@
 from __future__ import annotations
 
 import ast
+import re
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from archlint.finding import Edit, Fix
+from archlint.fixes import scopes
 
 if TYPE_CHECKING:
     from archlint.finding import Finding
     from archlint.fixes.source import Source
 
 SECONDS = "5.0"
+_NAME = re.compile(r"[\w/~]+\Z")
 _LIMITS = {"wait_for_service": "timeout_sec", "wait_for_server": "timeout_sec", "wait_for_message": "time_to_wait"}
 
 
@@ -21,7 +25,61 @@ def limit_wait(finding: Finding, source: Source) -> Fix | None:
     if call is None or _name(call) not in _LIMITS:
         return None
     keyword = _LIMITS[_name(call)]
-    return _limited(source, call, keyword, None if keyword == "time_to_wait" else 0)
+    limited = _limited(source, call, keyword, None if keyword == "time_to_wait" else 0)
+    if limited is None or keyword == "time_to_wait":
+        return limited
+    edits = _with_a_look_at_the_answer(source, call, finding)
+    return replace(limited, edits=tuple(sorted((*limited.edits, *edits), key=lambda edit: edit.place)))
+
+
+def _with_a_look_at_the_answer(source: Source, call: ast.Call, finding: Finding) -> list[Edit]:
+    """What keeps a limited wait from being an answer that nobody reads (TMO005) or a loop that nothing ends (TMO004).
+
+    A statement of its own gets an ``if not`` and a warning of the node, where there is a node at hand; ``while not``
+    of it asks ``rclpy.ok()`` too.
+    """
+    parent = source.parents.get(call)
+    if isinstance(parent, ast.Expr):
+        return _warn(source, parent, call, finding)
+    loop = None if parent is None else source.parents.get(parent)
+    if isinstance(parent, ast.UnaryOp) and isinstance(loop, ast.While) and loop.test is parent:
+        at = source.span(parent)[0]
+        return [Edit(source.place(at, at), "rclpy.ok() and ")] if scopes.is_imported(source, "rclpy") else []
+    return []
+
+
+def _warn(source: Source, statement: ast.Expr, call: ast.Call, finding: Finding) -> list[Edit]:
+    node = _node_at_hand(source, call, statement)
+    line, (start, end) = source.line(statement.lineno), source.span(statement)
+    indent = line[: len(line) - len(line.lstrip())]
+    after = source.starts[statement.end_lineno or statement.lineno - 1] if _ends_line(source, end) else None
+    if node is None or after is None or line[: start - source.starts[statement.lineno - 1]].strip():
+        return []
+    what = "action server" if _name(call) == "wait_for_server" else "service"
+    name = finding.identity[1] if len(finding.identity) > 1 else ""
+    words = f"the {what} {name} is not there" if _NAME.match(name) else f"the {what} is not there"
+    step = "\t" if indent.startswith("\t") else "    "
+    return [
+        Edit(source.place(start, start), "if not "),
+        Edit(source.place(end, end), ":"),
+        Edit(source.place(after, after), f"{indent}{step}{node}.get_logger().warning('{words}'){source.newline}"),
+    ]
+
+
+def _ends_line(source: Source, end: int) -> bool:
+    """Whether nothing but a comment, and the end of the line, follows."""
+    return re.match(r"[ \t]*(#[^\r\n]*)?(\r\n|\r|\n)", source.text[end:]) is not None
+
+
+def _node_at_hand(source: Source, call: ast.Call, statement: ast.stmt) -> str | None:
+    """The node whose logger can say it: ``self`` of a node's method, or who made the client in this function."""
+    function = scopes.enclosing_function(source, statement)
+    arguments = [] if function is None else function.args.args
+    me = ast.Name("self", ast.Load())
+    if arguments and arguments[0].arg == "self" and scopes.is_node(source, me, statement):
+        return "self"
+    client = call.func.value if isinstance(call.func, ast.Attribute) else None
+    return scopes.maker_in_function(source, client, statement) if isinstance(client, ast.Name) else None
 
 
 def limit_call(finding: Finding, source: Source, distros: tuple[str, ...]) -> Fix | None:
