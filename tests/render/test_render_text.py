@@ -10,6 +10,7 @@ from system.builders import (
     client,
     from_parameter,
     node,
+    parameter,
     place,
     publisher,
     subscriber,
@@ -134,3 +135,15 @@ def test_no_name_steers_the_terminal() -> None:
     assert "\u202e" not in shown
     assert "\r" not in shown
     assert shown.encode("utf-8")
+
+
+def test_a_parameter_that_the_launch_sets_is_shown_with_its_value():
+    scanner = node("/scanner", parameter("topic", "scan"), parameter("rate", 1.0, "double"))
+    scanner.overrides = {"topic": "front/scan"}
+
+    rows = [" ".join(line.split()) for line in render(system(scanner)).splitlines()]
+
+    assert any(
+        row.startswith("parameter topic string = 'front/scan', set by the launch (default 'scan')") for row in rows
+    )
+    assert any(row.startswith("parameter rate double = 1.0 line") for row in rows)

@@ -87,7 +87,7 @@ def _rows(node: Node) -> Iterator[Sequence[Cell]]:
     for kind, verb in _VERBS.items():
         yield from (_endpoint_row(endpoint, verb) for endpoint in node.of_kind(kind))
     yield from map(_timer_row, node.timers)
-    yield from map(_parameter_row, node.parameters)
+    yield from (_parameter_row(parameter, node) for parameter in node.parameters)
 
 
 def _endpoint_row(endpoint: Endpoint, verb: str) -> Sequence[Cell]:
@@ -125,8 +125,11 @@ def _timer_row(timer: Creation) -> Sequence[Cell]:
     ]
 
 
-def _parameter_row(parameter: ParameterDeclaration) -> Sequence[Cell]:
+def _parameter_row(parameter: ParameterDeclaration, node: Node) -> Sequence[Cell]:
     default = f"= {parameter.default!r}" if parameter.known and parameter.default is not None else ""
+    if parameter.name.text in node.overrides and not parameter.ignore_override:
+        given = node.overrides[parameter.name.text]
+        default = f"= {given!r}, set by the launch" + (f" (default {default[2:]})" if default else "")
     return [
         ("parameter", "plain"),
         (parameter.name.text or "?", "plain"),
