@@ -215,6 +215,17 @@ def test_a_shared_section_is_for_whichever_node_declares_the_name(findings):
     assert findings("PRM004", node(load_it) + external, **{"config/p.yaml": yaml}) == []
 
 
+def test_a_shared_section_may_be_for_the_nodes_of_another_launch_file(findings):
+    load_it = '<param from="$(find-pkg-share robot)/config/p.yaml"/>'
+    yaml = "/**: {ros__parameters: {mass: 1.0}}"
+    amcl = f"<launch>{node(load_it, pkg='nav2_amcl', exec='amcl', name='amcl')}</launch>"
+    alone = "<launch></launch>"
+
+    both = {"config/p.yaml": yaml, "launch/other.launch.xml": amcl}
+    assert findings("PRM004", node(load_it), **both) == []
+    assert len(findings("PRM004", node(load_it), **both | {"launch/other.launch.xml": alone})) == 1
+
+
 def test_a_node_that_allows_undeclared_parameters_takes_anything(findings):
     text = TALKER.replace("('talker')", "('talker', allow_undeclared_parameters=True)")
     assert findings("PRM004", node('<param name="rat" value="1.0"/>'), **{"robot/talker.py": text}) == []

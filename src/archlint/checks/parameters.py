@@ -169,7 +169,7 @@ def _name_of(call: ApiCall) -> str | None:
 @rule("PRM004")
 def unknown_parameter_override(system: System, options: Options) -> Iterator[Finding]:
     """Values for parameters that the node does not declare."""
-    every = _every_declared(system)
+    every: dict[str, set[str] | None] = {}
     for node, settings in _set_nodes(system):
         declared = _declared(node)
         assert node.blueprint is not None
@@ -182,9 +182,13 @@ def unknown_parameter_override(system: System, options: Options) -> Iterator[Fin
                 continue
             if any(names is None or setting.name in names for names in others):
                 continue
-            shared_section = setting.written is not None and "*" in setting.key
-            if shared_section and (every is None or setting.name in every):
-                continue
+            if setting.written is not None and "*" in setting.key:
+                file = setting.place.file
+                if file not in every:
+                    every[file] = _every_declared(system, file)
+                shared = every[file]
+                if shared is None or setting.name in shared:
+                    continue
             yield finding(
                 "PRM004",
                 setting.place,
@@ -197,14 +201,21 @@ def unknown_parameter_override(system: System, options: Options) -> Iterator[Fin
             )
 
 
-def _every_declared(system: System) -> set[str] | None:
-    """The names that any node of the system declares; None where some node's source is not here."""
+def _every_declared(system: System, file: str) -> set[str] | None:
+    """The names that any node of any system which loads a parameter file declares; None where some node's source
+    is not here, or other launch files were not run."""
+    world = system.world
+    if world is None or (world.explicit and world.loader is not None and len(world.loader.launch_files()) > 1):
+        return None
     found: set[str] = set()
-    for node in system.nodes:
-        declared = None if node.external else _declared(node)
-        if declared is None:
-            return None
-        found |= set(declared)
+    for other in world.systems:
+        if other is not system and (other.launched is None or file not in _files_of(other)):
+            continue
+        for node in other.nodes:
+            declared = None if node.external else _declared(node)
+            if declared is None:
+                return None
+            found |= set(declared)
     return found
 
 
