@@ -247,6 +247,13 @@ def test_a_name_is_proposed_where_a_slip_of_the_pen_explains_it():
 # --- the shape of what is in sight
 
 
+def test_an_isolated_node_may_talk_to_the_outside():
+    three = [node("/a", publisher("said")), node("/b", subscriber("said")), node("/c", service("offered"))]
+    assert [one.node for one in findings(system(*three, closed=True), "GRF001")] == ["/c"]
+    assert findings(system(*three, closed=True), "GRF001", external=("/offered",)) == []
+    assert findings(system(three[2], closed=True), "GRF001") == []  # alone, and not among others
+
+
 def chain(middle: Node) -> list[Node]:
     """Two nodes on each side of another one."""
     return [

@@ -24,7 +24,8 @@ def isolated_node(system: System, options: Options) -> Iterator[Finding]:
     tied = connected(system)
     judged = [node for node in system.nodes if _judged(node)]
     for node in judged:
-        if len(judged) > 1 and id(node) not in tied:
+        outside = any(end.name is not None and options.is_external(end.name) for end in node.endpoints)
+        if len(judged) > 1 and id(node) not in tied and not outside:
             yield _finding(
                 "GRF001",
                 node,
