@@ -401,3 +401,58 @@ def test_a_diff_changes_nothing(workbench: Workbench, capsys: pytest.CaptureFixt
 def test_unsafe_fixes_alone_are_a_mistake(workbench: Workbench, capsys: pytest.CaptureFixture[str]):
     assert main(["check", "--unsafe-fixes"]) == 2
     assert "--unsafe-fixes goes with --fix or --diff" in capsys.readouterr().err
+
+
+FORMS = {
+    "windows line ends": lambda text: text.replace(b"\n", b"\r\n"),
+    "tabs": lambda text: text.replace(b"    ", b"\t"),
+    "a byte order mark": lambda text: b"\xef\xbb\xbf" + text,
+    "another encoding": lambda text: b"# -*- coding: latin-1 -*-\n# caf\xe9\n" + text,
+    "no final newline": lambda text: text.rstrip(b"\n"),
+    "other letters": lambda text: text.replace(b"import rclpy\n", "import rclpy  # \u00fc\u4e2d\n".encode(), 1),
+}
+
+
+@pytest.mark.parametrize("form", FORMS)
+def test_the_form_of_a_file_is_kept(workbench: Workbench, form: str):
+    lines = f"{CLIENT}.wait_for_service()\n        self.create_publisher(String, '/said', 10)"
+    written = f"{HEAD}        {lines}\n{TAIL}".encode()
+    shaped = FORMS[form]
+    workbench.file.write_bytes(written)
+    main(["check", "--fix", "--unsafe-fixes", "--select", "TMO001,NME001", "--no-cache"])
+    expected = workbench.file.read_bytes()
+    assert expected != written
+    workbench.file.write_bytes(shaped(written))
+    main(["check", "--fix", "--unsafe-fixes", "--select", "TMO001,NME001", "--no-cache"])
+    assert workbench.file.read_bytes() == shaped(expected)
+
+
+LINE = f"{HEAD}        {CLIENT}.wait_for_service()\n{TAIL}"
+
+
+def test_a_read_only_file_is_an_error(workbench: Workbench, capsys: pytest.CaptureFixture[str]):
+    workbench.file.write_text(LINE, encoding="utf-8")
+    other = workbench.folder / "another.py"
+    other.write_text(LINE, encoding="utf-8")
+    workbench.file.chmod(0o444)
+    assert main(["check", "--fix", "--select", "TMO001", "--no-cache"]) == 2
+    assert "cannot write worker.py: the file is read-only" in capsys.readouterr().err
+    assert workbench.file.read_text("utf-8") == other.read_text("utf-8") == LINE  # all or nothing
+
+
+def test_a_linked_file_is_written_through(workbench: Workbench):
+    real = workbench.folder / "kept" / "real.txt"
+    real.parent.mkdir()
+    real.write_text(LINE, encoding="utf-8")
+    workbench.file.symlink_to(real)
+    main(["check", "--fix", "--select", "TMO001", "--no-cache"])
+    assert workbench.file.is_symlink()
+    assert "timeout_sec=5.0" in real.read_text("utf-8")
+    assert sorted(path.name for path in real.parent.iterdir()) == ["real.txt"]
+
+
+def test_no_fix_for_a_call_in_humble(workbench: Workbench):
+    line = f"{CLIENT}.call(Trigger.Request())"
+    for distro, fixed in (("humble", False), ("jazzy", True), ("kilted", True), ("lyrical", True), ("rolling", True)):
+        (workbench.folder / "archlint.toml").write_text(f'distro = "{distro}"\n')
+        assert ("timeout_sec" in workbench.fix(line, code="TMO002")) is fixed, distro

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import ast
 import difflib
+import errno
 import os
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field
@@ -111,16 +112,30 @@ def _parses(source: Source, text: str) -> bool:
 
 
 def write(outcome: Outcome) -> None:
-    """Replace the files, each in one step and with its permissions.  Raises ``OSError``."""
+    """Replace the files, each in one step and with its permissions; none where one is not to be written.
+
+    Raises ``OSError``, with the file's name as it was given.
+    """
     for file in sorted(outcome.texts):
-        target = Path(file).resolve()  # a symbolic link stays one
-        temporary = target.with_name(f".{target.name}.{os.getpid()}.tmp")
+        # A file can be replaced in a folder that allows it, whatever its own permissions say: they are asked first.
+        if not os.access(file, os.W_OK) or not Path(file).stat().st_mode & 0o222:
+            raise PermissionError(errno.EACCES, "the file is read-only", file)
+    for file in sorted(outcome.texts):
         try:
-            temporary.write_bytes(outcome.texts[file].encode(outcome.sources[file].encoding))
-            temporary.chmod(target.stat().st_mode & 0o7777)
-            temporary.replace(target)
-        finally:
-            temporary.unlink(missing_ok=True)
+            _replace(Path(file).resolve(), outcome.texts[file].encode(outcome.sources[file].encoding))
+        except OSError as error:
+            raise OSError(error.errno, error.strerror, file) from None
+
+
+def _replace(target: Path, data: bytes) -> None:
+    """``target`` is no symbolic link: one that leads to it stays as it is."""
+    temporary = target.with_name(f".{target.name}.{os.getpid()}.tmp")
+    try:
+        temporary.write_bytes(data)
+        temporary.chmod(target.stat().st_mode & 0o7777)
+        temporary.replace(target)
+    finally:
+        temporary.unlink(missing_ok=True)
 
 
 def unified_diff(outcome: Outcome) -> str:
