@@ -117,6 +117,16 @@ def test_remappings_of_a_group_are_for_whoever_has_the_name(findings):
     assert findings("LCH002", '<set_remap from="odom" to="/odom"/>' + node()) == []
 
 
+def test_a_remapping_that_works_where_the_file_is_included_in_a_namespace(findings):
+    remap = '<remap from="/left/chatter" to="/x"/>'
+    part = f"<launch>{node(remap)}</launch>"
+    include = '<include file="$(find-pkg-share robot)/launch/part.launch.xml"/>'
+
+    pushed = f'<group><push_ros_namespace namespace="left"/>{include}</group>'
+    assert findings("LCH002", pushed, **{"launch/part.launch.xml": part}) == []
+    assert findings("LCH002", include, **{"launch/part.launch.xml": part}) != []
+
+
 def test_a_remapping_is_judged_under_the_nodes_namespace(findings):
     (found,) = findings("LCH002", node('<remap from="/chatter" to="x"/>', namespace="left"))
     assert "nothing in /left/talker is called '/chatter'" in found.message

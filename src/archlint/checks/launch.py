@@ -62,17 +62,36 @@ def dead_remapping(system: System, options: Options) -> Iterator[Finding]:
     """Remappings whose source is no name of any node of the process."""
     if system.launched is None:
         return
-    started_nodes: dict[int, list[Node]] = {}
-    for node in system.nodes:
-        if node.started is not None and not node.external:
-            started_nodes.setdefault(id(node.started), []).append(node)
-    for nodes in started_nodes.values():
-        started = nodes[0].started
-        assert started is not None
+    for started, nodes in _by_started(system):
         if all(is_whole(system.world, node) for node in nodes):
             for remap in started.remaps:
-                if not remap.group:
-                    yield from _dead(remap, nodes, started)
+                found = [] if remap.group else list(_dead(remap, nodes, started))
+                if found and not _live_elsewhere(system, remap):
+                    yield from found
+
+
+def _by_started(system: System) -> list[tuple[Started, list[Node]]]:
+    """What a launch file starts of code that is here, each with its nodes."""
+    found: dict[int, tuple[Started, list[Node]]] = {}
+    for node in system.nodes:
+        if node.started is not None and not node.external:
+            found.setdefault(id(node.started), (node.started, []))[1].append(node)
+    return list(found.values())
+
+
+def _live_elsewhere(system: System, remap: Remap) -> bool:
+    """Whether the same line may do something where another launch file includes this one, say in a namespace."""
+    others = system.world.systems if system.world is not None else []
+    for other in others:
+        if other is system or other.launched is None:
+            continue
+        for started, nodes in _by_started(other):
+            same = [one for one in started.remaps if one.place == remap.place]
+            if not all(is_whole(system.world, node) for node in nodes) and same:
+                return True
+            if any(not list(_dead(one, nodes, started)) for one in same):
+                return True
+    return False
 
 
 _PLAIN_SOURCE = re.compile(r"~?/?[A-Za-z_][\w/]*")
