@@ -42,26 +42,20 @@ def launch_systems(
         world.parameters_of = loader.parameters
         world.explicit = chosen is not None
         maker = LaunchSystems(linker, entries, loader.parameters, loader.installs)
+        dependencies = opened.package_dependencies
+        parts = _parts(launched)
         systems = []
-        parts = {
-            include.reference.source
-            for one in launched
-            for include in one.included
-            if include.file != include.reference.source
-        }
         for one in launched:
             named = chosen is not None or any(glob.matches(one.file) for glob in configured)
             if one.ros1 or not one.is_launch_file or (configured and not named):
                 continue
-            system = maker.system(one, closed, opened.package_dependencies)
-            system.launched = one
+            system = maker.system(one, closed, dependencies)
             # What another launch file includes is a part: its nodes may have their partners beside it.
             system.closed = (closed and one.file not in parts) or (named and _whole(one, system))
-            for chosen_now in undecided_arguments(one) if _differs(system) else ():
-                other = loader.launch(one.file, {**one.arguments, **chosen_now})
-                alternative = maker.system(other, closed, opened.package_dependencies)
-                alternative.launched, alternative.closed, alternative.world = other, system.closed, world
-                system.alternatives.append((chosen_now, alternative))
+            for values in undecided_arguments(one) if _differs(system) else ():
+                other = maker.system(loader.launch(one.file, {**one.arguments, **values}), closed, dependencies)
+                other.closed = system.closed
+                system.alternatives.append((values, other))
             systems.append(system)
         opened.apart = frozenset(started_pairs(launched, _by_executable(opened.programs)))
         return systems
@@ -71,7 +65,19 @@ def launch_systems(
     world.systems = found
     for system in found:
         system.world = world
+        for _, other in system.alternatives:
+            other.world = world
     return found
+
+
+def _parts(launches_: Sequence[Launched]) -> set[str | None]:
+    """The launch files that others include."""
+    return {
+        include.reference.source
+        for one in launches_
+        for include in one.included
+        if include.file != include.reference.source
+    }
 
 
 def launches(loader: LaunchLoader, chosen: str | None, arguments: Mapping[str, str] | None) -> list[Launched]:
