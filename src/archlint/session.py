@@ -133,7 +133,7 @@ def _systems(request: Request, workspace: Workspace, facts: FactsOfFiles) -> lis
     loader = LaunchLoader(workspace.files, facts.facts_of, installs, tree, facts.relevant)
     if request.launch is not None and not loader.is_launch_file(request.launch):
         raise NothingToDo(f"{request.launch} is no launch file in {', '.join(request.paths)}")
-    return launch_systems(
+    systems = launch_systems(
         opened,
         linker,
         entries,
@@ -149,6 +149,10 @@ def _systems(request: Request, workspace: Workspace, facts: FactsOfFiles) -> lis
         arguments=dict(request.launch_arguments),
         configured=request.settings.launch,
     )
+    if not systems:  # only where one launch file was asked for: the open system is always there
+        old = loader.frontend(request.launch or "").ros1
+        raise NothingToDo(f"{request.launch} {'is for ROS 1' if old else 'starts nothing that can be read'}")
+    return systems
 
 
 def _partial(request: Request, workspace: Workspace) -> bool:

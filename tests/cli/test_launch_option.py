@@ -60,6 +60,13 @@ def test_what_cannot_be_launched(folder, capsys, file, words):
     assert words in capsys.readouterr().err
 
 
+@pytest.mark.parametrize("command", ["check", "graph"])
+def test_a_launch_file_of_ros_1_cannot_be_launched(folder, capsys, command):
+    (folder / "old.launch").write_text('<launch><node pkg="robot" type="talker.py" name="talker"/></launch>')
+    assert main([command, "--no-cache", "--launch", "old.launch"]) == 2
+    assert "old.launch is for ROS 1" in capsys.readouterr().err
+
+
 def test_only_the_launched_system_is_judged(folder, capsys):
     (folder / "archlint.toml").write_text('select = ["LCH001"]')
     (folder / "src/robot/launch/other.launch.xml").write_text('<launch><node pkg="robot" exec="taker"/></launch>')
