@@ -8,6 +8,7 @@ import pytest
 
 from archlint.config import Settings
 from archlint.render.json import document
+from archlint.render.text import render
 from archlint.session import Request, check, graph
 from archlint.system.overrides import key_matches
 from program.launching import PACKAGE, SETUP
@@ -471,3 +472,14 @@ def test_a_name_and_a_namespace_in_a_node_action_are_the_key_of_its_parameters(r
         **{"robot/talker.py": named},
     )
     assert topics(system()) == {"/a/own": ["/a/silence", "/a/silence/loud"]}, "the key is /a/n"
+
+
+def test_what_a_launch_file_does_not_lead_to_is_told_in_the_graph(robot):
+    robot('\n<include file="$(find-pkg-share lidar)/launch/$(env MODEL).launch.py"/>\n<surprise/>')
+    made = system()
+    rows = [(row["kind"], row["file"], row["line"], row["reason"]) for row in document(made)["unresolved"]]
+    assert rows == [
+        ("include", "launch/it.launch.xml", 2, "the environment variable MODEL"),
+        ("launch", "launch/it.launch.xml", 3, "<surprise> is no action that is followed"),
+    ]
+    assert "include" in render(made)

@@ -185,11 +185,15 @@ def node_names(endpoints: Iterable[Endpoint]) -> list[str | None]:
 
 
 def unresolved(system: System) -> list[dict[str, Any]]:
-    """Entities without a known name, and calls that may create entities but could not be followed.
+    """Entities without a known name, calls that may create entities but could not be followed, and what a launch
+    file starts by way of files or actions that could not be.
 
     A helper's entity appears once, however many nodes use the helper.
     """
     found: dict[tuple[str, int, int, str, str], None] = {}
+    if system.launched is not None:
+        for gap in system.launched.not_followed():
+            found[_file(gap.place.file), gap.place.line, gap.place.column, gap.kind, gap.reason] = None
     for node in system.nodes:
         place = node.launch_place
         if node.unfollowed is not None and place is not None:

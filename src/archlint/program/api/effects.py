@@ -135,7 +135,7 @@ def call_method(
         api = tables.find(path.removesuffix(".__init__"))
         if api is not None and api.effect == "executor":
             return executors.adopt_executor(run, api, receiver, args, keywords)
-        if api is not None and api.effect == "endpoint":
+        if api is not None and api.effect in ("endpoint", "launch_object"):
             # A class of ours derived from, say, ActionServer.
             return use(run, api, receiver, args, keywords, expression, open_arguments)
         nodes.name_by_foreign_base(run, receiver, path)

@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import re
 import shlex
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING
 
 from archlint.finding import Place
 from archlint.program.launch import conditions
-from archlint.program.launch.context import absolute, prefix_namespace
+from archlint.program.launch.context import Context, absolute, prefix_namespace
 from archlint.program.launch.model import (
     DeclaredArgument,
     Gap,
@@ -90,7 +90,8 @@ def visit_items(run: LaunchRun, items: Items) -> None:
 
 
 def _visit_one(run: LaunchRun, entity: Instance) -> None:
-    entity = _known_by_name(entity)
+    made = run.store.get(entity.key, "#action")  # of a class that derives from an action
+    entity = _known_by_name(made if isinstance(made, Instance) else entity)
     kind = kind_of(entity)
     arms = run.store.get(entity.key, "#arms")
     own = frozenset(arms) - run.code_arms if isinstance(arms, frozenset) else frozenset()
@@ -280,7 +281,9 @@ def _event_handler(run: LaunchRun, entity: Instance) -> None:
         return
     for name in ("on_exit", "on_start", "on_completion", "on_shutdown", "entities", "on_stdout", "on_stderr"):
         value = argument(handler, name)
-        if value is not None and not callable_value(value):
+        if value is not None and callable_value(value):
+            visit(run, run.call_handler(value))
+        elif value is not None:
             visit(run, value)
 
 
@@ -437,10 +440,7 @@ def _process(run: LaunchRun, entity: Instance) -> None:
             bare=True,
         )
     elif words[:2] == ["ros2", "launch"] and len(words) > 3 and words[2] and words[3]:
-        path = Known(f"$(find-pkg-share {words[2]})/launch/{words[3]}")
-        run.result.included.append(
-            Included(run.reference("launch", path, run.place_now), (), run.place_now, run.file, run.is_dormant)
-        )
+        _launch_apart(run, words[2], words[3], words[4:])
         return
     else:
         name = Text(words[0], "exact") if words and words[0] else Text(None, "unknown", reason="a command")
@@ -455,6 +455,20 @@ def _process(run: LaunchRun, entity: Instance) -> None:
             arguments=words[1:],
         )
     run.result.started.append(started)
+
+
+def _launch_apart(run: LaunchRun, package: str, name: str, words: Sequence[str | None]) -> None:
+    """``ros2 launch package file argument:=value …``: a launch with a context of its own."""
+    path = Known(f"$(find-pkg-share {package})/launch/{name}")
+    reference = run.reference("launch", path, run.place_now)
+    run.result.included.append(Included(reference, (), run.place_now, run.file, run.is_dormant))
+    kept, run.launch = run.launch, Context()
+    for word in words:
+        argument_name, assigned, value = (word or "").partition(":=")
+        if assigned:
+            run.launch.configurations[argument_name] = Known(value)
+    run.loader.include(run, reference)
+    run.launch = kept
 
 
 _INSTALLED = re.compile(r"^\$\(find-pkg-prefix ([\w.-]+)\)/lib/[\w.-]+/([^/]+)$")

@@ -35,6 +35,8 @@ def launch_object(run: Run, call: ApiUse) -> Value:
 
     place = run.place(call.expression.span) if call.expression is not None and run.activations else None
     made = Instance(External(call.api.path), run.store.new_key(), place, dict(call.arguments))
+    if isinstance(call.receiver, Instance):
+        run.store.set(call.receiver.key, "#action", made)  # super().__init__(…) of a class derived from an action
     run.store.set(made.key, "#arms", frozenset(run.arms))
     run.store.set(made.key, "#places", argument_places(run, call.api, call.expression))
     run.store.set(made.key, "#rest", tuple(call.rest))
@@ -204,7 +206,12 @@ def _value_of(run: Run, value: object) -> Value:
     return Known(value)
 
 
+def _nothing(run: Run, args: list[Value], keywords: dict[str, Value], e: facts.Call | None) -> Value:
+    return NONE
+
+
 PLAIN = {
+    **dict.fromkeys(("os.remove", "os.unlink", "os.mkdir", "os.makedirs", "shutil.rmtree", "time.sleep"), _nothing),
     "yaml.safe_load": _load_yaml,
     "yaml.load": _load_yaml,
     "yaml.full_load": _load_yaml,

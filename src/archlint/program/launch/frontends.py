@@ -41,6 +41,8 @@ class Frontend:
     def actions(self, elements: Sequence[Element]) -> Iterator[Value]:
         for element in elements:
             build = _ELEMENTS.get(element.tag)
+            if build is None and element.tag not in _HARMLESS:
+                yield self.make(f"<{element.tag}>", self.place(element.span), {}, {})
             if build is not None:
                 made = build(self, element)
                 if made is not None:
@@ -355,6 +357,12 @@ _ELEMENTS: dict[str, Callable[[Frontend, Element], Instance | None]] = {
     "unset_env": _simple("UnsetEnvironmentVariable", name="name"),
     "executable": Frontend.executable,
 }
+
+_HARMLESS = frozenset(
+    {"keep", "log", "log_info", "log_debug", "log_warning", "log_error", "shutdown", "set_ros_log_dir", "append_env"}
+    | {"reset", "reset_env", "rep_env", "push_env", "pop_env"}
+)
+"""Elements that start nothing, and whose effect no name depends on."""
 
 _PROCESS = [
     "output",

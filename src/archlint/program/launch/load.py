@@ -25,6 +25,7 @@ from archlint.program.launch.model import (
     UNKNOWN,
     FileReference,
     Launched,
+    why_unknown,
 )
 from archlint.program.launch.run import LaunchRun
 from archlint.program.modules import ModuleIndex
@@ -235,7 +236,7 @@ class LaunchLoader:
         self.includes += 1
         if reference.source is None:
             if reference.status == UNKNOWN:
-                run.gap(f"an included file: {reference.reason}")
+                run.gap(why_unknown(reference), "include", reference.place)
             return
         if reference.source in run.stack:
             run.gap(f"{reference.source} includes itself")

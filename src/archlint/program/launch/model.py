@@ -144,12 +144,29 @@ class UnknownAttribute:
     place: Place
 
 
+def why_unknown(reference: FileReference) -> str:
+    return reference.reason or f"it is not known which file '{reference.written}' is"
+
+
+def _why_not_followed(include: Included) -> str | None:
+    """Of a file that is unknown there is a gap already."""
+    reference = include.reference
+    if reference.source is not None or reference.status == UNKNOWN:
+        return None
+    if reference.status == MISSING:
+        return f"'{reference.written}' is not there"
+    return f"the package '{reference.package}' is not in this workspace" if reference.package else reference.reason
+
+
 @dataclass(frozen=True)
 class Gap:
-    """What could not be followed."""
+    """What could not be followed: ``kind`` is ``launch`` for an action or a file, ``include`` for an include.  A
+    ``dormant`` one is met under other arguments only."""
 
     reason: str
     place: Place
+    kind: str = "launch"
+    dormant: bool = False
 
 
 @dataclass(eq=False)
@@ -172,6 +189,11 @@ class Launched:
     """Arguments that conditions ask for and that nothing decides, with the values that make a difference."""
     ros1: bool = False
     is_launch_file: bool = True
+
+    def not_followed(self) -> list[Gap]:
+        """What is met on the way through the branches that are taken, and starts what is not seen."""
+        includes = [Gap(why, i.place, "include", i.dormant) for i in self.included if (why := _why_not_followed(i))]
+        return [gap for gap in [*self.gaps, *includes] if not gap.dormant]
 
     def condition(self, arms: Arms) -> str | None:
         """Under which arguments branches are taken, for people; None for no branch at all."""

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from typing import TYPE_CHECKING
 
@@ -66,8 +66,8 @@ class LaunchRun(Run):
     def is_conditional(self) -> bool:
         return self.dormant > 0 or self.undecided > 0 or bool(self.arms)
 
-    def gap(self, reason: str) -> None:
-        gap = Gap(reason, self.place_now)
+    def gap(self, reason: str, kind: str = "launch", place: Place | None = None) -> None:
+        gap = Gap(reason, place or self.place_now, kind, self.is_dormant)
         if gap not in self._seen:
             self._seen.add(gap)
             self.result.gaps.append(gap)
@@ -188,14 +188,21 @@ class LaunchRun(Run):
             self.store.merge([layer])
             self.activations, self.arms = kept, kept_arms
 
-    def call_opaque(self, function: Value, args: list[Value], kwargs: Value | None) -> Value:
+    def call_handler(self, function: Value) -> Value:
+        """Call the function of an event handler with an event and the launch context."""
+        unknown = Unknown("what an event handler is told")
+        return self.call_opaque(function, [], None, before=[unknown])
+
+    def call_opaque(
+        self, function: Value, args: list[Value], kwargs: Value | None, before: Sequence[Value] = ()
+    ) -> Value:
         """Call the function of an OpaqueFunction with a launch context; what it sets there stays set."""
         from archlint.program import calls, containers
         from archlint.program.roots import _module_of
 
         module = _module_of(function)
         if module is None:
-            return Unknown("an OpaqueFunction whose function is not followed")
+            return Unknown("a function that launch calls, and that is not followed")
         context = Instance(External("launch.LaunchContext"), self.store.new_key())
         entries = {containers.hashable(Known(n)): (Known(n), v) for n, v in self.launch.configurations.items()}
         known = containers.new_dict(self, {key: row for key, row in entries.items() if key is not None})
@@ -206,7 +213,7 @@ class LaunchRun(Run):
                 if isinstance(key, Known):
                     keywords[str(key.value)] = value
         with self.root(module):
-            result = calls.call(self, function, [context, *args], keywords)
+            result = calls.call(self, function, [*before, context, *args], keywords)
         for key, value in containers.entries_of(self, known).entries.values():
             if isinstance(key, Known):
                 self.launch.configurations[str(key.value)] = value
