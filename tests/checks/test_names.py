@@ -191,6 +191,18 @@ class TestInvalidName:
             ),
         )
 
+    def test_a_name_that_a_loop_leaves_out(self, judge: Judge):
+        judge(
+            "NME002",
+            script(
+                "for given in sys.argv[1:]:",
+                "    topic = given if len(given) > 3 else ''",
+                "    if not topic or given in sys.path:",
+                "        continue",
+                "    node.create_publisher(String, topic, 10)",
+            ),
+        )
+
     def test_a_name_of_which_a_part_is_not_known(self, judge: Judge):
         judge("NME002", script("node.create_publisher(String, sys.argv[1] + '/words', 10)"))
 

@@ -131,7 +131,12 @@ def _if(run: Run, s: facts.If) -> Status:
             decisions.narrow(run, s.test, arm == 0)
             status = run.execute(block)
         results.append((status, taken[0]))
-    return run.join(results)
+    joined = run.join(results)
+    ended = [status for status, _ in results]
+    if joined is None and ended.count(None) == 1:
+        # The other arm goes to the next round: what follows here knows how the test came out.
+        decisions.narrow(run, s.test, ended[0] is None)
+    return joined
 
 
 def _for(run: Run, s: facts.For) -> Status:
