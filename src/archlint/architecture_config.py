@@ -128,7 +128,7 @@ def _contract(value: Value, at: int) -> Contract:
 
     for key in fields:
         if key not in _KEYS:
-            raise fault(unknown_key(key, dict.fromkeys(_KEYS), "unknown key of a contract"))
+            raise fields[key].error(unknown_key(key, dict.fromkeys(_KEYS), "unknown key of a contract"))
     for key in ("name", "kind"):
         if key not in fields:
             raise fault(f"this contract has no `{key}`")
