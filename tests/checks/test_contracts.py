@@ -328,4 +328,4 @@ def test_a_part_of_the_workspace_cannot_show_what_is_missing(run):
 def test_a_mistaken_contract_ends_the_run(run):
     status, out, err = run(contract(kind='"forbid"', from_='"/driver"', two='"/motor"'))
     assert (status, out) == (2, "")
-    assert "archlint.toml:4: unknown key of a contract `two`; did you mean `to`?" in err
+    assert "archlint.toml:5: unknown key of a contract `two`; did you mean `to`?" in err
