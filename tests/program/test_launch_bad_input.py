@@ -96,3 +96,31 @@ def test_an_include_of_itself_through_a_function_ends(launches):
         "def generate_launch_description():\n    return LaunchDescription([OpaqueFunction(function=again)])\n",
     )
     assert launches.run("robot/launch/it.launch.py").started == []
+
+
+NODE_OF_PYTHON = (
+    "from launch import LaunchDescription\nfrom launch_ros.actions import Node\n"
+    "def generate_launch_description():\n    return LaunchDescription([Node(package='robot', executable='talker')])\n"
+)
+
+
+@pytest.mark.parametrize(
+    ("text", "nodes"),
+    [
+        (f"#! /usr/bin/env python3\n{NODE_OF_PYTHON}", 1),
+        (NODE_OF_PYTHON, 0),
+        ("# ours\nlaunch:\n- node: {pkg: robot, exec: talker}\n", 1),
+        ("\n<launch><node pkg='robot' exec='talker'/></launch>\n", 1),
+    ],
+)
+def test_a_suffix_that_says_nothing(launches, text, nodes):
+    launches.file("robot/launch/it.launch", text)
+    loader = launches.loader()
+    assert loader.launch_files() == (["robot/launch/it.launch"] if nodes else [])
+    assert loader.problems() == []
+    assert len(launches.run("robot/launch/it.launch").started) == nodes
+
+
+def test_a_suffix_that_says_nothing_of_a_file_that_is_broken(launches):
+    launches.file("robot/launch/it.launch", "launch = <launch>\n")
+    assert [problem[3] for problem in launches.loader().problems()] == ["malformed XML: syntax error"]

@@ -69,6 +69,8 @@ class Walk:
         status = os.stat(path)
         if kind is None and name.endswith(".xml"):
             kind = "launch_xml"
+        elif name.endswith(".launch") and stat.S_ISREG(status.st_mode) and has_python_shebang(path):
+            kind = "launch_python"
         elif kind is None and stat.S_ISREG(status.st_mode) and has_python_shebang(path):
             kind = "python"
         if kind is not None:
@@ -143,6 +145,8 @@ class Walk:
             if not _is_python_script(entry, folder.name, status):
                 return
             kind = "python"
+        elif kind == "launch_xml" and name.endswith(".launch") and has_python_shebang(entry.path):
+            kind = "launch_python"
         real = os.path.realpath(entry.path) if entry.is_symlink() else os.path.join(folder.real, name)
         self._keep(real, entry.path, shown, kind, status, folder.context)
 

@@ -95,7 +95,7 @@ class LaunchLoader:
         """Whether a file of the workspace can be launched."""
         if path not in self._by_path:
             return False
-        return self.frontend(path).root is not None if path.endswith(FRONTENDS) else self.defines_launch(path)
+        return self.frontend(path).root is not None if self._is_frontend(path) else self.defines_launch(path)
 
     def facts_at(self, path: str) -> facts.Facts | None:
         """The facts of a Python file by its shown path."""
@@ -195,9 +195,13 @@ class LaunchLoader:
     def frontend(self, path: str) -> LaunchFacts:
         if path not in self._frontend_facts:
             text = self.tree.text(path)
-            read = read_launch_yaml if path.endswith((".yaml", ".yml")) else read_launch_xml
-            self._frontend_facts[path] = LaunchFacts() if text is None else read(text)
+            self._frontend_facts[path] = LaunchFacts() if text is None else _read(path, text)
         return self._frontend_facts[path]
+
+    def _is_frontend(self, path: str) -> bool:
+        """Whether a launch file is XML or YAML; a ``.launch`` may be Python."""
+        file = self._by_path.get(path)
+        return path.endswith(FRONTENDS) and (file is None or file.kind != "launch_python")
 
     def parameters(self, path: str) -> ParameterFacts:
         if path not in self._parameter_facts:
@@ -252,7 +256,7 @@ class LaunchLoader:
         run.place_now = Place(path, 1, 1, 1, 1)
         run.stack.append(path)
         try:
-            if path.endswith(FRONTENDS):
+            if self._is_frontend(path):
                 self._enter_frontend(run, path)
             else:
                 self._enter_python(run, path)
@@ -342,6 +346,21 @@ class LaunchLoader:
 
 
 _SHARE = re.compile(r"^\$\(find-pkg-share ([\w.-]+)\)(.*)$", re.DOTALL)
+
+
+def _read(path: str, text: str) -> LaunchFacts:
+    """launch tries its parsers one after the other on a file whose suffix says nothing."""
+    if path.endswith((".yaml", ".yml")):
+        return read_launch_yaml(text)
+    if path.endswith(".launch") and not text.lstrip().startswith("<"):
+        if _YAML.search(text):
+            return read_launch_yaml(text)
+        if GENERATE in text:
+            return LaunchFacts()  # Python, for whoever runs it
+    return read_launch_xml(text)
+
+
+_YAML = re.compile(r"^launch\s*:", re.MULTILINE)
 
 
 def _star_import(statement: facts.Stmt) -> bool:
