@@ -126,6 +126,31 @@ def test_a_parameter_that_the_launch_file_sets_decides_a_branch(robot, robots, e
 
 
 @pytest.mark.parametrize(
+    ("node", "expected"),
+    [
+        ("", [("/one", False)]),
+        ('<param name="other" value="2"/>', [("/one", False)]),
+        ('<param from="$(env HOME)/mine.yaml"/>', [("/one", False), ("/two", True)]),
+        ('<param from="$(find-pkg-share robot)/config/p.yaml"/>', [("/one", False), ("/two", False)]),
+    ],
+    ids=["nothing is set", "another one is set", "a file that is not here", "a file that is"],
+)
+def test_a_parameter_that_the_launch_file_leaves_alone_has_its_default(robot, node, expected):
+    robot(
+        f'<node pkg="robot" exec="talker">{node}</node>',
+        **{"robot/talker.py": BRANCHING, "config/p.yaml": "talker: {ros__parameters: {robots: 2}}"},
+    )
+    (talker,) = system().nodes
+    assert [(endpoint.name, endpoint.conditional) for endpoint in talker.endpoints] == expected
+
+
+def test_words_of_a_command_line_that_are_not_known_may_set_any_parameter(robot):
+    robot('<node pkg="robot" exec="talker" args="$(env WORDS)"/>', **{"robot/talker.py": BRANCHING})
+    (talker,) = system().nodes
+    assert [(endpoint.name, endpoint.conditional) for endpoint in talker.endpoints] == [("/one", False), ("/two", True)]
+
+
+@pytest.mark.parametrize(
     ("yaml", "name"),
     [
         ("talker: {ros__parameters: {topic: right}}", "/a/chatter"),
@@ -433,20 +458,16 @@ def main():
         executor.add_node(Side(name))
     executor.spin()
 """
-SILENT = ["/silence", "/silence/loud"]
+SILENT = ["/silence"]
 
 
 @pytest.mark.parametrize(
     ("parameters", "left", "right"),
     [
-        ("left: {ros__parameters: {topic: l}}", ["/l", "/l/loud"], SILENT),
-        (
-            "left: {ros__parameters: {topic: l}}\nright: {ros__parameters: {topic: r}}",
-            ["/l", "/l/loud"],
-            ["/r", "/r/loud"],
-        ),
+        ("left: {ros__parameters: {topic: l}}", ["/l"], SILENT),
+        ("left: {ros__parameters: {topic: l}}\nright: {ros__parameters: {topic: r}}", ["/l"], ["/r"]),
         ("/**: {ros__parameters: {topic: both, loud: false}}", ["/both"], ["/both"]),
-        ("/**: {ros__parameters: {loud: true}}\nright: {ros__parameters: {loud: false}}", SILENT, ["/silence"]),
+        ("/**: {ros__parameters: {loud: true}}\nright: {ros__parameters: {loud: false}}", ["/silence", "/silence/loud"], SILENT),
         ("/other/left: {ros__parameters: {topic: l}}", SILENT, SILENT),
     ],
 )
@@ -460,7 +481,7 @@ def test_a_section_reaches_only_the_nodes_that_it_names(robot, parameters, left,
 
 def test_parameters_of_a_node_action_without_a_name_reach_all_nodes_of_its_process(robot):
     robot('<node pkg="robot" exec="talker"><param name="topic" value="t"/></node>', **{"robot/talker.py": PAIR})
-    assert topics(system()) == {"/left": ["/t", "/t/loud"], "/right": ["/t", "/t/loud"]}
+    assert topics(system()) == {"/left": ["/t"], "/right": ["/t"]}
 
 
 def test_a_name_and_a_namespace_in_a_node_action_are_the_key_of_its_parameters(robot):
@@ -471,7 +492,7 @@ def test_a_name_and_a_namespace_in_a_node_action_are_the_key_of_its_parameters(r
         '<node pkg="robot" exec="talker" name="n" namespace="a"><param name="topic" value="t"/></node>',
         **{"robot/talker.py": named},
     )
-    assert topics(system()) == {"/a/own": ["/a/silence", "/a/silence/loud"]}, "the key is /a/n"
+    assert topics(system()) == {"/a/own": ["/a/silence"]}, "the key is /a/n"
 
 
 def test_what_a_launch_file_does_not_lead_to_is_told_in_the_graph(robot):

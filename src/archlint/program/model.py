@@ -327,7 +327,8 @@ class Overrides:
     """The parameter values that one process gets from outside.
 
     ``of_nodes`` are those of its nodes, by the name and namespace that their constructors give; ``others`` are
-    for a node that is not among them.  ``settled`` are the parameters that are set on every node that has them.
+    for a node that is not among them.  ``settled`` are the parameters whose values are certain while the
+    process starts: set on every node that has them, or left to their defaults for sure.
     """
 
     of_nodes: Mapping[tuple[str | None, str | None], Mapping[str, object]] = field(default_factory=dict)
@@ -342,7 +343,7 @@ class Overrides:
     def key(self) -> tuple[object, ...]:
         """What tells two of them apart."""
         rows = [(repr(node), _rows(values)) for node, values in self.of_nodes.items()]
-        return (*sorted(rows), _rows(self.others))
+        return (*sorted(rows), _rows(self.others), *sorted(self.settled))
 
 
 def _rows(values: Mapping[str, object]) -> tuple[tuple[str, str], ...]:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from typing import TYPE_CHECKING
 
+from archlint.program.launch.model import OpenParameters, ParameterFileUse, ParameterSetting
 from archlint.program.model import ENDPOINT_KINDS, Blueprint, Overrides, Program, node_key
 from archlint.system.instances import instantiate
 from archlint.system.overrides import overrides_of
@@ -34,10 +35,41 @@ def outside(started: Started, program: Program, parameters_of: Callable[[str], P
         key: _decisive([node for node in nodes if node_key(node) == key], values, everything, mentioned)
         for key, values in found.items()
     }
-    if not any(decisive.values()):
+    defaults = _defaults_that_hold(started, nodes, found)
+    if not any(decisive.values()) and not (defaults and _has_branches(nodes)):
         return None
     others = next(iter(decisive.values())) if len(decisive) == 1 else overrides_of(started, None, parameters_of)
-    return Overrides(decisive, others, _settled(nodes, decisive))
+    return Overrides(decisive, others, _settled(nodes, decisive) | defaults)
+
+
+def _has_branches(nodes: list[Blueprint]) -> bool:
+    return any(creation.conditional for node in nodes for creation in node.creations)
+
+
+def _defaults_that_hold(
+    started: Started,
+    nodes: list[Blueprint],
+    values: Mapping[tuple[str | None, str | None], Mapping[str, object]],
+) -> frozenset[str]:
+    """Parameters that the launch is seen to leave alone: what starts has their defaults."""
+    if not _all_is_known(started):
+        return frozenset()
+    every = [declaration for node in nodes for declaration in node.parameters]
+    unclear = {declaration.name.text for declaration in every if not declaration.known}
+    given = {name for settings in values.values() for name in settings}
+    return frozenset({d.name.text for d in every if d.name.text is not None} - unclear - given)
+
+
+def _all_is_known(started: Started) -> bool:
+    """Whether everything that a launch file says about the parameters of a process could be read."""
+    words = [*started.arguments, *started.ros_arguments]
+    return (
+        None not in words
+        and "--params-file" not in words
+        and not any(isinstance(parameter, OpenParameters) for parameter in started.parameters)
+        and all(p.name is not None for p in started.parameters if isinstance(p, ParameterSetting))
+        and all(p.reference.source is not None for p in started.parameters if isinstance(p, ParameterFileUse))
+    )
 
 
 def _decided_by(program: Program) -> tuple[bool, set[str]]:
