@@ -14,7 +14,8 @@ from archlint.cli import main
 from archlint.config import ConfigurationError, load
 from archlint.finding import Finding
 from archlint.program.model import Qos
-from archlint.system.model import System
+from archlint.system.launched import World
+from archlint.system.model import Node, System
 from system.builders import client, node, publisher, service, subscriber, system, unknown
 
 
@@ -329,3 +330,56 @@ def test_a_mistaken_contract_ends_the_run(run):
     status, out, err = run(contract(kind='"forbid"', from_='"/driver"', two='"/motor"'))
     assert (status, out) == (2, "")
     assert "archlint.toml:5: unknown key of a contract `two`; did you mean `to`?" in err
+
+
+# ------------------------------------------------------------------------------------------------ launch files
+
+
+def launched(*nodes: Node, closed: bool = False) -> tuple[System, System]:
+    """The system of all nodes of ``ROBOT``, and one of a launch file that starts these."""
+    opened = system(*ROBOT.nodes)
+    started = system(*nodes, name="robot.launch.py", closed=closed)
+    world = World(systems=[opened, started])
+    opened.world = started.world = world
+    return opened, started
+
+
+PART = (node("/planner", publisher("cmd_vel")),)
+TWO_ROBOTS = tuple(
+    one
+    for robot in ("/left", "/right")
+    for one in (node(f"{robot}/planner", publisher("cmd_vel")), node(f"{robot}/motor", subscriber("cmd_vel")))
+)
+
+
+@pytest.mark.parametrize(("closed", "expected"), [(False, []), (True, ["nothing goes from /planner to /brake"])])
+def test_a_launch_file_that_starts_a_part(findings, closed: bool, expected: list[str]):
+    required = contract(kind='"require"', from_='"/planner"', to='"/brake"')
+    _, started = launched(*PART, closed=closed)
+    assert [one.message.partition(",")[0] for one in findings("ARC003", required, started)] == expected
+
+
+def test_each_robot_of_a_launch_file_is_held_to_a_contract(findings):
+    forbidden = contract(kind='"forbid"', from_='"planner"', to='"motor"')
+    _, started = launched(*TWO_ROBOTS)
+    assert [one.node for one in findings("ARC001", forbidden, started)] == ["/left/planner", "/right/planner"]
+    apart = contract(kind='"independent"', nodes='["/left/*", "/right/*"]')
+    assert findings("ARC001", apart, started) == []
+    stopped = contract(kind='"require"', topic='"/*/cmd_vel"', subscriber='"/*/motor"')
+    assert findings("ARC003", stopped, started) == []
+    deaf = (*TWO_ROBOTS[:3], node("/right/motor"))
+    _, started = launched(*deaf)
+    [found] = findings("ARC003", stopped, started)
+    assert found.message.startswith("/right/motor does not subscribe to /*/cmd_vel")
+
+
+def test_names_that_only_the_nodes_have_before_they_are_launched(findings):
+    opened, _ = launched(*TWO_ROBOTS)
+    opened.apart = frozenset(
+        frozenset((one.blueprint.place, one.blueprint.class_name) for one in pair if one.blueprint)
+        for pair in (opened.nodes[:2],)
+    )
+    forbidden = contract(kind='"forbid"', from_='"/planner"', to='"/motor"')
+    assert len(findings("ARC001", forbidden, opened)) == 2  # no launch file has nodes of these names
+    anywhere = contract(kind='"forbid"', from_='"planner"', to='"motor"')
+    assert findings("ARC001", anywhere, opened) == []  # the launch file's own system says it
