@@ -117,6 +117,17 @@ def test_remappings_of_a_group_are_for_whoever_has_the_name(findings):
     assert findings("LCH002", '<set_remap from="odom" to="/odom"/>' + node()) == []
 
 
+def test_the_node_that_a_helper_works_on_is_no_second_one(findings):
+    helper = "class Helper:\n    def start(self, node):\n        node.create_timer(1.0, print)\n\n\n"
+    text = helper + TALKER.replace(
+        "        self.create_p", "        Helper().start(found('a node'))\n        self.create_p"
+    )
+    twice = TALKER.replace("rclpy.spin(Talker())", "one, other = Talker(), Talker()\n    rclpy.spin(one)")
+
+    assert findings("NME004", node(name="it"), **{"robot/talker.py": text}) == []
+    assert findings("NME004", node(name="it"), **{"robot/talker.py": twice}) != []
+
+
 def test_a_remapping_that_works_where_the_file_is_included_in_a_namespace(findings):
     remap = '<remap from="/left/chatter" to="/x"/>'
     part = f"<launch>{node(remap)}</launch>"

@@ -321,7 +321,7 @@ def duplicate_node_name(system: System, options: Options) -> Iterator[Finding]:
     if system.launched is None:
         return
     named = [n for n in system.nodes if n.name is not None and n.resolution == "exact" and n.launch_place]
-    for name, group in groupby(sorted(named, key=lambda node: node.name or ""), key=lambda node: node.name):
+    for name, group in groupby(sorted(named, key=lambda n: (n.name or "", _is_held(n))), key=lambda node: node.name):
         first, *others = list(group)
         other = next((node for node in others if _certainly_together(first, node)), None)
         if other is None or other.launch_place is None or first.launch_place is None:
@@ -342,8 +342,15 @@ def duplicate_node_name(system: System, options: Options) -> Iterator[Finding]:
 
 
 def _certainly_together(one: Node, other: Node) -> bool:
-    """Whether the one always runs when the other does."""
+    """Whether the one always runs when the other does, and is not perhaps the other: the node that a helper
+    works on, where nobody is seen to hand it one, may be any of its process."""
+    if one.started is other.started and (_is_held(one) or _is_held(other)):
+        return False
     return one.alternatives <= other.alternatives or other.alternatives <= one.alternatives
+
+
+def _is_held(node: Node) -> bool:
+    return node.blueprint is not None and node.blueprint.held
 
 
 @rule("GRF002")
