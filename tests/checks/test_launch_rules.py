@@ -125,6 +125,8 @@ def test_the_node_that_a_helper_works_on_is_no_second_one(findings):
     twice = TALKER.replace("rclpy.spin(Talker())", "one, other = Talker(), Talker()\n    rclpy.spin(one)")
 
     assert findings("NME004", node(name="it"), **{"robot/talker.py": text}) == []
+    closed = 'select = ["GRF001"]\nclosed-world = true'
+    assert findings("GRF001", node(name="it"), **{"robot/talker.py": text, "archlint.toml": closed}) == []
     assert findings("NME004", node(name="it"), **{"robot/talker.py": twice}) != []
 
 

@@ -73,3 +73,20 @@ def test_only_the_launched_system_is_judged(folder, capsys):
     assert main(["check", "--no-cache", "--format", "concise"]) == 1
     assert "LCH001" in capsys.readouterr().out
     assert main(["check", "--no-cache", "--format", "concise", "--launch", FILE]) == 0
+
+
+def test_what_a_parameter_file_holds_for_other_launch_files_is_not_judged(folder, capsys):
+    (folder / "archlint.toml").write_text('select = ["PRM004", "PRM005"]')
+    values = "/**: {ros__parameters: {mass: 1.0}}\nlistener: {ros__parameters: {rate: 2.0}}\n"
+    (folder / "src/robot/config").mkdir()
+    (folder / "src/robot/config/all.yaml").write_text(values)
+    starts = '<launch><node pkg="robot" exec="talker"><param from="$(dirname)/../config/all.yaml"/></node></launch>'
+    (folder / "src/robot/launch/one.launch.xml").write_text(starts)
+    arguments = ["check", "--no-cache", "--format", "concise", "--launch", "src/robot/launch/one.launch.xml"]
+
+    assert main(arguments) == 0  # the other launch file may start what the values are for
+    (folder / FILE).unlink()
+    assert main(arguments) == 1
+    shown = capsys.readouterr().out
+    assert "PRM004" in shown
+    assert "PRM005" in shown

@@ -41,7 +41,9 @@ def _runs(system: System) -> bool:
 
 
 def _judged(node: Node) -> bool:
-    return node.blueprint is not None and node.name is not None and not node.test and node.blueprint.complete
+    if node.blueprint is None or node.blueprint.held:
+        return False  # what a helper works on may be any node of its process
+    return node.name is not None and not node.test and node.blueprint.complete
 
 
 @rule("GRF003", messages=1000.0, topics=10, rate=50.0)

@@ -205,7 +205,7 @@ def _every_declared(system: System, file: str) -> set[str] | None:
     """The names that any node of any system which loads a parameter file declares; None where some node's source
     is not here, or other launch files were not run."""
     world = system.world
-    if world is None or (world.explicit and world.loader is not None and len(world.loader.launch_files()) > 1):
+    if world is None or _others_are_not_run(world):
         return None
     found: set[str] = set()
     for other in world.systems:
@@ -217,6 +217,11 @@ def _every_declared(system: System, file: str) -> set[str] | None:
                 return None
             found |= set(declared)
     return found
+
+
+def _others_are_not_run(world: World) -> bool:
+    """Whether only one of several launch files was asked for: the others may load the same files."""
+    return world.explicit and world.loader is not None and len(world.loader.launch_files()) > 1
 
 
 def _libraries(world: World | None, node: Node) -> bool:
@@ -249,6 +254,8 @@ def parameters_for_unknown_node(system: System, options: Options) -> Iterator[Fi
             if right:
                 message += f"; did you mean '{right[0]}'?"
                 help = f"a key is the full name: write '{right[0]}:', or '/**/{last}:' for any namespace"
+            elif _others_are_not_run(world):
+                continue
             else:
                 message += did_you_mean(section.key, started)
             yield finding("PRM005", Place(file, *section.span), message, help=help, identity=(file, section.key))
