@@ -167,6 +167,13 @@ def test_a_spin_gets_a_limit(workbench: Workbench, arguments: str, after: str):
     assert workbench.fix(line, code="TMO003") == f"{SPIN}({after.replace('F', future)})"
 
 
+def test_a_goal_may_take_longer_than_a_safe_fix_would_allow(workbench: Workbench):
+    goal = f"handle = {SERVER}.send_goal_async(Fibonacci.Goal()).result()"
+    line = f"{goal}; done = handle.get_result_async(); {SPIN}(self, done)"
+    assert workbench.fix(line, code="TMO003") == line
+    assert workbench.fix(line, "--unsafe-fixes", code="TMO003").endswith(f"{SPIN}(self, done, timeout_sec=5.0)")
+
+
 def test_a_call_gets_a_limit_where_the_distribution_has_one(workbench: Workbench):
     line = f"{CLIENT}.call(Trigger.Request())"
     assert workbench.fix(line, code="TMO002") == line

@@ -95,7 +95,22 @@ def limit_spin(finding: Finding, source: Source) -> Fix | None:
     call = _call(finding, source)
     if call is None or _name(call) != "spin_until_future_complete":
         return None
-    return _limited(source, call, "timeout_sec", 3 if _of_rclpy(call) else 1)
+    limited = _limited(source, call, "timeout_sec", 3 if _of_rclpy(call) else 1)
+    if limited is not None and _of_a_result(source, call):
+        return replace(limited, safety="unsafe")  # a goal may well take longer
+    return limited
+
+
+def _of_a_result(source: Source, call: ast.Call) -> bool:
+    """Whether the future is that of an action's result, as far as the function around shows."""
+    given = [*call.args, *(one.value for one in call.keywords)]
+    names = {ast.unparse(one) for one in given if isinstance(one, (ast.Name, ast.Attribute))}
+    asked = [one for one in given if isinstance(one, ast.Call)]
+    function = scopes.enclosing_function(source, call)
+    for one in ast.walk(function) if function is not None else ():
+        if isinstance(one, ast.Assign) and names.intersection(ast.unparse(target) for target in one.targets):
+            asked.extend(inner for inner in ast.walk(one.value) if isinstance(inner, ast.Call))
+    return any(_name(one) == "get_result_async" for one in asked)
 
 
 def _of_rclpy(call: ast.Call) -> bool:
