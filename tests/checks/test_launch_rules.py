@@ -249,6 +249,20 @@ def test_a_shared_section_may_be_for_the_nodes_of_another_launch_file(findings):
     assert len(findings("PRM004", node(load_it), **both | {"launch/other.launch.xml": alone})) == 1
 
 
+def test_a_section_may_be_for_another_node_of_that_name(findings):
+    load_it = '<param from="$(find-pkg-share robot)/config/p.yaml"/>'
+    yaml = "talker: {ros__parameters: {mass: 1.0}}"
+    files = {"config/p.yaml": yaml, "robot/heavy.py": TALKER.replace("'rate'", "'mass'")}
+    files["setup.py"] = SETUP.replace("robot.talker:main'", "robot.talker:main', 'heavy = robot.heavy:main'")
+    heavy = f"<launch>{node(load_it, exec='heavy')}</launch>"
+
+    assert len(findings("PRM004", node(load_it), **files)) == 1
+    either = TALKER.replace("Talker())", "Talker() if len(found()) else Talker())")
+    assert len(findings("PRM004", node(load_it), **files | {"robot/talker.py": either})) == 1
+    files["robot/talker.py"] = TALKER
+    assert findings("PRM004", node(load_it), **files, **{"launch/other.launch.xml": heavy}) == []
+
+
 def test_a_node_that_allows_undeclared_parameters_takes_anything(findings):
     text = TALKER.replace("('talker')", "('talker', allow_undeclared_parameters=True)")
     assert findings("PRM004", node('<param name="rat" value="1.0"/>'), **{"robot/talker.py": text}) == []

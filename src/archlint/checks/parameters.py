@@ -169,7 +169,8 @@ def _name_of(call: ApiCall) -> str | None:
 @rule("PRM004")
 def unknown_parameter_override(system: System, options: Options) -> Iterator[Finding]:
     """Values for parameters that the node does not declare."""
-    every: dict[str, set[str] | None] = {}
+    every: dict[tuple[str, str], set[str] | None] = {}
+    said: set[tuple[str | None, Place, str]] = set()
     for node, settings in _set_nodes(system):
         declared = _declared(node)
         assert node.blueprint is not None
@@ -182,13 +183,16 @@ def unknown_parameter_override(system: System, options: Options) -> Iterator[Fin
                 continue
             if any(names is None or setting.name in names for names in others):
                 continue
-            if setting.written is not None and "*" in setting.key:
-                file = setting.place.file
-                if file not in every:
-                    every[file] = _every_declared(system, file)
-                shared = every[file]
+            if setting.written is not None:
+                section = setting.place.file, setting.key
+                if section not in every:
+                    every[section] = _every_declared(system, *section)
+                shared = every[section]
                 if shared is None or setting.name in shared:
                     continue
+            if (node.name, setting.place, setting.name) in said:
+                continue
+            said.add((node.name, setting.place, setting.name))
             yield finding(
                 "PRM004",
                 setting.place,
@@ -201,17 +205,20 @@ def unknown_parameter_override(system: System, options: Options) -> Iterator[Fin
             )
 
 
-def _every_declared(system: System, file: str) -> set[str] | None:
-    """The names that any node of any system which loads a parameter file declares; None where some node's source
-    is not here, or other launch files were not run."""
+def _every_declared(system: System, file: str, key: str) -> set[str] | None:
+    """The names that any node declares which a section of a parameter file is for, in all systems that load the
+    file; None where some node's source is not here, or others may share what is for all."""
     world = system.world
-    if world is None or _others_are_not_run(world):
+    shared = "*" in key
+    if world is None or (shared and _others_are_not_run(world)):
         return None
     found: set[str] = set()
     for other in world.systems:
         if other is not system and (other.launched is None or file not in _files_of(other)):
             continue
         for node in other.nodes:
+            if not shared and not key_matches(key, node.name):
+                continue
             declared = None if node.external else _declared(node)
             if declared is None:
                 return None
