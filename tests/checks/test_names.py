@@ -140,6 +140,23 @@ class TestHardcodedName:
             """,
         )
 
+    def test_a_name_put_together_from_parts_that_are_fixed_for_some_callers_only(self, judge: Judge):
+        judge(
+            "NME001",
+            script(
+                "def listen(robot): node.create_subscription(String, f'/{robot}/pose', print, 10)",
+                "listen('origin')",
+                "listen(node.declare_parameter('robot', 'left').value)",
+            ),
+        )
+        judge(
+            "NME001",
+            script(
+                "def listen(robot): node.create_subscription(String, f'/{robot}/pose', print, 10)  # here",
+                "listen('origin')",
+            ),
+        )
+
     def test_a_name_that_ros_rejects_has_a_worse_fault(self, judge: Judge):
         judge("NME001", script("node.create_publisher(String, '/my-words', 10)"))
 

@@ -47,10 +47,13 @@ def hardcoded_name(system: System, options: Options) -> Iterator[Finding]:
     """Absolute names that only an edit of the code can change, one finding a create call."""
     relative, allowed = options.flag("relative"), options.texts("allow")
     sites: dict[Place, list[Endpoint]] = {}
+    varied = {one.place for one in system.endpoints if one.creation.name.resolution != "exact"}
     for endpoint in system.endpoints:
         name = endpoint.written
         if name is None or not _fixed_in_code(endpoint) or _conventional(name, allowed):
             continue
+        if endpoint.creation.name.origin_kind == "format" and endpoint.place in varied:
+            continue  # only one of the parts that this call puts together is written in the code
         if relative or name.startswith("/"):
             sites.setdefault(endpoint.place, []).append(endpoint)
     for place in sorted(sites):
