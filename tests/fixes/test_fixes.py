@@ -458,6 +458,48 @@ def test_a_linked_file_is_written_through(workbench: Workbench):
     assert sorted(path.name for path in real.parent.iterdir()) == ["real.txt"]
 
 
+BASE = """\
+from rclpy.node import Node
+
+
+class Base({}):
+    def __init__(self):
+        super().__init__('base')
+        self.declare_parameter('said_topic', '/elsewhere')
+"""
+DERIVED = """\
+import rclpy
+from std_msgs.msg import String
+
+from base import Base
+
+
+class Derived(Base):
+    def __init__(self):
+        super().__init__()
+        {}
+
+
+rclpy.init()
+rclpy.spin(Derived())
+"""
+
+
+@pytest.mark.parametrize("bases", ["Node", "Node, Mixin"])
+def test_a_base_class_in_another_file(workbench: Workbench, bases: str):
+    """Its parameters are left alone; a class that cannot be seen may have any."""
+    package = workbench.folder / "talk"
+    package.mkdir()
+    (package / "base.py").write_text(BASE.format(bases), encoding="utf-8")
+    derived = package / "derived.py"
+    before = DERIVED.replace("from base", "from talk.base").format("self.create_publisher(String, '/said', 10)")
+    derived.write_text(before, encoding="utf-8")
+    (package / "__init__.py").touch()
+    main(["check", "--fix", "--unsafe-fixes", "--select", "NME001", "--no-cache"])
+    after = derived.read_text("utf-8")
+    assert after == before if bases != "Node" else "self.declare_parameter('said_topic_2', '/said')" in after
+
+
 def test_no_fix_for_a_call_in_humble(workbench: Workbench):
     line = f"{CLIENT}.call(Trigger.Request())"
     for distro, fixed in (("humble", False), ("jazzy", True), ("kilted", True), ("lyrical", True), ("rolling", True)):

@@ -30,11 +30,11 @@ def declare_parameter(finding: Finding, source: Source, around: Surroundings) ->
 
     Other calls with the same name in reach of the new variable take it too: their fix is that of the first.
     """
-    site = _site_of(finding, source)
+    site = _site_of(finding, source, around)
     if site is None or "(one of " in finding.message:
         return None
     others = around.findings_like(finding)
-    mine = [other for one in others if (other := _site_of(one, source)) is not None and site.shares_with(other)]
+    mine = [other for one in others if (other := _site_of(one, source, around)) is not None and site.shares_with(other)]
     if any(other.reaches(site) for other in mine if other.start < site.start):
         return None  # the first one's fix is also this one's
     # Whoever else declares parameters on a node that is handed over is perhaps in another file.
@@ -72,7 +72,7 @@ class _Site:
         self.function = scopes.enclosing_function(source, statement)
         own = scopes.own_node(source, node, statement)
         self.once = own and scopes.runs_once(source, self.function)
-        self.handed_over = not own
+        self.handed_over = not own or scopes.has_base_elsewhere(source, node, statement)
         """True where other files may declare parameters on the same node."""
 
     def shares_with(self, other: _Site) -> bool:
@@ -94,14 +94,14 @@ class _Site:
         return around is not None
 
 
-def _site_of(finding: Finding, source: Source) -> _Site | None:
+def _site_of(finding: Finding, source: Source, around: Surroundings) -> _Site | None:
     if finding.place not in source.sites:
-        source.sites[finding.place] = _made_site(finding, source)
+        source.sites[finding.place] = _made_site(finding, source, lambda: around.elsewhere(source))
     found = source.sites[finding.place]
     return found if isinstance(found, _Site) else None
 
 
-def _made_site(finding: Finding, source: Source) -> _Site | None:
+def _made_site(finding: Finding, source: Source, elsewhere: scopes.Elsewhere) -> _Site | None:
     expression = source.node_at(finding.place, ast.expr)
     call = None if expression is None else source.parents.get(expression)
     if isinstance(call, ast.keyword):
@@ -115,7 +115,7 @@ def _made_site(finding: Finding, source: Source) -> _Site | None:
     indent = source.line(statement.lineno)
     if indent[: source.span(statement)[0] - source.starts[statement.lineno - 1]].strip():
         return None  # something else stands in front of it
-    if not scopes.is_node(source, node, statement):
+    if not scopes.is_node(source, node, statement, elsewhere):
         return None
     site = _Site(source, expression, node, kind, statement)
     again = not site.once or scopes.is_other_method(source, site.function)

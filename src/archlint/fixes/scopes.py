@@ -3,13 +3,17 @@
 from __future__ import annotations
 
 import ast
-from collections.abc import Iterator
+import re
+from collections.abc import Callable, Iterator
+from pathlib import Path
 from typing import TYPE_CHECKING, TypeVar
 
 if TYPE_CHECKING:
     from archlint.fixes.source import Source
 
 _Node = TypeVar("_Node", bound=ast.AST)
+Elsewhere = Callable[[], str]
+"""The text of the other files of the package, read when it is asked for."""
 Function = ast.FunctionDef | ast.AsyncFunctionDef
 
 _NODE_BASES = frozenset({"Node", "LifecycleNode"})
@@ -66,17 +70,21 @@ def block_of(source: Source, statement: ast.stmt) -> list[ast.stmt]:
 # --------------------------------------------------------------------------------------------------------- nodes
 
 
-def is_node(source: Source, node: ast.expr, statement: ast.stmt) -> bool:
-    """Whether ``self`` is certainly a node, whose other parameters can be seen; others must be, to create
-    something."""
-    if not (isinstance(node, ast.Name) and node.id == "self"):
+def is_node(source: Source, node: ast.expr, statement: ast.stmt, elsewhere: Elsewhere | None = None) -> bool:
+    """Whether ``self`` is certainly a node, whose other parameters can be seen, here or ``elsewhere``; others must
+    be, to create something."""
+    if not _is_self(node):
         return True
     cls = enclosing_class(source, statement)
-    return cls is not None and _is_plain_node(source, cls, set())
+    return cls is not None and _is_plain_node(source, cls, set(), elsewhere)
 
 
-def _is_plain_node(source: Source, cls: ast.ClassDef, seen: set[str]) -> bool:
-    """Whether a class derives from rclpy's node, and from nothing else that is not in this file."""
+def _is_self(node: ast.expr) -> bool:
+    return isinstance(node, ast.Name) and node.id == "self"
+
+
+def _is_plain_node(source: Source, cls: ast.ClassDef, seen: set[str], elsewhere: Elsewhere | None) -> bool:
+    """Whether a class derives from rclpy's node, and from nothing else that is not in this file or ``elsewhere``."""
     found = False
     for base in cls.bases:
         name = base.attr if isinstance(base, ast.Attribute) else getattr(base, "id", "")
@@ -84,12 +92,38 @@ def _is_plain_node(source: Source, cls: ast.ClassDef, seen: set[str]) -> bool:
         if name in _NODE_BASES and local is None:
             found = True
         elif local is not None and name not in seen:
-            if not _is_plain_node(source, local, {*seen, name}) and local.bases:
+            if not _is_plain_node(source, local, {*seen, name}, elsewhere) and local.bases:
                 return False
             found = found or bool(local.bases)
         elif name not in _HARMLESS_BASES:
-            return False
+            if elsewhere is None or not _is_ours(source, name) or not _derives_plainly(name, elsewhere(), seen):
+                return False
+            found = True
     return found
+
+
+def _is_ours(source: Source, name: str) -> bool:
+    """Whether a class is imported from the package that the file is in."""
+    folders = Path(source.file).resolve().parts[:-1]
+    return any(
+        (alias.asname or alias.name) == name and (one.level or (one.module or "").partition(".")[0] in folders)
+        for one in _all(source, ast.ImportFrom)
+        for alias in one.names
+    )
+
+
+def _derives_plainly(name: str, text: str, seen: set[str]) -> bool:
+    """Whether a text defines a class of that name once, and it derives from rclpy's node and nothing unseen."""
+    heads = re.findall(rf"^class {re.escape(name)}\(([^()]*)\):", text, re.MULTILINE)
+    if len(heads) != 1 or name in seen:
+        return False
+    bases = [base.strip().rpartition(".")[2] for base in heads[0].split(",") if base.strip()]
+    return not _NODE_BASES.isdisjoint(bases) and _NODE_BASES.union(_HARMLESS_BASES).issuperset(bases)
+
+
+def has_base_elsewhere(source: Source, node: ast.expr, statement: ast.stmt) -> bool:
+    """Whether ``self`` is a node only by a class of another file, which may declare parameters, too."""
+    return _is_self(node) and not is_node(source, node, statement)
 
 
 def _class_of(source: Source, name: str) -> ast.ClassDef | None:
@@ -98,7 +132,7 @@ def _class_of(source: Source, name: str) -> ast.ClassDef | None:
 
 def own_node(source: Source, node: ast.expr, statement: ast.stmt) -> bool:
     """Whether a node is ``self``, or one that the same function has just made: nobody else knows it yet."""
-    if isinstance(node, ast.Name) and node.id == "self":
+    if _is_self(node):
         return "automatically_declare_parameters_from_overrides" not in source.text
     function = enclosing_function(source, statement)
     made = 0
