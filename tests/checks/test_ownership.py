@@ -6,6 +6,7 @@ from archlint.checks.ownership import SHARED_BY_DESIGN, multiple_publishers, mul
 from archlint.checks.registry import Options
 from archlint.finding import Severity
 from archlint.system.model import System
+from checks.judging import Judge
 from system.builders import action_server, node, partial, publisher, service, subscriber, system
 
 NOTHING_SAID = Options()
@@ -182,3 +183,36 @@ class TestMultipleServers:
 
     def test_a_service_and_a_topic_of_one_name_are_two_things(self):
         assert servers(system(node("/a", service("x")), node("/b", publisher("x")))) == []
+
+
+TWO_MOTIONS = """
+    import rclpy
+    from rclpy.node import Node
+    from std_msgs.msg import String
+
+
+    class Circle(Node):
+        def __init__(self):
+            super().__init__('circle')
+            self.create_publisher(String, 'motion', 10)
+
+
+    class Square(Node):
+        def __init__(self):
+            super().__init__('square')
+            self.create_publisher(String, 'motion', 10)  # here
+
+
+    def main():
+        rclpy.init()
+        {body}
+
+
+    if __name__ == '__main__':
+        main()
+"""
+
+
+def test_a_node_that_its_script_leaves_out_does_not_run_beside_the_other(judge: Judge):
+    judge("OWN001", TWO_MOTIONS.format(body="one, other = Circle(), Square()"))
+    judge("OWN001", TWO_MOTIONS.format(body="rclpy.spin(Square())").replace("  # here", ""))

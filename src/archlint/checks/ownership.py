@@ -71,7 +71,7 @@ def _several_owners(system: System, connection: Connection) -> Iterator[list[End
     groups: list[list[Endpoint]] = []
     own = [endpoint for endpoint in connection.providers if not named_by_library(endpoint)]
     for one, other in meeting(system, own):
-        if one.node is other.node or _launched_apart(system, one.node, other.node):
+        if one.node is other.node or _launched_apart(system, one.node, other.node) or _left_out(one.node, other.node):
             continue
         group = next((group for group in groups if one in group or other in group), None)
         if group is None:
@@ -89,6 +89,14 @@ def _launched_apart(system: System, one: Node, other: Node) -> bool:
         return False
     mine, yours = (_launches(system.world.systems, node) for node in (one, other))
     return bool(mine) and bool(yours) and mine.isdisjoint(yours)
+
+
+def _left_out(one: Node, other: Node) -> bool:
+    """Whether a script starts the one of two nodes that it defines, and leaves the other out."""
+    if one.blueprint is None or other.blueprint is None or one.program is None or other.program is None:
+        return False
+    one_file = one.blueprint.place.file == other.blueprint.place.file
+    return one_file and one.program.executable != other.program.executable
 
 
 def _launches(systems: Iterable[System], node: Node) -> set[str | None]:
