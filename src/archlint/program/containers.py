@@ -30,6 +30,8 @@ from archlint.program.values import (
 if TYPE_CHECKING:
     from archlint.program.run import Run
 ITEM_LIMIT = 4096
+STRANGE_KEYS = 64
+"""How many values under keys that are not known a dict keeps."""
 
 
 def new_list(
@@ -248,9 +250,10 @@ def set_item(run: Run, container: Value, index: Value, value: Value) -> None:
             at = hashable(index)
             updated = dict(entries.entries)
             if at is None:
-                updated[("#unknown", len(updated))] = (index, value)
-                if len(updated) <= ITEM_LIMIT:
-                    run.store.set(target.key, "#items", Entries(updated, True))
+                strange = [row for key, row in updated.items() if isinstance(key, tuple) and key[0] == "#unknown"]
+                if len(strange) < STRANGE_KEYS and (index, value) not in strange:
+                    updated[("#unknown", len(updated))] = (index, value)
+                run.store.set(target.key, "#items", Entries(updated, True))
                 continue
             if several and at in updated:
                 value = one_of((updated[at][1], value))
