@@ -134,6 +134,16 @@ class TestSpinning:
     def test_a_node_that_is_spun_somehow(self, run: Run, body: str):
         assert codes(run(source(TIMER, self.TICK, self.main(body)))) == []
 
+    def test_a_function_that_hands_itself_out_anew_has_an_end(self, run: Run):
+        body = (
+            "from window import clock\n\n\n"
+            "def plan():\n    def again():\n        plan()\n        rclpy.spin_once(robot)\n    clock.after(1, again)\n"
+            "    clock.after(2, lambda: again() or plan())\n\n\n"
+            "plan()"
+        )
+
+        assert codes(run(source(TIMER, self.TICK, self.main(body)))) == []
+
     @pytest.mark.parametrize(
         "body",
         ["print('there')", "executor = MultiThreadedExecutor()\nexecutor.add_node(robot)\nprint('forgotten')"],

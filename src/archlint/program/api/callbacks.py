@@ -105,7 +105,8 @@ def hand_out(run: Run, values: Iterable[Value]) -> None:
         if not isinstance(function, FunctionValue) or not interesting(function.ir):
             continue
         callback = describe(run, option)
-        key = ("method", None, callback.name, callback.place, function.scope.key, 0)
+        # Once a function, whatever scope it is defined in: one that defines others and hands them out has no end.
+        key = ("method", None, callback.name, callback.place, 0, 0)
         if key in run.registered:
             continue
         run.registered.add(key)
