@@ -467,7 +467,11 @@ SILENT = ["/silence"]
         ("left: {ros__parameters: {topic: l}}", ["/l"], SILENT),
         ("left: {ros__parameters: {topic: l}}\nright: {ros__parameters: {topic: r}}", ["/l"], ["/r"]),
         ("/**: {ros__parameters: {topic: both, loud: false}}", ["/both"], ["/both"]),
-        ("/**: {ros__parameters: {loud: true}}\nright: {ros__parameters: {loud: false}}", ["/silence", "/silence/loud"], SILENT),
+        (
+            "/**: {ros__parameters: {loud: true}}\nright: {ros__parameters: {loud: false}}",
+            ["/silence", "/silence/loud"],
+            SILENT,
+        ),
         ("/other/left: {ros__parameters: {topic: l}}", SILENT, SILENT),
     ],
 )
@@ -504,3 +508,21 @@ def test_what_a_launch_file_does_not_lead_to_is_told_in_the_graph(robot):
         ("launch", "launch/it.launch.xml", 3, "<surprise> is no action that is followed"),
     ]
     assert "include" in render(made)
+
+
+def test_parameters_of_a_node_that_is_not_here(robot):
+    root = robot(
+        '\n<node pkg="lidar" exec="driver" name="lidar" namespace="front">\n<param name="rate" value="10.5"/>\n'
+        '<param name="port" value="$(env PORT)"/><param from="$(dirname)/p.yaml"/></node>'
+    )
+    (root / "launch" / "p.yaml").write_text(
+        "/front/lidar: {ros__parameters: {sides: [left, right]}}\nlidar: {ros__parameters: {rate: 1.0}}\n"
+    )
+    [node] = document(system())["nodes"]
+    rows = [(p["name"], p["type"], p["value"], p["default"], p["file"], p["line"]) for p in node["parameters"]]
+    assert rows == [
+        ("port", None, None, None, "launch/it.launch.xml", 4),
+        ("rate", "double", 10.5, None, "launch/it.launch.xml", 3),
+        ("sides", "string_array", ["left", "right"], None, "launch/p.yaml", 1),
+    ]
+    assert "rate" in render(system()) and "double = 10.5" in render(system())

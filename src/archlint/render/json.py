@@ -9,11 +9,14 @@ import json
 import math
 from collections.abc import Iterable
 from pathlib import PurePath
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from archlint.program import model as program
 from archlint.program.model import Creation, ParameterDeclaration, Qos
 from archlint.system.model import Connection, Endpoint, Node, System
+
+if TYPE_CHECKING:
+    from archlint.system.overrides import Setting
 
 VERSION = 1
 
@@ -74,7 +77,7 @@ def _node(node: Node) -> dict[str, Any]:
         "error": node.error,
         **lists,
         "timers": [_timer(timer) for timer in node.timers],
-        "parameters": [_parameter(parameter, node) for parameter in node.parameters],
+        "parameters": [_parameter(parameter, node) for parameter in node.parameters] + [*map(_setting, node.settings)],
     }
 
 
@@ -155,6 +158,32 @@ def _parameter(parameter: ParameterDeclaration, node: Node) -> dict[str, Any]:
     if parameter.name.text in node.overrides and not parameter.ignore_override:
         described["override"] = _plain(node.overrides[parameter.name.text])
     return described
+
+
+def _setting(setting: Setting) -> dict[str, Any]:
+    """A parameter that is set on a node which is not here, at the place where it is set."""
+    return {
+        "name": setting.name,
+        "type": type_of(setting.value),
+        "default": None,
+        "value": _plain(setting.value),
+        "file": _file(setting.place.file),
+        "line": setting.place.line,
+        "column": setting.place.column,
+        "conditional": False,
+    }
+
+
+_TYPES = {bool: "bool", int: "integer", float: "double", str: "string"}
+
+
+def type_of(value: object) -> str | None:
+    """ROS's name for the type of a parameter's value; None where that is not known."""
+    if isinstance(value, (list, tuple)):
+        kinds = {_TYPES.get(type(item)) for item in value}
+        kind = kinds.pop() if len(kinds) == 1 else None
+        return None if kind is None else f"{kind}_array"
+    return _TYPES.get(type(value))
 
 
 def _plain(value: object) -> object:

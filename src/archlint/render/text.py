@@ -10,6 +10,7 @@ from archlint.program.model import Creation, ParameterDeclaration
 from archlint.render import json, look
 from archlint.system.externals import connections_of_externals, remapped_names
 from archlint.system.model import Connection, Endpoint, Node, System
+from archlint.system.overrides import NOT_KNOWN, Setting
 from archlint.visible import visible
 
 _VERBS = {
@@ -88,6 +89,7 @@ def _rows(node: Node) -> Iterator[Sequence[Cell]]:
         yield from (_endpoint_row(endpoint, verb) for endpoint in node.of_kind(kind))
     yield from map(_timer_row, node.timers)
     yield from (_parameter_row(parameter, node) for parameter in node.parameters)
+    yield from map(_setting_row, node.settings)
 
 
 def _endpoint_row(endpoint: Endpoint, verb: str) -> Sequence[Cell]:
@@ -123,6 +125,13 @@ def _timer_row(timer: Creation) -> Sequence[Cell]:
         (callback.name if callback else "", "plain"),
         (f"line {timer.place.line}", "quiet"),
     ]
+
+
+def _setting_row(setting: Setting) -> Sequence[Cell]:
+    known = "" if setting.value is NOT_KNOWN else f"= {setting.value!r}"
+    kind = json.type_of(setting.value) or ""
+    place = f"{setting.place.file}:{setting.place.line}"
+    return [("parameter", "plain"), (setting.name, "plain"), (f"{kind} {known}".strip(), "plain"), (place, "quiet")]
 
 
 def _parameter_row(parameter: ParameterDeclaration, node: Node) -> Sequence[Cell]:

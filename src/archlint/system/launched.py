@@ -14,7 +14,7 @@ from archlint.system.command_line import Word, words_of
 from archlint.system.instances import instantiate
 from archlint.system.model import Endpoint, Node, System
 from archlint.system.outside import known_name, outside
-from archlint.system.overrides import overrides_of
+from archlint.system.overrides import applied, overrides_of
 from archlint.system.remap import RemapRule, rules_of_arguments
 
 if TYPE_CHECKING:
@@ -94,7 +94,9 @@ class LaunchSystems:
             again = None if words is None else self.program(started, None, words)
             program = again if again is not None and _has_nodes(again) else program
         if program is None or not _has_nodes(program):
-            return [_external(started, launch_file, self._why_unfollowed(started, program))]
+            node = _external(started, launch_file, self._why_unfollowed(started, program))
+            node.settings = sorted(applied(started, node.name, self.parameters_of), key=lambda setting: setting.name)
+            return [node]
         changes = outside(started, program, self.parameters_of)
         if changes is not None:
             again = self.program(started, changes, words)

@@ -23,6 +23,7 @@ if TYPE_CHECKING:
         Qos,
     )
     from archlint.system.launched import World
+    from archlint.system.overrides import Setting
 
 
 @dataclass(eq=False)
@@ -96,6 +97,8 @@ class Node:
     program: Program | None = None
     launch_place: Place | None = None
     overrides: dict[str, object] = field(default_factory=dict)
+    settings: list[Setting] = field(default_factory=list)
+    """The parameters that a launch file sets on an external node: what it declares is not known."""
     resolution: str = "exact"
     """How far ``name`` is known, as for endpoints; a ``partial`` name has holes."""
     error: str | None = None
