@@ -376,11 +376,23 @@ def test_entry_points_of_other_distributions(findings):
     assert findings("PKG002", **{"setup.py": setup}) == []
 
 
-def test_circles_that_are_none(findings):
-    more = '<exec_depend condition="$ROS_VERSION == 1">arm</exec_depend><test_depend>arm</test_depend>'
-    arm = MANIFEST.format(name="arm", type="ament_python", more="<exec_depend>robot</exec_depend>")
-    robot = MANIFEST.format(name="robot", type="ament_python", more=more)
-    assert findings("PKG003", **{"package.xml": robot, "arm/package.xml": arm}) == []
+@pytest.mark.parametrize(
+    ("needs", "circles"),
+    [
+        ("<exec_depend>arm</exec_depend>", 1),
+        ('<exec_depend condition="$ROS_VERSION == 1">arm</exec_depend>', 0),
+        ("<test_depend>arm</test_depend>", 0),
+    ],
+)
+def test_what_makes_a_circle(tmp_path, monkeypatch, needs, circles):
+    monkeypatch.chdir(tmp_path)
+    for name, more in (("robot", needs), ("arm", "<exec_depend>robot</exec_depend>")):
+        (tmp_path / name).mkdir()
+        manifest = MANIFEST.format(name=name, type="ament_python", more=more)
+        (tmp_path / name / "package.xml").write_text(manifest, encoding="utf-8")
+    (tmp_path / "robot" / "talker.py").write_text(TALKER, encoding="utf-8")
+    (tmp_path / "archlint.toml").write_text('select = ["PKG003"]', encoding="utf-8")
+    assert len(check(Request((".",), load(tmp_path), cached=False, jobs=1)).findings) == circles
 
 
 # ------------------------------------------------------------------------------------------------------ GRF002
