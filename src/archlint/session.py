@@ -177,6 +177,7 @@ def _asked_for(system: System, workspace: Workspace) -> System:
 
 def _judged(request: Request, workspace: Workspace, facts: FactsOfFiles) -> Judged:
     from archlint import suppressions
+    from archlint.checks.launch_notices import argument_notices
     from archlint.checks.merge import merged
     from archlint.checks.registry import unreadable
     from archlint.render.json import unresolved
@@ -204,6 +205,8 @@ def _judged(request: Request, workspace: Workspace, facts: FactsOfFiles) -> Judg
     )
     refused = [suppressions.refusal(file, suppression) for file, suppression in outcome.refused]
     notices = loader.notices() if loader is not None else []
+    if request.launch is not None:
+        notices.extend(argument_notices(systems[0]))
     return Judged(findings, summary, [*refused, *notices, *_idle(request.settings, systems)])
 
 

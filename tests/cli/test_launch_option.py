@@ -61,6 +61,18 @@ def test_what_cannot_be_launched(folder, capsys, file, words):
 
 
 @pytest.mark.parametrize("command", ["check", "graph"])
+def test_arguments_that_the_launch_file_does_not_know_and_wants_are_told(folder, capsys, command):
+    (folder / FILE).write_text(LAUNCH.replace("<node", '<arg name="sim"/><node if="$(var sim)"'))
+    main([command, "--no-cache", "--launch", FILE, "robbot:=bob"])
+    assert capsys.readouterr().err.splitlines()[:2] == [
+        f"archlint: warning: {FILE} has no argument 'robbot'; did you mean 'robot'?",
+        f"archlint: warning: {FILE} wants a value for 'sim': sim:=true or sim:=false",
+    ]
+    main([command, "--no-cache", "--launch", FILE, "robot:=bob", "sim:=true"])
+    assert "warning" not in capsys.readouterr().err
+
+
+@pytest.mark.parametrize("command", ["check", "graph"])
 def test_a_launch_file_of_ros_1_cannot_be_launched(folder, capsys, command):
     (folder / "old.launch").write_text('<launch><node pkg="robot" type="talker.py" name="talker"/></launch>')
     assert main([command, "--no-cache", "--launch", "old.launch"]) == 2

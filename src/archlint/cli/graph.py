@@ -42,6 +42,7 @@ def parser() -> argparse.ArgumentParser:
 
 
 def run(arguments: argparse.Namespace) -> int:
+    from archlint.checks.launch_notices import argument_notices
     from archlint.render.drawing import CannotDraw
 
     format = _format(arguments.format, arguments.file)
@@ -64,6 +65,9 @@ def run(arguments: argparse.Namespace) -> int:
     except (NothingToDo, CannotDraw) as error:
         raise UsageError(str(error)) from None
     console.write(drawn, arguments.file)
+    if not arguments.quiet:
+        for notice in argument_notices(system):
+            console.note(f"archlint: warning: {notice}")
     return exits.CLEAN
 
 

@@ -1,0 +1,28 @@
+"""What to tell of the arguments that ``--launch`` was given, and of those that it was not."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from archlint.checks.near import did_you_mean
+
+if TYPE_CHECKING:
+    from archlint.system.model import System
+
+
+def argument_notices(system: System) -> Iterator[str]:
+    """Sentences on arguments that the launch file of a system does not know, and on those that it wants a value
+    for; none where a part of it could not be read."""
+    launched = system.launched
+    if launched is None or launched.gaps:
+        return
+    declared = {argument.name for argument in launched.declared}
+    known = declared | {use.name for use in launched.undeclared} | launched.undecided.keys()
+    for name in sorted(launched.arguments.keys() - known):
+        yield f"{launched.file} has no argument '{name}'{did_you_mean(name, declared)}"
+    for argument in launched.declared:
+        own = argument.file == launched.file and not argument.dormant  # whoever includes a file gives it values
+        if own and argument.default is None and argument.name not in launched.arguments:
+            cases = " or ".join(f"{argument.name}:={value}" for value in launched.undecided.get(argument.name, ()))
+            yield f"{launched.file} wants a value for '{argument.name}'" + (f": {cases}" if cases else "")
