@@ -69,7 +69,7 @@ def test_arguments_that_the_launch_file_does_not_know_and_wants_are_told(folder,
         f"archlint: warning: {FILE} wants a value for 'sim': sim:=true or sim:=false",
     ]
     main([command, "--no-cache", "--launch", FILE, "robot:=bob", "sim:=true"])
-    assert "warning" not in capsys.readouterr().err
+    assert "archlint: warning" not in capsys.readouterr().err
 
 
 @pytest.mark.parametrize("command", ["check", "graph"])
