@@ -104,7 +104,25 @@ def test_arms_of_one_branch_are_never_both_there():
     assert found(topic_type_mismatch, judged) == []
 
 
-def test_an_endpoint_that_may_not_be_there_proves_nothing():
-    judged = system(node("/a", publisher("x", "p/msg/One")), node("/b", subscriber("x", "p/msg/Two", conditional=True)))
+def test_an_endpoint_that_may_be_there_is_wrong_whenever_it_is():
+    sure, perhaps = publisher("x", "p/msg/One"), subscriber("x", "p/msg/Two", conditional=True)
 
-    assert found(topic_type_mismatch, judged) == []
+    assert len(found(topic_type_mismatch, system(node("/a", sure), node("/b", perhaps)))) == 1
+
+
+def test_a_branch_may_choose_the_type_that_fits():
+    arms = [frozenset({("b.py:9", arm)}) for arm in (0, 1)]
+    choice = node(
+        "/b",
+        subscriber("x", "p/msg/Two", conditional=True, arms=arms[0]),
+        subscriber("x", "p/msg/One", conditional=True, arms=arms[1]),
+    )
+
+    assert found(topic_type_mismatch, system(node("/a", publisher("x", "p/msg/One")), choice)) == []
+
+
+def test_two_endpoints_that_may_not_be_there_prove_nothing():
+    one = node("/a", publisher("x", "p/msg/One", conditional=True))
+    other = node("/b", subscriber("x", "p/msg/Two", conditional=True))
+
+    assert found(topic_type_mismatch, system(one, other)) == []

@@ -6,7 +6,7 @@ node are then taken for alternatives.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from itertools import combinations
 from typing import TYPE_CHECKING
 
@@ -21,13 +21,17 @@ _NEVER_REACHED = frozenset({"method"})
 
 def certain(endpoint: Endpoint) -> bool:
     """Whether an endpoint exists for sure, under a known name, as long as its node runs."""
+    return possible(endpoint) and not endpoint.creation.conditional
+
+
+def possible(endpoint: Endpoint) -> bool:
+    """The same, or that it may exist so: some branch decides."""
     creation = endpoint.creation
     return (
         endpoint.resolved
         and endpoint.error is None
         and endpoint.node.name is not None
         and not endpoint.node.test
-        and not creation.conditional
         and not creation.destroyed
         and (creation.context is None or creation.context.role not in _NEVER_REACHED)
     )
@@ -46,6 +50,28 @@ def meeting(system: System, endpoints: Iterable[Endpoint]) -> Iterator[tuple[End
     """Pairs of certain endpoints that run together; in each, the second comes later in the source."""
     for one, other in combinations(in_source_order(e for e in endpoints if certain(e)), 2):
         if meet(system, one, other):
+            yield one, other
+
+
+def clashing(
+    system: System, endpoints: Iterable[Endpoint], agree: Callable[[Endpoint, Endpoint], bool]
+) -> Iterator[tuple[Endpoint, Endpoint]]:
+    """Pairs of endpoints that run together and do not agree whenever both exist.
+
+    One of them exists for sure.  The other may depend on a branch, unless its node has another endpoint of that
+    name which would agree: then the branches choose the one that fits.
+    """
+    ends = in_source_order(end for end in endpoints if possible(end))
+    sure = {id(end) for end in ends if certain(end)}
+    of_node: dict[tuple[int, str], list[Endpoint]] = {}
+    for end in ends:
+        of_node.setdefault((id(end.node), end.kind), []).append(end)
+    for one, other in combinations(ends, 2):
+        if agree(one, other) or not sure & {id(one), id(other)}:
+            continue
+        fixed, chosen = (one, other) if id(one) in sure else (other, one)
+        choices = [] if id(chosen) in sure else of_node[id(chosen.node), chosen.kind]
+        if not any(agree(fixed, end) for end in choices) and meet(system, one, other):
             yield one, other
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from typing import TYPE_CHECKING
 
-from archlint.checks.conflicts import all_endpoints, in_source_order, meeting
+from archlint.checks.conflicts import all_endpoints, clashing, in_source_order
 from archlint.checks.registry import Options, finding, rule
 from archlint.finding import Finding, Related
 from archlint.program.model import (
@@ -53,12 +53,15 @@ def _mismatches(code: str, system: System, connections: Mapping[str, Connection]
         if len(connection.types) < 2:
             continue
         pairs: dict[tuple[str, str], list[tuple[Endpoint, Endpoint]]] = {}
-        for one, other in meeting(system, all_endpoints(connection)):
-            if one.type is not None and other.type is not None and one.type != other.type:
-                first, second = sorted((one.type, other.type))
-                pairs.setdefault((first, second), []).append((one, other))
+        for one, other in clashing(system, all_endpoints(connection), _one_type):
+            first, second = sorted((one.type or "", other.type or ""))
+            pairs.setdefault((first, second), []).append((one, other))
         for types in sorted(pairs):
             yield _mismatch(code, connection, pairs[types])
+
+
+def _one_type(one: Endpoint, other: Endpoint) -> bool:
+    return one.type is None or other.type is None or one.type == other.type
 
 
 def _mismatch(code: str, connection: Connection, pairs: list[tuple[Endpoint, Endpoint]]) -> Finding:
