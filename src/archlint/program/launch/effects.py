@@ -24,6 +24,7 @@ from archlint.program.values import (
 CONDITIONS = ("IfCondition", "UnlessCondition", "LaunchConfigurationEquals", "LaunchConfigurationNotEquals")
 
 if TYPE_CHECKING:
+    from archlint.finding import Place
     from archlint.program.api.effects import ApiUse
     from archlint.program.run import Run
 
@@ -35,6 +36,7 @@ def launch_object(run: Run, call: ApiUse) -> Value:
 
     place = run.place(call.expression.span) if call.expression is not None and run.activations else None
     made = Instance(External(call.api.path), run.store.new_key(), place, dict(call.arguments))
+    note_made(run, call.api.kind, place)
     if isinstance(call.receiver, Instance):
         run.store.set(call.receiver.key, "#action", made)  # super().__init__(…) of a class derived from an action
     run.store.set(made.key, "#arms", frozenset(run.arms))
@@ -45,6 +47,16 @@ def launch_object(run: Run, call: ApiUse) -> Value:
         entities = call.arguments.get("initial_entities")
         run.store.set(made.key, "#entities", _items(run, entities))
     return made
+
+
+NODES = frozenset({"Node", "LifecycleNode", "ComposableNodeContainer", "ComposableNode", "ComposableLifecycleNode"})
+
+
+def note_made(run: Run, kind: str, place: Place | None) -> None:
+    from archlint.program.launch.run import LaunchRun
+
+    if kind in NODES and place is not None and isinstance(run, LaunchRun):
+        run.result.made.add(place)
 
 
 def _items(run: Run, value: Value | None) -> Items:

@@ -183,6 +183,8 @@ class Launched:
     references: list[FileReference] = field(default_factory=list)
     unknown_attributes: list[UnknownAttribute] = field(default_factory=list)
     gaps: list[Gap] = field(default_factory=list)
+    made: set[Place] = field(default_factory=set)
+    """Where the run came past a node action, whether it is then started or not."""
     labels: dict[tuple[str, int], str] = field(default_factory=dict)
     """What a branch means to a user: ``use_sim:=true``."""
     undecided: dict[str, list[str]] = field(default_factory=dict)
