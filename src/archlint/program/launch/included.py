@@ -1,0 +1,90 @@
+"""Actions that lead to other actions: descriptions, includes, functions and event handlers."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING
+
+from archlint.finding import Place
+from archlint.program.launch.context import Context
+from archlint.program.launch.model import Included
+from archlint.program.launch.substitutions import argument, kind_of, perform
+from archlint.program.launch.visiting import callable_value, visit, visit_items
+from archlint.program.store import Items
+from archlint.program.values import Instance, Known, OneOf
+
+if TYPE_CHECKING:
+    from archlint.program.launch.run import LaunchRun
+
+
+def description(run: LaunchRun, entity: Instance) -> None:
+    """A description grows while it is visited, where a function adds to it."""
+    done = 0
+    while True:
+        entities = run.store.get(entity.key, "#entities")
+        values = entities.values[done:] if isinstance(entities, Items) else ()
+        if not isinstance(entities, Items) or not values:
+            return
+        visit_items(run, Items(values, entities.open))
+        done += len(values)
+
+
+def branch(run: LaunchRun, entity: Instance) -> None:
+    visit(run, entity.arguments["action"])
+
+
+def include(run: LaunchRun, entity: Instance) -> None:
+    source = argument(entity, "launch_description_source")
+    location = argument(source, "launch_file_path") if kind_of(source).endswith("Source") else source
+    place = (source.place if isinstance(source, Instance) else None) or run.place_now
+    names = []
+    for row in run.items(argument(entity, "launch_arguments")):
+        pair = run.items(row)
+        if len(pair) == 2:
+            name = perform(run, pair[0])
+            if isinstance(name, Known):
+                where = run.store.get(getattr(row, "key", 0), "#place")
+                origin = pair[0].origin if isinstance(pair[0], Known) else None
+                names.append((str(name.value), where if isinstance(where, Place) else origin or run.place_now))
+                run.launch.configurations[str(name.value)] = perform(run, pair[1])
+    path = perform(run, location)
+    options = path.values if isinstance(path, OneOf) else (path,)
+    for option in options:
+        reference = run.reference("launch", option, place)
+        run.result.included.append(Included(reference, tuple(names), place, run.file, run.is_dormant))
+        run.loader.include(run, reference)
+
+
+def launch_apart(run: LaunchRun, package: str, name: str, words: Sequence[str | None]) -> None:
+    """``ros2 launch package file argument:=value …``: a launch with a context of its own."""
+    path = Known(f"$(find-pkg-share {package})/launch/{name}")
+    reference = run.reference("launch", path, run.place_now)
+    run.result.included.append(Included(reference, (), run.place_now, run.file, run.is_dormant))
+    kept, run.launch = run.launch, Context()
+    for word in words:
+        argument_name, assigned, value = (word or "").partition(":=")
+        if assigned:
+            run.launch.configurations[argument_name] = Known(value)
+    run.loader.include(run, reference)
+    run.launch = kept
+
+
+def opaque(run: LaunchRun, entity: Instance) -> None:
+    function = argument(entity, "function")
+    if function is None:
+        run.gap("an OpaqueFunction without a function")
+        return
+    result = run.call_opaque(function, run.items(argument(entity, "args")), argument(entity, "kwargs"))
+    visit(run, result)
+
+
+def event_handler(run: LaunchRun, entity: Instance) -> None:
+    handler = argument(entity, "event_handler")
+    if handler is None or not isinstance(handler, Instance):
+        return
+    for name in ("on_exit", "on_start", "on_completion", "on_shutdown", "entities", "on_stdout", "on_stderr"):
+        value = argument(handler, name)
+        if value is not None and callable_value(value):
+            visit(run, run.call_handler(value))
+        elif value is not None:
+            visit(run, value)
