@@ -6,12 +6,11 @@ import ast
 import re
 from collections.abc import Callable, Iterator
 from pathlib import Path
-from typing import TYPE_CHECKING, TypeVar
+from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from archlint.fixes.source import Source
 
-_Node = TypeVar("_Node", bound=ast.AST)
 Elsewhere = Callable[[], str]
 """The text of the other files of the package, read when it is asked for."""
 Function = ast.FunctionDef | ast.AsyncFunctionDef
@@ -107,7 +106,7 @@ def _is_ours(source: Source, name: str) -> bool:
     folders = Path(source.file).resolve().parts[:-1]
     return any(
         (alias.asname or alias.name) == name and (one.level or (one.module or "").partition(".")[0] in folders)
-        for one in _all(source, ast.ImportFrom)
+        for one in source.of_kind(ast.ImportFrom)
         for alias in one.names
     )
 
@@ -127,7 +126,7 @@ def has_base_elsewhere(source: Source, node: ast.expr, statement: ast.stmt) -> b
 
 
 def _class_of(source: Source, name: str) -> ast.ClassDef | None:
-    return next((one for one in _all(source, ast.ClassDef) if one.name == name), None)
+    return next((one for one in source.of_kind(ast.ClassDef) if one.name == name), None)
 
 
 def own_node(source: Source, node: ast.expr, statement: ast.stmt) -> bool:
@@ -136,7 +135,7 @@ def own_node(source: Source, node: ast.expr, statement: ast.stmt) -> bool:
         return "automatically_declare_parameters_from_overrides" not in source.text
     function = enclosing_function(source, statement)
     made = 0
-    for one in _all(source, ast.Assign):
+    for one in source.of_kind(ast.Assign):
         if enclosing_function(source, one) is not function:
             continue
         for target in one.targets:
@@ -161,7 +160,7 @@ def maker_in_function(source: Source, client: ast.Name, statement: ast.stmt) -> 
     function = enclosing_function(source, statement)
     values = [
         one.value
-        for one in _all(source, ast.Assign)
+        for one in source.of_kind(ast.Assign)
         if enclosing_function(source, one) is function
         and any(isinstance(target, ast.Name) and target.id == client.id for target in one.targets)
     ]
@@ -183,7 +182,7 @@ def runs_once(source: Source, function: Function | None) -> bool:
         return True
     if not isinstance(source.parents.get(function), ast.ClassDef):
         return enclosing_class(source, function) is None
-    uses = [one for one in _all(source, ast.Attribute) if one.attr == function.name]
+    uses = [one for one in source.of_kind(ast.Attribute) if one.attr == function.name]
     if len(uses) != 1 or source.text.count(function.name) != 2:
         return False
     call = source.parents.get(uses[0])
@@ -276,7 +275,9 @@ def _is_constant_attribute(source: Source, expression: ast.Attribute, statement:
     if cls is None or owner.id not in ("self", "cls", cls.name):
         return _is_constant_name(source, owner.id, statement) and is_imported(source, owner.id)
     bound = [
-        one for one in _all(source, ast.Attribute) if one.attr == expression.attr and not isinstance(one.ctx, ast.Load)
+        one
+        for one in source.of_kind(ast.Attribute)
+        if one.attr == expression.attr and not isinstance(one.ctx, ast.Load)
     ]
     in_body = [
         one
@@ -292,7 +293,7 @@ def _is_constant_attribute(source: Source, expression: ast.Attribute, statement:
         and len(in_body) == 1
         and not any(
             isinstance(one, ast.Name) and one.id == expression.attr and isinstance(one.ctx, ast.Store)
-            for other in _all(source, ast.ClassDef)
+            for other in source.of_kind(ast.ClassDef)
             if other is not cls
             for one in ast.walk(other)
         )
@@ -300,11 +301,5 @@ def _is_constant_attribute(source: Source, expression: ast.Attribute, statement:
 
 
 def is_imported(source: Source, name: str) -> bool:
-    imports: list[ast.Import | ast.ImportFrom] = [*_all(source, ast.Import), *_all(source, ast.ImportFrom)]
+    imports: list[ast.Import | ast.ImportFrom] = [*source.of_kind(ast.Import), *source.of_kind(ast.ImportFrom)]
     return any((alias.asname or alias.name).partition(".")[0] == name for one in imports for alias in one.names)
-
-
-def _all(source: Source, kind: type[_Node]) -> Iterator[_Node]:
-    """Every node of a kind, in no particular order."""
-    if source.tree is not None:
-        yield from (one for one in ast.walk(source.tree) if isinstance(one, kind))

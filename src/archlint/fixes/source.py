@@ -7,12 +7,15 @@ import io
 import re
 import tokenize
 from bisect import bisect_right
+from collections.abc import Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
 from pathlib import Path
+from typing import TypeVar, cast
 
 from archlint.finding import Place
 
+_Node = TypeVar("_Node", bound=ast.AST)
 _LINE_END = re.compile(r"\r\n|\r|\n")
 
 
@@ -66,10 +69,22 @@ class Source:
             return None
 
     @cached_property
+    def _nodes(self) -> tuple[ast.AST, ...]:
+        return () if self.tree is None else tuple(ast.walk(self.tree))
+
+    @cached_property
     def parents(self) -> dict[ast.AST, ast.AST]:
-        tree = self.tree
-        nodes = () if tree is None else ast.walk(tree)
-        return {child: node for node in nodes for child in ast.iter_child_nodes(node)}
+        return {child: node for node in self._nodes for child in ast.iter_child_nodes(node)}
+
+    def of_kind(self, kind: type[_Node]) -> Sequence[_Node]:
+        """Every node of a kind, those further out first."""
+        if kind not in self._of_kind:
+            self._of_kind[kind] = tuple(node for node in self._nodes if isinstance(node, kind))
+        return cast("Sequence[_Node]", self._of_kind[kind])
+
+    @cached_property
+    def _of_kind(self) -> dict[type[ast.AST], Sequence[ast.AST]]:
+        return {}
 
     def span(self, node: ast.expr | ast.stmt) -> tuple[int, int]:
         """Offsets at which a node starts and ends."""
@@ -87,8 +102,8 @@ class Source:
         if self.tree is None:
             return None
         wanted = (self.offset(place.line, place.column), self.offset(place.end_line, place.end_column))
-        for node in ast.walk(self.tree):
-            if isinstance(node, kind) and node.lineno == place.line and self.span(node) == wanted:
+        for node in self.of_kind(kind):
+            if node.lineno == place.line and self.span(node) == wanted:
                 return node
         return None
 
