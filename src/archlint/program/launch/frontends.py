@@ -2,14 +2,15 @@
 
 from __future__ import annotations
 
-import shlex
-from collections.abc import Callable, Hashable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from typing import TYPE_CHECKING
 
 from archlint.facts.launch_model import Attribute, Element
 from archlint.finding import Place
+from archlint.program.launch.frontend_parameters import read_parameter
+from archlint.program.launch.frontend_tables import ATTRIBUTES, HARMLESS, SUBSTITUTIONS
+from archlint.program.launch.frontend_texts import closing, shell_words, unquoted, words_of
 from archlint.program.launch.model import UnknownAttribute
-from archlint.program.launch.parameters import from_yaml
 from archlint.program.values import External, Instance, Known, Unknown, Value
 
 if TYPE_CHECKING:
@@ -41,7 +42,7 @@ class Frontend:
     def actions(self, elements: Sequence[Element]) -> Iterator[Value]:
         for element in elements:
             build = _ELEMENTS.get(element.tag)
-            if build is None and element.tag not in _HARMLESS:
+            if build is None and element.tag not in HARMLESS:
                 yield self.make(f"<{element.tag}>", self.place(element.span), {}, {})
             if build is not None:
                 made = build(self, element)
@@ -59,7 +60,7 @@ class Frontend:
                 made.arguments["condition"] = self.make(kind, place, given, {})
 
     def _check(self, element: Element) -> None:
-        known = _ATTRIBUTES.get(element.tag)
+        known = ATTRIBUTES.get(element.tag)
         if known is None:
             return
         for name, attribute in element.attributes.items():
@@ -114,7 +115,7 @@ class Frontend:
                 yield Known(text[at : start - 1] + "$(")
                 at = start + 2
                 continue
-            end = _closing(text, start + 2)
+            end = closing(text, start + 2)
             if end < 0:
                 yield Unknown("a substitution that is not closed")
                 return
@@ -124,17 +125,17 @@ class Frontend:
             at = end + 1
 
     def _substitution(self, text: str, place: Place | None, depth: int) -> Value:
-        words = list(_words(text))
+        words = list(words_of(text))
         if not words:
             return Unknown("an empty substitution")
         name, rest = words[0], words[1:]
-        build = _SUBSTITUTIONS.get(name)
+        build = SUBSTITUTIONS.get(name)
         if build is None:
             return Unknown(f"the substitution $({name} …)")
         kind, parameters = build
         if name == "eval":
-            rest = [_unquoted(text[text.index("eval") + 4 :].strip())]
-        values = [self.list(list(self._parts(_unquoted(word), place, depth + 1))) for word in rest]
+            rest = [unquoted(text[text.index("eval") + 4 :].strip())]
+        values = [self.list(list(self._parts(unquoted(word), place, depth + 1))) for word in rest]
         made = self.make(kind, place or Place(self.file, 1, 1, 1, 1), dict(zip(parameters, values, strict=False)), {})
         self.run.store.set(made.key, "#rest", tuple(values[len(parameters) :]))
         return made
@@ -175,7 +176,7 @@ class Frontend:
                 words[-1].append(part)
                 continue
             text = str(part.value)
-            pieces = _shell_words(text)
+            pieces = shell_words(text)
             if not pieces or text[0].isspace():
                 words.append([])
             for number, piece in enumerate(pieces):
@@ -186,7 +187,7 @@ class Frontend:
         given[parameter] = self.list([word[0] if len(word) == 1 else self.list(word) for word in words if word])
 
     def _described(self, element: Element, given: dict[str, Value]) -> None:
-        parameters = [self._parameter(child) for child in element.of("param")]
+        parameters = [read_parameter(self, child) for child in element.of("param")]
         remaps = [self._pair(child, "from", "to") for child in element.of("remap")]
         if parameters:
             given["parameters"] = self.list([value for value in parameters if value is not None])
@@ -200,73 +201,6 @@ class Frontend:
         made = containers.new_list(self.run, values, "tuple")
         self.run.store.set(made.key, "#place", self.place(element.span))
         return made
-
-    def _parameter(self, element: Element, prefix: str = "") -> Value | None:
-        place = self.place(element.span)
-        if "from" in element.attributes:
-            given = {"param_file": self.text(element.attributes["from"])}
-            if (element.text("allow_substs") or "").lower() == "true":
-                given["allow_substs"] = Known(True)
-            return self.make("ParameterFile", self.place(element.attributes["from"].span), given, {})
-        nested = element.of("param")
-        name = self.get(element, "name") or Known("")
-        if nested:
-            return self._nested(element, name, prefix)
-        value = self._value(element)
-        if prefix:
-            name = self.list([Known(prefix + "."), name])
-        return self.make("Parameter", place, {"name": name, "value": value}, {})
-
-    def _nested(self, element: Element, name: Value, prefix: str) -> Value | None:
-        """A parameter with parameters in it: a dict."""
-        from archlint.program import containers
-
-        entries: dict[Hashable, tuple[Value, Value]] = {}
-        for number, child in enumerate(element.of("param")):
-            key = self.get(child, "name") or Known("")
-            if isinstance(key, Known):
-                key = Known(str(key.value), origin=self.place(child.span))
-            inner = self._nested(child, Known(""), "") if child.of("param") else self._value(child)
-            entries[("#", number)] = (key, inner or Unknown("a parameter without a value"))
-        made = containers.new_dict(self.run, entries)
-        if isinstance(name, Known) and not name.value:
-            return made
-        return containers.new_dict(self.run, {("#", 0): (name, made)})
-
-    def _value(self, element: Element) -> Value:
-        """The value of a parameter: in XML text that is read as YAML, in YAML what it is."""
-        attribute = element.attributes.get("value")
-        if attribute is None:
-            return Unknown("a parameter without a value")
-        kind = element.text("type")
-        place = self.place(attribute.span)
-        if isinstance(attribute.value, str):
-            separator = element.text("value-sep")
-            if separator:
-                return self.list([self._scalar(part.strip(), kind) for part in attribute.value.split(separator)])
-            quoted_number = self.file.endswith((".yaml", ".yml")) and from_yaml(attribute.value)[0] != attribute.value
-            if quoted_number and kind is None:
-                return Unknown("a text that looks like a number: releases differ in what they make of it")
-            if "$(" not in attribute.value:
-                return self._scalar(attribute.value, kind)
-            given = {"value": self.parse(attribute.value, place)}
-            if kind is not None:
-                given["value_type"] = External(f"builtins.{kind}")
-            return self.make("ParameterValue", place, given, {})
-        return self.text(attribute)
-
-    def _scalar(self, text: str, kind: str | None) -> Value:
-        if kind == "str":
-            return Known(text)
-        found, known = from_yaml(text)
-        if not known:
-            return Unknown("a value that a parameter cannot have")
-        if isinstance(found, list):
-            return self.list(
-                [Known(item) if not isinstance(item, (list, dict)) else Unknown("nested") for item in found]
-            )
-        assert found is None or isinstance(found, (str, int, float, bool))
-        return Known(found)
 
     def container(self, element: Element) -> Instance:
         made = self.node(element, "ComposableNodeContainer")
@@ -357,118 +291,3 @@ _ELEMENTS: dict[str, Callable[[Frontend, Element], Instance | None]] = {
     "unset_env": _simple("UnsetEnvironmentVariable", name="name"),
     "executable": Frontend.executable,
 }
-
-_HARMLESS = frozenset(
-    {"keep", "log", "log_info", "log_debug", "log_warning", "log_error", "shutdown", "set_ros_log_dir", "append_env"}
-    | {"reset", "reset_env", "rep_env", "push_env", "pop_env"}
-)
-"""Elements that start nothing, and whose effect no name depends on."""
-
-_PROCESS = [
-    "output",
-    "respawn",
-    "respawn_delay",
-    "respawn_max_retries",
-    "launch-prefix",
-    "cwd",
-    "on_exit",
-    "shell",
-    "emulate_tty",
-    "sigterm_timeout",
-    "sigkill_timeout",
-    "output_format",
-    "exec_name",
-]
-_NODE = ["pkg", "exec", "name", "namespace", "args", "ros_args", *_PROCESS]
-
-_ATTRIBUTES: dict[str, list[str]] = {
-    "node": _NODE,
-    "lifecycle_node": [*_NODE, "autostart"],
-    "node_container": _NODE,
-    "composable_node": ["pkg", "plugin", "name", "namespace"],
-    "load_composable_node": ["target"],
-    "include": ["file"],
-    "group": ["scoped", "forwarding"],
-    "arg": ["name", "default", "description"],
-    "let": ["name", "value"],
-    "push_ros_namespace": ["namespace"],
-    "push-ros-namespace": ["namespace"],
-    "set_remap": ["from", "to"],
-    "timer": ["period"],
-}
-
-_SUBSTITUTIONS: dict[str, tuple[str, tuple[str, ...]]] = {
-    "var": ("LaunchConfiguration", ("variable_name", "default")),
-    "env": ("EnvironmentVariable", ("name", "default_value")),
-    "optenv": ("EnvironmentVariable", ("name", "default_value")),
-    "find-pkg-share": ("FindPackageShare", ("package",)),
-    "find-pkg-prefix": ("FindPackagePrefix", ("package",)),
-    "exec-in-pkg": ("ExecutableInPackage", ("executable", "package")),
-    "eval": ("PythonExpression", ("expression",)),
-    "command": ("Command", ("command", "on_stderr")),
-    "dirname": ("ThisLaunchFileDir", ()),
-    "filename": ("ThisLaunchFile", ()),
-    "anon": ("AnonName", ("name",)),
-    "not": ("NotSubstitution", ("value",)),
-    "and": ("AndSubstitution", ("left", "right")),
-    "or": ("OrSubstitution", ("left", "right")),
-    "any": ("AnySubstitution", ()),
-    "all": ("AllSubstitution", ()),
-    "equals": ("EqualsSubstitution", ("left", "right")),
-    "not-equals": ("NotEqualsSubstitution", ("left", "right")),
-    "if": ("IfElseSubstitution", ("condition", "if_value", "else_value")),
-    "file-content": ("FileContent", ("path",)),
-    "find-exec": ("FindExecutable", ("name",)),
-    "param": ("ParameterSubstitution", ("name",)),
-    "path-join": ("PathJoinSubstitution", ()),
-}
-
-
-def _shell_words(text: str) -> list[str]:
-    try:
-        return shlex.split(text)
-    except ValueError:
-        return text.split()
-
-
-def _closing(text: str, at: int) -> int:
-    """Where the parenthesis opened before ``at`` closes; -1 if it does not."""
-    depth = 1
-    for index in range(at, len(text)):
-        if text.startswith("$(", index) or (text[index] == "(" and (index == 0 or text[index - 1] != "$")):
-            depth += 1
-        elif text[index] == ")":
-            depth -= 1
-            if depth == 0:
-                return index
-    return -1
-
-
-def _words(text: str) -> Iterator[str]:
-    """Words of a substitution: split at spaces outside of quotes and of inner substitutions."""
-    word, depth, quote = "", 0, ""
-    for character in text:
-        if quote:
-            quote = "" if character == quote else quote
-        elif character in "\"'" and depth == 0:
-            quote = character
-        elif character == "(":
-            depth += 1
-        elif character == ")":
-            depth -= 1
-        if character.isspace() and not quote and depth == 0:
-            if word:
-                yield word
-            word = ""
-        else:
-            word += character
-    if word:
-        yield word
-
-
-def _unquoted(word: str) -> str:
-    if len(word) > 1 and word[0] == word[-1] and word[0] in "\"'":
-        inner = word[1:-1]
-        if word[0] not in inner.replace("\\" + word[0], ""):
-            return inner.replace("\\" + word[0], word[0])
-    return word
