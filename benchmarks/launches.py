@@ -12,7 +12,7 @@ The text search takes, in each launch file, what looks like a node action: ``Nod
 left out.  An action is accounted for where a launch starts a node at its place: as one whose code is in the checkout
 (*here*), one whose code is elsewhere (*external*), or one under a condition that the defaults do not meet (*not
 taken*).  *Not reached* are those in code that the launch files do not run with their defaults, *unresolved* those in
-a file with something that was not followed, *missed* those that a run came past and that are in no graph.
+a file with something that was not followed, *put nowhere* those that a run came past and that no description holds.
 """
 
 from __future__ import annotations
@@ -32,7 +32,7 @@ from archlint.program.launch.model import Launched
 from archlint.session import Request, _compiled, _found, _store, _systems
 from archlint.system.model import System
 
-KINDS = ("here", "external", "not taken", "unresolved", "not reached", "missed")
+KINDS = ("here", "external", "not taken", "unresolved", "not reached", "put nowhere")
 PYTHON = re.compile(r"(?<![\w])(?:Lifecycle)?(?:Node|ComposableNode|ComposableNodeContainer)\s*\(")
 NO_ACTION = re.compile(r"^\s*(?:class|def|from|import)\b")
 XML = re.compile(r"<(?:node|lifecycle_node|composable_node|node_container)\b")
@@ -91,7 +91,7 @@ def accounted(systems: list[System]) -> dict[tuple[str, int], str]:
     def note(place: Place | None, kind: str) -> None:
         for line in range(place.line, place.end_line + 1) if place is not None else ():
             assert place is not None
-            known = found.get((place.file, line), "missed")
+            known = found.get((place.file, line), KINDS[-1])
             found[place.file, line] = min(kind, known, key=KINDS.index)
 
     for system in systems:
@@ -142,7 +142,7 @@ def measure(root: Path) -> tuple[Counter[str], Counter[str], list[str]]:
             kind = places.get((path, line))
             if kind is None:
                 came_past = (path, line) in made or not path.endswith(".py")
-                kind = "unresolved" if path in unfollowed else "missed" if came_past else "not reached"
+                kind = "unresolved" if path in unfollowed else "put nowhere" if came_past else "not reached"
             kinds[kind] += 1
             if kind in KINDS[3:]:
                 told.append(f"{kind}: {path}:{line}")

@@ -226,6 +226,9 @@ def finish(run: Run) -> None:
             blueprint.creations = [c for c in blueprint.creations if is_test_file(c.place.file)]
         if program.executable:
             blueprint.executables = (program.name,)
+        if program.exhausted:
+            blueprint.complete = False
+            blueprint.gaps.append((blueprint.place, "its program has more code than is followed"))
         kept.append(blueprint)
     program.nodes[:] = kept
     executors.settle(program)

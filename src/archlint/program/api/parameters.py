@@ -19,6 +19,7 @@ from archlint.program.values import (
     Instance,
     Known,
     ListValue,
+    MessageValue,
     Unknown,
     Value,
     alternatives,
@@ -124,6 +125,7 @@ def declare_one(
     default: Value | None,
     ignore_override: bool = False,
     span_place: Place | None = None,
+    descriptor: Value | None = None,
 ) -> Value:
     """Declare a parameter on the node of a call; returns the Parameter object."""
     place = span_place or (run.place(call.expression.span) if call.expression is not None else Place("", 1, 1, 1, 1))
@@ -131,11 +133,12 @@ def declare_one(
     overrides = run.overrides.of(nodes.known_node(run, call.receiver))
     for option in alternatives(name):
         text = text_of_value(option, "no name is given")
-        kind = type_name(run, default)
+        dynamic = _is_dynamic(run, descriptor)
+        kind = None if dynamic else type_name(run, default)
         typed = _is_type(default)
         has_default = default is not None and not typed and default != NONE
         for blueprint in nodes.nodes_of(run, call.receiver):
-            _note(run, blueprint, text, kind, default if has_default else None, place, ignore_override)
+            _note(run, blueprint, text, kind, default if has_default else None, place, ignore_override, dynamic)
         value: Value
         override = run.store.get(nodes.node_key(run, call.receiver), ("#override", text.text))
         if isinstance(override, Value) and text.text is not None and not ignore_override:
@@ -155,6 +158,11 @@ def declare_one(
     return one_of(found)
 
 
+def _is_dynamic(run: Run, descriptor: Value | None) -> bool:
+    """``ParameterDescriptor(dynamic_typing=True)``: any type will do."""
+    return isinstance(descriptor, MessageValue) and run.store.get(descriptor.key, "dynamic_typing") == TRUE
+
+
 def _note(
     run: Run,
     blueprint: model.Blueprint,
@@ -163,6 +171,7 @@ def _note(
     default: Value | None,
     place: Place,
     ignore_override: bool,
+    dynamic: bool,
 ) -> None:
     for known in blueprint.parameters:
         if known.place == place and known.name.text == name.text:
@@ -179,6 +188,7 @@ def _note(
             blueprint,
             bool(run.arms),
             ignore_override,
+            dynamic,
             chain=run.chain(),
         )
     )
@@ -205,6 +215,7 @@ def declare_parameter(run: Run, call: ApiUse) -> Value:
         call.get("name") or Unknown("no name is given"),
         call.get("value"),
         call.get("ignore_override") == TRUE,
+        descriptor=call.get("descriptor"),
     )
 
 
@@ -225,8 +236,9 @@ def declare_parameters(run: Run, call: ApiUse) -> Value:
             name = one_of(join_texts((namespace, Known("."), option)) for option in alternatives(name))
         elif namespace is not None and not isinstance(namespace, Known):
             name = Unknown("the namespace of the parameters is not known")
-        default = parts.values[1] if len(parts.values) > 1 else None
-        made.append(declare_one(run, call, name, default, call.get("ignore_override") == TRUE))
+        default, descriptor = [*parts.values[1:3], None, None][:2]
+        ignore = call.get("ignore_override") == TRUE
+        made.append(declare_one(run, call, name, default, ignore, descriptor=descriptor))
     return containers.new_list(run, made, "list", rows.open)
 
 

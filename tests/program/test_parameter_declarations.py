@@ -1,0 +1,48 @@
+"""What is known of a declared parameter, and of a program that is followed in part."""
+
+from __future__ import annotations
+
+from archlint.config import Settings
+from archlint.session import Request, graph
+
+NODE = """\
+import rclpy
+from rcl_interfaces.msg import ParameterDescriptor
+from rclpy.node import Node
+
+class Anything(Node):
+    def __init__(self):
+        super().__init__('anything')
+        self.declare_parameter('fixed', 1, ParameterDescriptor(description='one type'))
+        self.declare_parameter('any', 1, ParameterDescriptor(dynamic_typing=True))
+        self.declare_parameters('many', [('any', 1.0, ParameterDescriptor(dynamic_typing=True)), ('fixed', 'a')])
+        {more}
+
+rclpy.init()
+rclpy.spin(Anything())
+"""
+
+
+def node_of(tmp_path, monkeypatch, more="pass"):
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "anything.py").write_text(NODE.format(more=more), encoding="utf-8")
+    [node] = graph(Request((".",), Settings(), cached=False, jobs=1)).nodes
+    return node
+
+
+def test_dynamic_typing_leaves_the_type_open(tmp_path, monkeypatch):
+    found = node_of(tmp_path, monkeypatch).parameters
+    assert [(p.name.text, p.type, p.dynamic) for p in found] == [
+        ("fixed", "integer", False),
+        ("any", None, True),
+        ("many.any", None, True),
+        ("many.fixed", "string", False),
+    ]
+
+
+def test_a_program_that_is_cut_short_is_not_complete(tmp_path, monkeypatch):
+    endless = "for a in range(400):\n            for b in range(400):\n                self.get_logger().info('x')"
+    assert node_of(tmp_path, monkeypatch).blueprint.complete
+    cut_short = node_of(tmp_path, monkeypatch, endless).blueprint
+    assert not cut_short.complete
+    assert [reason for _, reason in cut_short.gaps] == ["its program has more code than is followed"]
