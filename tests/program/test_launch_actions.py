@@ -474,6 +474,20 @@ class Talker(Node):
     assert left_out(launched) == []
 
 
+def test_a_class_that_derives_from_an_action_in_two_ways(launches):
+    before = """\
+class Talker(Node):
+    def __init__(self, name):
+        if is_wsl():
+            super().__init__(package='robot', executable='talker', name=name)
+        else:
+            super().__init__(package='robot', executable='talker', name=name + '_native')
+"""
+    launched = launches.python("[Talker('left')]", before)
+    assert names(launched) == ["left", "left_native"]
+    assert left_out(launched) == [] and all(started.arms for started in launched.started)
+
+
 def test_a_launch_that_a_command_starts_has_a_context_of_its_own(launches):
     launches.file(
         "robot/launch/inner.launch.xml",

@@ -79,6 +79,9 @@ def visit_items(run: LaunchRun, items: Items) -> None:
 
 def _visit_one(run: LaunchRun, entity: Instance) -> None:
     made = run.store.get(entity.key, "#action")  # of a class that derives from an action
+    if isinstance(made, OneOf):
+        visit(run, made)
+        return
     entity = _known_by_name(made if isinstance(made, Instance) else entity)
     kind = kind_of(entity)
     arms = run.store.get(entity.key, "#arms")
