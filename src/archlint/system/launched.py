@@ -13,7 +13,7 @@ from archlint.system import names
 from archlint.system.command_line import Word, words_of
 from archlint.system.instances import instantiate
 from archlint.system.model import Endpoint, Node, System
-from archlint.system.outside import known_name, outside
+from archlint.system.outside import is_undecided, known_name, outside
 from archlint.system.overrides import applied, overrides_of
 from archlint.system.remap import RemapRule, rules_of_arguments
 
@@ -89,7 +89,7 @@ class LaunchSystems:
     def nodes(self, started: Started, launch_file: str) -> list[Node]:
         """The nodes of one started process."""
         program, words = self.program(started), None
-        if program is not None and (program.parses_command_line or (program.reads_command_line and started.arguments)):
+        if program is not None and _wants_words(program, started):
             words = words_of(started)
             again = None if words is None else self.program(started, None, words)
             program = again if again is not None and _has_nodes(again) else program
@@ -158,6 +158,13 @@ class LaunchSystems:
         if key not in self._modules:
             self._modules[key] = self.linker.module_of(entry, f"{folder}/")
         return self._modules[key]
+
+
+def _wants_words(program: Program, started: Started) -> bool:
+    """Whether the words of a command line can change what a program creates."""
+    if started.arguments:
+        return program.parses_command_line or program.reads_command_line
+    return program.parses_command_line and (not _has_nodes(program) or is_undecided(program.nodes))
 
 
 def _has_nodes(program: Program) -> bool:

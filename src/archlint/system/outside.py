@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from typing import TYPE_CHECKING
 
 from archlint.program.launch.model import OpenParameters, ParameterFileUse, ParameterSetting
-from archlint.program.model import ENDPOINT_KINDS, Blueprint, Overrides, Program, node_key
+from archlint.program.model import ENDPOINT_KINDS, Blueprint, Creation, Overrides, Program, node_key
 from archlint.system.instances import instantiate
 from archlint.system.overrides import overrides_of
 
@@ -36,14 +36,26 @@ def outside(started: Started, program: Program, parameters_of: Callable[[str], P
         for key, values in found.items()
     }
     defaults = _defaults_that_hold(started, nodes, found)
-    if not any(decisive.values()) and not (defaults and _has_branches(nodes)):
+    if not any(decisive.values()) and not (defaults and is_undecided(nodes)):
         return None
     others = next(iter(decisive.values())) if len(decisive) == 1 else overrides_of(started, None, parameters_of)
     return Overrides(decisive, others, _settled(nodes, decisive) | defaults)
 
 
-def _has_branches(nodes: list[Blueprint]) -> bool:
-    return any(creation.conditional for node in nodes for creation in node.creations)
+def is_undecided(nodes: Iterable[Blueprint]) -> bool:
+    """Whether something that nodes create, or a name of theirs, depends on what has not been decided."""
+    return any(
+        node.name.resolution in _UNCLEAR
+        or any(c.conditional or (c.kind in ENDPOINT_KINDS and _is_unclear(c)) for c in node.creations)
+        for node in nodes
+    )
+
+
+def _is_unclear(creation: Creation) -> bool:
+    return creation.name.resolution in _UNCLEAR or creation.type is None
+
+
+_UNCLEAR = ("partial", "unknown")
 
 
 def _defaults_that_hold(
