@@ -56,8 +56,10 @@ def run_callbacks(run: Run) -> None:
             break
     if run.stateful and run.left > 0:
         # What one callback leaves in an attribute, another may use: each sees the joined state once.
+        run.again = True
         for pending in list(run.started):
             run_root(run, pending.callback, pending.value, pending.arguments)
+        run.again = False
         run_pending(run)
 
 
@@ -226,7 +228,7 @@ def finish(run: Run) -> None:
             blueprint.creations = [c for c in blueprint.creations if is_test_file(c.place.file)]
         if program.executable:
             blueprint.executables = (program.name,)
-        if program.exhausted:
+        if program.exhausted and not blueprint.test:
             blueprint.complete = False
             blueprint.gaps.append((blueprint.place, "its program has more code than is followed"))
         kept.append(blueprint)
