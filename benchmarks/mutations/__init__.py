@@ -1,0 +1,1 @@
+"""Known defects, planted one at a time in copies of real packages: what is found, and what else is said."""
