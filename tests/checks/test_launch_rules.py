@@ -130,6 +130,19 @@ def test_the_node_that_a_helper_works_on_is_no_second_one(findings):
     assert findings("NME004", node(name="it"), **{"robot/talker.py": twice}) != []
 
 
+def test_a_node_that_another_process_makes_is_one(findings):
+    text = TALKER.replace(
+        "        self.create_p",
+        "        self.last = None\n        self.create_timer(1.0, self.tick)\n        self.create_p",
+    )
+    text = text.replace(
+        "def main():\n", "    def tick(self):\n        self.last = self.create_client(String, 'x')\n\ndef work():\n"
+    )
+    text += "\ndef main():\n    import multiprocessing\n    multiprocessing.Process(target=work).start()\n"
+
+    assert findings("NME004", node(name="it"), **{"robot/talker.py": text}) == []
+
+
 def test_a_remapping_that_works_where_the_file_is_included_in_a_namespace(findings):
     remap = '<remap from="/left/chatter" to="/x"/>'
     part = f"<launch>{node(remap)}</launch>"

@@ -56,10 +56,10 @@ def run_callbacks(run: Run) -> None:
             break
     if run.stateful and run.left > 0:
         # What one callback leaves in an attribute, another may use: each sees the joined state once.
-        run.again = True
+        run.met_again = set()
         for pending in list(run.started):
             run_root(run, pending.callback, pending.value, pending.arguments)
-        run.again = False
+        run.met_again = None
         run_pending(run)
 
 

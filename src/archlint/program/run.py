@@ -136,6 +136,8 @@ class Run:
         self.pending: list[Pending] = []
         self.started: list[Pending] = []
         """Callbacks that ran, in their order."""
+        self.met_again: set[int] | None = None
+        """Where callbacks run that have run before: the nodes that they made then and have met again."""
         self.stateful = False
         """Whether a callback left an object in an attribute that another may use."""
         self.at_spin: Callable[[Run], None] | None = None

@@ -70,12 +70,27 @@ def blueprint_of_instance(run: Run, instance: Instance) -> model.Blueprint:
     cls = instance.cls
     assert isinstance(cls, ClassValue)
     place = Place(cls.scope.module.path, *cls.ir.name_span)
+    again = _met_again(run, (place, instance.place, cls.qualified))
+    if again is not None:
+        run.blueprints[instance.key] = again
+        return again
     key = f"{place.file}:{place.line}#{instance.key}"
     blueprint = new_blueprint(run, cls.qualified, place, key, cls.scope.module.file.package)
     blueprint.made_at = instance.place
     blueprint.lifecycle = is_lifecycle_class(cls)
     run.blueprints[instance.key] = blueprint
     return blueprint
+
+
+def _met_again(run: Run, same: tuple[Place, Place | None, str]) -> model.Blueprint | None:
+    """The node that a callback made there the first time, where it runs for a second time."""
+    if run.met_again is None:
+        return None
+    for node in run.nodes.values():
+        if (node.place, node.made_at, node.class_name) == same and id(node) not in run.met_again:
+            run.met_again.add(id(node))
+            return node
+    return None
 
 
 def known_node(run: Run, value: Value | None) -> model.Blueprint | None:
