@@ -209,3 +209,25 @@ def test_an_interface_that_is_not_there(judge: Judge, line: str, hint: str):
 )
 def test_interfaces_that_are_there_or_elsewhere(judge: Judge, line: str):
     judge("MSG002", f"import rclpy\n{line}\nrclpy.create_node('x')\n")
+
+
+def test_a_program_whose_node_comes_from_elsewhere(judge: Judge):
+    judge(
+        "MSG001",
+        """
+        import rclpy
+        from geometry_msgs.msg import PoseStamped
+        from nav2_simple_commander.robot_navigator import BasicNavigator
+
+
+        def main():
+            rclpy.init()
+            goal = PoseStamped()
+            goal.heading = 'map'  # here
+            BasicNavigator().goToPose(goal)
+
+
+        if __name__ == '__main__':
+            main()
+        """,
+    )

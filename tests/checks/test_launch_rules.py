@@ -439,3 +439,33 @@ def generate_launch_description():
 )
 def test_a_node_that_no_launch_file_speaks_of(findings, name: str, text: str, told: bool):
     assert bool(findings("GRF002", **{name: text})) is told
+
+
+# --------------------------------------------------------------------------------------- the world is closed
+
+LONELY = """
+import rclpy
+{imports}
+
+class Talker({base}):
+    def __init__(self):
+        super().__init__('talker')
+        self.create_subscription(String, 'heard', print, 10)
+
+def main():
+    rclpy.init()
+    rclpy.spin(Talker())
+"""
+
+
+@pytest.mark.parametrize(
+    ("imports", "base", "told"),
+    [
+        ("from rclpy.node import Node", "Node", True),
+        ("from nav2_simple_commander.robot_navigator import BasicNavigator", "BasicNavigator", False),
+    ],
+)
+def test_what_a_base_class_from_elsewhere_publishes_is_not_known(findings, imports: str, base: str, told: bool):
+    text = LONELY.format(imports=f"{imports}\nfrom std_msgs.msg import String", base=base)
+    closed = "select = ['TOP003']\nclosed-world = true\n"
+    assert bool(findings("TOP003", node(), **{"robot/talker.py": text, "archlint.toml": closed})) is told

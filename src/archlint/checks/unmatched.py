@@ -10,6 +10,7 @@ from archlint.checks.conflicts import certain, in_source_order, named_by_library
 from archlint.checks.near_misses import nearly_equal
 from archlint.checks.ownership import SHARED_BY_DESIGN, TYPES_SHARED_BY_DESIGN
 from archlint.checks.registry import Options, finding, rule
+from archlint.checks.whole import declares_all
 from archlint.finding import Finding, Related
 from archlint.program.model import (
     ACTION_CLIENT,
@@ -22,6 +23,7 @@ from archlint.program.model import (
 from archlint.system.implicit import implicit_names
 
 if TYPE_CHECKING:
+    from archlint.system.launched import World
     from archlint.system.model import Connection, Endpoint, Node, System
 
 _FOR_TOOLS = (*SHARED_BY_DESIGN, "/robot_description")
@@ -122,7 +124,7 @@ def in_sight(system: System) -> bool:
     """Whether the source of everything that runs is here, so that nobody unseen publishes, listens or serves: no
     node and no included launch file of another workspace, no plain process (``ros2 topic pub``, a simulator), and
     no node in the hands of a library."""
-    if any(node.external or not _seen(node) for node in system.nodes):
+    if any(node.external or not _seen(node, system.world) for node in system.nodes):
         return False
     launched = system.launched
     if launched is None:
@@ -132,10 +134,14 @@ def in_sight(system: System) -> bool:
     return not (processes or elsewhere or launched.gaps)
 
 
-def _seen(node: Node) -> bool:
-    """Whether a node's endpoints are those that its own code creates, and all of that code was followed."""
-    followed = node.program is None or not node.program.exhausted
-    return followed and not any(blueprint.handed_out or not blueprint.complete for blueprint in node.blueprints)
+def _seen(node: Node, world: World | None) -> bool:
+    """Whether a node's endpoints are those that its own code creates, and all of that code was followed: no base
+    class from elsewhere, no library that is given the node."""
+    if node.program is not None and node.program.exhausted:
+        return False
+    if any(blueprint.handed_out or not blueprint.complete for blueprint in node.blueprints):
+        return False
+    return world is None or all(declares_all(world, blueprint) for blueprint in node.blueprints)
 
 
 def _may_meet(end: Endpoint, other: Endpoint) -> bool:

@@ -108,7 +108,7 @@ class Linker:
                     self.run_script(module)
             self._sweep(chosen, test)
         _prune(self.programs)
-        return [p for p in self.programs if p.nodes or p.calls or p.callbacks or p.unknown_interfaces]
+        return [p for p in self.programs if p.nodes or p.calls or p.callbacks or p.unknown_interfaces or p.field_uses]
 
     def _is_started(self, module: Module, started: dict[str, set[str]]) -> bool:
         """Whether a console script runs this file just as its main guard would."""
