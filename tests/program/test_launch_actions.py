@@ -463,6 +463,21 @@ def test_a_function_that_handles_an_event_is_run(launches):
     assert names(launches.python(f"[{handler}]", before)) == ["handled"]
 
 
+@pytest.mark.parametrize("order", ["{node}, {handler}", "{handler}, {node}"])
+def test_a_process_that_is_started_again_when_it_ends_is_one(launches, order):
+    before = f"def start(*_):\n    return [{node('driver')}]\n"
+    actions = order.format(
+        node="*start()",
+        handler="RegisterEventHandler(OnProcessExit(target_action=None, on_exit=start))",
+    )
+    assert names(launches.python(f"[{actions}]", before)) == ["driver"]
+
+
+def test_two_processes_of_one_place_and_name_are_two(launches):
+    before = f"def start():\n    return {node('driver')}\n"
+    assert names(launches.python("[start(), start()]", before)) == ["driver", "driver"]
+
+
 def test_a_class_that_derives_from_an_action_is_one(launches):
     before = """\
 class Talker(Node):

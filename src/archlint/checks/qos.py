@@ -94,22 +94,21 @@ def _worded(verdict: Verdict, value: str | float | None) -> str:
 
 @rule("QOS004")
 def qos_contradiction(system: System, options: Options) -> Iterator[Finding]:
-    """Profiles whose parts do not go together, one finding for each create call."""
-    sites: dict[Place, tuple[Endpoint, str]] = {}
-    for end in system.endpoints:
+    """Profiles whose parts do not go together, one finding a profile, at the first create call that uses it."""
+    profiles: dict[tuple[Place, str], dict[Place, Endpoint]] = {}
+    for end in sorted(system.endpoints, key=lambda end: end.place):
         contradiction = _contradiction(end.qos) if end.kind in (PUBLISHER, SUBSCRIBER) and end.qos else None
-        if contradiction is not None:
-            sites.setdefault(end.place, (end, contradiction))
-    for place in sorted(sites):
-        end, contradiction = sites[place]
-        assert end.qos is not None
-        written = [Related(end.qos.place, "the profile is written here")] if end.qos.place not in (None, place) else []
+        if contradiction is not None and end.qos is not None:
+            profiles.setdefault((end.qos.place or end.place, contradiction), {}).setdefault(end.place, end)
+    for (written, contradiction), uses in profiles.items():
+        (place, end), *others = uses.items()
+        related = [Related(written, "the profile is written here")] if written != place else []
         yield finding(
             "QOS004",
             place,
             contradiction,
             help="keep_all takes no depth, and keep_last needs one of at least 1",
-            related=[one for one in written if one.place is not None],
+            related=[*related, *(Related(other, "it is used here, too") for other, _ in others)],
             node=end.node.name,
             identity=(end.kind, end.name or "", contradiction),
         )

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING
 
 from archlint.checks import blocking
@@ -12,11 +12,12 @@ from archlint.checks.reach import argument, calls_of, endpoint_words, judged_cal
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.sleeps import Stay, longest, stay_of
 from archlint.facts import model as facts
-from archlint.finding import Finding
+from archlint.finding import Finding, Related
 from archlint.program.interest import names_in
 from archlint.program.values import Known, alternatives
 
 if TYPE_CHECKING:
+    from archlint.finding import Place
     from archlint.program.model import ApiCall, Callback, Program
     from archlint.system.model import System
 
@@ -49,11 +50,14 @@ def slow_callback(system: System, options: Options) -> Iterator[Finding]:
 
 @rule("SRV008")
 def long_running_service(system: System, options: Options) -> Iterator[Finding]:
-    """Service handlers that sleep, once for long or again and again."""
+    """Service handlers that sleep, once for long or again and again; one finding a handler."""
+    handlers: dict[tuple[Program, Place], list[tuple[ApiCall, Stay]]] = {}
+    for program, call, stay in _stays(system):
+        if call.context.role == "service" and stay.kind == "sleep":
+            handlers.setdefault((program, call.context.place), []).append((call, stay))
     yield from one_for_each_place(
-        _long_service(system, program, call, stay)
-        for program, call, stay in _stays(system)
-        if call.context.role == "service" and stay.kind == "sleep"
+        _long_service(system, program, sorted(sleeps, key=lambda one: one[0].place))
+        for (program, _), sleeps in handlers.items()
     )
 
 
@@ -147,8 +151,11 @@ def _meanwhile(callback: Callback, program: Program) -> str:
     return "on an executor with one thread no other callback runs meanwhile"
 
 
-def _long_service(system: System, program: Program, call: ApiCall, stay: Stay) -> Finding:
+def _long_service(system: System, program: Program, sleeps: Sequence[tuple[ApiCall, Stay]]) -> Finding:
+    (call, stay), *others = sleeps
     callback = call.context
+    further = {other.place: Related(other.place, f"then it {words.words}") for other, words in others}
+    further.pop(call.place, None)
     again = " each time round a loop" if call.looped else ""
     return finding(
         "SRV008",
@@ -156,7 +163,7 @@ def _long_service(system: System, program: Program, call: ApiCall, stay: Stay) -
         f"the handler of {endpoint_words(callback.creation)} {stay.words}{again}: the caller waits without "
         "knowing for how long, and cannot cancel",
         help="what takes its time is an action: it has feedback, a result and cancelling",
-        related=tuple(related_to(call, program)),
+        related=(*related_to(call, program), *further.values()),
         node=node_name(system, callback.node),
         identity=(callback.name, call.api),
     )

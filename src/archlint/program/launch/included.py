@@ -84,7 +84,7 @@ def event_handler(run: LaunchRun, entity: Instance) -> None:
         return
     for name in ("on_exit", "on_start", "on_completion", "on_shutdown", "entities", "on_stdout", "on_stderr"):
         value = argument(handler, name)
-        if value is not None and callable_value(value):
-            visit(run, run.call_handler(value))
-        elif value is not None:
-            visit(run, value)
+        if value is not None:
+            before, run.in_handler = run.in_handler, True
+            visit(run, run.call_handler(value) if callable_value(value) else value)
+            run.in_handler = before

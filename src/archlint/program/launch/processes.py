@@ -26,7 +26,7 @@ def node(run: LaunchRun, entity: Instance) -> None:
     kind = kind_of(entity)
     started = _started(run, entity, "container" if kind == "ComposableNodeContainer" else "node")
     started.lifecycle = kind == "LifecycleNode"
-    run.result.started.append(started)
+    run.start(started)
     if kind == "ComposableNodeContainer":
         _components(run, entity, started.name)
 
@@ -136,7 +136,7 @@ def _components(run: LaunchRun, entity: Instance, container: Text | None) -> Non
             with run.under(own, verdict, run.place_now):
                 made = _started(run, option, "component")
                 made.container = container
-                run.result.started.append(made)
+                run.start(made)
             run.place_now = kept
     if isinstance(value, Unknown) or (isinstance(value, ListValue) and run.is_open(value)):
         run.gap("a list of components that is not wholly known")
@@ -186,7 +186,7 @@ def process(run: LaunchRun, entity: Instance) -> None:
             dormant=run.is_dormant,
             arguments=words[1:],
         )
-    run.result.started.append(started)
+    run.start(started)
 
 
 _INSTALLED = re.compile(r"^\$\(find-pkg-prefix ([\w.-]+)\)/lib/[\w.-]+/([^/]+)$")

@@ -15,6 +15,7 @@ from archlint.program.launch.model import (
     FileReference,
     Gap,
     Launched,
+    Started,
     UndeclaredUse,
     UnknownAttribute,
 )
@@ -50,6 +51,9 @@ class LaunchRun(Run):
         self.stack: list[str] = []
         self._values: dict[str, list[str]] = {}
         self._seen: set[object] = set()
+        self._started: dict[object, bool] = {}
+        """What has been started, and whether an event handler does that."""
+        self.in_handler = False
 
     # -------------------------------------------------------------------------------------------- where
 
@@ -71,6 +75,15 @@ class LaunchRun(Run):
         if gap not in self._seen:
             self._seen.add(gap)
             self.result.gaps.append(gap)
+
+    def start(self, started: Started) -> None:
+        """Note a process.  What an event handler starts at a place that starts it otherwise, too, is the same
+        process, started again."""
+        process = (started.place, started.kind, started.package, started.executable, started.name, started.namespace)
+        known = process in self._started
+        self._started[process] = self._started.get(process, False) or self.in_handler
+        if not (known and self._started[process]):
+            self.result.started.append(started)
 
     def note_undeclared(self, use: UndeclaredUse) -> None:
         if use not in self._seen:
