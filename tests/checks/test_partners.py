@@ -81,6 +81,10 @@ def test_names_of_tools_and_of_others_are_left_out():
         ("/cmdVel", "/cmd_vel"),
         ("/robot/comand_velocity", "/robot/command_velocity"),
         ("/odometry/filterd", "/odometry/filtered"),
+        ("/cmd_vel", "/cmd_vell"),
+        ("/sensor_dat", "/sensor_data"),
+        ("/imu/data", "/imu_data"),
+        ("/odom", "/doom"),
     ],
 )
 def test_names_that_are_nearly_equal(one: str, other: str):
@@ -97,6 +101,11 @@ def test_names_that_are_nearly_equal(one: str, other: str):
         ("/input", "/output"),
         ("/scan", "/robot/scan"),
         ("/camera/image_raw", "/camera/image"),
+        ("/point", "/joint"),
+        ("/cam", "/came"),
+        ("/cmd_vel", "/cmd_acc"),
+        ("/vel_min", "/vel_mini_max"),
+        ("/current_mode", "/current_node"),
     ],
 )
 def test_names_that_differ_on_purpose(one: str, other: str):
@@ -122,6 +131,25 @@ def test_a_near_miss_is_shown_with_both_ends():
 )
 def test_no_near_miss(nodes):
     assert findings(system(*nodes), "TOP004") == []
+
+
+@pytest.mark.parametrize(
+    ("publishing", "subscribing", "launch", "near"),
+    [
+        ("/robot/wheels", "/odometry", "robot.launch.py", True),
+        ("/wheels", "/robot/odometry", "robot.launch.py", False),  # the publisher asks for that name in so many words
+        ("/fleet/robot/wheels", "/fleet/odometry", "robot.launch.py", True),
+        ("/robot/wheels", "/odometry", None, False),  # some launch file may start both in the namespace
+    ],
+)
+def test_a_namespace_that_one_end_lacks(publishing: str, subscribing: str, launch: str | None, near: bool):
+    namespace = publishing.rpartition("/")[0] or "/robot"
+    pair = system(
+        node(publishing, publisher(f"{namespace}/odom")),
+        node(subscribing, subscriber(f"{subscribing.rpartition('/')[0].removesuffix('/robot')}/odom")),
+        name=launch,
+    )
+    assert bool(findings(pair, "TOP004")) is near
 
 
 BEST_EFFORT = Qos(reliability="best_effort")

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from archlint.checks.conflicts import certain, in_source_order, meet, named_by_library
+from archlint.checks.conflicts import certain, in_source_order, meet, named_by_library, seen_together
 from archlint.checks.near import distance
 from archlint.checks.registry import Options, finding, rule
 from archlint.finding import Finding, Related
@@ -17,6 +17,8 @@ _LONG_WORD = 7
 """From this length on, two edits are a slip; below, one is."""
 _SHORT_WORD = 4
 """Shorter words that differ are different words: ``in`` and ``on``."""
+_SHORT_STEM = 3
+"""A word this short that lacks a letter is a slip where words around it agree: ``cmd_vell``, ``robot_pos``."""
 _OPPOSITES = (("input", "output"), ("upper", "lower"), ("lower", "power"), ("read", "ready"), ("send", "sent"))
 
 
@@ -52,16 +54,30 @@ def _misses(system: System, publisher: Endpoint, user: Endpoint) -> bool:
     # One node that reads and writes two like names tells them apart on purpose.
     return (
         publisher.node is not user.node
-        and nearly_equal(publisher.name or "", user.name or "")
+        and (nearly_equal(publisher.name or "", user.name or "") or _namespace_slip(system, publisher, user))
         and meet(system, publisher, user)
     )
 
 
+def _namespace_slip(system: System, publisher: Endpoint, user: Endpoint) -> bool:
+    """Whether one name has a namespace more, which its node was started in and the other end does without.
+
+    Only nodes that are seen to start together tell that: any other launch file may yet add the namespace.
+    """
+    inner, outer = sorted((publisher, user), key=lambda end: len(end.name or ""), reverse=True)
+    long, short = (inner.name or "").split("/"), (outer.name or "").split("/")
+    namespaces = (inner.node.name or "").split("/")[1:-1]
+    return any(
+        long[:at] + long[at + 1 :] == short and long[1 : at + 1] == namespaces[:at]
+        for at in range(1, len(long) - 1)
+    ) and seen_together(system, publisher.node, user.node)
+
+
 def nearly_equal(one: str, other: str) -> bool:
-    """Whether two full names differ by a slip in one of their parts."""
+    """Whether two full names differ by a slip in one of their parts, or in what stands between two."""
     mine, yours = one.split("/"), other.split("/")
     if len(mine) != len(yours):
-        return False
+        return one.replace("/", "_") == other.replace("/", "_")
     differing = [(left, right) for left, right in zip(mine, yours, strict=True) if left != right]
     return len(differing) == 1 and _slip(*differing[0])
 
@@ -73,15 +89,18 @@ def _slip(one: str, other: str) -> bool:
     if len(mine) != len(yours):
         return False
     words = [(left, right) for left, right in zip(mine, yours, strict=True) if left != right]
-    return len(words) == 1 and _misspelt(*words[0])
+    return len(words) == 1 and _misspelt(*words[0], alone=len(mine) == 1)
 
 
-def _misspelt(one: str, other: str) -> bool:
-    if any(letter.isdigit() for letter in one + other) or min(len(one), len(other)) < _SHORT_WORD:
+def _misspelt(one: str, other: str, alone: bool) -> bool:
+    short = min(len(one), len(other))
+    if any(letter.isdigit() for letter in one + other) or tuple(sorted((one, other))) in _OPPOSITES:
         return False
-    if tuple(sorted((one, other))) in _OPPOSITES:
-        return False
-    limit = 2 if min(len(one), len(other)) >= _LONG_WORD else 1
+    if short == _SHORT_STEM and not alone:
+        return len(one) != len(other) and (one.startswith(other) or other.startswith(one))
+    if short < _SHORT_WORD or (short < _LONG_WORD and len(one) == len(other) and one[0] != other[0] != one[1]):
+        return False  # a short word with another first letter is another word: point and joint
+    limit = 2 if short >= _LONG_WORD else 1
     return distance(one, other, limit) <= limit
 
 
