@@ -79,6 +79,22 @@ def test_the_screen_leaves_out_what_has_no_word_that_matters_until_it_is_asked_f
     assert found.compiled == 1
 
 
+def test_what_a_compiled_file_imports_is_compiled_with_it_and_stays_screened_out(tmp_path):
+    texts = {
+        "node": NODE + "from helpers import TOPIC\n",
+        "helpers": "from further import TOPIC\n",
+        "further": "TOPIC = '/a'\n",
+        "other": "",
+    }
+    files = [source_file(tmp_path / f"{name}.py", text) for name, text in texts.items()]
+    found = FactsOfFiles(NullStore())
+    found.prepare(files)
+    assert found.compiled == 3
+    assert [found.relevant(file) for file in files] == [True, False, False, False]
+    assert all(found.facts_of(file) is not None for file in files[:3])
+    assert found.compiled == 3
+
+
 def test_what_imports_a_module_that_the_screen_kept_is_kept_too(tmp_path):
     base = source_file(tmp_path / "base.py", NODE)
     derived = source_file(tmp_path / "derived.py", "from base import Base\nclass A(Base): pass\n")

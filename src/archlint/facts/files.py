@@ -42,6 +42,8 @@ class FactsOfFiles:
         self._facts: dict[str, Facts | None] = {}
         self.compiled = 0
         """How many files had to be parsed in this run."""
+        self._fresh_imports: set[str] = set()
+        self._ahead: dict[str, bytes] = {}
         self.lasting = True
         """False where a file failed for a passing reason: nothing may be concluded for the next run."""
 
@@ -49,6 +51,26 @@ class FactsOfFiles:
         """Make sure that each file is known: cached, screened out, or compiled now."""
         self._prepare(files)
         self._widen(files)
+        self._look_ahead(files)
+
+    def _look_ahead(self, files: Sequence[SourceFile]) -> None:
+        """Compile together what the screen left out but is read nevertheless: launch files, ``setup.py``, and what
+        files that were compiled now import.  A process for each would cost more than the compiling."""
+        left: dict[str, list[SourceFile]] = {}
+        found: dict[str, SourceFile] = {}
+        for file in files:
+            if self.relevant(file):
+                continue
+            if file.kind == "launch_python" or file.path.endswith("setup.py"):
+                found[file.path] = file
+            for name in _names_of([file]):
+                left.setdefault(name, []).append(file)
+        names = self._fresh_imports
+        while names:
+            new = {file.path: file for name in names for file in left.get(name, ()) if file.path not in found}
+            found.update(new)
+            names = {name for file in new.values() for name in self._imports(file)}
+        self._ahead = self._on_demand(found[path] for path in sorted(found))
 
     def _widen(self, files: Sequence[SourceFile]) -> None:
         """Take back what the screen left out but imports a module that it kept: a class derived from a node
@@ -65,11 +87,14 @@ class FactsOfFiles:
 
     def _imports(self, file: SourceFile) -> set[str]:
         """The dotted names of modules that a screened-out file may import."""
-        lines = self._payloads.get(file.path, b"").split(b"\n")[1:]
+        return self._targets(file, self._payloads.get(file.path, b"").split(b"\n")[1:])
+
+    def _targets(self, file: SourceFile, names: Iterable[bytes]) -> set[str]:
+        """The dotted names, and the paths, that imported names may mean in a file."""
         folder = file.path.replace("\\", "/").split("/")[:-1]
         found = set()
-        for line in lines:
-            name = line.decode("utf-8", "replace")
+        for written in names:
+            name = written.decode("utf-8", "replace")
             level = len(name) - len(name.lstrip("."))
             if level:
                 found.add("/".join((*folder[: len(folder) - level + 1], *name[level:].split("."))).rstrip("/"))
@@ -106,7 +131,7 @@ class FactsOfFiles:
             return self._facts[file.path]
         payload = self._payloads.get(file.path)
         if payload is None or payload.startswith(_IRRELEVANT):
-            payload = self._on_demand([file]).get(file.path)
+            payload = self._ahead.get(file.path) or self._on_demand([file]).get(file.path)
         self._facts[file.path] = None if payload is None else self._decoded(payload)
         return self._facts[file.path]
 
@@ -159,8 +184,9 @@ class FactsOfFiles:
             self.lasting &= result.lasting
             if result.lasting:
                 self._cache.put(digest, result.payload)
-        for file, digest, _ in waiting:
+        for file, digest, data in waiting:
             self._keep(file, digest, results[digest].payload)
+            self._fresh_imports |= self._targets(file, _imported(data))
 
     def _on_demand(self, files: Iterable[SourceFile]) -> dict[str, bytes]:
         """Compile files that the screen left out, because imports lead to them; payloads by path."""
