@@ -68,8 +68,7 @@ def _namespace_slip(system: System, publisher: Endpoint, user: Endpoint) -> bool
     long, short = (inner.name or "").split("/"), (outer.name or "").split("/")
     namespaces = (inner.node.name or "").split("/")[1:-1]
     return any(
-        long[:at] + long[at + 1 :] == short and long[1 : at + 1] == namespaces[:at]
-        for at in range(1, len(long) - 1)
+        long[:at] + long[at + 1 :] == short and long[1 : at + 1] == namespaces[:at] for at in range(1, len(long) - 1)
     ) and seen_together(system, publisher.node, user.node)
 
 

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 from archlint.facts import model as facts
 from archlint.program import messages
-from archlint.program.api import command_line, rclpy_names
+from archlint.program.api import command_line, profiles, rclpy_names
 from archlint.program.values import (
     NONE,
     ApiMethod,
@@ -333,6 +333,9 @@ def set_attribute(run: Run, target: Value, name: str, value: Value, expression: 
         messages.note_use(run, target, name, expression.span, "write")
     if isinstance(target, OneOf):
         for option in target.values:
+            if isinstance(option, External):
+                _set_one(run, option, name, Unknown("it is set on one of several objects"))
+                continue
             before = _stored(run, option, name)
             _set_one(run, option, name, value if before is None else one_of((before, value)))
         return
@@ -358,6 +361,9 @@ def _set_one(run: Run, target: Value, name: str, value: Value) -> None:
         run.store.set(target.module.scope.key, name, value)
         return
     if isinstance(target, MessageValue) and not target.key:
+        return
+    if isinstance(target, External):
+        profiles.change_preset(run, target, name, value)
         return
     key = getattr(target, "key", None)
     if isinstance(key, int):

@@ -104,12 +104,50 @@ def make_duration(run: Run, call: ApiUse) -> Value:
 
 def preset(path: str) -> Qos | None:
     """The preset that a name of ``rclpy.qos`` stands for."""
+    key = _preset_key(path)
+    return PRESETS[key] if key is not None else None
+
+
+def _preset_key(path: str) -> str | None:
     tail = path.removesuffix(".value").rpartition(".")[2]
     for prefix in ("qos_profile_", ""):
         key = tail.removeprefix(prefix).lower()
         if key in PRESETS and (path.startswith("rclpy.") or tail.startswith("qos_profile_")):
-            return PRESETS[key]
+            return key
     return None
+
+
+_CHANGED = 0
+"""The store's key for what a program has changed about the presets, which all its modules share."""
+
+
+def change_preset(run: Run, target: External, name: str, value: Value) -> None:
+    """``qos_profile_sensor_data.reliability = …``: from now on the preset means something else.
+
+    What a module does while it is imported holds in programs that import it and not in others, which the
+    store does not tell apart: then the policy is unknown.
+    """
+    tail = _preset_key(rclpy_names.canonical(target.path))
+    if tail is not None and name in (*_POLICIES, *_DURATIONS, "depth"):
+        held = value if run.store.depth > 1 else Unknown("a module changes the preset when it is imported")
+        run.store.set(_CHANGED, (tail, name), held)
+
+
+def _changed(run: Run, value: Value) -> Value:
+    """A preset that was changed, as a profile of its own; any other value as it is."""
+    tail = _preset_key(rclpy_names.canonical(value.path)) if isinstance(value, External) else None
+    changes = {
+        name: held
+        for name in (*_POLICIES, *_DURATIONS, "depth")
+        if tail is not None and (held := run.store.get(_CHANGED, (tail, name))) is not None
+    }
+    if tail is None or not changes:
+        return value
+    made = Instance(External(PROFILE), run.store.new_key())
+    run.store.set(made.key, "#preset", PRESETS[tail])
+    for name, held in changes.items():
+        run.store.set(made.key, name, held)
+    return made
 
 
 def resolve(run: Run, value: Value | None, default: str, call: ApiUse) -> Qos:
@@ -140,6 +178,7 @@ def resolve_all(run: Run, value: Value | None, default: str, call: ApiUse) -> li
 
 def _variants(run: Run, value: Value) -> list[Value]:
     """A profile whose policies depend on a branch, as one profile for each choice."""
+    value = _changed(run, value)
     if not isinstance(value, Instance) or not isinstance(value.cls, External):
         return [value]
     if rclpy_names.canonical(value.cls.path) != PROFILE:
@@ -164,6 +203,7 @@ def _variants(run: Run, value: Value) -> list[Value]:
 
 
 def _of_value(run: Run, value: Value) -> Qos:
+    value = _changed(run, value)
     if isinstance(value, Known):
         if isinstance(value.value, bool) or not isinstance(value.value, int):
             return _UNKNOWN
@@ -283,8 +323,14 @@ def policy(name: str, value: Value) -> str | None:
     return None
 
 
+_ENDLESS = 9223372036.0
+"""Seconds of ``RMW_DURATION_INFINITE``, the most that a duration holds."""
+
+
 def duration_seconds(value: Value) -> float | None:
-    """Seconds of a ``Duration``; None where unknown."""
+    """Seconds of a ``Duration``, 0 for an endless one, which is no bound either; None where unknown."""
+    if isinstance(value, External) and value.path == "rclpy.duration.Infinite":
+        return 0.0
     if isinstance(value, Instance) and isinstance(value.cls, External):
         total = 0.0
         for name, scale in (("seconds", 1.0), ("nanoseconds", 1e-9)):
@@ -294,12 +340,13 @@ def duration_seconds(value: Value) -> float | None:
             if not isinstance(part, Known) or not isinstance(part.value, (int, float)):
                 return None
             total += part.value * scale
-        return total
+        return 0.0 if total >= _ENDLESS else total
     return None
 
 
 def copy_profile(run: Run, value: Value) -> Value:
     """A copy of a profile: its own object, or an object made from a preset."""
+    value = _changed(run, value)
     if isinstance(value, Instance):
         made = Instance(value.cls, run.store.new_key(), value.place, value.arguments)
         names = ("#open", "#preset", "depth", *_POLICIES, *_DURATIONS)

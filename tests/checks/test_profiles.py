@@ -1,0 +1,76 @@
+"""QoS that changes after it is made, and durations that are no bound."""
+
+from __future__ import annotations
+
+import pytest
+
+from checks.judging import Judge
+
+NODE = """
+    import rclpy
+    from rclpy.duration import Duration, Infinite
+    from rclpy.node import Node
+    from rclpy.qos import QoSProfile, ReliabilityPolicy, qos_profile_sensor_data
+    from std_msgs.msg import String
+    {imports}
+
+    class {name}(Node):
+        def __init__(self):
+            super().__init__('{name}')
+            {body}
+
+        def on_text(self, message):
+            pass
+
+
+    def main():
+        rclpy.init()
+        rclpy.spin({name}())
+
+
+    if __name__ == '__main__':
+        main()
+"""
+PUBLISH = "self.create_publisher(String, 'said', {})"
+SUBSCRIBE = "self.create_subscription(String, 'said', self.on_text, {})"
+CHANGE = "qos_profile_sensor_data.reliability = ReliabilityPolicy.RELIABLE"
+
+
+def written(name: str, body: str, imports: str = "") -> str:
+    return NODE.format(name=name, body=body, imports=imports)
+
+
+@pytest.mark.parametrize(
+    ("before", "imports", "mark"),
+    [
+        ("pass", "", "  # here"),
+        (CHANGE, "", ""),
+        (f"profile = qos_profile_sensor_data; {CHANGE.replace('qos_profile_sensor_data', 'profile')}", "", ""),
+        (CHANGE.replace("qos", "copy.copy(qos").replace("data", "data)"), "import copy", "  # here"),
+        ("pass", CHANGE, ""),  # other programs import the module too, or not
+    ],
+)
+def test_a_preset_is_one_object_for_all_who_use_it(judge: Judge, before: str, imports: str, mark: str):
+    talker = written("Talker", f"{before}; {PUBLISH.format('qos_profile_sensor_data')}", imports)
+    judge("QOS001", talker, written("Listener", SUBSCRIBE.format("10") + mark))
+
+
+def test_another_program_has_presets_of_its_own(judge: Judge):
+    changed = written("Changed", f"{CHANGE}; {PUBLISH.format('qos_profile_sensor_data')}")
+    other = written("Other", PUBLISH.format("qos_profile_sensor_data"))
+    judge("QOS001", changed, other, written("Listener", SUBSCRIBE.format("10") + "  # here"))
+
+
+@pytest.mark.parametrize(
+    ("offered", "requested", "mark"),
+    [
+        ("10", "QoSProfile(depth=1, deadline=Infinite)", ""),
+        ("10", "QoSProfile(depth=1, deadline=Duration(seconds=9223372036, nanoseconds=854775807))", ""),
+        ("10", "QoSProfile(depth=1, liveliness_lease_duration=Infinite)", ""),
+        ("QoSProfile(depth=1, deadline=Infinite)", "QoSProfile(depth=1, deadline=Duration(seconds=1))", "  # here"),
+        ("10", "QoSProfile(depth=1, deadline=Duration(seconds=1))", "  # here"),
+    ],
+)
+def test_an_endless_duration_is_no_bound(judge: Judge, offered: str, requested: str, mark: str):
+    talker = written("Talker", PUBLISH.format(offered))
+    judge("QOS003", talker, written("Listener", SUBSCRIBE.format(requested) + mark))
