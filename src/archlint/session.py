@@ -125,7 +125,8 @@ def _systems(request: Request, workspace: Workspace, facts: FactsOfFiles) -> lis
     tree = SourceTree(Path.cwd(), Path(workspace.root))
     installs = read_installs(workspace.packages, workspace.files, facts.facts_of, tree)
     words = {name: one.words for name, one in installs.items()}
-    interfaces = InterfaceTable(workspace.files, lambda file: tree.text(file.relative), words)
+    generated = {name: one.generated for name, one in installs.items() if one.generated is not None}
+    interfaces = InterfaceTable(workspace.files, lambda file: tree.text(file.relative), words, generated)
     linker = Linker(workspace.files, facts.facts_of, facts.relevant, interfaces)
     entries = entry_points(installs, workspace.files)
     programs = call_with_deep_stack(lambda: linker.run_all(entries))

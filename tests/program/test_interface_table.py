@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import pytest
 
+from archlint.program.installs import Installs, read_cmake
 from archlint.program.interface_table import InterfaceTable
 from archlint.workspace.model import SourceFile
 
@@ -119,6 +120,35 @@ def test_a_file_that_is_not_generated(words: str, left_out: bool):
     assert own.is_left_out("robot_interfaces", "msg", "Arm") is left_out
     assert own.defines("robot_interfaces", "msg", "Arm") is not left_out
     assert own.defines("robot_interfaces", "msg", "Battery") is True
+
+
+@pytest.mark.parametrize(
+    ("cmake", "defined"),
+    [
+        (
+            "include(docs.cmake)\nrosidl_generate_interfaces(${PROJECT_NAME} msg/Battery.msg DEPENDENCIES std_msgs)",
+            False,
+        ),
+        ("set(FILES msg/Battery.msg)\nforeach(x a)\nrosidl_generate_interfaces(robot_interfaces ${FILES})", False),
+        ("rosidl_generate_interfaces(robot_interfaces msg/Battery.msg msg/Arm.msg)", None),
+        ("include(files.cmake)\nrosidl_generate_interfaces(robot_interfaces ${FILES})", None),
+        (
+            "include(x)\nrosidl_generate_interfaces(a msg/Battery.msg)\nrosidl_generate_interfaces(b msg/Leg.msg)",
+            None,
+        ),
+    ],
+    ids=["all are literal", "by a variable of the file", "one that is not here", "by an unknown variable", "two lists"],
+)
+def test_what_the_generating_command_names_is_all_there_is(cmake: str, defined: bool | None):
+    installs = Installs("robot_interfaces", ".")
+    read_cmake(installs, f"project(robot_interfaces)\n{cmake}", "CMakeLists.txt")
+    file = SourceFile("/w/msg/Battery.msg", "msg/Battery.msg", "interface", "robot_interfaces", None)
+    generated = {} if installs.generated is None else {"robot_interfaces": installs.generated}
+
+    own = InterfaceTable([file], lambda file: "float64 voltage\n", {"robot_interfaces": installs.words}, generated)
+
+    assert own.defines("robot_interfaces", "msg", "Battery") is True
+    assert own.defines("robot_interfaces", "msg", "Arm") is defined
 
 
 def test_types_of_fields():

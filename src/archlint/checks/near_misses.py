@@ -62,8 +62,11 @@ def _misses(system: System, publisher: Endpoint, user: Endpoint) -> bool:
 def _namespace_slip(system: System, publisher: Endpoint, user: Endpoint) -> bool:
     """Whether one name has a namespace more, which its node was started in and the other end does without.
 
-    Only nodes that are seen to start together tell that: any other launch file may yet add the namespace.
+    Only nodes that are seen to start together tell that, by a launch file that no other includes: that one may
+    yet add the namespace.
     """
+    if system.part:
+        return False
     inner, outer = sorted((publisher, user), key=lambda end: len(end.name or ""), reverse=True)
     long, short = (inner.name or "").split("/"), (outer.name or "").split("/")
     namespaces = (inner.node.name or "").split("/")[1:-1]

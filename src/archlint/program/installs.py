@@ -53,6 +53,8 @@ class Installs:
     open_files: bool = False
     words: frozenset[str] = frozenset()
     """Every word of the build file: an executable whose name is not even mentioned is not built."""
+    generated: frozenset[str] | None = None
+    """The words that ``rosidl_generate_interfaces`` is given; None where there is none, or one is not known."""
     build_files: list[str] = field(default_factory=list)
 
     def add(self, executable: Executable) -> None:
@@ -134,6 +136,9 @@ def read_cmake(installs: Installs, text: str, path: str) -> None:
         elif command.name in _OPEN:
             installs.open_executables = True
             installs.open_files = installs.open_files or command.name != "include"
+        elif command.name == "rosidl_generate_interfaces":
+            known = not any(argument.open for argument in command.arguments)
+            installs.generated = frozenset(command.texts) if known and installs.generated is None else None
         elif command.name == "ament_python_install_package":
             installs.open_executables |= "SCRIPTS_DESTINATION" in command.texts
         arguments = command.texts

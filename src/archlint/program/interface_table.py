@@ -41,7 +41,8 @@ class InterfaceTable:
     """Interfaces by name.  ``read`` gives the text of a file, None where it cannot be read.
 
     ``listed`` are the words of each package's CMakeLists.txt: it may generate interfaces from files that are not
-    read (``.idl``), lie elsewhere, or are made when it is built.  Nothing is said about these.  A package of the
+    read (``.idl``), lie elsewhere, or are made when it is built.  Nothing is said about these.  ``generated`` are the
+    words of the command that generates them, where all are known: then they are all there is.  A package of the
     workspace that defines interfaces hides the standard one of its name.
     """
 
@@ -50,6 +51,7 @@ class InterfaceTable:
         files: Iterable[SourceFile],
         read: Callable[[SourceFile], str | None],
         listed: Mapping[str, Collection[str]] = MappingProxyType({}),
+        generated: Mapping[str, Collection[str]] = MappingProxyType({}),
     ) -> None:
         self._files: dict[str, SourceFile] = {}
         self._packages: set[str] = set()
@@ -61,7 +63,9 @@ class InterfaceTable:
         self._complete: set[str] = set()
         """Packages whose CMakeLists.txt names every interface that is generated."""
         for package, words in listed.items():
-            if "rosidl_generate_interfaces" in words:
+            if package in generated:
+                self._add_generated(package, generated[package])
+            elif "rosidl_generate_interfaces" in words:
                 self._add_listed(package, words)
         self._read = read
         self._parsed: dict[str, Interface | None] = {}
@@ -74,11 +78,19 @@ class InterfaceTable:
         elif file.package is not None:
             self._unread.add(file.package)
 
-    def _add_listed(self, package: str, words: Collection[str]) -> None:
+    def _add_generated(self, package: str, words: Collection[str]) -> None:
+        self._add_names(package, words)
+        if package in {one for one, _ in self._listed}:
+            self._complete.add(package)
+
+    def _add_names(self, package: str, words: Collection[str]) -> None:
         for word in words:
             stem, _, suffix = word.rpartition(".")
             if stem and suffix in ("msg", "srv", "action", "idl"):
                 self._listed.add((package, stem.rpartition("/")[2]))
+
+    def _add_listed(self, package: str, words: Collection[str]) -> None:
+        self._add_names(package, words)
         globbed = any(f".{suffix}" in words for suffix in ("msg", "srv", "action"))
         if not globbed and package in {one for one, _ in self._listed} and "GLOB" not in words:
             self._complete.add(package)

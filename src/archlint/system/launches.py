@@ -50,11 +50,12 @@ def launch_systems(
             if one.ros1 or not one.is_launch_file or (configured and not named):
                 continue
             system = maker.system(one, closed, dependencies)
-            # What another launch file includes is a part: its nodes may have their partners beside it.
-            system.closed = (closed and one.file not in parts) or (named and _whole(one, system))
+            system.part = one.file in parts
+            # The nodes of a part may have their partners beside it.
+            system.closed = (closed and not system.part) or (named and _whole(one, system))
             for values in undecided_arguments(one) if _differs(system) else ():
                 other = maker.system(loader.launch(one.file, {**one.arguments, **values}), closed, dependencies)
-                other.closed = system.closed
+                other.closed, other.part = system.closed, system.part
                 system.alternatives.append((values, other))
             systems.append(system)
         opened.apart = frozenset(started_pairs(launched, _by_executable(opened.programs)))

@@ -160,6 +160,8 @@ class System:
     nodes: list[Node]
     programs: list[Program]
     closed: bool = False
+    part: bool = False
+    """Whether another launch file includes this one, perhaps in a namespace and with other arguments."""
     package_dependencies: dict[str, frozenset[str]] = field(default_factory=dict)
     """Package → packages of this workspace it depends on (transitively)."""
 
