@@ -20,6 +20,56 @@ NODE = """
     spin = ActionClient(node, Spin, 'spin')
     {line}
 """
+SERVER = """
+    import rclpy
+    from nav2_msgs.action import Spin, Wait
+    from rclpy.action import ActionServer
+    from rclpy.node import Node
+
+
+    class Spinner(Node):
+        def __init__(self):
+            super().__init__('spinner')
+            ActionServer(self, Spin, 'spin', self.execute)
+
+        def execute(self, goal_handle):
+            {line}
+            return Spin.Result()
+
+
+    rclpy.init()
+    rclpy.spin(Spinner())
+"""
+
+
+@pytest.mark.parametrize(
+    ("line", "given"),
+    [
+        ("goal_handle.publish_feedback(Spin.Result())", "nav2_msgs/action/Spin.Result"),
+        ("goal_handle.publish_feedback(0.5)", "0.5"),
+        ("goal_handle.succeed(Spin.Feedback())", "nav2_msgs/action/Spin.Feedback"),
+        ("goal_handle.abort(response=Wait.Result())", "nav2_msgs/action/Wait.Result"),
+        ("goal_handle.canceled(True)", "True"),
+    ],
+)
+def test_what_a_goal_is_told(judge: Judge, line: str, given: str):
+    [found] = judge("TOP005", SERVER.format(line=line + "  # here"))
+    assert f"is given {given}, but it wants nav2_msgs/action/Spin." in found.message
+    assert found.related[0].message == "the action server is created here"
+
+
+@pytest.mark.parametrize(
+    "line",
+    [
+        "goal_handle.publish_feedback(Spin.Feedback())",
+        "goal_handle.succeed(Spin.Result())",
+        "goal_handle.succeed()",
+        "goal_handle.abort(None)",
+        "goal_handle.canceled(self.outcome())",
+    ],
+)
+def test_what_a_goal_may_be_told(judge: Judge, line: str):
+    judge("TOP005", SERVER.format(line=line))
 
 
 @pytest.mark.parametrize(

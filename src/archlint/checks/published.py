@@ -10,7 +10,7 @@ from archlint.facts import model as facts
 from archlint.finding import Finding, Place, Related
 from archlint.program.api.effects import creations_of
 from archlint.program.api.rclpy_names import canonical, interface_and_part
-from archlint.program.values import DictValue, EachValue, External, Known, ListValue, MessageValue, Value
+from archlint.program.values import DictValue, EachValue, External, Instance, Known, ListValue, MessageValue, Value
 
 if TYPE_CHECKING:
     from archlint.program.model import ApiCall, Creation
@@ -22,6 +22,10 @@ _SENDS = {
     "rclpy.client.Client.call_async": ("request", "Request"),
     "rclpy.action.client.ActionClient.send_goal": ("goal", "Goal"),
     "rclpy.action.client.ActionClient.send_goal_async": ("goal", "Goal"),
+    "rclpy.action.server.ServerGoalHandle.publish_feedback": ("feedback", "Feedback"),
+    "rclpy.action.server.ServerGoalHandle.succeed": ("response", "Result"),
+    "rclpy.action.server.ServerGoalHandle.abort": ("response", "Result"),
+    "rclpy.action.server.ServerGoalHandle.canceled": ("response", "Result"),
 }
 """By API: the argument that is sent, and which part of the endpoint's interface it must be."""
 
@@ -42,14 +46,24 @@ def published_type_mismatch(system: System, options: Options) -> Iterator[Findin
 
 def _judge(call: ApiCall) -> Finding | None:
     argument, part = _SENDS[call.api]
-    creations = creations_of(call.receiver) if isinstance(call.receiver, Value) else ()
+    creation = _sender(call)
     given = call.arguments.get(argument)
-    if len(creations) != 1 or creations[0].type is None or not isinstance(given, Value):
+    if creation is None or creation.type is None or not isinstance(given, Value):
         return None
-    if isinstance(given, Known) and given.value is None and not _literal(call):
-        return None  # an attribute that is None until some other callback has set it
-    wrong = _wrong(given, creations[0].type, part)
-    return None if wrong is None else _finding(call, creations[0], argument, part, wrong)
+    if isinstance(given, Known) and given.value is None and (part == "Result" or not _literal(call)):
+        return None  # no result given, or an attribute that is None until some other callback has set it
+    wrong = _wrong(given, creation.type, part)
+    return None if wrong is None else _finding(call, creation, argument, part, wrong)
+
+
+def _sender(call: ApiCall) -> Creation | None:
+    """The one endpoint that sends; for a goal handle the server whose callback is given it."""
+    if isinstance(call.receiver, Instance):
+        goal, server = call.receiver.arguments.get("request"), call.context.creation
+        served = isinstance(goal, MessageValue) and server is not None and server.type == goal.type
+        return server if served else None
+    creations = creations_of(call.receiver) if isinstance(call.receiver, Value) else ()
+    return creations[0] if len(creations) == 1 else None
 
 
 def _literal(call: ApiCall) -> bool:

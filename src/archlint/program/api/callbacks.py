@@ -137,8 +137,9 @@ def default_arguments(run: Run, role: str, creation: model.Creation | None, call
     if role == "service":
         return (message("Request"), message("Response"))
     if role in ("execute", "cancel", "accepted"):
-        made = Instance(_GOAL_HANDLE, run.store.new_key())
-        run.store.set(made.key, "request", message("Goal"))
+        goal = message("Goal")
+        made = Instance(_GOAL_HANDLE, run.store.new_key(), None, {"request": goal})
+        run.store.set(made.key, "request", goal)
         return (made,)
     if role == "goal":
         return (message("Goal"),)
