@@ -162,18 +162,29 @@ def test_a_constant_in_words(judge: Judge):
     )
 
 
-def test_an_attribute_that_may_fail_on_purpose(judge: Judge):
+@pytest.mark.parametrize(
+    ("errors", "found"),
+    [
+        ("AttributeError", ""),
+        ("Exception", ""),
+        ("(KeyError, AttributeError)", ""),
+        ("ERRORS", ""),
+        ("CvBridgeError", "  # here"),
+        ("(ValueError, tf2_ros.TransformException)", "  # here"),
+    ],
+)
+def test_an_attribute_that_may_fail_on_purpose(judge: Judge, errors: str, found: str):
     judge(
         "MSG001",
-        """
+        f"""
         import rclpy
         from sensor_msgs.msg import LaserScan
 
 
         def on_scan(scan):
             try:
-                print(scan.segments)
-            except AttributeError:
+                print(scan.segments){found}
+            except {errors}:
                 print(scan.ranges)
 
 

@@ -1,6 +1,7 @@
 """Messages in the symbolic run: what their fields are, and which of them the code uses.
 
-Only what is certain is noted: plain attribute names on a value whose type is known, outside of ``try``.
+Only what is certain is noted: plain attribute names on a value whose type is known, where no ``except`` may be
+there for an attribute that is missing.
 """
 
 from __future__ import annotations
@@ -121,7 +122,7 @@ def note_made(run: Run, message: MessageValue, expression: facts.Call | None) ->
 def note_interface(run: Run, path: str, span: Span) -> None:
     """Note an interface that the code takes from a package which does not define it.  ``path`` is dotted."""
     interface, part = rclpy_names.interface_and_part(path)
-    if run.interfaces is None or interface is None or part or not _certain(run) or run.arms:
+    if run.interfaces is None or interface is None or part or not _imported_for_sure(run) or run.arms:
         return
     package, kind, name = interface.split("/")
     if rclpy_names.is_part_of_interface(name) or run.interfaces.defines(package, kind, name) is not False:
@@ -144,4 +145,9 @@ def note_interface(run: Run, path: str, span: Span) -> None:
 
 
 def _certain(run: Run) -> bool:
+    """Whether an attribute that is not there would be noticed."""
+    return bool(run.activations) and not any(activation.forgiving for activation in run.activations)
+
+
+def _imported_for_sure(run: Run) -> bool:
     return bool(run.activations) and not any(activation.tries for activation in run.activations)

@@ -70,6 +70,9 @@ class Activation:
     statement: facts.Stmt | None = None
     loops: list[facts.While | facts.For] = field(default_factory=list)
     tries: int = 0
+    """How many ``try`` blocks of the function are around what runs now."""
+    forgiving: int = 0
+    """How many of them may be there for an attribute that is missing."""
     returns: list[tuple[Value, Layer | None]] = field(default_factory=list)
     yields: list[Value] = field(default_factory=list)
     scopes: list[int] = field(default_factory=list)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
@@ -241,11 +242,14 @@ _IMPORT_ERRORS = {"ImportError", "ModuleNotFoundError"}
 
 def _try(run: Run, s: facts.Try) -> Status:
     activation = run.activation
+    forgiving = any(_may_catch_attribute_error(handler.type) for handler in s.handlers)
     activation.tries += 1
+    activation.forgiving += forgiving
     try:
         status = run.execute(s.body)
     finally:
         activation.tries -= 1
+        activation.forgiving -= forgiving
     if status is None and s.orelse:
         status = run.execute(s.orelse)
     results: list[tuple[Status, Layer]] = [(status, {})]
@@ -273,6 +277,17 @@ def _cannot_raise(body: list[facts.Stmt]) -> bool:
         and all(isinstance(target, facts.Name) for target in statement.targets)
         for statement in body
     )
+
+
+_OTHER_ERROR = re.compile(r"(?!Attribute)\w+(Error|Exception|Warning|Interrupt|Timeout)$")
+"""A class whose name says what else went wrong."""
+
+
+def _may_catch_attribute_error(expression: facts.Expr | None) -> bool:
+    if isinstance(expression, facts.Sequence):
+        return any(_may_catch_attribute_error(element) for element in expression.elements)
+    name = expression.id if isinstance(expression, facts.Name) else getattr(expression, "attr", "")
+    return _OTHER_ERROR.match(name) is None or name == "BaseException"
 
 
 def _is_import_error(expression: facts.Expr | None) -> bool:
