@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import tracemalloc
 from pathlib import Path
 
 import pytest
@@ -54,3 +55,56 @@ def test_tables_of_numbers_cost_little_and_hide_nothing(tmp_path: Path, monkeypa
 
     assert sorted(system.topics) == ["/after", "/lane1", "/lane2"]
     assert evaluated[0] < 100_000  # of 40,000 points, with some five expressions each
+
+
+GROWING = """\
+import rclpy
+from rclpy.node import Node
+from std_msgs.msg import String
+
+
+class Grower(Node):
+    def __init__(self):
+        super().__init__('grower')
+        name = 'a'
+        {grow}
+        self.create_publisher(String, name, 10)
+        self.create_publisher(String, 'after', 10)
+
+
+def main():
+    rclpy.init()
+    rclpy.spin(Grower())
+
+
+if __name__ == '__main__':
+    main()
+"""
+
+
+@pytest.mark.parametrize(
+    "grow",
+    [
+        "for _ in range(60): name = name + name",
+        "for _ in range(60): name = f'{name}{name}'",
+        "for _ in range(60): name = '%s%s' % (name, name)",
+        "for _ in range(60): name = name.replace('a', 'aa')",
+        "for _ in range(60): name = name.join([name, name, name])",
+        "name = name.ljust(10 ** 11, 'a')",
+        "name = '%99999999999d' % 3",
+        "name = f'{3:>99999999999}'",
+        "name = 3\n        for _ in range(60): name = name * name",
+        "name = 10 ** 64\n        for _ in range(9): name = name ** 64",
+    ],
+)
+def test_a_value_that_grows_without_end_is_not_known_and_costs_no_memory(tmp_path: Path, grow: str):
+    (tmp_path / "node.py").write_text(GROWING.replace("{grow}", grow))
+    tracemalloc.start()
+    try:
+        system = session.graph(session.Request((str(tmp_path),), Settings(), cached=False, jobs=1))
+        _, peak = tracemalloc.get_traced_memory()
+    finally:
+        tracemalloc.stop()
+
+    assert [endpoint.name for node in system.nodes for endpoint in node.endpoints] == ["/after", None]
+    assert peak < 100_000_000

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
@@ -9,6 +10,7 @@ from archlint.facts import model as facts
 from archlint.program.attributes import get_attribute
 from archlint.program.containers import get_entry, items_of
 from archlint.program.values import (
+    TEXT_LIMIT,
     BoundMethod,
     ClassValue,
     DictValue,
@@ -29,7 +31,8 @@ if TYPE_CHECKING:
 
 CARTESIAN = 36
 """How many combinations of alternatives one operation follows."""
-TEXT_LIMIT = 4096
+_WIDE = re.compile(r"\d{5,}")
+"""A width or a precision that nobody asks for; Python would make a text as long as that."""
 
 
 def percent_format(run: Run, template: Value, argument: Value, span: facts.Span) -> Value:
@@ -48,8 +51,6 @@ def percent_format(run: Run, template: Value, argument: Value, span: facts.Span)
     parts: list[Value] = []
     text = template.value
     at = 0
-    import re
-
     for match in re.finditer(r"%(?:%|[-#0 +]*[\d.]*[hlL]?[a-zA-Z])", text):
         parts.append(Known(text[at : match.start()], template.via))
         at = match.end()
@@ -68,9 +69,11 @@ def _formatted(conversion: str, value: Value) -> Value:
     for alternative in alternatives(value):
         if isinstance(alternative, Known):
             try:
-                found.append(Known(conversion % (alternative.value,), alternative.via))
-            except (TypeError, ValueError):
+                text = None if _WIDE.search(conversion) else conversion % (alternative.value,)
+            except (TypeError, ValueError, OverflowError):
                 found.append(Unknown("a format that fails"))
+                continue
+            found.append(_short(text, alternative))
         elif conversion == "%s":
             found.append(alternative)
         else:
@@ -79,8 +82,6 @@ def _formatted(conversion: str, value: Value) -> Value:
 
 
 def _percent_dict(run: Run, template: Known, argument: DictValue, span: facts.Span) -> Value:
-    import re
-
     assert isinstance(template.value, str)
     parts: list[Value] = []
     at = 0
@@ -143,7 +144,12 @@ def format_one(value: Value, conversion: str | None, spec: str | None) -> Value:
     try:
         shown: object = repr(value.value) if conversion == "r" else value.value
         shown = str(shown) if conversion == "s" else shown
-        text = format(shown, spec or "")
-    except (TypeError, ValueError):
+        text = None if _WIDE.search(spec or "") else format(shown, spec or "")
+    except (TypeError, ValueError, OverflowError):
         return Unknown("a format that fails")
-    return Known(text, value.via) if len(text) <= TEXT_LIMIT else Unknown("a text too long to follow")
+    return _short(text, value)
+
+
+def _short(text: str | None, value: Known) -> Value:
+    too_long = text is None or len(text) > TEXT_LIMIT
+    return Unknown("a text too long to follow") if too_long else Known(text, value.via)

@@ -9,8 +9,9 @@ from typing import TYPE_CHECKING, Any
 
 from archlint.facts import model as facts
 from archlint.program.containers import ITEM_LIMIT, PYTHON, entries_of, hashable, items_of, new_dict, new_list
-from archlint.program.formatting import CARTESIAN, TEXT_LIMIT, percent_format, plain_text
+from archlint.program.formatting import CARTESIAN, percent_format, plain_text
 from archlint.program.values import (
+    TEXT_LIMIT,
     ApiMethod,
     BoundMethod,
     Builtin,
@@ -100,7 +101,7 @@ def _arithmetic(op: str, left: Known, right: Known) -> Value:
     if op not in _ARITHMETIC:
         return Unknown(f"the operator {op} is not followed")
     big = isinstance(one, (int, float)) and isinstance(other, (int, float))
-    if op in ("**", "<<") and (not big or abs(float(other)) > 64):  # type: ignore[arg-type]
+    if op in ("**", "<<") and (not big or abs(other) > 64):  # type: ignore[arg-type]
         return Unknown("a number too large to follow")
     if op == "*" and (isinstance(one, str) or isinstance(other, str)):
         length = len(one) if isinstance(one, str) else len(other) if isinstance(other, str) else 0
@@ -113,6 +114,8 @@ def _arithmetic(op: str, left: Known, right: Known) -> Value:
         return Unknown("an operation that fails")
     if not isinstance(result, (str, int, float, bool)):
         return Unknown("an operation whose result is not a constant")
+    if isinstance(result, int) and result.bit_length() > 4096:
+        return Unknown("a number too large to follow")
     return Known(result, left.via | right.via)
 
 

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Hashable
+from collections.abc import Hashable, Sequence
 from typing import TYPE_CHECKING
 
 from archlint.facts import model as facts
 from archlint.program.store import Entries, Items
 from archlint.program.values import (
     NONE,
+    TEXT_LIMIT,
     DictValue,
     Holed,
     Known,
@@ -147,12 +148,24 @@ def _text_method(
                 tuple_argument = row and isinstance(row[0], ListValue)
                 found.append(Unknown("a text method of values" if tuple_argument else reason(*row)))
                 continue
+            if _grows(text, name, plain):
+                found.append(Unknown("a text too long to follow"))
+                continue
             try:
                 found.append(Known(getattr(text, name)(*plain), target.via | via(*row)))
             except (TypeError, ValueError):
                 found.append(Unknown("an operation that fails"))
         return one_of(found)
     return Unknown(f"str.{name}() is not followed")
+
+
+def _grows(text: str, name: str, args: Sequence[object]) -> bool:
+    """Whether a method may make a longer text than is followed."""
+    if name in ("ljust", "rjust", "center", "zfill", "expandtabs"):
+        return any(isinstance(arg, int) and arg > TEXT_LIMIT for arg in args)
+    if name == "replace" and len(args) > 1 and isinstance(args[0], str) and isinstance(args[1], str):
+        return len(text) + (text.count(args[0]) + 1) * len(args[1]) > TEXT_LIMIT
+    return False
 
 
 def _combinations(args: Arguments) -> list[Arguments]:

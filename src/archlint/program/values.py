@@ -332,6 +332,11 @@ def reason(*values: Value) -> str:
     return "the value is not a constant"
 
 
+TEXT_LIMIT = 16_384
+"""How long the texts are that a program makes of others: no name comes near, and a loop that doubles one would
+need all memory there is."""
+
+
 def join_texts(parts: Sequence[Value], origin: Place | None = None) -> Value:
     """The concatenation of texts and of what ``str`` makes of other constants."""
     pieces: list[str | None] = []
@@ -350,6 +355,8 @@ def join_texts(parts: Sequence[Value], origin: Place | None = None) -> Value:
             merged[-1] += piece
         elif not (merged and piece is None and merged[-1] is None):
             merged.append(piece)
+    if sum(len(piece) for piece in merged if piece is not None) > TEXT_LIMIT:
+        return Unknown("a text too long to follow", next(iter(sorted(via(*parts))), None))
     if None not in merged:
         kinds = {part.kind for part in parts if isinstance(part, Known)}
         kind = next((kind for kind in ("argument_default", "node_name") if kind in kinds), "format")

@@ -113,5 +113,7 @@ def _call(node: ast.Call) -> Any:
     if isinstance(node.func, ast.Attribute) and node.func.attr in _METHODS:
         receiver = _value(node.func.value)
         if isinstance(receiver, str) and all(isinstance(argument, str) for argument in arguments):
-            return getattr(receiver, node.func.attr)(*arguments)
+            found = getattr(receiver, node.func.attr)(*arguments)
+            if isinstance(found, (bool, list)) or len(found) <= LIMIT:
+                return found
     raise NotFollowed("a call that is not followed")
