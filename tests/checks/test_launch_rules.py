@@ -182,6 +182,12 @@ def test_one_forgotten_argument_is_told(findings):
     assert "no launch argument 'y' is declared" in found.message
 
 
+def test_an_argument_that_is_declared_too_late(findings):
+    (found,) = findings("LCH003", node(name="$(var y)") + '<arg name="y" default="a"/>')
+    assert found.message == "the launch argument 'y' is read before it is declared"
+    assert [one.message for one in found.related] == ["it is declared here"]
+
+
 @pytest.mark.parametrize(
     "launch",
     [

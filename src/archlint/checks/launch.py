@@ -194,11 +194,17 @@ def undeclared_launch_argument(system: System, options: Options) -> Iterator[Fin
             continue
         told.add(use.name)
         declared = sorted({argument.name for argument in launched.declared})
+        later = [argument.place for argument in launched.declared if argument.name == use.name]
         yield finding(
             "LCH003",
             use.place,
-            f"no launch argument '{use.name}' is declared, and nothing sets it" + did_you_mean(use.name, declared),
-            help=f"declare it before it is read: DeclareLaunchArgument('{use.name}', default_value=…)",
+            f"the launch argument '{use.name}' is read before it is declared"
+            if later
+            else f"no launch argument '{use.name}' is declared, and nothing sets it" + did_you_mean(use.name, declared),
+            help="actions run in their order: put the declaration in front"
+            if later
+            else f"declare it before it is read: DeclareLaunchArgument('{use.name}', default_value=…)",
+            related=[Related(place, "it is declared here") for place in later[:1]],
             identity=(use.file, use.name),
         )
     for include in launched.included:

@@ -32,7 +32,7 @@ OF_SYSTEMS = (
 """Rules whose answer depends on what runs together and under which names and parameters, by code or prefix.  The
 others judge code, and one system is enough for them."""
 
-_OF_CODE = ("NME002", "SRV004")
+_OF_CODE = ("LCH002", "NME002", "SRV004")
 """Of these a place is told once, whatever name or period a launch file gives it."""
 
 
