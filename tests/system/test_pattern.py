@@ -36,6 +36,26 @@ def test_topics_without_a_centre():
     assert found.pattern == MANY
 
 
+def test_a_chain_of_three_has_no_hub():
+    found = figures(
+        system(
+            node("/sensors", publisher("camera"), publisher("lidar"), publisher("imu")),
+            node("/planning", subscriber("camera"), subscriber("lidar"), subscriber("imu"), publisher("motion")),
+            node("/actuators", subscriber("motion"), publisher("motor_state")),
+        )
+    )
+    assert found.pattern == MANY
+
+
+def test_a_coordinator_that_commands_by_service():
+    names = ("motor", "arm", "head", "legs")
+    modules = [node(f"/{name}", publisher(f"{name}/status"), service(f"{name}/command")) for name in names]
+    states = [subscriber(f"{name}/status") for name in names]
+    commands = [client(f"{name}/command") for name in names]
+    assert figures(system(node("/main", *states, *commands), *modules)).pattern == HUB
+    assert figures(system(node("/main", *states[:1], *commands), *modules)).pattern == REQUESTS
+
+
 def test_callers_and_what_they_ask():
     found = figures(
         system(

@@ -64,7 +64,7 @@ def hub_bottleneck(system: System, options: Options) -> Iterator[Finding]:
             yield _finding(
                 "GRF003",
                 node,
-                f"{node.name} receives at least {total:g} messages a second on {len(incoming)} periodic topics"
+                f"{node.name} receives at least {total:g} messages a second on {len(incoming)} periodic {'topic' if len(incoming) == 1 else 'topics'}"
                 + (f", {len(high)} of them at {options.number('rate'):g} Hz and more" if high else ""),
                 "let the nodes that need a topic subscribe to it themselves, thin out what is only watched, or split "
                 "the node by task",

@@ -1,7 +1,8 @@
 """Which architecture pattern a system resembles, and the figures that say so.
 
-*Hub and spoke*: most connections have one node at one end.  *Many-to-many*: topics tie the nodes without such a
-centre.  *Request clusters*: callers and the services and actions they ask weigh more than topics.
+*Hub and spoke*: most connections have one node at one end, which three others or more are tied to.
+*Many-to-many*: topics tie the nodes without such a centre.  *Request clusters*: callers and the services and
+actions they ask weigh more than topics; where they weigh the same, as commands and states do, a hub tells.
 """
 
 from __future__ import annotations
@@ -26,7 +27,7 @@ SHARED = frozenset({"/tf", "/tf_static", "/rosout", "/parameter_events", "/diagn
 _CENTRAL = 0.6
 """The share of all pairs of neighbours, and of all other nodes, that a hub has at least."""
 _FEWEST = 3
-"""With fewer connected nodes every system is all patterns at once."""
+"""With fewer connected nodes every system is all patterns at once; what has fewer spokes is a link of a chain."""
 _WIDEST = 2_000
 """Names with more pairs of ends than this are left out of the count of pairs, which would be quadratic."""
 
@@ -57,9 +58,7 @@ def figures(system: System) -> Figures:
 
     nodes = [node for node in system.nodes if not node.test]
     graph = plain_graph(system)
-    groups = [
-        [one for one in part if not isinstance(one, tuple)] for part in networkx.connected_components(graph)
-    ]
+    groups = [[one for one in part if not isinstance(one, tuple)] for part in networkx.connected_components(graph)]
     known = {id(node) for node in nodes}
     groups = [[one for one in group if one in known] for group in groups]
     sources: dict[int, set[int]] = {id(node): set() for node in nodes}
@@ -109,12 +108,13 @@ def _pattern(
 ) -> str | None:
     if made.connected < _FEWEST:
         return None
-    if made.pairs["service"] + made.pairs["action"] >= max(made.pairs["topic"], 1):
-        return REQUESTS
+    requests = made.pairs["service"] + made.pairs["action"]
     around = {key: sources[key] | targets[key] for key in sources}
     ties = sum(len(others) for others in around.values()) / 2
     hub = len(around[id(by_degree[0])])
-    central = hub >= _CENTRAL * (made.connected - 1) and hub >= _CENTRAL * ties
+    central = hub >= max(_FEWEST, _CENTRAL * (made.connected - 1), _CENTRAL * ties)
+    if requests > made.pairs["topic"] or (requests and requests == made.pairs["topic"] and not central):
+        return REQUESTS
     return HUB if central else MANY
 
 
