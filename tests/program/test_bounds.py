@@ -9,6 +9,7 @@ import pytest
 
 from archlint import session
 from archlint.config import Settings
+from archlint.program import store
 from archlint.program.run import Run
 
 SOURCE = """\
@@ -108,3 +109,52 @@ def test_a_value_that_grows_without_end_is_not_known_and_costs_no_memory(tmp_pat
 
     assert [endpoint.name for node in system.nodes for endpoint in node.endpoints] == ["/after", None]
     assert peak < 100_000_000
+
+
+FILLING = """\
+import rclpy
+from geometry_msgs.msg import Point
+from rclpy.node import Node
+from std_msgs.msg import String
+
+
+class Reach(Node):
+    def __init__(self):
+        super().__init__('reach')
+        limit = self.declare_parameter('limit', 3).value
+        near, far = [], []
+        for x in range(12):
+            for y in range(12):
+                for z in range(12):
+                    (near if self.measured() < limit else far).append(Point(x=float(x), z=float(z)))
+                    if self.measured() < limit:
+                        near.append(Point(x=float(x), y=float(y)))
+                    else:
+                        far.append(Point(x=float(x), y=float(y)))
+        self.create_publisher(String, f'after{len(near) and ""}', 10)
+
+
+def main():
+    rclpy.init()
+    rclpy.spin(Reach())
+
+
+if __name__ == '__main__':
+    main()
+"""
+
+
+def test_lists_that_nested_loops_fill_are_joined_cheaply(tmp_path: Path, monkeypatch: pytest.MonkeyPatch):
+    looked_at, join_items = [0], store.join_items
+
+    def counted(found):
+        looked_at[0] += sum(len(items.values) for items in found)
+        return join_items(found)
+
+    monkeypatch.setattr(store, "join_items", counted)
+    (tmp_path / "node.py").write_text(FILLING)
+
+    system = session.graph(session.Request((str(tmp_path),), Settings(), cached=False))
+
+    assert [node.name for node in system.nodes] == ["/reach"]
+    assert looked_at[0] < 2_000_000  # 1,728 rounds with two lists; 512 joins of up to twice 512 items each

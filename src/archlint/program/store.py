@@ -8,12 +8,15 @@ from __future__ import annotations
 
 from collections.abc import Hashable, Iterator, Sequence
 from contextlib import contextmanager
+from itertools import islice
 
 from archlint.program.values import Unknown, Value, one_of
 
 Slot = tuple[int, Hashable]
 Layer = dict[Slot, object]
 """A slot holds a value; slots that start with ``#`` hold the run's own immutable data (items of a list …)."""
+JOINED_LIMIT = 512
+"""Of a list that alternatives filled with more than this, the first are kept: as many as a loop is followed over."""
 
 
 class Store:
@@ -175,9 +178,9 @@ def join_items(found: Sequence[Items]) -> Items:
     if all(len(items.values) == len(first.values) for items in found):
         columns = zip(*(items.values for items in found), strict=True)
         return Items(tuple(one_of(column) for column in columns), any(items.open for items in found), whole)
-    union: list[Value] = []
-    for items in found:
-        union.extend(value for value in items.values if value not in union)
+    union = dict.fromkeys(value for items in found for value in items.values)
+    if len(union) > JOINED_LIMIT:
+        return Items(tuple(islice(union, JOINED_LIMIT)), True)
     return Items(tuple(union), True, whole)
 
 

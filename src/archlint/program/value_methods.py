@@ -6,7 +6,7 @@ from collections.abc import Hashable, Sequence
 from typing import TYPE_CHECKING
 
 from archlint.facts import model as facts
-from archlint.program.store import Entries, Items
+from archlint.program.store import JOINED_LIMIT, Entries, Items
 from archlint.program.values import (
     NONE,
     TEXT_LIMIT,
@@ -239,7 +239,9 @@ def _list_method(run: Run, target: ListValue, name: str, args: Arguments, keywor
         run.store.set(target.key, "#items", kept)
 
     if name in ("append", "add") and args:
-        if not (name == "add" and args[0] in items.values):
+        # What is not followed to its end anyway is left as it is: nothing to join, after the loops that fill it.
+        saturated = not items.whole and len(items.values) >= JOINED_LIMIT
+        if not saturated and not (name == "add" and args[0] in items.values):
             put((*items.values, args[0]), items.open, items.whole)
         return NONE
     if name in ("extend", "update") and args:
