@@ -17,6 +17,7 @@ if TYPE_CHECKING:
     from archlint.facts.files import FactsOfFiles
     from archlint.facts.store import NullStore, Store
     from archlint.finding import Finding
+    from archlint.program.launch.load import LaunchLoader
     from archlint.system.model import System
     from archlint.workspace.model import SourceFile, Workspace
 
@@ -133,7 +134,7 @@ def _systems(request: Request, workspace: Workspace, facts: FactsOfFiles) -> lis
     [opened] = assemble(programs, workspace, request.settings)
     loader = LaunchLoader(workspace.files, facts.facts_of, installs, tree, facts.relevant)
     if request.launch is not None and not loader.is_launch_file(request.launch):
-        raise NothingToDo(f"{request.launch} is no launch file in {', '.join(request.paths)}")
+        raise NothingToDo(_no_launch_file(request, loader))
     systems = launch_systems(
         opened,
         linker,
@@ -154,6 +155,14 @@ def _systems(request: Request, workspace: Workspace, facts: FactsOfFiles) -> lis
         old = loader.frontend(request.launch or "").ros1
         raise NothingToDo(f"{request.launch} {'is for ROS 1' if old else 'starts nothing that can be read'}")
     return systems
+
+
+def _no_launch_file(request: Request, loader: LaunchLoader) -> str:
+    """Why the file of ``--launch`` cannot be launched."""
+    for file, line, column, message in loader.problems():
+        if file == request.launch:
+            return f"{file}:{line}:{column}: {message}"
+    return f"{request.launch} is no launch file in {', '.join(request.paths)}"
 
 
 def _partial(request: Request, workspace: Workspace) -> bool:

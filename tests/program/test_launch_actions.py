@@ -514,3 +514,53 @@ def test_a_launch_that_a_command_starts_has_a_context_of_its_own(launches):
         '<executable cmd="ros2 launch robot inner.launch.xml who:=$(var who)_one"/><node pkg="robot" exec="talker"/>'
     )
     assert names(launched) == ["/deep/outer_one", "/a/-"]
+
+
+# ---------------------------------------------------------------------------------- what a group hands on
+
+
+def test_what_a_group_hands_on_is_read_before_it_forgets_the_rest(launches):
+    arguments = "DeclareLaunchArgument('outer', default_value='o')"
+    inner = node("n").replace("'n'", "LaunchConfiguration('kept')")
+    group = f"GroupAction([{inner}], forwarding=False, launch_configurations={{'kept': LaunchConfiguration('outer')}})"
+    assert names(launches.python(f"[{arguments}, {group}]")) == ["o"]
+
+
+def test_frontends_keep_configurations_through_a_group_that_forwards_none(launches):
+    xml = launches.xml(
+        '<arg name="outer" default="o"/><group forwarding="false"><keep name="kept" value="$(var outer)"/>'
+        '<node pkg="robot" exec="talker" name="$(var kept)"/></group>'
+    )
+    yaml = launches.yaml(
+        "launch:\n- arg: {name: outer, default: o}\n- group:\n    forwarding: false\n"
+        "    keep:\n    - {name: kept, value: $(var outer)}\n"
+        "    children:\n    - node: {pkg: robot, exec: talker, name: $(var kept)}\n"
+    )
+    assert names(xml) == names(yaml) == ["o"]
+
+
+# ------------------------------------------------------------------------------- types of parameters in text
+
+
+@pytest.mark.parametrize(
+    ("attributes", "value"),
+    [
+        ('value="1"', 1),
+        ('value="1" type="float"', 1.0),
+        ('value="1" type="int"', 1),
+        ('value="1" type="str"', "1"),
+        ('value="yes" type="bool"', True),
+        ('value="0.5"', 0.5),
+        ('value="x" type="int"', None),
+    ],
+)
+def test_the_type_of_a_parameter_in_xml(launches, attributes, value):
+    launched = launches.xml(f'<node pkg="robot" exec="talker"><param name="p" {attributes}/></node>')
+    found = parameters(launched.started[0])["p"]
+    assert (type(found), found) == (type(value), value)
+
+
+@pytest.mark.parametrize(("text", "value"), [("0.5", 0.5), ("3", 3), ("true", True), ("robot", "robot")])
+def test_set_parameter_reads_its_text_as_a_parameter_does(launches, text, value):
+    xml = launches.xml(f'<set_parameter name="p" value="{text}"/><node pkg="robot" exec="talker"/>')
+    assert parameters(xml.started[0])["p"] == value

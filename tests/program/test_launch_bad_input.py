@@ -9,6 +9,7 @@ import pytest
 from archlint.facts.launch_xml import read_launch_xml
 from archlint.facts.launch_yaml import read_launch_yaml
 from archlint.facts.parameters import read_parameters
+from program.launching import PYTHON, names
 
 ENTITIES = '<!DOCTYPE launch [<!ENTITY a "aaaaaaaaaa"><!ENTITY b "&a;&a;&a;">]><launch><node pkg="&b;"/></launch>'
 ALIASES = (
@@ -38,16 +39,13 @@ def test_broken_xml(text, words):
     [
         ("launch:\n- node: {pkg: a\n", 3, "malformed YAML"),
         ("launch:\n- node:\n    pkg: !robot a\n", 3, "the tag !robot means nothing"),
-        ("launch:\n- arg: {name: a, default: !!python/object/apply:os.getcwd []}\n", 2, ""),
+        ("launch:\n- arg: {name: a, default: !!python/object/apply:os.getcwd []}\n", 2, "the tag !!python/object/"),
+        ("launch:\n- node:\n    pkg: !!python/name:os.system\n", 3, "the tag !!python/name:os.system means"),
     ],
 )
 def test_broken_yaml(text, line, words):
-    facts = read_launch_yaml(text)
-    if words:
-        (problem,) = facts.problems
-        assert words in problem.message and problem.line == line
-    else:
-        assert facts.root is not None  # read as plain data: no tag makes an object
+    (problem,) = read_launch_yaml(text).problems
+    assert words in problem.message and problem.line == line
 
 
 def test_aliases_that_explode():
@@ -55,6 +53,60 @@ def test_aliases_that_explode():
     (problem,) = read_parameters(ALIASES).problems
     assert "more values" in problem.message
     assert time.perf_counter() - started < 5
+
+
+def test_a_parameter_file_is_told_of_even_if_it_breaks_before_it_says_what_it_is():
+    (problem,) = read_parameters("talker: [\n").problems
+    assert "malformed YAML" in problem.message
+
+
+@pytest.mark.parametrize(
+    ("path", "data", "words"),
+    [
+        ("launch/a.launch.py", b"def generate_launch_description(:\n", "syntax error"),
+        ("launch/a.launch.xml", b'<launch><arg name="caf\xe9"/></launch>', "byte 0xe9 is no utf-8"),
+        ("launch/a.launch.yaml", b"launch:\n- arg: {name: caf\xe9}\n", "byte 0xe9 is no utf-8"),
+        ("launch/a.launch.xml", b" " * 8_000_001, "too large"),
+        ("setup.py", b"from setuptools import setup\nsetup(\n", "syntax error"),
+    ],
+)
+def test_a_file_that_cannot_be_read_is_told_of(launches, path, data, words):
+    (launches.root / "robot/launch").mkdir(exist_ok=True)
+    (launches.root / "robot" / path).write_bytes(data)
+    loader = launches.loader()
+    loader.relevant = lambda file: False
+    (problem,) = loader.problems()
+    assert problem[0] == f"robot/{path}" and words in problem[3]
+
+
+def test_xml_says_itself_how_it_is_encoded(launches):
+    text = (
+        '<?xml version="1.0" encoding="ISO-8859-1"?><launch><node pkg="robot" exec="talker" name="n"/><!--é--></launch>'
+    )
+    (launches.root / "robot/launch").mkdir(exist_ok=True)
+    (launches.root / "robot/launch/it.launch.xml").write_bytes(text.encode("latin-1"))
+    assert names(launches.run("robot/launch/it.launch.xml")) == ["n"]
+
+
+def test_one_line_of_megabytes_is_read_at_once():
+    text = "<launch>" + '<node pkg="robot" exec="talker" name="é"/>' * 40_000 + "</launch>"
+    started = time.perf_counter()
+    (first, *_, last) = read_launch_xml(text).root.children
+    assert first.span[1] == 9 and last.span[1] == 9 + 39_999 * 42
+    assert time.perf_counter() - started < 8
+
+
+def test_substitutions_nested_too_deeply_are_unknown(launches):
+    launched = launches.xml('<node pkg="robot" exec="talker" name="' + "$(var " * 3000 + ")" * 3000 + '"/>')
+    assert [use.name for use in launched.undeclared] == []
+    assert names(launched) == ["?"]
+
+
+@pytest.mark.parametrize("body", ["    1 / 0\n", "    raise RuntimeError('no')\n", "    LaunchDescription([])\n"])
+def test_a_launch_file_that_gives_no_description_says_so(launches, body):
+    launches.file("robot/launch/it.launch.py", f"{PYTHON}\ndef generate_launch_description():\n{body}")
+    gaps = launches.run("robot/launch/it.launch.py").gaps
+    assert any("returns no launch description" in gap.reason for gap in gaps)
 
 
 def test_yaml_of_another_kind_is_nobodys_business():

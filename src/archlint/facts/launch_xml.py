@@ -34,6 +34,7 @@ class _Reader:
         self.stack: list[_Open] = []
         self.root: Element | None = None
         self.count = 0
+        self.counted = (0, 0, 0)
         self.line_starts = [0, *(match.end() for match in re.finditer(rb"\n", data))]
 
     def entity(self, *_: object) -> None:
@@ -44,13 +45,20 @@ class _Reader:
 
         line = bisect_right(self.line_starts, offset)
         start = self.line_starts[line - 1]
-        return line, len(self.data[start:offset].decode("utf-8", "replace")) + 1
+        # A generated file may be one line of megabytes: count on from where the last place was.
+        of_line, counted, characters = self.counted
+        if of_line != start or counted > offset:
+            counted, characters = start, 0
+        characters += len(self.data[counted:offset].decode("utf-8", "replace"))
+        self.counted = (start, offset, characters)
+        return line, characters + 1
 
     def start(self, tag: str, values: dict[str, str]) -> None:
         self.count += 1
         if self.count > ELEMENTS or len(self.stack) >= DEPTH:
             raise TooLarge
         at = self.parser.CurrentByteIndex
+        opened = self.place(at)
         attributes: dict[str, Attribute] = {}
         end = at + 1 + len(tag.encode())
         match = _ATTRIBUTE.match(self.data, end)
@@ -62,7 +70,7 @@ class _Reader:
                 attributes[name] = Attribute(values[name], span)
             match = _ATTRIBUTE.match(self.data, end)
         close = self.data.find(b">", end)
-        span = (*self.place(at), *self.place(close + 1 if close >= 0 else end))
+        span = (*opened, *self.place(close + 1 if close >= 0 else end))
         for name, value in values.items():
             attributes.setdefault(name, Attribute(value, span))
         self.stack.append(_Open(tag, attributes, span))

@@ -44,8 +44,6 @@ class ParameterFacts:
 
 def read_parameters(text: str) -> ParameterFacts:
     """The sections of a parameter file; a YAML file of another kind has none.  Never raises."""
-    if ROOT not in text:
-        return ParameterFacts()
     found: list[ParameterSection] = []
     try:
         reader = YamlReader(text)

@@ -33,6 +33,7 @@ class YamlReader:
         self.root = _compose(text)
 
     def spend(self, node: yaml.Node, depth: int) -> None:
+        _refuse_tag(node)
         self.left -= 1
         if self.left < 0 or depth > DEPTH:
             mark = node.start_mark
@@ -93,11 +94,19 @@ _TRUE = frozenset({"y", "yes", "true", "on"})
 _FALSE = frozenset({"n", "no", "false", "off"})
 
 
+_STANDARD = "tag:yaml.org,2002:"
+
+
+def _refuse_tag(node: yaml.Node) -> None:
+    """YAML's own tags will do; what others stand for, ROS refuses to make."""
+    if not node.tag.startswith(_STANDARD) or node.tag.startswith(f"{_STANDARD}python/"):
+        mark, shown = node.start_mark, node.tag.replace(_STANDARD, "!!")
+        raise YamlError(f"the tag {shown} means nothing to ROS", mark.line + 1, mark.column + 1)
+
+
 def scalar(node: yaml.ScalarNode) -> Scalar:
-    """The value of a scalar.  Raises :class:`YamlError` for a tag of one's own."""
-    if not node.tag.startswith("tag:yaml.org,2002:"):
-        mark = node.start_mark
-        raise YamlError(f"the tag {node.tag} means nothing to ROS", mark.line + 1, mark.column + 1)
+    """The value of a scalar.  Raises :class:`YamlError` for a tag that makes an object."""
+    _refuse_tag(node)
     text: str = node.value
     if node.style is not None or node.tag == "tag:yaml.org,2002:binary":
         return text

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 import posixpath
+import re
 from collections.abc import Iterable
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -45,14 +46,30 @@ class SourceTree:
         return real is not None and real.is_dir()
 
     def text(self, path: str) -> str | None:
-        """A regular file's text; None where there is none, it is too large, or it is not UTF-8."""
+        """A regular file's text; None where there is none, it is too large, or it cannot be decoded: XML by the
+        encoding that it names, all else as UTF-8."""
         real = self._real(path)
         try:
             if real is None or not real.is_file() or real.stat().st_size > TEXT_LIMIT:
                 return None
-            return real.read_bytes().decode("utf-8-sig")
+            return _decoded(real.read_bytes())
         except (OSError, UnicodeDecodeError):
             return None
+
+    def unreadable(self, path: str) -> str | None:
+        """Why a file that is there has no :meth:`text`; None where it has one, or is not there."""
+        real = self._real(path)
+        try:
+            if real is None or not real.is_file():
+                return None
+            if real.stat().st_size > TEXT_LIMIT:
+                return f"the file is too large to analyse: the limit is {TEXT_LIMIT // 1000} kB"
+            _decoded(real.read_bytes())
+        except OSError as error:
+            return f"cannot read this file: {error.strerror or error}"
+        except UnicodeDecodeError as error:
+            return f"byte 0x{error.object[error.start]:02x} is no {error.encoding}: save the file as UTF-8"
+        return None
 
     def same_file(self, path: str, files: Iterable[SourceFile]) -> SourceFile | None:
         """The file that a path leads to through symbolic links; None where that is none of ``files``."""
@@ -86,3 +103,13 @@ class SourceTree:
             if len(found) > ENTRIES:
                 break
         return sorted(found)
+
+
+_XML_ENCODING = re.compile(
+    rb"""\s*<\?xml[^>]*\sencoding\s*=\s*["'](iso-8859-1|iso-8859-15|windows-1252)["']""", re.IGNORECASE
+)
+
+
+def _decoded(data: bytes) -> str:
+    named = _XML_ENCODING.match(data)
+    return data.decode("utf-8-sig" if named is None else named[1].decode("ascii"))

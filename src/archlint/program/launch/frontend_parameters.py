@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 from archlint.facts.launch_model import Element
 from archlint.program.launch.parameters import from_yaml
-from archlint.program.values import External, Known, Unknown, Value
+from archlint.program.values import External, Instance, Known, Unknown, Value
 
 if TYPE_CHECKING:
     from archlint.program.launch.frontends import Frontend
@@ -45,6 +45,13 @@ def _nested(frontend: Frontend, element: Element, name: Value) -> Value | None:
     return containers.new_dict(frontend.run, {("#", 0): (name, made)})
 
 
+def set_parameter(frontend: Frontend, element: Element) -> Instance:
+    """``<set_parameter>``: its value is read as that of ``<param>`` is."""
+    given, places = frontend.arguments(element, {"name": "name"})
+    given["value"] = _value(frontend, element)
+    return frontend.make("SetParameter", frontend.place(element.span), given, places)
+
+
 def _value(frontend: Frontend, element: Element) -> Value:
     """The value of a parameter: in XML text that is read as YAML, in YAML what it is."""
     attribute = element.attributes.get("value")
@@ -68,10 +75,17 @@ def _value(frontend: Frontend, element: Element) -> Value:
     return frontend.text(attribute)
 
 
+_TYPES: dict[str, type] = {"int": int, "float": float, "bool": bool}
+
+
 def _scalar(frontend: Frontend, text: str, kind: str | None) -> Value:
     if kind == "str":
         return Known(text)
     found, known = from_yaml(text)
+    if kind == "float" and isinstance(found, int) and not isinstance(found, bool):
+        found = float(found)
+    if kind in _TYPES and not isinstance(found, _TYPES[kind]):
+        return Unknown(f"a value that is no {kind}")
     if not known:
         return Unknown("a value that a parameter cannot have")
     if isinstance(found, list):

@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Hashable, Iterator, Sequence
 from typing import TYPE_CHECKING
 
 from archlint.facts.launch_model import Attribute, Element
 from archlint.finding import Place
-from archlint.program.launch.frontend_parameters import read_parameter
+from archlint.program.launch.frontend_parameters import read_parameter, set_parameter
 from archlint.program.launch.frontend_tables import ATTRIBUTES, HARMLESS, SUBSTITUTIONS
 from archlint.program.launch.frontend_texts import closing, shell_words, unquoted, words_of
 from archlint.program.launch.model import UnknownAttribute
@@ -15,6 +15,10 @@ from archlint.program.values import External, Instance, Known, Unknown, Value
 
 if TYPE_CHECKING:
     from archlint.program.launch.run import LaunchRun
+
+
+NESTING = 20
+"""How deep substitutions are followed into each other."""
 
 
 class Frontend:
@@ -36,6 +40,14 @@ class Frontend:
         from archlint.program import containers
 
         return containers.new_list(self.run, values)
+
+    def dict_of(self, pairs: Sequence[Value]) -> Value:
+        from archlint.program import containers
+        from archlint.program.value_methods import update_entries
+
+        entries: dict[Hashable, tuple[Value, Value]] = {}
+        known = all(update_entries(self.run, entries, self.list([pair])) for pair in pairs)
+        return containers.new_dict(self.run, entries, not known)
 
     # ------------------------------------------------------------------------------------------ elements
 
@@ -108,8 +120,11 @@ class Frontend:
         at = 0
         while at < len(text):
             start = text.find("$(", at)
-            if start < 0 or depth > 20:
+            if start < 0:
                 yield Known(text[at:], origin=place)
+                return
+            if depth > NESTING:
+                yield Unknown("substitutions nested too deeply")
                 return
             if start > 0 and text[start - 1] == "\\":
                 yield Known(text[at : start - 1] + "$(")
@@ -239,6 +254,9 @@ class Frontend:
             text = element.text(name)
             if text is not None:
                 given[name] = Known(text.lower() not in ("false", "0"))
+        kept = [self._pair(child, "name", "value") for child in element.of("keep")]
+        if kept:
+            given["launch_configurations"] = self.dict_of(kept)
         return self.make("GroupAction", self.place(element.span), given, {})
 
     def timer(self, element: Element) -> Instance:
@@ -284,7 +302,7 @@ _ELEMENTS: dict[str, Callable[[Frontend, Element], Instance | None]] = {
     "push_ros_namespace": _PUSH,
     "push-ros-namespace": _PUSH,
     "set_remap": _simple("SetRemap", **{"from": "src", "to": "dst"}),
-    "set_parameter": _simple("SetParameter", name="name", value="value"),
+    "set_parameter": set_parameter,
     "set_parameters_from_file": _simple("SetParametersFromFile", filename="filename"),
     "set_use_sim_time": _simple("SetUseSimTime", value="value"),
     "set_env": _simple("SetEnvironmentVariable", name="name", value="value"),

@@ -30,7 +30,7 @@ from archlint.program.launch.model import (
 from archlint.program.launch.run import LaunchRun
 from archlint.program.modules import ModuleIndex
 from archlint.program.store import Store
-from archlint.program.values import FunctionValue, Known, Value, reason
+from archlint.program.values import FunctionValue, Instance, Known, ListValue, OneOf, Value, reason
 
 if TYPE_CHECKING:
     from archlint.workspace.model import SourceFile
@@ -45,6 +45,8 @@ GENERATE = "generate_launch_description"
 
 class Tree(Protocol):
     def text(self, path: str) -> str | None: ...
+
+    def unreadable(self, path: str) -> str | None: ...
 
     def is_file(self, path: str) -> bool: ...
 
@@ -158,13 +160,17 @@ class LaunchLoader:
         return self._launched[path]
 
     def problems(self) -> list[tuple[str, int, int, str]]:
-        """``(file, line, column, message)`` of each launch file that is broken, and of each parameter file
-        that a launch file loads."""
+        """``(file, line, column, message)`` of each launch file and ``setup.py`` that is broken, and of each
+        parameter file that a launch file loads."""
         for file in self._files:
             if file.kind in ("launch_xml", "launch_yaml") and not file.context:
                 self.frontend(file.relative)
         rows = [(path, one.problems) for path, one in self._frontend_facts.items()]
         rows += [(path, one.problems) for path, one in self._parameter_facts.items()]
+        for file in self._files:
+            if file.kind in ("launch_python", "setup_py") and not file.context and not self.relevant(file):
+                found = self._facts_of(file)
+                rows.append((file.relative, () if found is None else tuple(found.problems)))
         return sorted((path, p.line, p.column, p.message) for path, problems in rows for p in problems)
 
     def notices(self) -> list[str]:
@@ -195,7 +201,9 @@ class LaunchLoader:
     def frontend(self, path: str) -> LaunchFacts:
         if path not in self._frontend_facts:
             text = self.tree.text(path)
-            self._frontend_facts[path] = LaunchFacts() if text is None else _read(path, text)
+            self._frontend_facts[path] = (
+                LaunchFacts(problems=self._unreadable(path)) if text is None else _read(path, text)
+            )
         return self._frontend_facts[path]
 
     def _is_frontend(self, path: str) -> bool:
@@ -206,8 +214,14 @@ class LaunchLoader:
     def parameters(self, path: str) -> ParameterFacts:
         if path not in self._parameter_facts:
             text = self.tree.text(path)
-            self._parameter_facts[path] = ParameterFacts() if text is None else read_parameters(text)
+            self._parameter_facts[path] = (
+                ParameterFacts(problems=self._unreadable(path)) if text is None else read_parameters(text)
+            )
         return self._parameter_facts[path]
+
+    def _unreadable(self, path: str) -> tuple[facts.FileProblem, ...]:
+        why = self.tree.unreadable(path)
+        return () if why is None else (facts.FileProblem(1, 1, why),)
 
     def package_of(self, path: str) -> str | None:
         file = self._by_path.get(path)
@@ -295,6 +309,9 @@ class LaunchLoader:
                 run.gap(f"{path} has no {GENERATE}()")
                 return
             description = calls.call(run, function, [], {})
+        if not isinstance(description, (Instance, ListValue, OneOf)):
+            why = "it returns nothing" if isinstance(description, Known) else reason(description)
+            run.gap(f"{GENERATE}() of {path} returns no launch description that is known: {why}")
         actions.visit(run, description)
 
     # ---------------------------------------------------------------------------------------------- paths

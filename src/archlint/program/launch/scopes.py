@@ -24,22 +24,27 @@ def group(run: LaunchRun, entity: Instance) -> None:
         visit_argument("actions")(run, entity)
         return
     kept = run.launch.copy()
+    given = _configurations(run, argument(entity, "launch_configurations"))
     if argument(entity, "forwarding") == Known(False):
         run.launch.configurations = {}
         run.launch.namespace = run.launch.remaps = run.launch.parameters = None
-    _set_configurations(run, argument(entity, "launch_configurations"))
+    run.launch.configurations.update(given)
     visit_argument("actions")(run, entity)
     run.launch.restore(kept)
 
 
-def _set_configurations(run: LaunchRun, value: Value | None) -> None:
+def _configurations(run: LaunchRun, value: Value | None) -> dict[str, Value]:
+    """What a group sets, read before it forgets the configurations around it."""
     from archlint.program import containers
+
+    found: dict[str, Value] = {}
 
     if isinstance(value, DictValue):
         for key, item in containers.entries_of(run, value).entries.values():
             name = perform(run, key)
             if isinstance(name, Known):
-                run.launch.configurations[str(name.value)] = perform(run, item)
+                found[str(name.value)] = perform(run, item)
+    return found
 
 
 def declare(run: LaunchRun, entity: Instance) -> None:
