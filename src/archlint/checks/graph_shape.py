@@ -61,10 +61,11 @@ def hub_bottleneck(system: System, options: Options) -> Iterator[Finding]:
         total = sum(incoming.values())
         high = [name for name, rate in incoming.items() if rate >= options.number("rate")]
         if total >= options.number("messages") or len(high) >= options.number("topics"):
+            topics = "1 periodic topic" if len(incoming) == 1 else f"{len(incoming)} periodic topics"
             yield _finding(
                 "GRF003",
                 node,
-                f"{node.name} receives at least {total:g} messages a second on {len(incoming)} periodic {'topic' if len(incoming) == 1 else 'topics'}"
+                f"{node.name} receives at least {total:g} messages a second on {topics}"
                 + (f", {len(high)} of them at {options.number('rate'):g} Hz and more" if high else ""),
                 "let the nodes that need a topic subscribe to it themselves, thin out what is only watched, or split "
                 "the node by task",
