@@ -526,3 +526,43 @@ def test_parameters_of_a_node_that_is_not_here(robot):
         ("sides", "string_array", ["left", "right"], None, "launch/p.yaml", 1),
     ]
     assert "rate" in render(system()) and "double = 10.5" in render(system())
+
+
+OUT = {"config/p.yaml": "/**:\n  ros__parameters:\n    topic: from_file\n"}
+
+
+@pytest.mark.parametrize(
+    ("action", "name"),
+    [
+        ('<node pkg="robot" exec="talker" args="--ros-args --params-file {file}"/>', "/from_file"),
+        ('<node pkg="robot" exec="talker" ros_args="--params-file {file}"/>', "/from_file"),
+        ('<executable cmd="ros2 run robot talker --ros-args --params-file {file}"/>', "/from_file"),
+        ('<node pkg="robot" exec="talker" args="--params-file {file}"/>', "/chatter"),
+        (
+            '<node pkg="robot" exec="talker" ros_args="--params-file {file}"><param name="topic" value="own"/></node>',
+            "/own",
+        ),
+    ],
+)
+def test_parameter_files_on_the_command_line_come_before_the_others(robot, action, name):
+    robot(action.format(file="$(find-pkg-share robot)/config/p.yaml"), **OUT)
+    assert topics(system())["/talker"] == [name, "/talker/state"]
+
+
+def test_substitutions_in_a_parameter_file(robot):
+    robot(
+        '<arg name="ns" default="left"/><arg name="n" default="5"/>'
+        '<node pkg="robot" exec="talker" namespace="$(var ns)">'
+        '<param from="$(find-pkg-share robot)/config/p.yaml" allow_substs="true"/></node>'
+        '<node pkg="robot" exec="talker" name="plain"><param from="$(find-pkg-share robot)/config/q.yaml"/></node>'
+        '<node pkg="robot" exec="talker" name="number">'
+        '<param from="$(find-pkg-share robot)/config/q.yaml" allow_substs="true"/></node>',
+        **{
+            "config/p.yaml": "$(var ns)/talker:\n  ros__parameters:\n    topic: $(var ns)_out\n",
+            "config/q.yaml": "/**:\n  ros__parameters:\n    topic: $(var n)\n",
+        },
+    )
+    made = topics(system())
+    assert made["/left/talker"] == ["/left/left_out", "/left/talker/state"]
+    assert made["/number"] == ["/number/state", None]  # a number or, with quotes, a text
+    assert not [code for code, _ in findings() if code == "PRM005"]

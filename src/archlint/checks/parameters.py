@@ -252,7 +252,7 @@ def parameters_for_unknown_node(system: System, options: Options) -> Iterator[Fi
         if started is None:
             continue
         for section in world.parameters_of(file).sections:
-            if "*" in section.key or any(key_matches(section.key, name) for name in started):
+            if "*" in section.key or "$(" in section.key or any(key_matches(section.key, name) for name in started):
                 continue
             last = section.key.rpartition("/")[2]
             right = sorted(name for name in started if name.rpartition("/")[2] == last)

@@ -92,9 +92,10 @@ def settings_of(started: Started, node: str | None, facts_of: Callable[[str], Pa
         elif isinstance(parameter, ParameterFileUse) and parameter.reference.source is not None:
             file = parameter.reference.source
             for section in facts_of(file).sections:
+                nodes = substituted(section.key, parameter)
                 for entry in section.entries:
                     yield Setting(
-                        section.key,
+                        section.key if nodes is None else nodes,
                         entry.name,
                         file_value(entry.value, parameter),
                         Place(file, *entry.span),
@@ -114,8 +115,27 @@ def _own_key(started: Started) -> str:
 
 
 def file_value(value: Any, use: ParameterFileUse) -> object:
-    """A value of a parameter file; with ``allow_substs`` a ``$(…)`` in it is not known."""
-    return NOT_KNOWN if use.substitutions and "$(" in str(value) else value
+    """A value of a parameter file; with ``allow_substs`` a ``$(var …)`` in a text is put in where that is known.
+
+    What looks like a number afterwards is one or not depending on quotes, which are not kept: it is not known.
+    """
+    if not use.substitutions or "$(" not in str(value):
+        return value
+    text = substituted(value, use) if isinstance(value, str) else None
+    return text if text is not None and _WORD.fullmatch(text) and plain_scalar(text) == text else NOT_KNOWN
+
+
+_WORD = re.compile(r"[\w/.~-]+")
+_VARIABLE = re.compile(r"\$\(var ([^()\s]+)(?: [^()]*)?\)")
+
+
+def substituted(text: str, use: ParameterFileUse) -> str | None:
+    """A text of a parameter file with its launch configurations put in; None where one is not known."""
+    if not use.substitutions or "$(" not in text:
+        return text
+    known = dict(use.configurations)
+    found = _VARIABLE.sub(lambda match: known.get(match[1], match[0]), text)
+    return None if "$(" in found else found
 
 
 def command_line_parameters(words: Sequence[str | None]) -> Iterator[tuple[str, object]]:

@@ -115,7 +115,7 @@ def value_from_python(run: Run, value: object) -> Value:
         return containers.new_list(run, [value_from_python(run, item) for item in value])
     if isinstance(value, (str, int, float, bool)):
         return Known(value)
-    return Unknown("a value that a parameter cannot have")
+    return Unknown("it is set from outside, to what is not known here")
 
 
 def declare_one(

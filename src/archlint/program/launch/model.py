@@ -62,6 +62,8 @@ class ParameterFileUse:
     place: Place
     substitutions: bool = False
     shared: bool = False
+    configurations: tuple[tuple[str, str], ...] = ()
+    """The launch configurations that are known where the file is read, for the ``$(var …)`` in it."""
 
 
 Parameters = list["ParameterSetting | ParameterFileUse | OpenParameters"]

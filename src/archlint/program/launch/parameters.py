@@ -79,7 +79,11 @@ def file_use(run: LaunchRun, value: Value | None, place: Place, substitutions: b
     if isinstance(value, Known) and value.origin is not None:
         place = value.origin
     reference = run.reference("parameters", perform(run, value), place)
-    return ParameterFileUse(reference, place, substitutions)
+    known: tuple[tuple[str, str], ...] = ()
+    if substitutions:
+        rows = run.launch.configurations.items()
+        known = tuple(sorted((name, str(one.value)) for name, one in rows if isinstance(one, Known)))
+    return ParameterFileUse(reference, place, substitutions, configurations=known)
 
 
 def _given(item: Value, name: str) -> Value:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 import shlex
+from itertools import pairwise
 from typing import TYPE_CHECKING
 
 from archlint.finding import Place
@@ -11,7 +12,7 @@ from archlint.program.launch import conditions
 from archlint.program.launch.context import absolute, prefix_namespace
 from archlint.program.launch.included import launch_apart
 from archlint.program.launch.model import OpenParameters, Remap, Started, UnknownAttribute
-from archlint.program.launch.parameters import parameters_of
+from archlint.program.launch.parameters import Parameter, file_use, parameters_of
 from archlint.program.launch.scopes import remap
 from archlint.program.launch.substitutions import argument, kind_of, perform
 from archlint.program.model import Text
@@ -51,13 +52,14 @@ def _started(run: LaunchRun, entity: Instance, kind: str) -> Started:
         places=run.places_of(entity),
     )
     started.remaps = [*(run.launch.remaps or ()), *_remaps(run, argument(entity, "remappings"))]
-    started.parameters = [
-        *(run.launch.parameters or ()),
-        *parameters_of(run, argument(entity, "parameters"), started.places.get("parameters", run.place_now)),
-    ]
     started.arguments, whole = _words(run, argument(entity, "arguments"))
     started.ros_arguments, whole_ros = _words(run, argument(entity, "ros_arguments"))
     started.whole_arguments = whole and whole_ros
+    started.parameters = [
+        *_parameter_files(run, [*started.arguments, "--ros-args", *started.ros_arguments], run.place_now),
+        *(run.launch.parameters or ()),
+        *parameters_of(run, argument(entity, "parameters"), started.places.get("parameters", run.place_now)),
+    ]
     if run.store.get(entity.key, "#open"):
         started.parameters.append(OpenParameters("arguments that are passed by **", run.place_now))
     for word in started.arguments:
@@ -96,6 +98,19 @@ def _words(run: LaunchRun, value: Value | None) -> tuple[list[str | None], bool]
         text = perform(run, item)
         found.append(str(text.value) if isinstance(text, Known) else None)
     return found, isinstance(value, ListValue) and run.is_closed(value)
+
+
+def _parameter_files(run: LaunchRun, words: list[str | None], place: Place) -> list[Parameter]:
+    """``--params-file path`` between ``--ros-args`` and ``--``."""
+    found: list[Parameter] = []
+    inside = False
+    for option, path in pairwise(words):
+        if option in ("--ros-args", "--"):
+            inside = option == "--ros-args"
+        elif inside and option == "--params-file":
+            unknown = OpenParameters("a parameter file on the command line that is not known", place)
+            found.append(unknown if path is None else file_use(run, Known(path), place))
+    return found
 
 
 def _split(text: str) -> list[str | None]:
@@ -171,6 +186,7 @@ def process(run: LaunchRun, entity: Instance) -> None:
             whole_arguments=whole,
             bare=True,
         )
+        started.parameters = _parameter_files(run, words[4:], run.place_now)
     elif words[:2] == ["ros2", "launch"] and len(words) > 3 and words[2] and words[3]:
         launch_apart(run, words[2], words[3], words[4:])
         return
