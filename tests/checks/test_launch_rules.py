@@ -282,6 +282,14 @@ def test_a_section_may_be_for_another_node_of_that_name(findings):
     assert findings("PRM004", node(load_it), **files, **{"launch/other.launch.xml": heavy}) == []
 
 
+def test_a_helper_that_the_command_line_does_not_reach_keeps_its_name(findings):
+    helper = "        rclpy.create_node('asker'{})\n"
+    text = TALKER.replace("        self.declare", helper.format(", use_global_arguments=False") + "        self.declare")
+    assert findings("NME004", node(name="it"), **{"robot/talker.py": text}) == []
+    reached = TALKER.replace("        self.declare", helper.format("") + "        self.declare")
+    assert len(findings("NME004", node(name="it"), **{"robot/talker.py": reached})) == 1
+
+
 def test_a_node_that_allows_undeclared_parameters_takes_anything(findings):
     text = TALKER.replace("('talker')", "('talker', allow_undeclared_parameters=True)")
     assert findings("PRM004", node('<param name="rat" value="1.0"/>'), **{"robot/talker.py": text}) == []
@@ -293,6 +301,16 @@ def test_a_section_without_its_namespace(findings):
     (found,) = findings("PRM005", node(load_it, namespace="left"), **{"config/p.yaml": yaml})
     assert found.message.endswith("did you mean '/left/talker'?")
     assert findings("PRM005", node(load_it), **{"config/p.yaml": yaml}) == []
+
+
+def test_a_section_for_a_node_inside_a_process_that_is_not_here(findings):
+    load_it = '<param from="$(find-pkg-share robot)/config/p.yaml"/>'
+    yaml = "local_costmap:\n  local_costmap: {ros__parameters: {rate: 1.0}}"
+    server = f'<node pkg="nav2_controller" exec="controller_server" name="controller_server">{load_it}</node>'
+    assert findings("PRM005", node(load_it) + server, **{"config/p.yaml": yaml}) == []
+    misspelt = {"config/p.yaml": "controller_sever: {ros__parameters: {rate: 1.0}}"}
+    assert len(findings("PRM005", node(load_it) + server, **misspelt)) == 1
+    assert len(findings("PRM005", node(load_it), **{"config/p.yaml": yaml})) == 1
 
 
 def test_a_section_for_a_node_that_other_arguments_start(findings):
@@ -388,6 +406,22 @@ def test_the_missing_line_for_the_manifest(findings):
     (edit,) = found.fix.edits
     assert (edit.place.file, edit.place.line) == ("package.xml", 4)
     assert edit.text == "<exec_depend>sensor_msgs</exec_depend>\n"
+
+
+@pytest.mark.parametrize(
+    ("written", "line"),
+    [
+        ("<depend>rclpy</depend>\n<!--\n<depend>nav_msgs</depend>\n-->\n</package>", 3),
+        ("<author>A</author>\n<license>MIT</license>\n</package>", 4),  # it declares nothing yet
+        ("<depend>rclpy</depend></package>", None),
+    ],
+)
+def test_where_the_missing_line_goes(findings, written, line):
+    head = "<package format='3'><name>robot</name><export><build_type>ament_python</build_type></export>"
+    manifest = f"{head}\n{written}\n"
+    talker = "from sensor_msgs.msg import Image\n"
+    (found,) = findings("PKG001", **{"package.xml": manifest, "robot/talker.py": talker})
+    assert (None if found.fix is None else found.fix.edits[0].place.line) == line
 
 
 def test_entry_points_of_other_distributions(findings):

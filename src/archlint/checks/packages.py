@@ -80,10 +80,12 @@ def _brought(declared: set[str], world: World) -> set[str]:
 
 
 def _declared_fix(world: World, package: Package, needed: str) -> Fix | None:
-    """A line for the manifest, after the last of its kind."""
+    """A line for the manifest, after the last of its kind, or where the first would stand."""
     text = None if world.loader is None else world.loader.tree.text(package.manifest.relative)
     lines = [] if text is None else text.splitlines()
-    after = [number for number, line in enumerate(lines, start=1) if _DEPEND.match(line)]
+    in_force = _COMMENT.sub(lambda found: "\n" * found[0].count("\n"), "\n".join(lines)).split("\n")
+    after = [number for number, line in enumerate(in_force, start=1) if _DEPEND.match(line)]
+    after = after or [number for number, line in enumerate(in_force, start=1) if _ABOUT.match(line)]
     if not after:
         return None
     indent = lines[after[-1] - 1][: -len(lines[after[-1] - 1].lstrip())]
@@ -92,7 +94,9 @@ def _declared_fix(world: World, package: Package, needed: str) -> Fix | None:
     return Fix("safe", (edit,), f"declare {needed}")
 
 
-_DEPEND = re.compile(r"\s*<(?:exec_depend|depend|build_export_depend|buildtool_depend|build_depend)\b.*</\w+>\s*$")
+_DEPEND = re.compile(r"\s*<(?:exec_|build_export_|buildtool_|build_|)depend\b.*</\w*depend>\s*$")
+_ABOUT = re.compile(r"\s*<(?:maintainer|license|url|author)\b.*</(?:maintainer|license|url|author)>\s*$")
+_COMMENT = re.compile(r"<!--.*?-->", re.DOTALL)
 
 _ALSO = {"tf2_ros": "tf2_ros_py", "tf2_ros_py": "tf2_ros", "launch": "launch_ros", "ament_index_python": "launch_ros"}
 
