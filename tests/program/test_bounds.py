@@ -158,3 +158,21 @@ def test_lists_that_nested_loops_fill_are_joined_cheaply(tmp_path: Path, monkeyp
 
     assert [node.name for node in system.nodes] == ["/reach"]
     assert looked_at[0] < 2_000_000  # 1,728 rounds with two lists; 512 joins of up to twice 512 items each
+
+
+def test_joining_large_lists_counts_as_work(tmp_path: Path, monkeypatch: pytest.MonkeyPatch):
+    branches = "".join(
+        f"        if self.flag({n}):\n            moved[{n}] = n\n        else:\n            moved.append({n})\n"
+        for n in range(40)
+    )
+    text = SOURCE.format(points="", moves=f"        moved = [0] * 500\n        n = self.get_clock()\n{branches}")
+    (tmp_path / "path.py").write_text(text)
+    monkeypatch.chdir(tmp_path)
+
+    def topics() -> list[str | None]:
+        made = session.graph(session.Request((".",), Settings(), cached=False, jobs=1))
+        return [endpoint.name for endpoint in made.nodes[0].endpoints]
+
+    assert topics() == ["/after", "/lane1", "/lane2"]
+    monkeypatch.setattr("archlint.program.run.WORK_OF_A_STEP", 0.1)
+    assert topics() == ["/lane1", "/lane2"]

@@ -25,6 +25,8 @@ class Store:
     def __init__(self) -> None:
         self.layers: list[Layer] = [{}]
         self._next = 1
+        self.work = 0
+        """Slots and items that joins have looked at, until somebody counts and takes them."""
 
     def new_key(self) -> int:
         self._next += 1
@@ -77,6 +79,7 @@ class Store:
         slots: dict[Slot, None] = {}
         for branch in branches:
             slots.update(dict.fromkeys(branch))
+            self.work += len(branch)
         below = self.layers[::-1]
         top = self.layers[-1]
         for at in slots:
@@ -97,6 +100,8 @@ class Store:
                     found = [first, value]
                 elif not any(value is other for other in found):
                     found.append(value)
+            if found is not None:
+                self.work += sum(map(_size, found))
             joined = first if found is None else _join(found)
             if joined is not before:
                 top[at] = joined
@@ -119,6 +124,12 @@ class _Missing:
 
 
 _MISSING = _Missing()
+
+
+def _size(value: object) -> int:
+    if isinstance(value, Items):
+        return len(value.values)
+    return len(value.entries) if isinstance(value, Entries) else 1
 
 
 def _join(found: Sequence[object]) -> object:
