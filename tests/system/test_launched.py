@@ -566,3 +566,12 @@ def test_substitutions_in_a_parameter_file(robot):
     assert made["/left/talker"] == ["/left/left_out", "/left/talker/state"]
     assert made["/number"] == ["/number/state", None]  # a number or, with quotes, a text
     assert not [code for code, _ in findings() if code == "PRM005"]
+
+
+def test_remappings_and_parameters_of_a_node_that_is_not_here_are_rows_of_one_table(robot):
+    robot(
+        '<node pkg="lidar" exec="driver" name="lidar"><param name="rate" value="10.5"/>'
+        '<remap from="scan" to="front_scan"/></node>'
+    )
+    shown = render(system())
+    assert "remaps     scan  to /front_scan" in shown and "parameter  rate  double = 10.5" in shown

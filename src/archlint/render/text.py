@@ -84,7 +84,7 @@ def _heading(node: Node) -> Iterator[Cell]:
 
 def _rows(node: Node) -> Iterator[Sequence[Cell]]:
     if node.external:
-        yield from ([("remaps", "plain"), (old, "name"), (f"to {new}", "plain")] for old, new in remapped_names(node))
+        yield from (_remap_row(old, new) for old, new in remapped_names(node))
     for kind, verb in _VERBS.items():
         yield from (_endpoint_row(endpoint, verb) for endpoint in node.of_kind(kind))
     yield from map(_timer_row, node.timers)
@@ -185,6 +185,10 @@ def _shape(system: System, paint: Paint) -> Iterator[str]:
     if system.nodes:
         yield paint("shape", "title")
         yield "\n".join(f"  {paint(line, 'plain')}" for line in pattern.words(pattern.figures(system)))
+
+
+def _remap_row(old: str, new: str) -> Sequence[Cell]:
+    return [("remaps", "plain"), (old, "name"), (f"to {new}", "plain"), ("", "plain")]
 
 
 def _unresolved(system: System, paint: Paint) -> Iterator[str]:
