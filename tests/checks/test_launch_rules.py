@@ -419,8 +419,9 @@ def test_the_missing_line_for_the_manifest(findings):
 def test_where_the_missing_line_goes(findings, written, line):
     head = "<package format='3'><name>robot</name><export><build_type>ament_python</build_type></export>"
     manifest = f"{head}\n{written}\n"
-    talker = "from sensor_msgs.msg import Image\n"
-    (found,) = findings("PKG001", **{"package.xml": manifest, "robot/talker.py": talker})
+    talker = "import rclpy\nfrom sensor_msgs.msg import Image\n"
+    *_, found = findings("PKG001", **{"package.xml": manifest, "robot/talker.py": talker})
+    assert found.identity[1] == "sensor_msgs"
     assert (None if found.fix is None else found.fix.edits[0].place.line) == line
 
 
