@@ -165,7 +165,7 @@ def test_joining_large_lists_counts_as_work(tmp_path: Path, monkeypatch: pytest.
         f"        if self.flag({n}):\n            moved[{n}] = n\n        else:\n            moved.append({n})\n"
         for n in range(40)
     )
-    text = SOURCE.format(points="", moves=f"        moved = [0] * 500\n        n = self.get_clock()\n{branches}")
+    text = SOURCE.format(points="", moves=f"        moved = list(range(500))\n        n = self.get_clock()\n{branches}")
     (tmp_path / "path.py").write_text(text)
     monkeypatch.chdir(tmp_path)
 
