@@ -159,6 +159,12 @@ class TestSpinning:
         assert codes(run(source(setup, self.TICK, ON_ONE_THREAD))) == ["CBG002"]
         assert codes(run(source(setup, self.TICK, ON_SEVERAL_THREADS))) == []
 
+    def test_a_coroutine_that_awaits_keeps_its_group(self, run: Run):
+        setup = "group = ReentrantCallbackGroup()\nself.create_timer(5.0, self.tick, callback_group=group)"
+        waiting = "async def tick(self):\n    await self.job.completion\n"
+        assert codes(run(source(setup, waiting, ON_ONE_THREAD))) == []
+        assert codes(run(source(setup, "async def tick(self):\n    pass\n", ON_ONE_THREAD))) == ["CBG002"]
+
     def test_several_groups_of_one_node_are_one_finding(self, run: Run):
         setup = (
             "self.create_timer(5.0, self.tick, callback_group=ReentrantCallbackGroup())\n"
@@ -195,6 +201,16 @@ class TestPolling:
         setup = "self.wanted = load()\nself.client = self.create_client(SetBool, 'on')\n"
         setup += "self.timer = self.create_timer(0.1, self.tick)\n"
         assert codes(run(source(setup, f"def tick(self):\n    {body}\n"))) == []
+
+    @pytest.mark.parametrize(
+        ("tick", "expected"),
+        [("if self.wanted:\n        self.ask()", []), ("self.count()\n    self.ask()", ["SRV004"])],
+        ids=["with an occasion", "without one"],
+    )
+    def test_a_method_that_asks_is_called_with_an_occasion(self, run: Run, tick: str, expected: list[str]):
+        setup = "self.wanted = load()\n" + self.CLIENT + "self.create_timer(0.1, self.tick)\n"
+        ask = "def ask(self):\n    self.client.call_async(Trigger.Request())\n\ndef count(self):\n    pass\n"
+        assert codes(run(source(setup, ask + f"\ndef tick(self):\n    {tick}\n"))) == expected
 
     THREE = "".join(f"self.client{i} = self.create_client(Trigger, 's{i}')\n" for i in range(3))
     MAIN = """

@@ -229,6 +229,21 @@ def test_files_of_other_packages_are_not_looked_for(findings):
     assert findings("LCH004", '<include file="$(find-pkg-share nav2_bringup)/launch/x.launch.py"/>') == []
 
 
+@pytest.mark.parametrize(
+    ("written", "hint"),
+    [
+        ("launch/robt.launch.xml", "; did you mean 'robot.launch.xml'?"),
+        ("launch/robot.launch.yml", "; did you mean 'robot.launch.xml'?"),
+        ("launch/nope.launch.xml", ""),
+        ("launch/camera.launch.xml", ""),
+    ],
+)
+def test_a_missing_file_is_named_with_the_near_one_beside_it(findings, written, hint):
+    include = f'<include file="$(find-pkg-share robot)/{written}"/>'
+    (found,) = findings("LCH004", include, **{"launch/robot.launch.xml": "<launch/>"})
+    assert found.message == f"package 'robot' has no launch file '{written}'{hint}"
+
+
 def test_a_file_that_is_there_but_not_installed(findings):
     (found,) = findings(
         "LCH004", '<include file="$(find-pkg-share robot)/more/x.launch.xml"/>', **{"more/x.launch.xml": "<launch/>"}
@@ -284,9 +299,10 @@ def test_a_section_may_be_for_another_node_of_that_name(findings):
 
 def test_a_helper_that_the_command_line_does_not_reach_keeps_its_name(findings):
     helper = "        rclpy.create_node('asker'{})\n"
-    text = TALKER.replace("        self.declare", helper.format(", use_global_arguments=False") + "        self.declare")
-    assert findings("NME004", node(name="it"), **{"robot/talker.py": text}) == []
-    reached = TALKER.replace("        self.declare", helper.format("") + "        self.declare")
+    with_helper = TALKER.replace("        self.declare", helper + "        self.declare")
+    apart = with_helper.format(", use_global_arguments=False")
+    assert findings("NME004", node(name="it"), **{"robot/talker.py": apart}) == []
+    reached = with_helper.format("")
     assert len(findings("NME004", node(name="it"), **{"robot/talker.py": reached})) == 1
 
 
@@ -510,3 +526,20 @@ def test_what_a_base_class_from_elsewhere_publishes_is_not_known(findings, impor
     text = LONELY.format(imports=f"{imports}\nfrom std_msgs.msg import String", base=base)
     closed = "select = ['TOP003']\nclosed-world = true\n"
     assert bool(findings("TOP003", node(), **{"robot/talker.py": text, "archlint.toml": closed})) is told
+
+
+def test_a_node_action_without_a_package_needs_none(findings):
+    assert findings("PKG001", '<node pkg="" exec="talker"/>') == []
+
+
+@pytest.mark.parametrize(
+    ("target", "words"),
+    [
+        ("robot.tlker", "module 'robot.tlker' is not there; did you mean 'robot.talker'?"),
+        ("robot.b", "module 'robot.b' is not there"),
+        ("robt.talker", "module 'robt.talker' is not there; did you mean 'robot.talker'?"),
+    ],
+)
+def test_a_module_that_is_not_there_is_named_with_the_near_one(findings, target, words):
+    (found,) = findings("PKG002", **{"setup.py": SETUP.replace("robot.talker:", f"{target}:"), "robot/a.py": ""})
+    assert found.message.endswith(f": {words}")

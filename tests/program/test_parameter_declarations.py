@@ -46,3 +46,13 @@ def test_a_program_that_is_cut_short_is_not_complete(tmp_path, monkeypatch):
     cut_short = node_of(tmp_path, monkeypatch, endless).blueprint
     assert not cut_short.complete
     assert [reason for _, reason in cut_short.gaps] == ["its program has more code than is followed"]
+
+
+def test_the_type_of_a_parameter_value_is_that_of_its_default(tmp_path, monkeypatch):
+    read = (
+        "value = self.get_parameter('many.fixed').get_parameter_value()\n"
+        "        name = value.string_value if value.type == 4 else ''\n"
+        "        self.create_publisher(ParameterDescriptor, name, 10)"
+    )
+    found = node_of(tmp_path, monkeypatch, read).endpoints
+    assert [endpoint.name for endpoint in found] == ["/a"]

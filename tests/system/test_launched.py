@@ -575,3 +575,45 @@ def test_remappings_and_parameters_of_a_node_that_is_not_here_are_rows_of_one_ta
     )
     shown = render(system())
     assert "remaps     scan  to /front_scan" in shown and "parameter  rate  double = 10.5" in shown
+
+
+def test_a_parameter_chooses_the_type(robot):
+    load = (
+        "        package, _, name = self.declare_parameter('type', 'std_msgs/msg/String').value.split('/')\n"
+        "        kind = getattr(importlib.import_module(f'{package}.msg'), name)\n"
+    )
+    create = "        self.create_publisher({}, self"
+    text = TALKER.replace(create.format("String"), load + create.format("kind"))
+    files = {"robot/talker.py": "import importlib\n" + text}
+    start = '<node pkg="robot" exec="talker" name="{}"><param name="type" value="{}"/></node>'
+
+    robot(start.format("a", "std_msgs/msg/Bool"), **files)
+
+    assert [e.type for e in system().endpoints if e.name == "/chatter"] == ["std_msgs/msg/Bool"]
+
+
+def test_a_launch_file_that_copies_its_table_changes_the_copy_only(robot):
+    launch = """\
+import copy
+from launch import LaunchDescription
+from launch_ros.actions import Node
+
+TABLE = [{'name': 'front'}]
+
+
+def named(suffix):
+    rows = copy.deepcopy(TABLE)
+    for row in rows:
+        row['name'] += suffix
+    return rows
+
+
+def generate_launch_description():
+    rows = named('_left') + named('_right')
+    return LaunchDescription([Node(package='robot', executable='talker', name=row['name']) for row in rows])
+"""
+    robot("", **{"launch/copies.launch.py": launch})
+
+    found = graph(Request((".",), Settings(), cached=False, jobs=1, launch="launch/copies.launch.py"))
+
+    assert [node.name for node in found.nodes] == ["/front_left", "/front_right"]

@@ -11,7 +11,7 @@ from archlint.checks.registry import Options, finding, rule
 from archlint.checks.whole import declares_all, enclosing_function, facts_at, walk
 from archlint.facts import model as facts
 from archlint.finding import Finding, Place, Related
-from archlint.program.launch.model import ParameterFileUse
+from archlint.program.launch.model import ParameterFileUse, Started
 from archlint.program.values import Known
 from archlint.system.overrides import NOT_KNOWN, Setting, applied, key_matches
 
@@ -264,17 +264,32 @@ def parameters_for_unknown_node(system: System, options: Options) -> Iterator[Fi
             elif _others_are_not_run(world):
                 continue
             else:
-                message += did_you_mean(section.key, started)
+                meant = did_you_mean(section.key, started)
+                if not meant and _may_hold_more_nodes(world, file):
+                    continue
+                message += meant
             yield finding("PRM005", Place(file, *section.span), message, help=help, identity=(file, section.key))
 
 
 def _files_of(system: System) -> list[str]:
     files: dict[str, None] = {}
     for started in system.launched.started if system.launched is not None else ():
-        for parameter in started.parameters:
-            if isinstance(parameter, ParameterFileUse) and parameter.reference.source is not None:
-                files.setdefault(parameter.reference.source)
+        files.update(dict.fromkeys(_files_of_process(started)))
     return list(files)
+
+
+def _may_hold_more_nodes(world: World, file: str) -> bool:
+    """Whether a process whose source is not here gets the file: nav2's servers make the nodes of their costmaps."""
+    return any(
+        node.external and node.started is not None and file in _files_of_process(node.started)
+        for system in world.systems
+        for node in system.nodes
+    )
+
+
+def _files_of_process(started: Started) -> list[str]:
+    uses = [parameter for parameter in started.parameters if isinstance(parameter, ParameterFileUse)]
+    return [use.reference.source for use in uses if use.reference.source is not None]
 
 
 def _names_of_nodes(world: World, file: str) -> set[str] | None:

@@ -94,19 +94,26 @@ def _unpaced(loop: facts.While | facts.For) -> bool:
 def _unguarded(call: ApiCall) -> bool:
     """Whether nothing but the readiness of the service decides whether the request is sent."""
     body: Sequence[facts.Stmt] = call.loops[-1].body if call.loops else call.body
-    return call.expression is not None and not call.chain[1:] and _reached(body, call.expression) is True
+    if call.expression is None or call.chain[1:] or _reached(body, call.expression.span[:2]) is not True:
+        return False
+    function = call.context.function
+    if not call.chain or not isinstance(function, facts.Function):
+        return True
+    # What runs calls the function that asks: an occasion may be needed for that, too.
+    place = call.chain[0].place
+    return _reached(function.body, (place.line, place.column)) is not False
 
 
-def _reached(block: Sequence[facts.Stmt], wanted: facts.Call) -> bool | None:
+def _reached(block: Sequence[facts.Stmt], wanted: tuple[int, int]) -> bool | None:
     """True where a block always comes to a call, False where something else decides; None: it is not there."""
     for statement in block:
-        here = any(one.span == wanted.span for one in calls_in(statement))
+        here = any(one.span[:2] == wanted for one in calls_in(statement))
         inner = blocks_in(statement)
         if here and not inner:
             return True
         if here:
             if isinstance(statement, facts.If) and not _about_readiness(statement.test):
-                return any(one.span == wanted.span for one in calls_in(statement.test))
+                return any(one.span[:2] == wanted for one in calls_in(statement.test))
             if isinstance(statement, (facts.For, facts.While, facts.Match)):
                 return False
             found = [_reached(one, wanted) for one in inner]

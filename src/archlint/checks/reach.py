@@ -12,7 +12,7 @@ from weakref import WeakKeyDictionary
 
 from archlint.facts import model as facts
 from archlint.finding import Finding, Related
-from archlint.program.model import ACTION_CLIENT, Creation
+from archlint.program.model import ACTION_CLIENT, ACTION_SERVER, Creation
 from archlint.program.values import EntityValue, FutureValue, Known, Value, alternatives
 from archlint.workspace.test_code import is_test_file
 
@@ -128,7 +128,7 @@ def endpoint_words(creation: Creation | None, kind: str = "") -> str:
     """``the service 'enable_motor'``, as far as it is known."""
     if creation is None:
         return f"a{'n' if kind == 'action' else ''} {kind or 'service'}"
-    what = "action" if creation.kind == ACTION_CLIENT else "service"
+    what = "action" if creation.kind in (ACTION_CLIENT, ACTION_SERVER) else "service"
     if creation.name.text is None or creation.name.resolution == "unknown":
         return f"a{'n' if what == 'action' else ''} {what}"
     return f"the {what} '{creation.name.text}'"

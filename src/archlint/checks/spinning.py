@@ -10,12 +10,14 @@ from archlint.checks.callback_roles import runs_in_executor
 from archlint.checks.deadlock import related_executor, threads_of
 from archlint.checks.reach import judged_calls, node_name, one_for_each_place
 from archlint.checks.registry import Options, finding, rule
+from archlint.facts import model as facts
+from archlint.facts.walk import parts_of
 from archlint.finding import Finding, Place, Related
 from archlint.program.model import ACTION_SERVER, SERVICE, SUBSCRIBER, TIMER
 from archlint.workspace.test_code import is_test_file
 
 if TYPE_CHECKING:
-    from archlint.program.model import Blueprint, Creation, Program
+    from archlint.program.model import Blueprint, Callback, Creation, Program
     from archlint.system.model import System
 
 _SERVED = {SUBSCRIBER: "subscription", SERVICE: "service", TIMER: "timer", ACTION_SERVER: "action server"}
@@ -92,6 +94,13 @@ def groups_without_threads(system: System, options: Options) -> Iterator[Finding
         for _, call in judged_calls(system)
         if call.api.endswith(".await") and runs_in_executor(call.context)
     }
+    # A coroutine that awaits any other future (its own, say) keeps its group for as long.
+    awaiting |= {
+        id(callback.node)
+        for program in system.programs
+        for callback in program.callbacks
+        if callback.is_async and runs_in_executor(callback) and _awaits(callback)
+    }
     yield from one_for_each_place(
         _useless(system, program, node, groups)
         for program, node in _judged(system)
@@ -99,6 +108,10 @@ def groups_without_threads(system: System, options: Options) -> Iterator[Finding
         for groups in [_groups(node)]
         if groups
     )
+
+
+def _awaits(callback: Callback) -> bool:
+    return any(isinstance(part, facts.Await) for part in parts_of(callback.function))
 
 
 def _groups(node: Blueprint) -> list[tuple[Place, str]]:

@@ -204,7 +204,16 @@ def _of_foreign_instance(run: Run, value: Instance, cls: External, name: str) ->
         held = run.store.get(value.key, "value")
         if isinstance(held, Value) and name.endswith("_value"):
             return held
+        if name == "type":
+            if isinstance(held, Known) and type(held.value) in _PARAMETER_TYPES:
+                # A declared parameter keeps its type, whatever is set.
+                return Known(_PARAMETER_TYPES[type(held.value)])
+            return Unknown("the type of a parameter")
     return ApiMethod(f"{path}.{name}", value)
+
+
+_PARAMETER_TYPES: dict[type, int] = {bool: 1, int: 2, float: 3, str: 4}
+"""The constants of ``rcl_interfaces/msg/ParameterType``."""
 
 
 def answer_of(run: Run, held: Value) -> Value:
@@ -226,7 +235,7 @@ def _of_external(run: Run, value: External, name: str) -> Value:
     if constant is not None:
         return constant
     known = rclpy_names.CONSTANTS.get(rclpy_names.canonical(path))
-    return Known(known) if known is not None else External(path)
+    return Known(known) if known is not None else External(path, value.via)
 
 
 def _interface_constant(run: Run, path: str, name: str) -> Value | None:

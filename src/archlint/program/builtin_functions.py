@@ -298,6 +298,8 @@ def _getattr(run: Run, args: Arguments, keywords: Keywords, e: object) -> Value:
     for name in alternatives(args[1]):
         if isinstance(name, Known) and isinstance(name.value, str):
             value = get_attribute(run, args[0], name.value)
+            if isinstance(value, External) and name.via:
+                value = External(value.path, value.via | name.via)
             missing = _is_missing(value)
             found.append(args[2] if missing and len(args) > 2 else value)
             if isinstance(value, Unknown) and not missing and len(args) > 2:

@@ -160,6 +160,8 @@ class Creation:
     period: float | None = None
     """Seconds, of timers and rates; None where unknown."""
     period_parameter: str | None = None
+    type_parameter: str | None = None
+    """The parameters that choose the type, separated by commas."""
     function: str = ""
     """Qualified name of the function that holds the create call."""
     name_place: Place | None = None
@@ -269,6 +271,8 @@ class Blueprint:
     """True where code that is not in this workspace is given the node: that may spin it."""
     enable_rosout: bool = True
     start_parameter_services: bool = True
+    use_global_arguments: bool = True
+    """False where the command line of the process (names, remappings, parameters) does not reach the node."""
     cli_arguments: tuple[str, ...] = ()
 
 

@@ -91,9 +91,11 @@ class OneOf(Value):
 
 @dataclass(frozen=True, slots=True)
 class External(Value):
-    """Something of a package that is not in this workspace, by its dotted name."""
+    """Something of a package that is not in this workspace, by its dotted name; ``via`` names the ROS parameters
+    that chose it."""
 
     path: str
+    via: frozenset[str] = field(default=NO_PARAMETERS, compare=False)
 
 
 @dataclass(frozen=True, slots=True)
@@ -313,7 +315,7 @@ def via(*values: Value) -> frozenset[str]:
     """The parameters that a result made from these values depends on."""
     found: frozenset[str] = NO_PARAMETERS
     for value in values:
-        if isinstance(value, (Known, Holed)):
+        if isinstance(value, (Known, Holed, External)):
             found |= value.via
         elif isinstance(value, Unknown) and value.parameter is not None:
             found |= {value.parameter}

@@ -52,6 +52,8 @@ def instantiate(
     other rules of the process in the order of its command line, ``overrides`` parameter values by name.
     """
     local = rules_of_arguments(blueprint.cli_arguments)
+    if not blueprint.use_global_arguments:
+        name, namespace, remaps, overrides = None, None, (), None
     own = node_init(
         blueprint.name,
         blueprint.namespace,

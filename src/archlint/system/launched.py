@@ -115,7 +115,8 @@ class LaunchSystems:
             launched_by=launch_file,
         )
         # The program has run with its parameters: its names are final.
-        node.overrides = overrides_of(started, known_name(node), self.parameters_of)
+        if blueprint.use_global_arguments:
+            node.overrides = overrides_of(started, known_name(node), self.parameters_of)
         node.launch_place = started.place
         node.started = started
         node.alternatives = started.arms

@@ -29,7 +29,8 @@ def outside(started: Started, program: Program, parameters_of: Callable[[str], P
     nodes = [blueprint for blueprint in program.nodes if not blueprint.test]
     for blueprint in nodes:
         node = instantiate(blueprint, program, name=started.name, namespace=started.namespace)
-        found[node_key(blueprint)] = overrides_of(started, known_name(node), parameters_of)
+        reached = blueprint.use_global_arguments
+        found[node_key(blueprint)] = overrides_of(started, known_name(node), parameters_of) if reached else {}
     everything, mentioned = _decided_by(program)
     decisive = {
         key: _decisive([node for node in nodes if node_key(node) == key], values, everything, mentioned)
@@ -93,7 +94,8 @@ def _decided_by(program: Program) -> tuple[bool, set[str]]:
         for creation in blueprint.creations:
             unclear = creation.name.resolution in ("partial", "unknown") and creation.kind in ENDPOINT_KINDS
             everything |= creation.conditional or unclear
-            for names in (creation.name.parameter, creation.period_parameter, creation.qos and creation.qos.parameter):
+            qos = creation.qos and creation.qos.parameter
+            for names in (creation.name.parameter, creation.period_parameter, creation.type_parameter, qos):
                 mentioned.update((names or "").split(","))
     return everything, mentioned
 

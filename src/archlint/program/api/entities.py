@@ -24,6 +24,7 @@ from archlint.program.values import (
     Value,
     alternatives,
     join_texts,
+    via,
 )
 
 if TYPE_CHECKING:
@@ -150,8 +151,14 @@ def _create(
     )
     run.creations[key] = creation
     blueprint.creations.append(creation)
+    creation.type_parameter = _chosen_by(call.get(call.api.type))
     creation.callbacks = callbacks.register_row(run, call, blueprint, creation, creation.group)
     return creation
+
+
+def _chosen_by(type_: Value | None) -> str | None:
+    """The parameters that a type depends on, separated by commas."""
+    return ",".join(sorted(via(*alternatives(type_)))) or None if type_ is not None else None
 
 
 def _guarded(run: Run) -> bool:

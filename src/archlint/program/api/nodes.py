@@ -260,6 +260,7 @@ def _set_names(run: Run, blueprint: model.Blueprint, call: ApiUse) -> None:
     blueprint.allow_undeclared_parameters = call.get("allow_undeclared_parameters") == TRUE
     blueprint.automatically_declare_parameters = call.get("automatically_declare_parameters_from_overrides") == TRUE
     blueprint.enable_rosout = call.get("enable_rosout") != Known(False)
+    blueprint.use_global_arguments = call.get("use_global_arguments") != Known(False)
     blueprint.start_parameter_services = call.get("start_parameter_services") != Known(False)
     _note_overrides(run, call)
     arguments = call.get("cli_args")

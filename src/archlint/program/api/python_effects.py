@@ -45,7 +45,7 @@ def import_module(run: Run, call: ApiUse) -> Value:
         return Unknown("the module is chosen by data")
     level = len(name.value) - len(name.value.lstrip("."))
     module = run.index.find(run.activation.module, name.value.lstrip("."), level)
-    return External(name.value) if module is None else run.import_module(module)
+    return External(name.value, name.via) if module is None else run.import_module(module)
 
 
 def path_join(run: Run, call: ApiUse) -> Value:
@@ -85,13 +85,41 @@ def _copy(run: Run, args: list[Value], keywords: dict[str, Value], e: facts.Call
     for value in alternatives(args[0]) if args else ():
         if isinstance(value, ListValue):
             items = containers.items_of(run, value)
-            found.append(containers.new_list(run, items.values, value.kind, items.open))
+            found.append(containers.new_list(run, items.values, value.kind, items.open, items.whole))
         elif isinstance(value, DictValue):
             entries = containers.entries_of(run, value)
             found.append(containers.new_dict(run, dict(entries.entries), entries.open))
         else:
             found.append(profiles.copy_profile(run, value))
     return one_of(found)
+
+
+def _deep_copy(run: Run, args: list[Value], keywords: dict[str, Value], e: facts.Call | None) -> Value:
+    return _copied_deep(run, args[0], {}) if args else Unknown("no argument")
+
+
+def _copied_deep(run: Run, value: Value, copies: dict[int, Value]) -> Value:
+    """A copy, the containers inside it copied as well; ``copies`` has those already made, by key."""
+    from archlint.program import containers
+    from archlint.program.values import DictValue, ListValue
+
+    if isinstance(value, OneOf):
+        return one_of(_copied_deep(run, option, copies) for option in value.values)
+    if not isinstance(value, (ListValue, DictValue)):
+        return profiles.copy_profile(run, value)
+    if value.key in copies:
+        return copies[value.key]
+    copies[value.key] = Unknown("a container that contains itself")
+    if isinstance(value, ListValue):
+        items = containers.items_of(run, value)
+        inside = [_copied_deep(run, item, copies) for item in items.values]
+        made: Value = containers.new_list(run, inside, value.kind, items.open, items.whole)
+    else:
+        held = containers.entries_of(run, value)
+        entries = {at: (key, _copied_deep(run, one, copies)) for at, (key, one) in held.entries.items()}
+        made = containers.new_dict(run, entries, held.open)
+    copies[value.key] = made
+    return made
 
 
 def _builtin(name: str) -> Plain:
@@ -181,7 +209,7 @@ PLAIN: dict[str, Plain] = {
     "glob.glob": _of_setup("glob_pattern"),
     "glob.iglob": _of_setup("glob_pattern"),
     "copy.copy": _copy,
-    "copy.deepcopy": _copy,
+    "copy.deepcopy": _deep_copy,
     "collections.OrderedDict": _builtin("dict"),
     "collections.deque": _builtin("list"),
     "collections.defaultdict": _default_dict,
