@@ -8,7 +8,7 @@ from collections.abc import Iterator
 from itertools import groupby
 from typing import TYPE_CHECKING
 
-from archlint.checks.near import did_you_mean
+from archlint.checks.near import did_you_mean, distance
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.whole import is_whole, walk
 from archlint.facts import model as facts
@@ -279,6 +279,7 @@ def missing_launch_file(system: System, options: Options) -> Iterator[Finding]:
         shown = re.sub(r"^\$\((?:find-pkg-share [\w.-]+|workspace)\)/?", "", reference.written)
         if reference.status == MISSING:
             message = f"package '{reference.package}' has no {what} '{shown}'"
+            message += _did_you_mean_file(system.world, reference.package or "", shown)
             help = "check the path; it starts at the package's share folder, where the build installs it"
         else:
             message = f"package '{reference.package}' does not install the {what} '{shown}'"
@@ -286,6 +287,20 @@ def missing_launch_file(system: System, options: Options) -> Iterator[Finding]:
         yield finding(
             "LCH004", reference.place, message, help=help, identity=(reference.package or "", reference.written)
         )
+
+
+def _did_you_mean_file(world: World | None, package: str, shown: str) -> str:
+    """The file beside a missing one whose name is nearest to its name."""
+    loader = None if world is None else world.loader
+    installs = None if loader is None else loader.installs.get(package)
+    if loader is None or installs is None:
+        return ""
+    inside = shown if shown.startswith(f"{installs.folder}/") else posixpath.join(installs.folder, shown)
+    folder, name = posixpath.split(posixpath.normpath(inside))
+    limit = max(1, len(name.partition(".")[0]) // 3)  # endings are alike without saying much
+    beside = [path for path in loader.tree.files_below(folder) if posixpath.dirname(path) == folder]
+    names_beside = [posixpath.basename(path) for path in beside]
+    return did_you_mean(name, [other for other in names_beside if distance(name, other, limit) <= limit])
 
 
 _RENAMED = {

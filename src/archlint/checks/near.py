@@ -24,14 +24,15 @@ def distance(one: str, other: str, limit: int) -> int:
 
 
 def nearest(word: str, known: Iterable[str]) -> str | None:
-    """The known word within a third of the word's length (at least one edit); the first of equals."""
+    """The known word within a third of the word's length (at least one edit, but not all of it); the first of
+    equals."""
     if len(word) > 256:
         return None
     limit = max(1, len(word) // 3)
     best: tuple[int, str] | None = None
     for candidate in sorted(set(known)):
         found = distance(word.lower(), candidate.lower(), limit)
-        if found <= limit and candidate != word and (best is None or found < best[0]):
+        if found <= limit and found < len(word) and candidate != word and (best is None or found < best[0]):
             best = (found, candidate)
     return None if best is None else best[1]
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import posixpath
 import re
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
@@ -147,7 +147,7 @@ def _launched(world: World) -> Iterator[tuple[str, str, Place, str]]:
             owner = world.loader.package_of(started.file)
             name = started.package.text
             exact = started.package.resolution == "exact" and not started.dormant
-            if owner is not None and name is not None and exact and started.kind in ("node", "container"):
+            if owner is not None and name and exact and started.kind in ("node", "container"):
                 yield owner, name, started.places.get("package", started.place), "starts a node of"
 
 
@@ -179,7 +179,7 @@ def _broken(world: World, executable: Executable) -> Iterator[Finding]:
         ours = {name.partition(".")[0] for name in modules}
         if top not in ours and nearest(top, ours) is None:
             return  # a module of another distribution
-        yield _entry_finding(executable, f"module '{module}' is not there{did_you_mean(module, modules)}")
+        yield _entry_finding(executable, f"module '{module}' is not there{_near_module(module, modules)}")
         return
     found = world.loader.facts_at(paths[0])
     if found is None or found.problems or function is None:
@@ -188,6 +188,16 @@ def _broken(world: World, executable: Executable) -> Iterator[Finding]:
     head = function.partition(".")[0]
     if head not in names and not open_:
         yield _entry_finding(executable, f"'{module}' has no function '{head}'{did_you_mean(head, names)}")
+
+
+def _near_module(module: str, known: Iterable[str]) -> str:
+    """The hint for a module: one beside it by the last part of its name, else by the whole name."""
+    parent, _, last = module.rpartition(".")
+    beside = [name.rpartition(".")[2] for name in known if name.rpartition(".")[0] == parent]
+    if not beside:
+        return did_you_mean(module, known)
+    near = nearest(last, beside)
+    return f"; did you mean '{parent}.{near}'?" if near is not None else ""
 
 
 def _entry_finding(executable: Executable, what: str) -> Finding:

@@ -52,6 +52,8 @@ class Tree(Protocol):
 
     def is_folder(self, path: str) -> bool: ...
 
+    def files_below(self, folder: str) -> Sequence[str]: ...
+
 
 class LaunchLoader:
     """Reads launch files of one workspace; facts are read once, each launch is a run of its own."""
