@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING
@@ -103,19 +104,29 @@ def _stale(unused: list[Unused], line: Callable[[str, int], str | None]) -> Find
     )
 
 
+_ALONE_IN_XML = re.compile(r"<!--\s*archlint:\s*ignore(?:-file)?\[[^\]]*\]\s*-->")
+
+
 def _without(one: Unused, codes: set[str], line: str | None) -> Fix | None:
-    """Take codes out of a comment of a Python file, or all of it where none is left."""
+    """Take codes out of a comment, or all of it where none is left.  A comment of XML that says more is left to
+    its author."""
     from archlint.finding import Edit, Fix, Place
 
     comment = one.suppression
-    if line is None or one.file.endswith((".xml", ".yaml", ".yml", ".launch")):
+    if line is None:
         return None
     left = [code for code in comment.codes if code not in codes]
     start, end, last = comment.column, comment.end_column, comment.line
     text = line[start - 1 : end - 1]
     rest = line[end - 1 :]
+    in_xml = text.startswith("<")
+    if in_xml and _ALONE_IN_XML.fullmatch(text) is None:
+        return None
     if left:
-        new = f"{text.partition('[')[0]}[{', '.join(left)}]"
+        new = f"{text.partition('[')[0]}[{', '.join(left)}]{text.partition(']')[2]}"
+    elif in_xml and rest.strip():
+        new = ""
+        end += len(rest) - len(rest.lstrip())
     elif rest.strip():
         new = "" if rest.lstrip().startswith("#") else "#"
         end += len(rest) - len(rest.lstrip()) if not new else 0

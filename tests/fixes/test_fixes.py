@@ -369,6 +369,33 @@ def test_a_suppression_that_hides_nothing_goes(workbench: Workbench, before: str
     assert workbench.fix(before, code="TMO001,TMO002,LNT001").replace("    ", "") == after
 
 
+NODE_TAG = '<node pkg="demo_nodes_py" exec="talker"/>'
+
+
+@pytest.mark.parametrize(
+    ("file", "before", "after"),
+    [
+        ("it.launch.xml", f"  <!-- archlint: ignore[LCH005] -->\n  {NODE_TAG}\n", f"  {NODE_TAG}\n"),
+        ("it.launch.xml", f"{NODE_TAG} <!-- archlint: ignore[LCH005] -->\n", f"{NODE_TAG}\n"),
+        ("it.launch.xml", f"<!-- archlint: ignore[LCH005] --> {NODE_TAG}\n", f"{NODE_TAG}\n"),
+        ("it.launch.xml", f"<!-- archlint: ignore[LCH005] why -->\n{NODE_TAG}\n", None),
+        ("it.launch.xml", f"<!-- archlint: ignore[LCH005, SRV003] -->\n{NODE_TAG}\n",
+         f"<!-- archlint: ignore[SRV003] -->\n{NODE_TAG}\n"),
+        ("it.launch.yaml", "- node:  # archlint: ignore[LCH005]\n    pkg: demo_nodes_py\n    exec: talker\n",
+         "- node:\n    pkg: demo_nodes_py\n    exec: talker\n"),
+    ],
+)  # fmt: skip
+def test_a_suppression_in_a_launch_file_goes(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, file: str, before: str, after: str | None
+):
+    monkeypatch.chdir(tmp_path)
+    whole = "<launch>\n{}</launch>\n" if file.endswith(".xml") else "launch:\n{}"
+    (tmp_path / file).write_text(whole.format(before), encoding="utf-8")
+    left = main(["check", "--fix", "--select", "LCH005,LNT001", "--no-cache"])
+    assert (tmp_path / file).read_text("utf-8") == whole.format(before if after is None else after)
+    assert left == (1 if after is None else 0)
+
+
 def test_a_dependency_is_declared(tmp_path: Path, monkeypatch: pytest.MonkeyPatch):
     monkeypatch.chdir(tmp_path)
     manifest = tmp_path / "package.xml"

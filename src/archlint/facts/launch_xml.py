@@ -9,7 +9,7 @@ from archlint.facts.launch_model import DEPTH, ELEMENTS, Attribute, Element, Lau
 from archlint.facts.model import Span, Suppression
 
 _ATTRIBUTE = re.compile(rb"""\s+([^\s=/>"']+)\s*=\s*("[^"]*"|'[^']*')""")
-_SUPPRESSION = re.compile(r"<!--\s*archlint:\s*ignore(-file)?(?![\w-])\s*(?:\[([^\]]*)\])?\s*-->")
+_SUPPRESSION = re.compile(r"<!--\s*archlint:\s*ignore(-file)?(?![\w-])\s*(?:\[([^\]]*)\])?(?:(?!-->).)*-->")
 
 
 class _Entity(Exception):

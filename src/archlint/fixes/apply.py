@@ -12,6 +12,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 from xml.parsers import expat
 
+from archlint.facts.safe_yaml import YamlError, YamlReader
 from archlint.fixes.source import Source, read
 
 if TYPE_CHECKING:
@@ -102,11 +103,13 @@ def _parses(source: Source, text: str) -> bool:
     """Whether a changed file can still be read by what reads it."""
     try:
         text.encode(source.encoding)
-        if source.file.endswith(".xml"):
+        if source.file.endswith((".xml", ".launch")):
             expat.ParserCreate().Parse(text, True)
+        elif source.file.endswith((".yaml", ".yml")):
+            YamlReader(text)
         else:
             ast.parse(text)
-    except (SyntaxError, ValueError, RecursionError, MemoryError, expat.ExpatError):
+    except (SyntaxError, ValueError, RecursionError, MemoryError, expat.ExpatError, YamlError):
         return False
     return True
 
