@@ -617,3 +617,25 @@ def generate_launch_description():
     found = graph(Request((".",), Settings(), cached=False, jobs=1, launch="launch/copies.launch.py"))
 
     assert [node.name for node in found.nodes] == ["/front_left", "/front_right"]
+
+
+@pytest.mark.parametrize(
+    ("words", "node", "topic"),
+    [
+        ("-r __node:=other", "/other", "/for_other"),
+        ("-r __ns:=/a", "/a/talker", "/a/for_a"),
+        ("-r talker:__node:=other", "/other", "/for_other"),
+        ("-r x:=y", "/talker", "/for_talker"),
+    ],
+)
+def test_sections_go_by_the_name_that_the_command_line_gives(robot, words, node, topic):
+    robot(
+        f'<node pkg="robot" exec="talker" args="--ros-args {words}">'
+        '<param from="$(find-pkg-share robot)/config/p.yaml"/></node>',
+        **{
+            "config/p.yaml": "talker: {ros__parameters: {topic: for_talker}}\n"
+            "other: {ros__parameters: {topic: for_other}}\n"
+            "a: {talker: {ros__parameters: {topic: for_a}}}\n"
+        },
+    )
+    assert topics(system())[node][0] == topic

@@ -97,7 +97,7 @@ class LaunchSystems:
             node = _external(started, launch_file, self._why_unfollowed(started, program))
             node.settings = sorted(applied(started, node.name, self.parameters_of), key=lambda setting: setting.name)
             return [node]
-        changes = outside(started, program, self.parameters_of)
+        changes = outside(started, program, self.parameters_of, _rules(started))
         if changes is not None:
             again = self.program(started, changes, words)
             program = again if again is not None and _has_nodes(again) else program

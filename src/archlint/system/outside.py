@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from typing import TYPE_CHECKING
 
 from archlint.program.launch.model import OpenParameters, ParameterFileUse, ParameterSetting
@@ -14,6 +14,7 @@ if TYPE_CHECKING:
     from archlint.facts.parameters import ParameterFacts
     from archlint.program.launch.model import Started
     from archlint.system.model import Node
+    from archlint.system.remap import RemapRule
 
 _NO_DEFAULT = object()
 
@@ -23,12 +24,20 @@ def known_name(node: Node) -> str | None:
     return node.name if node.resolution in ("exact", "parameter") else None
 
 
-def outside(started: Started, program: Program, parameters_of: Callable[[str], ParameterFacts]) -> Overrides | None:
-    """What is set on the nodes of a process and can change what the program creates; None where nothing is."""
+def outside(
+    started: Started,
+    program: Program,
+    parameters_of: Callable[[str], ParameterFacts],
+    remaps: Sequence[RemapRule] = (),
+) -> Overrides | None:
+    """What is set on the nodes of a process and can change what the program creates; None where nothing is.
+
+    ``remaps`` are the rules of its command line: they may rename a node, and parameter files go by final names.
+    """
     found: dict[tuple[str | None, str | None], Mapping[str, object]] = {}
     nodes = [blueprint for blueprint in program.nodes if not blueprint.test]
     for blueprint in nodes:
-        node = instantiate(blueprint, program, name=started.name, namespace=started.namespace)
+        node = instantiate(blueprint, program, name=started.name, namespace=started.namespace, remaps=remaps)
         reached = blueprint.use_global_arguments
         found[node_key(blueprint)] = overrides_of(started, known_name(node), parameters_of) if reached else {}
     everything, mentioned = _decided_by(program)
