@@ -83,6 +83,13 @@ def node(**lines: str) -> str:
          "on_done": "print(future.result().succes)  # here"},
         {"on_scan": "self.spin.send_goal_async(Spin.Goal(), feedback_callback=self.on_feedback)",
          "on_feedback": "print(message.feedback.angle)  # here"},
+        # What rclpy wraps feedback and result in.
+        {"on_scan": "self.spin.send_goal_async(Spin.Goal(), feedback_callback=self.on_feedback)",
+         "on_feedback": "print(message.angular_distance_traveled)  # here"},
+        {"on_scan": "self.spin.send_goal_async(Spin.Goal()).result().get_result_async().add_done_callback("
+                    "self.on_done)",
+         "on_done": "print(future.result().total_elapsed_time)  # here"},
+        {"on_scan": "print(self.spin.send_goal(Spin.Goal()).total_elapsed_time)  # here"},
         {"on_battery": "print(self.latest.nothing)  # here"},  # None or a LaserScan
         # Items of arrays of messages.
         {"on_path": "print(path.poses[0].pose.positon)  # here"},
@@ -120,6 +127,12 @@ def test_a_field_that_is_not_there(judge: Judge, lines: dict[str, str]):
          "on_done": "print(future.result().success, future.done())"},
         {"on_scan": "self.spin.send_goal_async(Spin.Goal(), feedback_callback=self.on_feedback)",
          "on_feedback": "print(message.feedback.angular_distance_traveled, message.goal_id)"},
+        {"on_scan": "self.spin.send_goal_async(Spin.Goal()).result().get_result_async().add_done_callback("
+                    "self.on_done)",
+         "on_done": "print(future.result().status, future.result().result.total_elapsed_time)"},
+        {"on_scan": "self.spin.send_goal_async(Spin.Goal()).add_done_callback(self.on_done)",
+         "on_done": "print(future.result().accepted, future.result().goal_id)"},
+        {"on_scan": "print(self.spin.send_goal(Spin.Goal()).result.total_elapsed_time)"},
         {"on_scan": "print(BatteryState.POWER_SUPPLY_STATUS_FULL, BatteryState.SLOT_TYPES, LaserScan.__slots__)"},
         {"on_scan": "print(BatteryState.voltage, BatteryState.get_fields_and_field_types(), SetBool.Request)"},
         {"on_path": "print(path.poses[0].pose.position.x, path.poses[0].header.stamp.nanosec, len(path.poses))"},

@@ -17,6 +17,7 @@ _SHOWN = 12
 """How many names a help line lists."""
 _IN_ROS_1 = {"secs": "sec", "nsecs": "nanosec", "nsec": "nanosec"}
 """What the fields of times and durations were called."""
+_WRAPPERS = {"FeedbackMessage": "message with the feedback", "GetResultResponse": "answer with the result"}
 
 
 @rule("MSG001")
@@ -32,7 +33,7 @@ def unknown_field(system: System, options: Options) -> Iterator[Finding]:
 
 
 def _unknown_field(use: FieldUse) -> Finding:
-    of = f"the {use.part.lower()} of {use.type}" if use.part else use.type
+    of = f"the {_WRAPPERS.get(use.part, use.part.lower())} of {use.type}" if use.part else use.type
     what = "constant" if use.access == "constant" else "field"
     raised = "TypeError or AssertionError" if use.access == "keyword" else "AttributeError"
     return finding(

@@ -6,7 +6,7 @@ from collections.abc import Callable, Collection, Iterable, Mapping
 from types import MappingProxyType
 from typing import TYPE_CHECKING
 
-from archlint.facts.interfaces import FieldType, Interface, Section, parse_interface
+from archlint.facts.interfaces import FieldType, Interface, InterfaceField, Section, parse_interface
 from archlint.program import standard_interfaces
 
 if TYPE_CHECKING:
@@ -20,6 +20,20 @@ _SECTIONS = {
     "Result": "result",
     "Feedback": "feedback",
 }
+_WRAPPERS = {
+    "FeedbackMessage": Section(
+        "feedback message",
+        [
+            InterfaceField("goal_id", FieldType("unique_identifier_msgs/msg/UUID"), 0),
+            InterfaceField("feedback", FieldType("Feedback"), 0),
+        ],
+    ),
+    "GetResultResponse": Section(
+        "result response",
+        [InterfaceField("status", FieldType("int8"), 0), InterfaceField("result", FieldType("Result"), 0)],
+    ),
+}
+"""What rclpy wraps the feedback and the result of every action in, on their way to the client."""
 
 
 def type_of_file(file: SourceFile) -> str | None:
@@ -152,6 +166,8 @@ class InterfaceTable:
         return None if standard is None else standard.text
 
     def section(self, name: str, part: str) -> Section | None:
+        if part in _WRAPPERS:
+            return _WRAPPERS[part]
         interface = self.get(name)
         wanted = _SECTIONS.get(part)
         if interface is None or wanted is None:
@@ -160,6 +176,8 @@ class InterfaceTable:
 
     def has(self, name: str, part: str, attribute: str) -> bool | None:
         """Whether a message has a field or constant; None where its definition is not known in full."""
+        if part in _WRAPPERS:
+            return _WRAPPERS[part].field(attribute) is not None
         interface, section = self.get(name), self.section(name, part)
         if interface is None or section is None or interface.problems:
             return None
@@ -167,7 +185,7 @@ class InterfaceTable:
 
     def field_type(self, name: str, part: str, field: str) -> FieldType | None:
         """The type of a field, its name in full; None where it is not known or differs between distributions."""
-        section = self.section(name, part)
+        section = None if part in _WRAPPERS else self.section(name, part)
         found = None if section is None else section.field(field)
         if found is None or (name not in self._files and self._varies(name, field)):
             return None

@@ -257,7 +257,8 @@ class SuperValue(Value):
 @dataclass(frozen=True, slots=True)
 class MessageValue(Value):
     """An object of an interface class: ``type`` is ``package/msg/Name``, with ``_Request`` and the like kept in
-    ``part`` (``""``, ``Request``, ``Response``, ``Goal``, ``Result``, ``Feedback``)."""
+    ``part`` (``""``, ``Request``, ``Response``, ``Goal``, ``Result``, ``Feedback``; ``FeedbackMessage`` and
+    ``GetResultResponse``, which a client gets these in)."""
 
     type: str
     part: str = ""

@@ -154,10 +154,12 @@ def default_arguments(run: Run, role: str, creation: model.Creation | None, call
 
 def _feedback(run: Run, call: ApiUse) -> Value:
     """What a feedback callback is called with: the feedback and the goal it is for."""
-    made = Instance(External("rclpy.action.client.FeedbackMessage"), run.store.new_key())
     creations = call.receiver.creations if isinstance(call.receiver, EntityValue) else ()
-    if len(creations) == 1 and creations[0].type is not None:
-        run.store.set(made.key, "feedback", MessageValue(creations[0].type, "Feedback", run.store.new_key()))
+    type_ = creations[0].type if len(creations) == 1 else None
+    if type_ is None:
+        return Unknown("the feedback of an action of unknown type")
+    made = MessageValue(type_, "FeedbackMessage", run.store.new_key())
+    run.store.set(made.key, "feedback", MessageValue(type_, "Feedback", run.store.new_key()))
     return made
 
 

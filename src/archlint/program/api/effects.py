@@ -263,9 +263,10 @@ def _action_answer(run: Run, type_: str | None, api: str) -> Value:
     """What an action's server answers: to ``cancel_goal`` a message of its own; else the result and how it ended."""
     if "cancel_goal" in api:
         return MessageValue("action_msgs/srv/CancelGoal", "Response", run.store.new_key())
-    made = Instance(External("rclpy.action.client.GetResultResponse"), run.store.new_key())
-    if type_ is not None:
-        run.store.set(made.key, "result", MessageValue(type_, "Result", run.store.new_key()))
+    if type_ is None:
+        return Unknown("the answer of an action of unknown type")
+    made = MessageValue(type_, "GetResultResponse", run.store.new_key())
+    run.store.set(made.key, "result", MessageValue(type_, "Result", run.store.new_key()))
     return made
 
 
