@@ -56,3 +56,18 @@ def test_the_type_of_a_parameter_value_is_that_of_its_default(tmp_path, monkeypa
     )
     found = node_of(tmp_path, monkeypatch, read).endpoints
     assert [endpoint.name for endpoint in found] == ["/a"]
+
+
+def test_what_stands_in_for_an_empty_parameter_is_set_by_that_parameter(tmp_path, monkeypatch):
+    read = (
+        "value = self.get_parameter('many.fixed').value\n"
+        "        self.create_publisher(ParameterDescriptor, 'c' if value is None else value + 'd', 10)\n"
+        "        self.create_publisher(ParameterDescriptor, value or 'b', 10)"
+    )
+    found = node_of(tmp_path, monkeypatch, read).endpoints
+    # A text is never None: nothing is called 'c'.
+    assert [(e.name, e.creation.name.parameter) for e in found] == [
+        ("/a", "many.fixed"),
+        ("/ad", "many.fixed"),
+        ("/b", "many.fixed"),
+    ]

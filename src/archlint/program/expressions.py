@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Hashable, Sequence
+from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
 from archlint.facts import model as facts
@@ -22,6 +23,7 @@ from archlint.program.decisions import narrow, truth
 from archlint.program.formatting import CARTESIAN, combine, format_one
 from archlint.program.operators import binary, compare_values
 from archlint.program.values import (
+    NO_PARAMETERS,
     NONE,
     Builtin,
     DictValue,
@@ -282,9 +284,13 @@ def _boolean(run: Run, e: facts.Boolean) -> Value:
     pushed = 0
     key = run.key_of(e.span)
     depth = run.store.depth
+    asked: frozenset[str] = NO_PARAMETERS
     try:
         for number, operand in enumerate(e.values):
             value = run.evaluate(operand)
+            if stop and asked:
+                # What stands in for a parameter that may be empty can be set by that parameter.
+                value = one_of(_chosen_by(asked, option) for option in alternatives(value))
             last = number == len(e.values) - 1
             verdict = truth(run, value)
             if last or verdict is stop:
@@ -292,6 +298,7 @@ def _boolean(run: Run, e: facts.Boolean) -> Value:
                 break
             if verdict is None:
                 possible.extend(_with_truth(run, value, stop))
+                asked |= via(*alternatives(value))
                 # What follows runs only if this operand did not decide.
                 run.store.push()
                 run.arms.append((f"{key}#{number}", 0))
@@ -303,6 +310,10 @@ def _boolean(run: Run, e: facts.Boolean) -> Value:
         if pushed:
             run.store.merge([run.store.cut(depth), {}])
     return one_of(possible)
+
+
+def _chosen_by(parameters: frozenset[str], value: Value) -> Value:
+    return replace(value, via=value.via | parameters) if isinstance(value, Known) else value
 
 
 def _with_truth(run: Run, value: Value, wanted: bool) -> list[Value]:
@@ -335,11 +346,17 @@ def _compare(run: Run, e: facts.Compare) -> Value:
         used.append(right)
         verdicts.append(compare_values(run, op, left, right))
         left = right
+    if len(used) == 2 and None not in verdicts and NONE in used and _is_set(used[0] if used[1] == NONE else used[1]):
+        return Known(verdicts[0])  # a parameter keeps its type: one that is set is never None
     if False in verdicts:
         return Known(False, via(*used))
     if None in verdicts:
         return Unknown(reason(*used), next(iter(sorted(via(*used))), None))
     return Known(True, via(*used))
+
+
+def _is_set(value: Value) -> bool:
+    return all(isinstance(option, Known) and option.value is not None for option in alternatives(value))
 
 
 _EXPRESSIONS: dict[type, Callable[[Run, Any], Value]] = {
@@ -365,4 +382,3 @@ _EXPRESSIONS: dict[type, Callable[[Run, Any], Value]] = {
     facts.Yield: _yield,
     facts.Opaque: _opaque,
 }
-
