@@ -314,6 +314,34 @@ def test_a_circle_of_includes_ends(launches):
     assert "includes itself" in launched.gaps[0].reason
 
 
+@pytest.mark.parametrize(
+    ("first", "second", "told"),
+    [
+        ('<include file="$(dirname)/other.launch.xml"/>', '<include file="$(dirname)/it.launch.xml"/>', 1),
+        ('<include file="$(dirname)/other.launch.xml"/>', "", 0),
+        (
+            '<arg name="n" default="1"/><include file="$(dirname)/other.launch.xml" if="$(var n)"/>',
+            '<include file="$(dirname)/it.launch.xml"><arg name="n" value="0"/></include>',
+            0,
+        ),
+        (
+            '<include file="$(dirname)/other.launch.xml"/>',
+            '<arg name="again"/><include file="$(dirname)/it.launch.xml" if="$(var again)"/>',
+            0,
+        ),
+    ],
+    ids=["a circle", "none", "an argument may end it", "a condition may end it"],
+)
+def test_a_circle_of_includes_is_told_once(launches, first, second, told):
+    launches.file("robot/launch/other.launch.xml", f"<launch>{second}</launch>")
+    launches.xml(first)
+    loader = launches.loader()
+    for file in loader.launch_files():
+        loader.launch(file)
+    endless = [problem for problem in loader.problems() if "never end" in problem[3]]
+    assert [(path, line) for path, line, _, _ in endless] == [("robot/launch/other.launch.xml", 1)] * told
+
+
 # ----------------------------------------------------------------------------------------------- parameters
 
 

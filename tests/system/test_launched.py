@@ -83,6 +83,14 @@ def test_remappings_on_the_command_line_come_first(robot):
     assert topics(system()) == {"/talker": ["/first", "/talker/state"]}
 
 
+@pytest.mark.parametrize(
+    "words", ['args="--ros-args -r __node:=bob -r __ns:=/b"', 'ros_args="-r __node:=bob -r __ns:=/b"']
+)
+def test_a_name_among_the_arguments_comes_before_that_of_the_action(robot, words):
+    robot(f'<node pkg="robot" exec="talker" name="alice" namespace="a" {words}/>')
+    assert topics(system()) == {"/b/bob": ["/b/bob/state", "/b/chatter"]}
+
+
 def test_parameters_decide_names(robot):
     robot('<arg name="t" default="news"/><node pkg="robot" exec="talker"><param name="topic" value="$(var t)"/></node>')
     assert "/news" in topics(system())["/talker"]

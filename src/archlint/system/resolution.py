@@ -67,19 +67,19 @@ def node_init(
     """A node's own name and namespace: those in the code, unless ``__node`` or ``__ns`` rules say otherwise.
 
     The first rule that applies counts; ``given_name`` and ``given_namespace`` stand for rules without prefix
-    at the head of ``global_rules``.  The prefix of a ``__node`` rule is compared with the name in the code,
-    that of a ``__ns`` rule with the new name.
+    behind ``global_rules``, since launch_ros writes ``arguments`` and ``ros_arguments`` before them.  The prefix
+    of a ``__node`` rule is compared with the name in the code, that of a ``__ns`` rule with the new name.
     """
     new_name = (
         _replacement(remap.NODE_NAME, name, local_rules)
-        or given_name
         or _replacement(remap.NODE_NAME, name, global_rules)
+        or given_name
         or name
     )
     new_namespace = (
         _replacement(remap.NAMESPACE, new_name, local_rules)
-        or given_namespace
         or _replacement(remap.NAMESPACE, new_name, global_rules)
+        or given_namespace
         or namespace
     )
     return NodeName(new_name, _absolute(new_namespace))

@@ -52,7 +52,7 @@ def include(run: LaunchRun, entity: Instance) -> None:
     for option in options:
         reference = run.reference("launch", option, place)
         run.result.included.append(Included(reference, tuple(names), place, run.file, run.is_dormant))
-        run.loader.include(run, reference)
+        run.loader.include(run, reference, plain=not names and len(options) == 1)
 
 
 def launch_apart(run: LaunchRun, package: str, name: str, words: Sequence[str | None]) -> None:

@@ -79,6 +79,7 @@ class LaunchLoader:
         self._tops: frozenset[str] | None = None
         self._launched: dict[str, Launched] = {}
         self.includes = 0
+        self._endless: set[tuple[str, int, int, str]] = set()
 
     # ---------------------------------------------------------------------------------------------- files
 
@@ -173,7 +174,8 @@ class LaunchLoader:
             if file.kind in ("launch_python", "setup_py") and not file.context and not self.relevant(file):
                 found = self._facts_of(file)
                 rows.append((file.relative, () if found is None else tuple(found.problems)))
-        return sorted((path, p.line, p.column, p.message) for path, problems in rows for p in problems)
+        broken = {(path, p.line, p.column, p.message) for path, problems in rows for p in problems}
+        return sorted(broken | self._endless)
 
     def notices(self) -> list[str]:
         """What is to be said beside the findings: how many files are ROS 1's."""
@@ -251,8 +253,9 @@ class LaunchLoader:
             self._launched.setdefault(path, result)
         return result
 
-    def include(self, run: LaunchRun, reference: FileReference) -> None:
-        """Run an included file in the same context: includes are not scoped."""
+    def include(self, run: LaunchRun, reference: FileReference, plain: bool = False) -> None:
+        """Run an included file in the same context: includes are not scoped.  A ``plain`` include gives no arguments,
+        on which the included file might stop."""
         self.includes += 1
         if reference.source is None:
             if reference.status == UNKNOWN:
@@ -260,6 +263,11 @@ class LaunchLoader:
             return
         if reference.source in run.stack:
             run.gap(f"{reference.source} includes itself")
+            circle = run.stack[run.stack.index(reference.source) :]
+            if plain and not run.is_conditional and reference.source == min(circle):  # each circle once
+                place = reference.place
+                words = "this include never ends" if reference.source == place.file else "these includes never end"
+                self._endless.add((place.file, place.line, place.column, f"{words}: {reference.source} comes again"))
             return
         if len(run.stack) >= INCLUDE_DEPTH or self.includes > INCLUDES:
             run.gap("more includes than can be followed")
