@@ -116,3 +116,29 @@ def test_the_graph_shows_both_and_says_when(monkeypatch: pytest.MonkeyPatch, cap
         "/monitor": None,
         "/simulation": "simulated:=true",
     }
+
+
+def test_one_mistake_is_told_once_however_many_arguments_take_part(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+):
+    shutil.copytree(FIXTURE / "src", tmp_path / "src")
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / LAUNCH_FILE).write_text(
+        "from launch import LaunchDescription\n"
+        "from launch.conditions import IfCondition\n"
+        "from launch.substitutions import LaunchConfiguration\n"
+        "from launch_ros.actions import Node\n\n\n"
+        "def generate_launch_description():\n"
+        "    return LaunchDescription([\n"
+        "        Node(package='base', executable='driver', name=name, condition=IfCondition(LaunchConfiguration(name)))\n"
+        "        for name in ('front', 'middle', 'rear')\n"
+        "    ])\n"
+    )
+
+    main(["check", "--no-cache", "--select", "OWN001", "--format", "json", "--launch", LAUNCH_FILE])
+
+    found = json.loads(capsys.readouterr().out)["diagnostics"]
+    assert [(one["line"], one["condition"]) for one in found] == [
+        (10, "front:=true middle:=true rear:=true"),
+        (11, "front:=true middle:=true rear:=true"),
+    ]

@@ -192,8 +192,21 @@ def judge_alternatives(system: System, selected: Mapping[str, Options]) -> Itera
         for one in judge(alternative, split):
             key = (one.code, one.place, one.message, one.node, one.related)
             holding.setdefault(key, (one, []))[1].append(arguments)
+    at_place: dict[tuple[object, ...], list[Finding]] = {}
     for one, where in holding.values():
-        yield replace(one, condition=condition(where, every))
+        found = replace(one, condition=condition(where, every))
+        at_place.setdefault((one.code, one.place), []).append(found)
+    for several in at_place.values():
+        yield from several if len(several) <= _VARIANTS else [min(several, key=_how_general)]
+
+
+_VARIANTS = 2
+"""So many findings of one rule at one place are two mistakes; more are one, in the combinations of arguments."""
+
+
+def _how_general(finding: Finding) -> tuple[int, int, str]:
+    """Least for what holds with the fewest arguments, and then for what names most places."""
+    return ((finding.condition or "").count(":="), -len(finding.related), finding.message)
 
 
 def failure(what: str, error: Exception, place: Place) -> Finding:
