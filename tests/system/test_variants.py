@@ -130,7 +130,8 @@ def test_one_mistake_is_told_once_however_many_arguments_take_part(
         "from launch_ros.actions import Node\n\n\n"
         "def generate_launch_description():\n"
         "    return LaunchDescription([\n"
-        "        Node(package='base', executable='driver', name=name, condition=IfCondition(LaunchConfiguration(name)))\n"
+        "        Node(package='base', executable='driver', name=name,\n"
+        "             condition=IfCondition(LaunchConfiguration(name)))\n"
         "        for name in ('front', 'middle', 'rear')\n"
         "    ])\n"
     )
