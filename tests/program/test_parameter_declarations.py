@@ -71,3 +71,15 @@ def test_what_stands_in_for_an_empty_parameter_is_set_by_that_parameter(tmp_path
         ("/ad", "many.fixed"),
         ("/b", "many.fixed"),
     ]
+
+
+def test_an_empty_list_as_default_decides_nothing(tmp_path, monkeypatch):
+    read = (
+        "robots = self.declare_parameter('robots', []).value\n"
+        "        if len(robots) == 1:\n"
+        "            self.create_publisher(ParameterDescriptor, 'alone', 10)\n"
+        "        for robot in robots:\n"
+        "            self.create_publisher(ParameterDescriptor, f'{robot}/state', 10)"
+    )
+    found = node_of(tmp_path, monkeypatch, read).endpoints
+    assert [(e.name, e.creation.conditional) for e in found] == [("/*/state", True), ("/alone", True)]

@@ -95,9 +95,9 @@ def from_parameter(run: Run, value: Value, name: str) -> Value:
         from archlint.program import containers
 
         items = containers.items_of(run, value)
-        return containers.new_list(
-            run, [from_parameter(run, item, name) for item in items.values], value.kind, items.open
-        )
+        # An empty default waits for somebody to fill it, unless a launch file is seen to leave it so.
+        open_ = items.open or not (items.values or name in run.overrides.settled)
+        return containers.new_list(run, [from_parameter(run, item, name) for item in items.values], value.kind, open_)
     if isinstance(value, Unknown):
         return Unknown(f"the parameter '{name}' has a default that is not known: {value.reason}", name)
     return (
