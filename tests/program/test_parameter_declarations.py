@@ -83,3 +83,18 @@ def test_an_empty_list_as_default_decides_nothing(tmp_path, monkeypatch):
     )
     found = node_of(tmp_path, monkeypatch, read).endpoints
     assert [(e.name, e.creation.conditional) for e in found] == [("/*/state", True), ("/alone", True)]
+
+
+def test_the_else_of_a_loop_that_a_try_may_leave(tmp_path, monkeypatch):
+    read = (
+        "for device in ('can0', 'can1'):\n"
+        "            try:\n"
+        "                self.bus = connect(device)\n"
+        "                break\n"
+        "            except OSError:\n"
+        "                pass\n"
+        "        else:\n"
+        "            raise RuntimeError('no bus')\n"
+        "        self.create_publisher(ParameterDescriptor, 'battery', 10)"
+    )
+    assert [e.name for e in node_of(tmp_path, monkeypatch, read).endpoints] == ["/battery"]

@@ -71,6 +71,8 @@ class Activation:
     call_place: Place | None = None
     statement: facts.Stmt | None = None
     loops: list[facts.While | facts.For] = field(default_factory=list)
+    left: set[int] = field(default_factory=set)
+    """Loops (by identity) that an undecided ``break`` may have left."""
     tries: int = 0
     """How many ``try`` blocks of the function are around what runs now."""
     forgiving: int = 0
@@ -302,6 +304,8 @@ class Run:
         if live:
             self.store.merge(live)
             ended = {status for status, _ in results if status not in ("return", "raise")}
+            if len(ended) > 1 and "break" in ended and self.activation.loops:
+                self.activation.left.add(id(self.activation.loops[-1]))
             return ended.pop() if len(ended) == 1 else None
         statuses = [status for status, _ in results]
         return "return" if "return" in statuses else statuses[0]

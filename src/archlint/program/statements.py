@@ -157,7 +157,15 @@ def _for(run: Run, s: facts.For) -> Status:
                 return status
     finally:
         activation.loops.pop()
-    return run.execute(s.orelse)
+    return _otherwise(run, s)
+
+
+def _otherwise(run: Run, s: facts.For | facts.While) -> Status:
+    """The ``else`` of a loop: only one of two ways on where a ``break`` may have left the loop."""
+    if not s.orelse or id(s) not in run.activation.left:
+        return run.execute(s.orelse)
+    run.activation.left.discard(id(s))
+    return run.join([run.branch(run.key_of(s.span), 0, s.orelse), (None, {})])
 
 
 def _loop_of_unknown(run: Run, s: facts.For, iterable: Value, items: Items | None) -> Status:
@@ -201,7 +209,7 @@ def _while(run: Run, s: facts.While) -> Status:
                 return status
     finally:
         activation.loops.pop()
-    return run.execute(s.orelse)
+    return _otherwise(run, s)
 
 
 def _loop_once(run: Run, s: facts.While, certain: bool) -> Status:
