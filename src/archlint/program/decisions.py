@@ -11,6 +11,7 @@ from archlint.program.containers import entries_of, hashable, items_of, iterate
 from archlint.program.operators import compare_values, is_object
 from archlint.program.values import (
     DictValue,
+    External,
     Holed,
     Known,
     ListValue,
@@ -112,7 +113,10 @@ def _keep(
     if isinstance(target, facts.Name):
         run.assign_name(target.id, after)
     else:
-        set_attribute(run, run.evaluate(target.value), target.attr, after)
+        # A test changes nothing: what it proves of an object that all programs share must not be kept there.
+        own = [value for value in alternatives(run.evaluate(target.value)) if not isinstance(value, External)]
+        if own:
+            set_attribute(run, one_of(own), target.attr, after)
 
 
 def matches(run: Run, pattern: facts.Pattern, subject: Value) -> bool | None:
