@@ -167,6 +167,7 @@ def test_words_of_a_command_line_that_are_not_known_may_set_any_parameter(robot)
         ("/**: {ros__parameters: {topic: right}}", "/a/right"),
         ("/**: {ros__parameters: {topic: wrong}}\n/a/talker: {ros__parameters: {topic: right}}", "/a/right"),
         ("/a/talker: {ros__parameters: {topic: wrong}}\n/**: {ros__parameters: {topic: right}}", "/a/right"),
+        ("other: {ros__parameters: {topic: wrong}}\n---\n/a/talker: {ros__parameters: {topic: right}}", "/a/right"),
     ],
 )
 def test_parameter_files_reach_the_nodes_that_their_keys_match(robot, yaml, name):

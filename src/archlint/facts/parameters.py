@@ -46,9 +46,9 @@ def read_parameters(text: str) -> ParameterFacts:
     """The sections of a parameter file; a YAML file of another kind has none.  Never raises."""
     found: list[ParameterSection] = []
     try:
-        reader = YamlReader(text)
-        if reader.root is not None:
-            _sections(reader, reader.root, [], None, found, 0)
+        reader = YamlReader(text, several=True)  # rcl reads on where another document starts
+        for root in reader.roots:
+            _sections(reader, root, [], None, found, 0)
     except YamlError as error:
         return ParameterFacts(problems=(FileProblem(error.line, error.column, error.message),))
     except RecursionError:

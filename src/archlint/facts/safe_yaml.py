@@ -26,11 +26,15 @@ class YamlError(Exception):
 
 
 class YamlReader:
-    """One document, composed but never constructed: no tag makes an object."""
+    """A document, composed but never constructed: no tag makes an object.
 
-    def __init__(self, text: str) -> None:
+    A second document is an error, as it is to launch, unless there may be ``several``; they are ``roots`` then.
+    """
+
+    def __init__(self, text: str, several: bool = False) -> None:
         self.left = NODES
-        self.root = _compose(text)
+        self.roots = _compose(text, several)
+        self.root = self.roots[0] if self.roots else None
 
     def spend(self, node: yaml.Node, depth: int) -> None:
         _refuse_tag(node)
@@ -65,11 +69,14 @@ class YamlReader:
         return {key: self.value(value, depth + 1) for key, _, value in self.pairs(node, depth)}
 
 
-def _compose(text: str) -> yaml.Node | None:
+def _compose(text: str, several: bool) -> list[yaml.Node]:
     import yaml
 
     try:
-        return yaml.compose(text, Loader=yaml.SafeLoader)
+        if several:
+            return list(yaml.compose_all(text, Loader=yaml.SafeLoader))
+        root = yaml.compose(text, Loader=yaml.SafeLoader)
+        return [] if root is None else [root]
     except yaml.MarkedYAMLError as error:
         mark = error.problem_mark or error.context_mark
         line, column = (mark.line + 1, mark.column + 1) if mark is not None else (1, 1)

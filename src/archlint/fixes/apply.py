@@ -106,7 +106,7 @@ def _parses(source: Source, text: str) -> bool:
         if source.file.endswith((".xml", ".launch")):
             expat.ParserCreate().Parse(text, True)
         elif source.file.endswith((".yaml", ".yml")):
-            YamlReader(text)
+            YamlReader(text, several=True)
         else:
             ast.parse(text)
     except (SyntaxError, ValueError, RecursionError, MemoryError, expat.ExpatError, YamlError):
