@@ -183,12 +183,11 @@ def undeclared_launch_argument(system: System, options: Options) -> Iterator[Fin
     launched = system.launched
     if launched is None or system.world is None:
         return
-    includers = _includers(system.world.launched)
     told: set[str] = set()
     judged = not launched.gaps and not _meant_to_be_included(launched)
     for use in launched.undeclared if judged else ():
         alone = use.file == launched.file
-        if use.conditional or (alone and includers.get(use.file)):
+        if use.conditional or (alone and system.part):
             continue  # whoever includes it may pass it: that system tells
         if use.name in told:
             continue
@@ -220,15 +219,6 @@ def _meant_to_be_included(launched: Launched) -> bool:
     if any(argument.default is None and argument.file == launched.file for argument in launched.declared):
         return True
     return len({use.name for use in launched.undeclared if not use.conditional}) >= _MANY
-
-
-def _includers(launches: list[Launched]) -> dict[str, bool]:
-    found: dict[str, bool] = {}
-    for launched in launches:
-        for include in launched.included:
-            if include.reference.source is not None and include.reference.source != launched.file:
-                found[include.reference.source] = True
-    return found
 
 
 def _unknown_arguments(system: System, include: Included) -> Iterator[Finding]:

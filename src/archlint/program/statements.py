@@ -187,8 +187,13 @@ def _loop_of_unknown(run: Run, s: facts.For, iterable: Value, items: Items | Non
             why = "what the loop runs over is not known"
         assign(run, s.target, containers.unknown_item(run, iterable, why))
         status = run.execute(s.body)
-    run.join([(None if status in ("break", "continue") else status, taken[0]), (None, {})])
+    _maybe_a_round(run, status, taken[0])
     return None
+
+
+def _maybe_a_round(run: Run, status: Status, written: Layer) -> None:
+    """Go on after a body that may have run, or not."""
+    run.join([(None if status in ("break", "continue") else status, written), (None, {})])
 
 
 def _while(run: Run, s: facts.While) -> Status:
@@ -221,7 +226,7 @@ def _loop_once(run: Run, s: facts.While, certain: bool) -> Status:
         decisions.narrow(run, s.test, True)
         _forget_counters(run, s.body)
         status = run.execute(s.body)
-    run.join([(None if status in ("break", "continue") else status, taken[0]), (None, {})])
+    _maybe_a_round(run, status, taken[0])
     return None
 
 

@@ -101,7 +101,7 @@ def _decided_by(program: Program) -> tuple[bool, set[str]]:
     for blueprint in program.nodes:
         everything |= _takes_any(blueprint)
         for creation in blueprint.creations:
-            unclear = creation.name.resolution in ("partial", "unknown") and creation.kind in ENDPOINT_KINDS
+            unclear = creation.name.resolution in _UNCLEAR and creation.kind in ENDPOINT_KINDS
             everything |= creation.conditional or unclear
             qos = creation.qos and creation.qos.parameter
             for names in (creation.name.parameter, creation.period_parameter, creation.type_parameter, qos):
