@@ -42,6 +42,7 @@ def test_the_lesson() -> None:
             "types": ["my_robot_interfaces/msg/SensorReading"],
             "publishers": ["/sensor_node"],
             "subscribers": ["/control_node"],
+            "undelivered": [],
         }
     ]
     assert told["services"] == [

@@ -5,16 +5,16 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from archlint.checks.conflicts import certain, in_source_order, meet
+from archlint.checks.delivery import Undelivered, policy_words, undelivered
 from archlint.checks.registry import Options, finding, rule
 from archlint.finding import Finding, Related
 from archlint.program.model import PUBLISHER, SUBSCRIBER
-from archlint.system.qos import Verdict, compatible
 
 if TYPE_CHECKING:
     from archlint.finding import Place
     from archlint.program.model import Qos
     from archlint.system.model import Endpoint, System
+    from archlint.system.qos import Verdict
 
 
 @rule("QOS001")
@@ -37,41 +37,31 @@ def qos_deadline_mismatch(system: System, options: Options) -> Iterator[Finding]
 
 def _mismatches(code: str, system: System, policies: set[str]) -> Iterator[Finding]:
     """One finding for each subscription (one create call) and policy, with all publishers that do not fit."""
-    for topic in system.topics.values():
-        offers = in_source_order(end for end in topic.providers if _judged(end))
-        for user in in_source_order(end for end in topic.users if _judged(end)):
-            against: dict[str, list[tuple[Endpoint, Verdict]]] = {}
-            for offer in offers:
-                if not meet(system, offer, user):
-                    continue
-                for verdict in _errors(offer, user):
-                    if verdict.policy in policies:
-                        against.setdefault(verdict.policy, []).append((offer, verdict))
-            for policy in sorted(against):
-                yield _mismatch(code, user, against[policy])
+    against: dict[tuple[int, str], list[tuple[Undelivered, Verdict]]] = {}
+    for pair in undelivered(system):
+        for verdict in pair.verdicts:
+            if verdict.policy in policies:
+                against.setdefault((id(pair.request), verdict.policy), []).append((pair, verdict))
+    for pairs in against.values():
+        yield _mismatch(code, pairs)
 
 
-def _judged(end: Endpoint) -> bool:
-    return certain(end) and end.qos is not None and not end.qos.overridable and end.qos.parameter is None
-
-
-def _errors(offer: Endpoint, user: Endpoint) -> list[Verdict]:
-    assert offer.qos is not None and user.qos is not None
-    return [verdict for verdict in compatible(offer.qos, user.qos) if verdict.level == "error"]
-
-
-def _mismatch(code: str, user: Endpoint, against: list[tuple[Endpoint, Verdict]]) -> Finding:
-    offer, verdict = against[0]
-    offered, requested = _worded(verdict, verdict.offered), _worded(verdict, verdict.requested)
+def _mismatch(code: str, pairs: list[tuple[Undelivered, Verdict]]) -> Finding:
+    first, verdict = pairs[0]
+    user, offer = first.request, first.offer
+    offered, requested = policy_words(verdict, verdict.offered), policy_words(verdict, verdict.requested)
     return finding(
         code,
         user.place,
         f"{user.node.name} requests {requested} on '{user.name}', but {offer.node.name} offers {offered}: "
         "no message gets through",
         help=_ADVICE[verdict.policy],
-        related=[Related(end.place, f"{end.node.name} offers {_worded(one, one.offered)}") for end, one in against],
+        related=[
+            Related(pair.offer.place, f"{pair.offer.node.name} offers {policy_words(one, one.offered)}")
+            for pair, one in pairs
+        ],
         node=user.node.name,
-        identity=(user.name or "", verdict.policy, *(end.node.name or "" for end, _ in against)),
+        identity=(user.name or "", verdict.policy, *(pair.offer.node.name or "" for pair, _ in pairs)),
     )
 
 
@@ -83,13 +73,6 @@ _ADVICE = {
     "liveliness": "let the publisher assert its liveliness by topic, or ask for automatic liveliness",
     "liveliness_lease": "let the publisher offer a lease as short as the one that is asked for, or ask for none",
 }
-
-
-def _worded(verdict: Verdict, value: str | float | None) -> str:
-    what = verdict.policy.replace("_", " ")
-    if isinstance(value, str):
-        return f"{value.replace('_', ' ')} {what}" if verdict.policy == "liveliness" else value.replace("_", " ")
-    return f"a {what} of {value:g} s" if value else f"no {what}"
 
 
 @rule("QOS004")

@@ -10,8 +10,9 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any
 
 from archlint.render import look, overview
-from archlint.system.graph import NODE, Key, to_networkx
-from archlint.system.model import Endpoint, System
+from archlint.render.picture import graph_of
+from archlint.system.graph import NODE, Key
+from archlint.system.model import System
 from archlint.visible import visible
 
 if TYPE_CHECKING:
@@ -26,7 +27,7 @@ _HURRY = {"nslimit": "1", "nslimit1": "1", "mclimit": "0.1", "splines": "line"}
 
 
 def render(system: System) -> str:
-    return write(to_networkx(system))
+    return write(graph_of(system))
 
 
 def write(graph: networkx.MultiDiGraph, **attributes: str) -> str:
@@ -163,20 +164,19 @@ def _interface(data: dict[str, Any]) -> dict[str, str]:
 
 def _edges(graph: networkx.MultiDiGraph, ids: dict[Key, str]) -> Iterator[str]:
     """One line between two vertices for each direction, however many endpoints it stands for."""
-    bundles: dict[tuple[Key, Key], list[Endpoint]] = {}
-    for tail, head, endpoint in graph.edges(data="endpoint"):
-        bundles.setdefault((tail, head), []).append(endpoint)
-    for (tail, head), endpoints in bundles.items():
-        interface = tail if tail[0] != NODE else head
-        conditional, details = look.common_endpoint(endpoints)
+    for bundle in look.bundles(graph):
+        interface = bundle.tail if bundle.tail[0] != NODE else bundle.head
+        colours = look.PALETTE["wrong" if bundle.broken else interface[0]]
         matched = graph.nodes[interface]["matched"]
         line = {
-            "color": look.PALETTE[interface[0]].line,
-            "arrowhead": _ARROWS[interface[0]],
-            "style": "dotted" if conditional else "solid" if matched else "dashed",
-            "tooltip": details,
+            "color": colours.line,
+            "arrowhead": "none" if bundle.broken else _ARROWS[interface[0]],
+            "style": "dotted" if bundle.conditional else "solid" if matched and not bundle.broken else "dashed",
+            "tooltip": bundle.details,
         }
-        yield f"  {ids[tail]} -> {ids[head]} {_attributes(line)};"
+        if bundle.broken:
+            line |= {"label": f"✕ {bundle.broken}", "fontsize": "9", "fontcolor": colours.line, "penwidth": "1.8"}
+        yield f"  {ids[bundle.tail]} -> {ids[bundle.head]} {_attributes(line)};"
     for node, interface in graph.graph["remapped"]:
         line = {
             "color": look.PALETTE["aside"].line,

@@ -13,7 +13,7 @@ import sys
 from importlib.util import find_spec
 
 from archlint.render import dot, look
-from archlint.system.graph import to_networkx
+from archlint.render.picture import graph_of
 from archlint.system.model import System
 
 TIME_LIMIT = 30
@@ -54,7 +54,7 @@ def pdf(system: System) -> bytes:
 
 def draw(system: System, format: str) -> bytes:
     """Raises :class:`CannotDraw`."""
-    graph = to_networkx(system)
+    graph = graph_of(system)
     attributes = {"dpi": "144" if len(graph) <= SHARP else "96"} if format == "png" else {}
     write = dot.write_overview if len(graph) > EACH_NODE and look.groups(graph) else dot.write
     return layout(write(graph, **attributes), format)

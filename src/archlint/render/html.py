@@ -14,7 +14,8 @@ from typing import TYPE_CHECKING, Any
 
 from archlint.render import dot, drawing, look
 from archlint.render.html_parts import SCRIPT, STYLE
-from archlint.system.graph import NODE, to_networkx
+from archlint.render.picture import graph_of
+from archlint.system.graph import NODE
 from archlint.system.model import System
 from archlint.visible import visible
 
@@ -50,7 +51,7 @@ _PAGE = """<!DOCTYPE html>
 
 def render(system: System) -> str:
     """Raises :class:`archlint.render.drawing.CannotDraw`."""
-    graph = to_networkx(system)
+    graph = graph_of(system)
     svg = drawing.tidy_svg(drawing.layout(dot.write(graph), "svg").decode("utf-8"))
     return _PAGE.format(
         policy=html.escape(_policy()),
@@ -88,7 +89,11 @@ def _data(graph: networkx.MultiDiGraph) -> dict[str, Any]:
         details = look.node_details(data["node"]) if is_node else look.interface_details(data)
         vertices[ids[key]] = {"kind": data["kind"], "name": name, "details": details.split("\n")}
     lines = [
-        {"tail": ids[tail], "head": ids[head], "details": visible(look.endpoint_details(endpoint))}
-        for tail, head, endpoint in graph.edges(data="endpoint")
+        {
+            "tail": ids[tail],
+            "head": ids[head],
+            "details": visible(look.endpoint_details(edge["endpoint"], edge["broken"])),
+        }
+        for tail, head, edge in graph.edges(data=True)
     ]
     return {"vertices": vertices, "lines": lines}

@@ -11,6 +11,7 @@ from collections.abc import Iterable
 from pathlib import PurePath
 from typing import TYPE_CHECKING, Any
 
+from archlint.checks.delivery import undelivered_on
 from archlint.program import model as program
 from archlint.program.model import Creation, ParameterDeclaration, Qos
 from archlint.system.model import Connection, Endpoint, Node, System
@@ -47,7 +48,10 @@ def document(system: System) -> dict[str, Any]:
         "version": VERSION,
         "system": system.name,
         "nodes": [_node(node) for node in system.nodes],
-        "topics": [_connection(c, "publishers", "subscribers") for c in system.topics.values()],
+        "topics": [
+            {**_connection(c, "publishers", "subscribers"), "undelivered": _undelivered(system, c)}
+            for c in system.topics.values()
+        ],
         "services": [_connection(c, "servers", "clients") for c in system.services.values()],
         "actions": [_connection(c, "servers", "clients") for c in system.actions.values()],
         "unresolved": unresolved(system),
@@ -204,6 +208,14 @@ def _connection(connection: Connection, providers: str, users: str) -> dict[str,
         providers: node_names(connection.providers),
         users: node_names(connection.users),
     }
+
+
+def _undelivered(system: System, topic: Connection) -> list[dict[str, Any]]:
+    """The pairs of ends between which quality of service lets no message through."""
+    return [
+        {"publisher": pair.offer.node.name, "subscriber": pair.request.node.name, "reason": pair.reason}
+        for pair in undelivered_on(system, topic)
+    ]
 
 
 def node_names(endpoints: Iterable[Endpoint]) -> list[str | None]:

@@ -84,14 +84,16 @@ def _lines(parts: Iterable[str]) -> str:
     return "\n".join(visible(part) for part in parts if part)
 
 
-def endpoint_details(endpoint: Endpoint) -> str:
-    """Kind, place, quality of service and callback of an endpoint, for a tooltip."""
+def endpoint_details(endpoint: Endpoint, broken: str = "") -> str:
+    """Kind, place, quality of service and callback of an endpoint, and why it is ``broken``, for a tooltip."""
     parts = [endpoint.kind.replace("_", " "), f"{endpoint.place.file}:{endpoint.place.line}"]
     if endpoint.qos is not None and endpoint.kind in ("publisher", "subscriber"):
         parts.append(qos_words(endpoint.qos))
     parts += sorted(callback.name for callback in endpoint.creation.callbacks.values())
     if endpoint.conditional:
         parts.append("only under a condition")
+    if broken:
+        parts.append(f"no message gets through: {broken}")
     return ", ".join(parts)
 
 
@@ -141,6 +143,8 @@ def caption(graph: networkx.MultiDiGraph) -> str:
         sentences.append("*: known only at run time")
     if graph.graph["remapped"]:
         sentences.append("dashed without an arrow: remapped, its source is not here")
+    if any(edge["broken"] for _, _, edge in graph.edges(data=True)):
+        sentences.append("red and crossed out: quality of service lets no message through")
     if any(edge["endpoint"].conditional for _, _, edge in graph.edges(data=True)):
         sentences.append("dotted: only under a condition")
     return "  ·  ".join(sentences)
@@ -158,7 +162,29 @@ def counted(number: int, noun: str) -> str:
     return f"{number} {noun}" if number == 1 else f"{number} {noun}s"
 
 
-def common_endpoint(endpoints: Iterable[Endpoint]) -> tuple[bool, str]:
-    """Whether all are conditional, and the details of each on a line."""
-    every = list(endpoints)
-    return all(endpoint.conditional for endpoint in every), _lines(map(endpoint_details, every))
+@dataclass(frozen=True)
+class Bundle:
+    """All endpoints of one node on one interface in one direction, drawn as one line.
+
+    ``conditional`` is set where all of them are; ``broken`` says why no message gets through, empty where one does.
+    """
+
+    tail: tuple[str, str]
+    head: tuple[str, str]
+    conditional: bool
+    broken: str
+    details: str
+
+
+def bundles(graph: networkx.MultiDiGraph) -> list[Bundle]:
+    """The lines of a drawing, in the order of the graph's edges."""
+    edges: dict[tuple[tuple[str, str], tuple[str, str]], list[dict[str, Any]]] = {}
+    for tail, head, attributes in graph.edges(data=True):
+        edges.setdefault((tail, head), []).append(attributes)
+    return [_bundle(tail, head, bundled) for (tail, head), bundled in edges.items()]
+
+
+def _bundle(tail: tuple[str, str], head: tuple[str, str], edges: list[dict[str, Any]]) -> Bundle:
+    conditional = all(edge["endpoint"].conditional for edge in edges)
+    broken = edges[0]["broken"] if all(edge["broken"] for edge in edges) else ""
+    return Bundle(tail, head, conditional, broken, _lines(endpoint_details(e["endpoint"], e["broken"]) for e in edges))

@@ -9,7 +9,8 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any
 
 from archlint.render import look
-from archlint.system.graph import NODE, Key, to_networkx
+from archlint.render.picture import graph_of
+from archlint.system.graph import NODE, Key
 from archlint.system.model import System
 from archlint.visible import visible
 
@@ -27,10 +28,10 @@ _SHAPES = {"node": ('(["', '"])'), "topic": ('["', '"]'), "service": ('{{"', '"}
 
 
 def render(system: System) -> str:
-    graph = to_networkx(system)
+    graph = graph_of(system)
     ids = {key: f"n{number}" for number, key in enumerate(graph.nodes)}
     edges = list(_edges(graph, ids))
-    lines = ["flowchart LR", *_vertices(graph, ids), *edges, *_styles(graph, ids)]
+    lines = ["flowchart LR", *_vertices(graph, ids), *edges, *_styles(graph, ids), *_broken_lines(graph)]
     text = "\n".join(lines) + "\n"
     if len(edges) > EDGE_LIMIT:
         return f"%% {len(edges)} edges, and Mermaid draws {EDGE_LIMIT}: {_ADVICE}\n{text}"
@@ -64,15 +65,22 @@ def _vertex(graph: networkx.MultiDiGraph, key: Key, ids: dict[Key, str]) -> str:
 
 
 def _edges(graph: networkx.MultiDiGraph, ids: dict[Key, str]) -> Iterator[str]:
-    seen: dict[tuple[Key, Key], bool] = {}
-    for tail, head, endpoint in graph.edges(data="endpoint"):
-        seen[tail, head] = seen.get((tail, head), True) and endpoint.conditional
-    for (tail, head), conditional in seen.items():
-        interface = graph.nodes[tail if tail[0] != NODE else head]
-        arrow = "-->" if interface["matched"] and not conditional else "-.->"
-        yield f"  {ids[tail]} {arrow} {ids[head]}"
+    for bundle in look.bundles(graph):
+        interface = graph.nodes[bundle.tail if bundle.tail[0] != NODE else bundle.head]
+        arrow = "-->" if interface["matched"] and not bundle.conditional else "-.->"
+        if bundle.broken:
+            arrow = f'--x|"{escape(bundle.broken)}"|'
+        yield f"  {ids[bundle.tail]} {arrow} {ids[bundle.head]}"
     for node, interface in graph.graph["remapped"]:
         yield f"  {ids[node]} -.- {ids[interface]}"
+
+
+def _broken_lines(graph: networkx.MultiDiGraph) -> Iterator[str]:
+    """Mermaid styles a line by its number."""
+    numbers = [str(number) for number, bundle in enumerate(look.bundles(graph)) if bundle.broken]
+    if numbers:
+        colours = look.PALETTE["wrong"]
+        yield f"  linkStyle {','.join(numbers)} stroke:{colours.line},color:{colours.line}"
 
 
 def _styles(graph: networkx.MultiDiGraph, ids: dict[Key, str]) -> Iterator[str]:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from functools import partial
 
+from archlint.checks.delivery import undelivered_on
 from archlint.program import model as program
 from archlint.program.model import Creation, ParameterDeclaration
 from archlint.render import json, look
@@ -40,9 +41,9 @@ def render(system: System, *, color: bool = False) -> str:
     remapped = _remapped(system)
     sections = [
         _nodes(system, paint),
-        _connections("topic", system.topics.values(), remapped, paint),
-        _connections("service", system.services.values(), remapped, paint),
-        _connections("action", system.actions.values(), remapped, paint),
+        _connections(system, "topic", system.topics.values(), remapped, paint),
+        _connections(system, "service", system.services.values(), remapped, paint),
+        _connections(system, "action", system.actions.values(), remapped, paint),
         _shape(system, paint),
         _unresolved(system, paint),
     ]
@@ -156,7 +157,7 @@ def _remapped(system: System) -> dict[str, list[str]]:
 
 
 def _connections(
-    kind: str, connections: Iterable[Connection], remapped: dict[str, list[str]], paint: Paint
+    system: System, kind: str, connections: Iterable[Connection], remapped: dict[str, list[str]], paint: Paint
 ) -> Iterator[str]:
     every = list(connections)
     if every:
@@ -170,7 +171,14 @@ def _connections(
         lines = [f"  {words:<13}  {_names(endpoints, paint)}" for words, endpoints in ends]
         if connection.name in remapped:
             lines.append(f"  {'remapped for':<13}  {paint(', '.join(remapped[connection.name]), 'plain')}")
+        if kind == "topic":
+            lines += (f"  {paint(words, 'alarm')}" for words in _broken(system, connection))
         yield "\n".join([f"{paint(connection.name, 'name')}  {types}", *lines])
+
+
+def _broken(system: System, topic: Connection) -> Iterator[str]:
+    for pair in undelivered_on(system, topic):
+        yield f"no message gets from {pair.offer.node.name} to {pair.request.node.name}: {pair.reason}"
 
 
 def _names(endpoints: Sequence[Endpoint], paint: Paint) -> str:
