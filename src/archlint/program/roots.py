@@ -10,7 +10,7 @@ from archlint.program.api import executors
 from archlint.program.api.callbacks import describe
 from archlint.program.interest import interesting
 from archlint.program.modules import Module
-from archlint.program.run import FEW_STEPS, STEPS, Activation, Run
+from archlint.program.run import EXTRA_STEPS, FEW_STEPS, ROOTS, SELF_STARTS, STEPS, Activation, Run
 from archlint.program.values import (
     NONE,
     BoundMethod,
@@ -58,7 +58,7 @@ def run_callbacks(run: Run) -> None:
         # What one callback leaves in an attribute, another may use: each sees the joined state once.
         run.met_again = set()
         for pending in list(run.started):
-            run_root(run, pending.callback, pending.value, pending.arguments)
+            run_root(run, pending.callback, pending.value, pending.arguments, lineage=pending.lineage)
         run.met_again = None
         run_pending(run)
 
@@ -67,20 +67,34 @@ def run_pending(run: Run) -> None:
     """Run the callbacks that were handed over so far, and those that they hand over."""
     while run.pending:
         pending = run.pending.pop(0)
+        if pending.lineage.count(id(pending.callback.function)) >= SELF_STARTS:
+            run.program.exhausted = True
+            continue
         run.started.append(pending)
-        run.stateful |= run_root(run, pending.callback, pending.value, pending.arguments)
+        run.stateful |= run_root(run, pending.callback, pending.value, pending.arguments, lineage=pending.lineage)
 
 
 def run_root(
-    run: Run, callback: model.Callback, value: Value, arguments: tuple[Value, ...], *, certain: bool = False
+    run: Run,
+    callback: model.Callback,
+    value: Value,
+    arguments: tuple[Value, ...],
+    *,
+    certain: bool = False,
+    lineage: tuple[int, ...] = (),
 ) -> bool:
     """Run one callback on the state so far; True where it left an object in an attribute."""
-    kept_context, kept_activations = run.context, run.activations
+    if run.roots >= ROOTS or run.left - run.steps <= -EXTRA_STEPS:
+        run.program.exhausted = True
+        return False
+    run.roots += 1
+    kept_context, kept_activations, kept_lineage = run.context, run.activations, run.lineage
     kept_bounds = run.steps, run.repeats, run.runs, run.arms
     kept_allowed = run.allowed_steps
     run.left -= run.steps
     run.allowed_steps = max(FEW_STEPS, min(STEPS, run.left))
     run.context = callback
+    run.lineage = (*lineage, id(callback.function))
     run.steps = 0
     run.repeats = {}
     run.runs = {}
@@ -94,7 +108,7 @@ def run_root(
         calls.call(run, value, _fit(value, arguments), {})
     finally:
         layer = run.store.cut(depth)
-        run.context, run.activations = kept_context, kept_activations
+        run.context, run.activations, run.lineage = kept_context, kept_activations, kept_lineage
         run.left -= run.steps
         _, run.repeats, run.runs, run.arms = kept_bounds
         run.steps, run.allowed_steps = 0, max(FEW_STEPS, kept_allowed - kept_bounds[0])

@@ -41,6 +41,13 @@ TEST_STEPS = 8_000
 """The same for test code: its nodes are shown, but what it calls in the library is not its own."""
 FEW_STEPS = 400
 """What a root may run in any case, so that no callback goes unseen."""
+EXTRA_STEPS = 80_000
+"""What all roots of a program may run in this way, once its own statements are spent: each of them may start more."""
+ROOTS = 4_000
+"""How many callbacks and methods of a program run: a fleet of nodes has some hundreds."""
+SELF_STARTS = 2
+"""How often a function runs as a callback that it started itself.  A callback that makes a node of its own class
+gives each node a callback of its own; the third does what the second did."""
 WORK_OF_A_STEP = 500
 """How many slots and items that branches leave may be joined for the price of a statement."""
 REPEATS = 3
@@ -105,6 +112,8 @@ class Pending:
     callback: model.Callback
     value: Value
     arguments: tuple[Value, ...]
+    lineage: tuple[int, ...] = ()
+    """The functions (their facts, by identity) of the callbacks that led to it, the first one first."""
 
 
 class Run:
@@ -140,6 +149,10 @@ class Run:
         """The list ``sys.argv``, where the command line is known."""
         self.handed_out: dict[int, ClassValue] = {}
         """Node classes that the entry point gives to code that is not here."""
+        self.roots = 0
+        """How many callbacks and methods have run."""
+        self.lineage: tuple[int, ...] = ()
+        """The functions of the callback that runs now and of those that led to it."""
         self.pending: list[Pending] = []
         self.started: list[Pending] = []
         """Callbacks that ran, in their order."""

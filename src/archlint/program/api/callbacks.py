@@ -87,7 +87,7 @@ def register(
             from archlint.program.run import Pending
 
             given = arguments if arguments is not None else default_arguments(run, role, creation, call)
-            run.pending.append(Pending(callback, option, given))
+            run.pending.append(Pending(callback, option, given, run.lineage))
         made = made or callback
     return made
 
@@ -112,7 +112,7 @@ def hand_out(run: Run, values: Iterable[Value]) -> None:
         run.registered.add(key)
         callback.role = "method"
         run.program.callbacks.append(callback)
-        run.pending.append(Pending(callback, option, ()))
+        run.pending.append(Pending(callback, option, (), run.lineage))
 
 
 def _receiver(value: Value) -> int:
