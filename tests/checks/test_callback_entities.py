@@ -127,8 +127,7 @@ class TestSpinning:
             "from window import clock\nclock.ticked.connect(lambda: rclpy.spin_once(robot, timeout_sec=0.01))",
             "def spin():\n    while rclpy.ok():\n        rclpy.spin_once(robot)\n\n\n"
             "asyncio.get_event_loop().run_in_executor(None, spin)",
-            "def spin(node):\n    rclpy.spin(node)\n\n\n"
-            "from window import pool\npool.submit(partial(spin, robot))",
+            "def spin(node):\n    rclpy.spin(node)\n\n\nfrom window import pool\npool.submit(partial(spin, robot))",
         ],
     )
     def test_a_node_that_is_spun_somehow(self, run: Run, body: str):
@@ -150,6 +149,78 @@ class TestSpinning:
     )
     def test_a_node_that_is_not(self, run: Run, body: str):
         assert codes(run(source(TIMER, self.TICK, self.main(body)))) == ["EXE008"]
+
+    ASKING = """\
+self.client = self.create_client(Trigger, 'calibrate')
+self.create_timer(5.0, self.tick)
+future = self.client.call_async(Trigger.Request())
+rclpy.spin_until_future_complete(self, future, timeout_sec=2.0)
+"""
+
+    def test_a_constructor_that_waits_for_an_answer_is_no_spin_to_the_end(self, run: Run):
+        [found] = run(source(self.ASKING, self.TICK, self.main("while rclpy.ok():\n    time.sleep(1.0)")))
+        assert found.code == "EXE008" and "after its constructor" in found.message
+        assert [one.message for one in found.related] == [
+            "the timer is created here",
+            "the constructor spins for a moment",
+        ]
+        assert codes(run(source(self.ASKING, self.TICK, ON_ONE_THREAD))) == []
+
+    WAITING = """\
+self.name = None
+self.create_subscription(Empty, 'ready', self.on_ready, 10)
+while self.name is None:
+    rclpy.spin_once(self)
+"""
+    ON_READY = "def on_ready(self, message):\n    self.name = 'ready'\n\n" + TICK
+
+    def test_a_constructor_may_spin_for_what_it_waits_for(self, run: Run):
+        assert codes(run(source(self.WAITING, self.ON_READY, self.main("print(robot.name)")))) == []
+        later = self.WAITING + "self.create_timer(5.0, self.tick)\n"
+        [found] = run(source(later, self.ON_READY, self.main("print(robot.name)")))
+        assert found.code == "EXE008" and "so its timer no longer runs" in found.message
+
+    @pytest.mark.parametrize(
+        ("body", "lines"),
+        [
+            pytest.param("second = Robot()\nrclpy.spin(robot)", ["second = Robot()"], id="one of a class is spun"),
+            pytest.param(
+                "second = Robot()\nrclpy.spin(robot)\nrclpy.spin(second)", ["second = Robot()"], id="too late"
+            ),
+            pytest.param("rclpy.spin(robot)\nrclpy.init()\nrclpy.spin(Robot())", [], id="one life after the other"),
+            pytest.param(
+                "second = Robot()\ntry:\n    rclpy.spin(robot)\nexcept SystemExit:\n    pass\nrclpy.spin(second)",
+                [],
+                id="until it raises",
+            ),
+            pytest.param(
+                "second = Robot()\nwhile rclpy.ok():\n    rclpy.spin_once(robot)\n    rclpy.spin_once(second)",
+                [],
+                id="in turn",
+            ),
+            pytest.param(
+                "executor = SingleThreadedExecutor()\nfor node in (robot, Robot()):\n    executor.add_node(node)\n"
+                "executor.spin()",
+                [],
+                id="both in one executor",
+            ),
+        ],
+    )
+    def test_the_second_of_two_nodes(self, run: Run, body: str, lines: list[str]):
+        text = source(TIMER, self.TICK, self.main(body))
+        found = run(text)
+        assert codes(found) == ["EXE008"] * len(lines)
+        assert [text.splitlines()[one.place.line - 1].strip() for one in found] == lines
+
+    def test_a_node_that_only_a_callback_spins_is_spun(self, run: Run):
+        setup = (
+            "self.helper = rclpy.create_node('helper')\n"
+            "self.helper.create_subscription(Empty, 'ready', self.on_ready, 10)\n" + TIMER
+        )
+        method = "def on_ready(self, message):\n    pass\n\n"
+        method += "def tick(self):\n    rclpy.spin_once(self.helper, timeout_sec=0.05)\n"
+        assert codes(run(source(setup, method, ON_SEVERAL_THREADS))) == []
+        assert codes(run(source(setup, method.replace("rclpy.spin_once", "print"), ON_SEVERAL_THREADS))) == ["EXE008"]
 
     def test_a_class_that_nothing_makes_is_not_judged(self, run: Run):
         assert codes(run(source(TIMER, self.TICK, ""))) == []

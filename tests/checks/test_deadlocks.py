@@ -209,6 +209,49 @@ def test_a_node_of_its_own_may_be_spun_while_another_executor_runs(run: Run):
     assert codes(run(source(setup, method, ON_ONE_THREAD))) == ["EXE001"]
 
 
+@pytest.mark.parametrize(
+    ("wait", "main"),
+    [
+        pytest.param(
+            "future = self.client.call_async(Trigger.Request())\n"
+            "while not future.done():\n    rclpy.spin_once(self.helper)\n    rclpy.spin_once(self)\n",
+            ON_SEVERAL_THREADS,
+            id="in the constructor",
+        ),
+        pytest.param(
+            "self.ready = load()\n",
+            ON_SEVERAL_THREADS.replace(
+                "executor.add_node(Robot())",
+                "robot = Robot()\n    while not robot.ready:\n        rclpy.spin_once(robot)\n"
+                "    executor.add_node(robot)",
+            ),
+            id="in main, before the executor that stays",
+        ),
+    ],
+)
+def test_a_wait_loop_that_has_ended_is_not_the_executor_that_runs(run: Run, wait: str, main: str):
+    setup = "self.helper = rclpy.create_node('helper')\n"
+    setup += "self.client = self.helper.create_client(Trigger, 'check')\n" + wait + TIMER
+    method = """
+    def tick(self):
+        future = self.client.call_async(Trigger.Request())
+        rclpy.spin_until_future_complete(self.helper, future, timeout_sec=1.0)
+    """
+    assert codes(run(source(setup, method, main))) == []
+
+
+def test_a_loop_of_spins_that_lasts_is_the_executor_that_runs(run: Run):
+    main = ON_ONE_THREAD.replace(
+        "rclpy.spin(Robot())", "robot = Robot()\n    while rclpy.ok():\n        rclpy.spin_once(robot)"
+    )
+    method = """
+    def tick(self):
+        future = self.client.call_async(Trigger.Request())
+        rclpy.spin_until_future_complete(self, future, timeout_sec=1.0)
+    """
+    assert codes(run(source(CLIENT + TIMER, method, main))) == ["EXE001"]
+
+
 # ----------------------------------------------------------------------------------- what must stay silent
 
 

@@ -40,7 +40,6 @@ __all__ = [
     "CALL",
     "SPIN",
     "Verdict",
-    "executors_of",
     "group_relation",
     "judge_wait",
     "related_executor",
@@ -108,23 +107,19 @@ def threads_of(node: Blueprint | None, program: Program) -> str:
     if node.executor == "none":
         # What nothing starts may be spun by whoever makes it elsewhere.
         return NOBODY if program.executable and not node.held else ANY
-    uses = [use for use in executors_of(node, program) if use.kind == "multi_threaded"]
+    uses = [use for use in program.executors_of(node) if use.kind == "multi_threaded"]
     if node.executor == "multi_threaded":
         # Without a number there are as many threads as processors.
         return ONE if uses and all(use.threads == 1 for use in uses) else SEVERAL
     return ONE
 
 
-def executors_of(node: Blueprint, program: Program) -> list[ExecutorUse]:
-    """The executors that spin a node; those that do so until the program ends, where there are any."""
-    uses = [use for use in program.executors if use.spun and node in use.nodes]
-    return [use for use in uses if use.steady] or uses
-
-
 def related_executor(node: Blueprint | None, program: Program) -> Iterator[Related]:
     """Where the executor of a node is made and spun."""
-    for use in executors_of(node, program) if node is not None else ():
-        place = use.spun_at or use.place
+    if node is None:
+        return
+    for use in program.executors_of(node):
+        place = use.spins_at(node) or use.place
         if place is not None:
             yield Related(place, f"{_executor_words(use)} spins the node")
 
@@ -158,8 +153,8 @@ def _judge_two_nodes(
     """The client belongs to another node: it matters who spins that one."""
     if form == AWAIT:
         return look_up(AWAIT, ANY, OTHER, _FREE, distros)
-    spinners = executors_of(client, program)
-    shared = [use for use in spinners if use in executors_of(node, program)]
+    spinners = program.executors_of(client)
+    shared = [use for use in spinners if use in program.executors_of(node)]
     if not shared and any(use.in_thread for use in spinners):
         why = "another thread spins the client's node, so the answer is let in"
         return look_up(form, SEVERAL, OTHER, why, distros)
@@ -180,7 +175,7 @@ def judge_spin(
     """A spin inside a callback ends well only for another node on an executor that is not running."""
     callback = call.context
     node = callback.node
-    running = executors_of(node, program) if node is not None else []
+    running = program.executors_of(node) if node is not None else []
     relation = group_relation(callback.group, client.group if client is not None else None)
     if client is not None and node is not None and client.node is not node:
         relation = OTHER

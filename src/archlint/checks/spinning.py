@@ -2,22 +2,23 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from archlint.checks import blocking
 from archlint.checks.callback_roles import runs_in_executor
 from archlint.checks.deadlock import related_executor, threads_of
-from archlint.checks.reach import judged_calls, node_name, one_for_each_place
+from archlint.checks.reach import judged_calls, node_name, one_for_each_place, same_expression
 from archlint.checks.registry import Options, finding, rule
 from archlint.facts import model as facts
-from archlint.facts.walk import parts_of
+from archlint.facts.walk import blocks_of, called_name, calls_in, parts_of
 from archlint.finding import Finding, Place, Related
-from archlint.program.model import ACTION_SERVER, SERVICE, SUBSCRIBER, TIMER
+from archlint.program.model import ACTION_SERVER, FOR_A_MOMENT, SERVICE, SUBSCRIBER, TIMER
 from archlint.workspace.test_code import is_test_file
 
 if TYPE_CHECKING:
-    from archlint.program.model import Blueprint, Callback, Creation, Program
+    from archlint.program.model import ApiCall, Blueprint, Callback, Creation, Program
     from archlint.system.model import System
 
 _SERVED = {SUBSCRIBER: "subscription", SERVICE: "service", TIMER: "timer", ACTION_SERVER: "action server"}
@@ -41,38 +42,99 @@ def _judged(system: System) -> Iterator[tuple[Program, Blueprint]]:
 # --------------------------------------------------------------------------------------------------- EXE008
 
 
+@dataclass(frozen=True)
+class _Idle:
+    """Why a node that needs spinning is not spun: nothing does it, or (``spin``) only its constructor, for a moment,
+    or (``behind``) only a call that stands behind one which never returns."""
+
+    served: Creation
+    spin: Place | None = None
+    behind: Place | None = None
+
+
 @rule("EXE008")
 def node_never_spun(system: System, options: Options) -> Iterator[Finding]:
     """Nodes that wait for work which no executor ever gives them."""
-    spun = {node.place for _, node in _judged(system) if node.executor != "none"}
+    judged = [(program, node, _idle(program, node)) for program, node in _judged(system)]
+    spun = {node.made_at or node.place for _, node, idle in judged if idle is None}
     yield from one_for_each_place(
-        _never_spun(system, node, creation)
-        for program, node in _judged(system)
-        if node.executor == "none" and node.place not in spun and _all_is_seen(program, node)
-        for creation in [_first_served(node)]
-        if creation is not None
+        _never_spun(system, node, idle)
+        for program, node, idle in judged
+        if idle is not None and (node.made_at or node.place) not in spun and _all_is_seen(program, node)
     )
 
 
 def _all_is_seen(program: Program, node: Blueprint) -> bool:
-    unknown = any(use.kind == "unknown" or (use.spun and not use.nodes) for use in program.executors)
+    unknown = any(use.kind == "unknown" or use.astray or (use.spun and not use.nodes) for use in program.executors)
     return not (program.exhausted or unknown or node.handed_out) and node.complete
 
 
-def _first_served(node: Blueprint) -> Creation | None:
-    """What of a node needs spinning, certainly."""
+def _idle(program: Program, node: Blueprint) -> _Idle | None:
+    """Why nothing serves what a node certainly offers; None where something may."""
     served = [c for c in node.creations if c.api in _OWN_API and not c.conditional and not c.destroyed]
-    return min(served, key=lambda c: c.place, default=None)
+    if node.executor == "none":
+        return _Idle(min(served, key=lambda c: c.place)) if served else None
+    spells = [spell for use in program.executors if use.spun for spell in use.spells.get(node, ())]
+    if not spells or any(node in use.nodes and node not in use.spells for use in program.executors):
+        return None
+    behind = [_spin_before(program, spell.place) for spell in spells]
+    if served and all(behind):
+        return _Idle(min(served, key=lambda c: c.place), behind=behind[0])
+    if not all(spell.in_constructor and spell.lasting == FOR_A_MOMENT for spell in spells):
+        return None
+    if not all(spell.for_answer for spell in spells):
+        # It may be just for what was there by then that the constructor spins.
+        last = max(spell.creations for spell in spells)
+        served = [c for c in served if c in node.creations[last:]]
+    return _Idle(min(served, key=lambda c: c.place), spin=spells[0].place) if served else None
 
 
-def _never_spun(system: System, node: Blueprint, creation: Creation) -> Finding:
-    what = _SERVED[creation.kind]
+def _spin_before(program: Program, place: Place) -> Place | None:
+    """The ``rclpy.spin(…)`` in front of a spin in the same block: it returns when ROS is shut down, not before."""
+    later = next((call for call in program.calls if call.place == place), None)
+    if later is None:
+        return None
+    endless = [call for call in program.calls if call.api == "rclpy.spin" and call.context.role == "main"]
+    return next((call.place for call in endless if call.file == later.file and _comes_first(call, later)), None)
+
+
+def _comes_first(call: ApiCall, later: ApiCall) -> bool:
+    """Whether a call is a statement of a block that a later one is in, too, and ROS is not started anew between."""
+    for block in blocks_of(call.body):
+        here = [number for one in (call, later) for number in _numbers_in(block, one)]
+        if len(here) == 2 and here[0] < here[1]:
+            between = block[here[0] : here[1]]
+            return all(called_name(one) != "init" for statement in between for one in calls_in(statement))
+    return False
+
+
+def _numbers_in(block: Sequence[facts.Stmt], call: ApiCall) -> list[int]:
+    """Which statement of a block is just this call."""
+    return [
+        number
+        for number, statement in enumerate(block)
+        if isinstance(statement, facts.Expression) and same_expression(statement.value, call.expression)
+    ]
+
+
+def _never_spun(system: System, node: Blueprint, idle: _Idle) -> Finding:
+    what = _SERVED[idle.served.kind]
+    message = f"nothing spins this node, so its {what} never runs a callback"
+    help_ = "rclpy.spin(node), or add it to the executor that spins"
+    related = [Related(idle.served.place, f"the {what} is created here")]
+    if idle.spin is not None:
+        message = f"nothing spins this node after its constructor, so its {what} no longer runs a callback"
+        related.append(Related(idle.spin, "the constructor spins for a moment"))
+    if idle.behind is not None:
+        message = f"nothing spins this node before ROS is shut down, so its {what} never runs a callback"
+        help_ = "add both nodes to one executor: executor.add_node(…) for each, then executor.spin()"
+        related.append(Related(idle.behind, "this spin does not return before, so the next one comes too late"))
     return finding(
         "EXE008",
         node.made_at or node.place,
-        f"nothing spins this node, so its {what} never runs a callback",
-        help="rclpy.spin(node), or add it to the executor that spins",
-        related=[Related(creation.place, f"the {what} is created here")],
+        message,
+        help=help_,
+        related=related,
         node=node_name(system, node),
         identity=(node.class_name,),
     )

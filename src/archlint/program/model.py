@@ -276,6 +276,29 @@ class Blueprint:
     cli_arguments: tuple[str, ...] = ()
 
 
+FOR_A_MOMENT = 0
+"""A spin that gives one thing a chance: one round, until a future is done, in the constructor of the node."""
+FOR_A_WHILE = 1
+"""A loop of spins that ends by itself."""
+TO_THE_END = 2
+"""A spin that lasts until the program ends."""
+
+
+@dataclass(frozen=True)
+class Spell:
+    """A spin that was given a node itself: its executor serves the node for that time only."""
+
+    place: Place
+    lasting: int
+    """:data:`FOR_A_MOMENT`, :data:`FOR_A_WHILE` or :data:`TO_THE_END`."""
+    in_constructor: bool
+    """True where the node's own constructor spins."""
+    for_answer: bool
+    """True where it lasts until the answer of a client is there."""
+    creations: int
+    """How many entities the node had by then."""
+
+
 @dataclass(eq=False)
 class ExecutorUse:
     """An executor of a program: what spins which nodes, with how many threads."""
@@ -287,10 +310,24 @@ class ExecutorUse:
     place: Place | None
     in_thread: bool = False
     spun: bool = False
-    steady: bool = False
-    """True where it spins until the program ends, rather than until a future is done."""
+    lasting: int = FOR_A_MOMENT
+    """How long the most lasting of its spins goes on, as for :class:`Spell`."""
     spun_at: Place | None = None
-    """The first call that spins it."""
+    """The first call of those that spin it longest."""
+    spells: dict[Blueprint, list[Spell]] = field(default_factory=dict)
+    """The nodes that are only there while a spin that is given them lasts, with these spins."""
+    astray: bool = False
+    """True where it was given a node that is not known."""
+
+    def lasts_for(self, node: Blueprint) -> int:
+        """How long it spins one of its nodes."""
+        spells = self.spells.get(node)
+        return self.lasting if spells is None else max(spell.lasting for spell in spells)
+
+    def spins_at(self, node: Blueprint) -> Place | None:
+        """The call that spins one of its nodes longest."""
+        lasting = self.lasts_for(node)
+        return next((spell.place for spell in self.spells.get(node, ()) if spell.lasting == lasting), self.spun_at)
 
 
 @dataclass(frozen=True)
@@ -379,3 +416,14 @@ class Program:
     exhausted: bool = False
     """True where a bound on depth or steps cut the run short."""
     executable: bool = True
+
+    def executors_of(self, node: Blueprint) -> list[ExecutorUse]:
+        """The executors that spin a node; of several those that do so longest.
+
+        Where the program is not all there is (nothing starts it, or the node comes from outside), a spin for a
+        moment says nothing of who spins the node later.
+        """
+        uses = [use for use in self.executors if use.spun and node in use.nodes]
+        least = FOR_A_WHILE if node.held or not self.executable else FOR_A_MOMENT
+        longest = max((use.lasts_for(node) for use in uses), default=least)
+        return [use for use in uses if use.lasts_for(node) == longest >= least]
