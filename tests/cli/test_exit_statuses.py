@@ -179,7 +179,7 @@ def test_findings_go_to_standard_output_and_all_else_to_standard_error(run: Run,
     run.findings, run.notices = [ERROR, WARNING], ["a bare ignore"]
     assert main(["--format", "concise", "--statistics"]) == 1
     assert capsys.readouterr() == (
-        "a.py:1:1: OWN001 two nodes publish /cmd_vel\n" * 2,
+        "a.py:1:1: error: OWN001 two nodes publish /cmd_vel\na.py:1:1: warning: OWN001 two nodes publish /cmd_vel\n",
         "archlint: warning: a bare ignore\n"
         "2  OWN001  multiple-publishers\n"
         "Found 1 error, 1 warning in 2 files with 1 node.\n",
@@ -189,7 +189,7 @@ def test_findings_go_to_standard_output_and_all_else_to_standard_error(run: Run,
 def test_a_quiet_run_tells_findings_only(run: Run, capsys: pytest.CaptureFixture[str]):
     run.findings, run.notices = [ERROR], ["a bare ignore"]
     assert main(["--quiet", "--format", "concise"]) == 1
-    assert capsys.readouterr() == ("a.py:1:1: OWN001 two nodes publish /cmd_vel\n", "")
+    assert capsys.readouterr() == ("a.py:1:1: error: OWN001 two nodes publish /cmd_vel\n", "")
 
 
 def test_machines_are_told_nothing_but_the_findings(run: Run, capsys: pytest.CaptureFixture[str]):
@@ -202,7 +202,7 @@ def test_several_formats_of_one_run(run: Run, capsys: pytest.CaptureFixture[str]
     run.findings = [ERROR]
     assert main(["-o", "a.txt", "--format", "concise", "--output", "json=b.json", "--output", "sarif=c.sarif"]) == 1
     assert capsys.readouterr().out == ""
-    assert Path("a.txt").read_text() == "a.py:1:1: OWN001 two nodes publish /cmd_vel\n"
+    assert Path("a.txt").read_text() == "a.py:1:1: error: OWN001 two nodes publish /cmd_vel\n"
     assert Path("b.json").read_text().startswith('{\n "version": 1')
     assert '"version": "2.1.0"' in Path("c.sarif").read_text()
     assert sorted(path.name for path in Path().iterdir()) == ["a.txt", "b.json", "c.sarif"]

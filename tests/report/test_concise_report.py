@@ -11,8 +11,8 @@ from archlint.report.model import statistics, summarise, summary_line
 
 def test_one_line_a_finding():
     assert render("concise", report(NESTED, UNREADABLE)) == (
-        "pkg/node.py:8:18: SRV003 the handler of /plan waits for /map\n"
-        "pkg/broken.py:3:1: LNT002 syntax error: expected ':'\n"
+        "pkg/node.py:8:18: error: SRV003 the handler of /plan waits for /map\n"
+        "pkg/broken.py:3:1: warning: LNT002 syntax error: expected ':'\n"
     )
 
 

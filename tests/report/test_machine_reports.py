@@ -204,6 +204,19 @@ def test_junit_has_a_failed_test_for_each_finding():
     assert "pkg/main.py:1:1: one thread spins the node" in (failure.text or "")
 
 
+def test_junit_counts_only_what_fails_the_run():
+    information = replace(NESTED, severity=Severity.INFO)
+    suite = ElementTree.fromstring(render("junit", report(information, UNREADABLE)))[0]
+    assert (suite.get("tests"), suite.get("failures")) == ("2", "1")
+    assert suite[0].find("failure") is None
+    assert "the handler of /plan waits for /map" in (suite[0].findtext("system-out") or "")
+
+
+def test_junit_agrees_with_the_severity_that_was_asked_for():
+    made = replace(report(NESTED, UNREADABLE), failing=Severity.ERROR)
+    assert ElementTree.fromstring(render("junit", made))[0].get("failures") == "1"
+
+
 def test_junit_without_findings_is_a_test_that_passed():
     suite = ElementTree.fromstring(render("junit", report()))[0]
     assert (suite.get("tests"), suite.get("failures"), len(suite[0])) == ("1", "0", 0)

@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 import argparse
+import os
 import sys
-from typing import TYPE_CHECKING
+from dataclasses import replace
+from pathlib import Path
 
 from archlint import report as reports
 from archlint.cli import console, exits
@@ -22,10 +24,8 @@ from archlint.cli.options import (
 )
 from archlint.finding import Severity
 from archlint.report.model import Report, statistics, summary_line
+from archlint.report.paths import folder_in_repository
 from archlint.session import NothingToDo, Request, check, graph
-
-if TYPE_CHECKING:
-    pass
 
 
 def parser() -> argparse.ArgumentParser:
@@ -93,6 +93,7 @@ def run(arguments: argparse.Namespace) -> int:
         report = check(request)
     except NothingToDo as error:
         raise UsageError(str(error)) from None
+    failing = Severity.parse(arguments.severity)
     if arguments.diff:
         return _show_difference(report, arguments)
     fixed = 0
@@ -101,11 +102,12 @@ def run(arguments: argparse.Namespace) -> int:
 
         outcome = mend(request, report, arguments.unsafe_fixes)
         report, fixed = outcome.report, outcome.count
-    _write(report, arguments)
+    folder = folder_in_repository(Path.cwd(), os.environ)
+    _write(replace(report, failing=failing, folder=folder), arguments)
     if fixed and not arguments.quiet:
         console.note(f"Fixed {fixed} finding{'s' if fixed > 1 else ''}.")
     _tell(report, request, arguments)
-    return exit_status(report, Severity.parse(arguments.severity), arguments.exit_zero)
+    return exit_status(report, failing, arguments.exit_zero)
 
 
 def _show_difference(report: Report, arguments: argparse.Namespace) -> int:

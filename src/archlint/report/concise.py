@@ -1,4 +1,4 @@
-"""One line a finding: ``file:line:column: CODE message``."""
+"""One line a finding, as compilers write it: ``file:line:column: severity: CODE message``."""
 
 from __future__ import annotations
 
@@ -13,6 +13,6 @@ if TYPE_CHECKING:
 def render(report: Report) -> str:
     return "".join(
         f"{visible(finding.place.file)}:{finding.place.line}:{finding.place.column}: "
-        f"{finding.code} {visible(finding.message)}\n"
+        f"{finding.severity.label}: {finding.code} {visible(finding.message)}\n"
         for finding in report.findings
     )

@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from archlint.finding import Finding, Severity
+from archlint.report.paths import findings_in_repository
 from archlint.visible import visible
 
 if TYPE_CHECKING:
@@ -14,7 +15,7 @@ _COMMANDS = {Severity.ERROR: "error", Severity.WARNING: "warning", Severity.INFO
 
 
 def render(report: Report) -> str:
-    return "".join(_command(finding) + "\n" for finding in report.findings)
+    return "".join(_command(finding) + "\n" for finding in findings_in_repository(report))
 
 
 def _command(finding: Finding) -> str:

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 from archlint.finding import Finding, Severity
 from archlint.report.fingerprint import with_fingerprints
 from archlint.report.json import dumps
+from archlint.report.paths import findings_in_repository
 
 if TYPE_CHECKING:
     from archlint.report.model import Report
@@ -15,7 +16,8 @@ _LEVELS = {Severity.ERROR: "major", Severity.WARNING: "minor", Severity.INFO: "i
 
 
 def render(report: Report) -> str:
-    return dumps([_issue(finding, mark) for finding, mark in with_fingerprints(report.findings)])
+    findings = findings_in_repository(report)
+    return dumps([_issue(finding, mark) for finding, mark in with_fingerprints(findings)])
 
 
 def _issue(finding: Finding, mark: str) -> dict[str, Any]:

@@ -1,4 +1,7 @@
-"""JUnit XML, which colcon and CI services collect as test results: a finding is a failed test."""
+"""JUnit XML, which colcon and CI services collect as test results.
+
+A finding that fails the run is a failed test; any other is a test that passed and has something to say.
+"""
 
 from __future__ import annotations
 
@@ -13,36 +16,44 @@ if TYPE_CHECKING:
 
 
 def render(report: Report) -> str:
-    count = len(report.findings)
-    cases = "".join(_failed(finding) for finding in report.findings) or _passed()
+    findings = report.findings
+    count = max(len(findings), 1)
+    failures = sum(finding.severity >= report.failing for finding in findings)
+    cases = "".join(_case(finding, finding.severity >= report.failing) for finding in findings) or _NOTHING
     seconds = f"{report.summary.elapsed_s:.3f}"
     return (
         '<?xml version="1.0" encoding="UTF-8"?>\n'
-        f'<testsuites tests="{max(count, 1)}" failures="{count}" errors="0" time="{seconds}">\n'
-        f'<testsuite name="archlint" tests="{max(count, 1)}" failures="{count}" errors="0" skipped="0"'
+        f'<testsuites tests="{count}" failures="{failures}" errors="0" time="{seconds}">\n'
+        f'<testsuite name="archlint" tests="{count}" failures="{failures}" errors="0" skipped="0"'
         f' time="{seconds}">\n{cases}</testsuite>\n</testsuites>\n'
     )
 
 
-def _passed() -> str:
-    return '<testcase classname="archlint" name="no findings"/>\n'
+_NOTHING = '<testcase classname="archlint" name="no findings"/>\n'
 
 
-def _failed(finding: Finding) -> str:
+def _case(finding: Finding, fails: bool) -> str:
     place = finding.place
     where = f"{place.file}:{place.line}:{place.column}"
-    related = [
-        f"{one.place.file}:{one.place.line}:{one.place.column}: {one.message}" for one in finding.related
-    ]
-    lines = [f"{where}: {finding.message}", *related, finding.help]
-    text = "\n".join(visible(line) for line in lines if line)
+    said = _failure(finding, where) if fails else f"<system-out>{escape(_text(finding, where))}</system-out>"
     return (
         f"<testcase classname={_attribute(f'archlint.{finding.code}')}"
         f" name={_attribute(f'{finding.code} {finding.name} ({where})')}"
-        f' file={_attribute(place.file)} line="{place.line}">\n'
-        f"<failure type={_attribute(finding.severity.label)} message={_attribute(finding.message)}>"
-        f"{escape(text)}</failure>\n</testcase>\n"
+        f' file={_attribute(place.file)} line="{place.line}">\n{said}\n</testcase>\n'
     )
+
+
+def _failure(finding: Finding, where: str) -> str:
+    return (
+        f"<failure type={_attribute(finding.severity.label)} message={_attribute(finding.message)}>"
+        f"{escape(_text(finding, where))}</failure>"
+    )
+
+
+def _text(finding: Finding, where: str) -> str:
+    related = [f"{one.place.file}:{one.place.line}:{one.place.column}: {one.message}" for one in finding.related]
+    lines = [f"{where}: {finding.message}", *related, finding.help]
+    return "\n".join(visible(line) for line in lines if line)
 
 
 def _attribute(text: str) -> str:

@@ -32,12 +32,18 @@ class Summary:
 
 @dataclass(frozen=True)
 class Report:
-    """``findings`` are in the order of ``Finding.sort_key``; ``notices`` is what to tell beside them."""
+    """``findings`` are in the order of ``Finding.sort_key``; ``notices`` is what to tell beside them.
+
+    ``failing`` is the severity from which on a finding fails the run; ``folder`` the path of the working
+    directory in its repository, for formats that a service reads (``.`` for the repository's root).
+    """
 
     findings: Sequence[Finding]
     summary: Summary
     source_line: SourceLine
     notices: Sequence[str] = ()
+    failing: Severity = Severity.WARNING
+    folder: str = "."
 
 
 @dataclass(frozen=True)

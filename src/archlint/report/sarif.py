@@ -13,6 +13,7 @@ from archlint import __version__
 from archlint.finding import Finding, Place, Severity
 from archlint.report.fingerprint import with_fingerprints
 from archlint.report.json import dumps
+from archlint.report.paths import findings_in_repository
 from archlint.rulebook import Rule, rules
 
 if TYPE_CHECKING:
@@ -26,7 +27,7 @@ _LEVELS = {Severity.ERROR: "error", Severity.WARNING: "warning", Severity.INFO: 
 
 
 def render(report: Report) -> str:
-    kept = _most_severe(list(report.findings))
+    kept = _most_severe(findings_in_repository(report))
     codes = sorted({finding.code for finding in kept})
     run = {
         "tool": {
