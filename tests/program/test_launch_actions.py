@@ -592,3 +592,25 @@ def test_the_type_of_a_parameter_in_xml(launches, attributes, value):
 def test_set_parameter_reads_its_text_as_a_parameter_does(launches, text, value):
     xml = launches.xml(f'<set_parameter name="p" value="{text}"/><node pkg="robot" exec="talker"/>')
     assert parameters(xml.started[0])["p"] == value
+
+
+# ------------------------------------------------------------------------------- lists that grow in a loop
+
+
+@pytest.mark.parametrize("grow", ["d += [{0}]", "d.append({0})", "d.extend([{0}])"])
+@pytest.mark.parametrize("rounds", ["os.listdir('robots')", "('r1',)"])
+def test_a_list_that_grows_in_a_loop_is_one_list(launches, grow, rounds):
+    """Whether the loop's rounds are known or not, what was in the list before is started once."""
+    loop = f"d = [{node('first')}]\nfor r in {rounds}:\n    {grow.format(node('more'))}"
+    assert names(launches.python("d", before=loop)) == ["first", "more"]
+    assert names(launches.python("[GroupAction(d)]", before=loop)) == ["first", "more"]
+
+
+def test_a_name_for_the_list_sees_it_grow(launches):
+    before = f"d = []\nactions = d\nd += [{node('late')}]"
+    assert names(launches.python("actions", before=before)) == ["late"]
+
+
+def test_a_new_list_does_not_change_the_old_one(launches):
+    before = f"d = []\nactions = d\nd = d + [{node('late')}]"
+    assert names(launches.python("actions", before=before)) == []

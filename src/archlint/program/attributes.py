@@ -73,7 +73,7 @@ def get_attribute(run: Run, value: Value, name: str, expression: facts.Attribute
             messages.note_use(run, value, name, expression.span, "read")
         return _of_message(run, value, name)
     if isinstance(value, Known) and name == "parent" and isinstance(value.value, str):
-        return Known(value.value.rpartition("/")[0] or "/", value.via)  # of a pathlib.Path
+        return Known(value.value.rpartition("/")[0] or "/", value.via, kind="path")  # of a pathlib.Path
     if isinstance(value, (ListValue, DictValue, Known, Holed)):
         return Builtin(f"{_type_name(value)}.{name}", value)
     if isinstance(value, BoundMethod) and name == "__func__":

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 from archlint.facts import model as facts
 from archlint.program.api import rclpy_names
 from archlint.program.store import Items
+from archlint.program.type_tests import isinstance_of
 from archlint.program.value_methods import Arguments, Keywords, call_method, update_entries
 from archlint.program.values import (
     FALSE,
@@ -17,14 +18,11 @@ from archlint.program.values import (
     BoundMethod,
     Builtin,
     ClassValue,
-    DictValue,
     EachValue,
     External,
     FunctionValue,
-    Holed,
     Instance,
     Known,
-    ListValue,
     MessageValue,
     OneOf,
     Partial,
@@ -99,8 +97,13 @@ def _str(run: Run, args: Arguments, keywords: Keywords, e: object) -> Value:
     found = []
     for option in alternatives(args[0]):
         text = formatting.text_of(run, option)
-        found.append(Known(str(text.value), text.via, text.origin, text.kind) if isinstance(text, Known) else text)
+        found.append(_as_text(text) if isinstance(text, Known) else text)
     return one_of(found)
+
+
+def _as_text(value: Known) -> Known:
+    """``str(value)``: of a path, a text like any other."""
+    return Known(str(value.value), value.via, value.origin, "other" if value.kind == "path" else value.kind)
 
 
 def _number(convert: Callable[[Any], Any]) -> Callable[..., Value]:
@@ -343,59 +346,6 @@ def _hasattr(run: Run, args: Arguments, keywords: Keywords, e: object) -> Value:
     return Unknown(value.reason) if isinstance(value, Unknown) else TRUE
 
 
-_TYPES: dict[str, tuple[type, ...]] = {
-    "str": (str,),
-    "int": (int,),
-    "float": (float,),
-    "bool": (bool,),
-}
-
-
-def _isinstance(run: Run, args: Arguments, keywords: Keywords, e: object) -> Value:
-    from archlint.program import containers
-
-    if len(args) != 2:
-        return Unknown("isinstance() without a type")
-    classes = containers.iterate(run, args[1]) if isinstance(args[1], ListValue) else Items((args[1],))
-    if classes is None or classes.open:
-        return Unknown("isinstance() of a type that is not known")
-    verdicts = {_is_a(value, cls) for value in alternatives(args[0]) for cls in classes.values}
-    if verdicts == {False}:
-        return FALSE
-    if len(alternatives(args[0])) == 1 and True in verdicts:
-        return TRUE
-    return Unknown("the type of the value is not known")
-
-
-def _is_a(value: Value, cls: Value) -> bool | None:
-    if isinstance(cls, Builtin):
-        if isinstance(value, Known):
-            return isinstance(value.value, _TYPES[cls.name]) if cls.name in _TYPES else False
-        if isinstance(value, Holed):
-            return cls.name == "str"
-        if isinstance(value, ListValue):
-            return cls.name == value.kind
-        if isinstance(value, DictValue):
-            return cls.name == "dict"
-        return False if isinstance(value, (Instance, ClassValue, FunctionValue, MessageValue)) else None
-    if isinstance(value, MessageValue):
-        return _is_message(value, cls)
-    if isinstance(value, Instance) and isinstance(value.cls, ClassValue):
-        if any(base is cls or base == cls for base in value.cls.mro):
-            return True
-        return None if any(isinstance(base, (External, Unknown)) for base in value.cls.mro) else False
-    if isinstance(value, (Known, ListValue, DictValue)) and isinstance(cls, (ClassValue, External)):
-        return False
-    return None
-
-
-def _is_message(value: MessageValue, cls: Value) -> bool | None:
-    if isinstance(cls, ClassValue):
-        return False
-    interface, part = rclpy_names.interface_and_part(cls.path) if isinstance(cls, External) else (None, "")
-    return None if interface is None else (interface, part) == (value.type, value.part)
-
-
 def _map(run: Run, args: Arguments, keywords: Keywords, e: object) -> Value:
     from archlint.program import containers
 
@@ -522,7 +472,7 @@ BUILTINS: dict[str, Callable[..., Value]] = {
     "getattr": _getattr,
     "setattr": _setattr,
     "hasattr": _hasattr,
-    "isinstance": _isinstance,
+    "isinstance": isinstance_of,
     "issubclass": _unknown("a class relation"),
     "map": _map,
     "filter": _filter,

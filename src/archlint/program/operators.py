@@ -76,7 +76,8 @@ def _binary_one(run: Run, op: str, left: Value, right: Value, span: facts.Span) 
             return Unknown("adding a text and something else fails")
         return join_texts((left, right), run.place(span))
     if op == "/" and isinstance(left, Known) and isinstance(right, Known) and is_text(left) and is_text(right):
-        return Known(posixpath.join(str(left.value), str(right.value)), via(left, right))  # of a pathlib.Path
+        joined = posixpath.join(str(left.value), str(right.value))  # of a pathlib.Path
+        return Known(joined, via(left, right), kind="path")
     if op == "%" and is_text(left):
         return percent_format(run, left, right, span)
     if op == "+" and isinstance(left, ListValue) and isinstance(right, ListValue):

@@ -7,13 +7,13 @@ from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
 from archlint.facts import model as facts
-from archlint.program import calls, containers, decisions, definitions, expressions, messages, operators
+from archlint.program import calls, containers, decisions, definitions, expressions, messages
+from archlint.program.augmented import augmented, forget_counters
 from archlint.program.run import UNROLL, Run, Status
 from archlint.program.store import Items, Layer
 from archlint.program.values import (
     NONE,
     External,
-    Known,
     Unknown,
     Value,
     alternatives,
@@ -84,18 +84,6 @@ def _annotated(run: Run, s: facts.Annotated) -> Status:
         assign(run, s.target, run.evaluate(s.value))
     elif run.activation.scope.kind == "class" and isinstance(s.target, facts.Name):
         pass  # a dataclass field without a default; its value comes from the constructor
-    return None
-
-
-def _augmented(run: Run, s: facts.Augmented) -> Status:
-    # What counts up at run time has no one value: only a straight run of a function keeps it known.
-    before = run.evaluate(s.target)
-    operand = run.evaluate(s.value)
-    value = operators.binary(run, s.op, before, operand, s.span)
-    counted = isinstance(s.target, facts.Attribute) and run.context.role not in ("init", "main", "module")
-    if counted and isinstance(value, Known) and not isinstance(value.value, str):
-        value = Unknown("the value changes at run time")
-    assign(run, s.target, value)
     return None
 
 
@@ -181,7 +169,7 @@ def _loop_of_unknown(run: Run, s: facts.For, iterable: Value, items: Items | Non
     from archlint.program.values import reason
 
     with run.arm(key, 0) as taken:
-        _forget_counters(run, s.body)
+        forget_counters(run, s.body)
         why = reason(iterable)
         if why == "the value is not a constant":
             why = "what the loop runs over is not known"
@@ -219,27 +207,15 @@ def _while(run: Run, s: facts.While) -> Status:
 
 def _loop_once(run: Run, s: facts.While, certain: bool) -> Status:
     if certain:
-        _forget_counters(run, s.body)
+        forget_counters(run, s.body)
         status = run.execute(s.body)
         return status if status in ("return", "raise") else None
     with run.arm(run.key_of(s.span), 0) as taken:
         decisions.narrow(run, s.test, True)
-        _forget_counters(run, s.body)
+        forget_counters(run, s.body)
         status = run.execute(s.body)
     _maybe_a_round(run, status, taken[0])
     return None
-
-
-def _forget_counters(run: Run, block: list[facts.Stmt]) -> None:
-    """A loop that is run once stands for many rounds: what it counts up is no longer known."""
-    for statement in block:
-        if isinstance(statement, facts.Augmented) and isinstance(statement.target, facts.Name):
-            run.assign_name(statement.target.id, Unknown("the value changes in a loop"))
-        elif isinstance(statement, (facts.If, facts.While, facts.For)):
-            _forget_counters(run, statement.body)
-            _forget_counters(run, statement.orelse)
-        elif isinstance(statement, (facts.With, facts.Try)):
-            _forget_counters(run, statement.body)
 
 
 def _with(run: Run, s: facts.With) -> Status:
@@ -428,7 +404,7 @@ def _nothing(run: Run, s: facts.Global) -> Status:
 STATEMENTS: dict[type, Callable[[Run, Any], Status]] = {
     facts.Assign: _assign,
     facts.Annotated: _annotated,
-    facts.Augmented: _augmented,
+    facts.Augmented: augmented,
     facts.Expression: _expression,
     facts.Return: _return,
     facts.Raise: _raise,

@@ -119,7 +119,8 @@ def _text_method(
     if name in ("joinpath", "as_posix", "resolve", "absolute", "expanduser"):  # of a pathlib.Path
         rest = [arg.value for arg in args if isinstance(arg, Known)]
         if name != "joinpath" or len(rest) == len(args):
-            return Known("/".join([text, *map(str, rest)]) if name == "joinpath" else text, target.via)
+            joined = "/".join([text, *map(str, rest)]) if name == "joinpath" else text
+            return Known(joined, target.via, kind="other" if name == "as_posix" else "path")
         return Unknown(reason(*args))
     if name == "join" and args:
         items = containers.iterate(run, args[0])

@@ -34,7 +34,7 @@ class Known(Value):
 
     ``via`` names the ROS parameters whose defaults (or overrides) it was made from; ``origin`` is where a
     text is written; ``kind`` is ``literal``, ``format``, ``argument_default``, ``node_name`` (made from the
-    name or namespace of a node) or ``other``.
+    name or namespace of a node), ``path`` (a ``pathlib.Path``) or ``other``.
     """
 
     value: str | int | float | bool | bytes | None

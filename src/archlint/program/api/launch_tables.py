@@ -81,11 +81,13 @@ SIGNATURES: dict[str, str] = {
     "AnyLaunchDescriptionSource": "launch_file_path",
     "LaunchDescriptionSource": "launch_description location method",
     # ---- conditions
+    "Condition": "* predicate",
     "IfCondition": "predicate_expression",
     "UnlessCondition": "predicate_expression",
     "LaunchConfigurationEquals": "launch_configuration_name expected_value",
     "LaunchConfigurationNotEquals": "launch_configuration_name expected_value",
     # ---- substitutions
+    "Substitution": "",
     "LaunchConfiguration": "variable_name * default",
     "PathJoinSubstitution": "substitutions",
     "StringJoinSubstitution": "substitutions * delimiter",

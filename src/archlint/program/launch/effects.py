@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import posixpath
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from archlint.facts import model as facts
@@ -80,7 +81,8 @@ def package_path(run: Run, call: ApiUse) -> Value:
         if not isinstance(name, Known):
             rows.append(Unknown(reason(name)))
         elif call.api.kind == "share":
-            rows.append(package_share(str(name.value)))
+            share = package_share(str(name.value))
+            rows.append(replace(share, kind="path") if call.api.path.endswith("_path") else share)
         else:
             rows.append(Known(f"$(find-pkg-prefix {name.value!s})"))
     return one_of(rows)
@@ -166,7 +168,7 @@ def _path(run: Run, args: list[Value], keywords: dict[str, Value], e: facts.Call
     texts = [part.value for part in args if isinstance(part, Known)]
     if len(texts) != len(args) or not args:
         return Unknown(reason(*args))
-    return Known(posixpath.join(*map(str, texts)))
+    return Known(posixpath.join(*map(str, texts)), kind="path")
 
 
 def _same_path(run: Run, args: list[Value], keywords: dict[str, Value], e: facts.Call | None) -> Value:

@@ -47,7 +47,8 @@ def perform(run: LaunchRun, value: Value | None) -> Value:
     if value is None:
         return Known("")
     if isinstance(value, Known):
-        return Known(str(value.value), value.via, value.origin, value.kind) if value.value is not None else Known("")
+        kind = "other" if value.kind == "path" else value.kind
+        return Known(str(value.value), value.via, value.origin, kind) if value.value is not None else Known("")
     if isinstance(value, OneOf):
         return one_of(perform(run, option) for option in value.values)
     if isinstance(value, ListValue):
