@@ -143,6 +143,7 @@ def _systems(request: Request, workspace: Workspace, facts: FactsOfFiles) -> lis
         World(
             installs,
             {package.name: package for package in workspace.packages},
+            {package.relative: package for package in workspace.packages},
             loader=loader,
             partial=_partial(request, workspace),
         ),

@@ -7,7 +7,7 @@ from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING
 
-from archlint.rulebook import find_rule, suggestion
+from archlint.rulebook import find_rule, rules, suggestion
 
 if TYPE_CHECKING:
     from archlint.facts.model import Suppression
@@ -61,15 +61,21 @@ def _covering(finding: Finding, suppressions: Sequence[Suppression]) -> list[tup
     return [
         (finding.place.file, suppression.line, suppression.column, code)
         for suppression in suppressions
-        if suppression.scope == "file" or _covers(suppression, finding.place.line)
+        if _covers(suppression, finding.place.line)
         for code in suppression.codes
         if code.upper() == finding.code or code.lower() == finding.name
     ]
 
 
+def is_covered(code: str, line: int, suppressions: Sequence[Suppression]) -> bool:
+    """Whether one of a file's suppressions covers a line for the rule with that code."""
+    names = {code, rules()[code].name.upper()}
+    return any(_covers(one, line) and any(word.upper() in names for word in one.codes) for one in suppressions)
+
+
 def _covers(suppression: Suppression, line: int) -> bool:
     first, last = suppression.applies_to
-    return first <= line <= last
+    return suppression.scope == "file" or first <= line <= last
 
 
 def stale(unused: Iterable[Unused], ran: frozenset[str], line: Callable[[str, int], str | None]) -> list[Finding]:

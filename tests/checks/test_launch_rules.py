@@ -385,62 +385,6 @@ def test_a_parameter_that_a_subclass_in_another_file_reads(findings, first, told
 # -------------------------------------------------------------------------------------------------- packages
 
 
-def test_imports_that_may_fail_or_are_for_tests_need_no_dependency(findings):
-    optional = "try:\n    from sensor_msgs.msg import Image\nexcept ImportError:\n    Image = None\n"
-    test = "from geometry_msgs.msg import Pose\nimport rclpy\n"
-    assert findings("PKG001", **{"robot/talker.py": optional + TALKER, "test/test_it.py": test}) == []
-
-
-@pytest.mark.parametrize(("declared", "missing"), [("nav_msgs", []), ("std_srvs", ["geometry_msgs"])])
-def test_what_a_well_known_package_brings_is_there(findings, declared, missing):
-    text = "from geometry_msgs.msg import Pose\n" + TALKER
-    manifest = MANIFEST.format(name="robot", type="ament_python", more=f"<depend>{declared}</depend>")
-    found = findings("PKG001", **{"robot/talker.py": text, "package.xml": manifest})
-    assert [one.identity[1] for one in found] == missing
-
-
-@pytest.mark.parametrize(("tag", "missing"), [("exec_depend", []), ("test_depend", ["lidar_msgs"])])
-def test_what_a_package_of_the_workspace_brings_is_there(tmp_path, monkeypatch, tag, missing):
-    monkeypatch.chdir(tmp_path)
-    texts = {
-        "archlint.toml": 'select = ["PKG001"]',
-        "lidar/package.xml": MANIFEST.format(name="lidar", type="ament_python", more=f"<{tag}>lidar_msgs</{tag}>"),
-        "robot/package.xml": MANIFEST.format(name="robot", type="ament_python", more="<depend>lidar</depend>"),
-        "robot/setup.py": SETUP,
-        "robot/robot/talker.py": "from lidar_msgs.msg import Scan\n" + TALKER,
-    }
-    for name, text in texts.items():
-        (tmp_path / name).parent.mkdir(parents=True, exist_ok=True)
-        (tmp_path / name).write_text(text, encoding="utf-8")
-    found = check(Request((".",), load(tmp_path), cached=False, jobs=1)).findings
-    assert [one.identity[1] for one in found] == missing
-
-
-def test_the_missing_line_for_the_manifest(findings):
-    text = "from sensor_msgs.msg import Image\n" + TALKER
-    (found,) = findings("PKG001", **{"robot/talker.py": text})
-    (edit,) = found.fix.edits
-    assert (edit.place.file, edit.place.line) == ("package.xml", 4)
-    assert edit.text == "<exec_depend>sensor_msgs</exec_depend>\n"
-
-
-@pytest.mark.parametrize(
-    ("written", "line"),
-    [
-        ("<depend>rclpy</depend>\n<!--\n<depend>nav_msgs</depend>\n-->\n</package>", 3),
-        ("<author>A</author>\n<license>MIT</license>\n</package>", 4),  # it declares nothing yet
-        ("<depend>rclpy</depend></package>", None),
-    ],
-)
-def test_where_the_missing_line_goes(findings, written, line):
-    head = "<package format='3'><name>robot</name><export><build_type>ament_python</build_type></export>"
-    manifest = f"{head}\n{written}\n"
-    talker = "import rclpy\nfrom sensor_msgs.msg import Image\n"
-    *_, found = findings("PKG001", **{"package.xml": manifest, "robot/talker.py": talker})
-    assert found.identity[1] == "sensor_msgs"
-    assert (None if found.fix is None else found.fix.edits[0].place.line) == line
-
-
 def test_entry_points_of_other_distributions(findings):
     setup = SETUP.replace("'talker = robot.talker:main'", "'talker = robot.talker:main', 'serve = uvicorn.main:run'")
     assert findings("PKG002", **{"setup.py": setup}) == []

@@ -19,6 +19,7 @@ MODULES: tuple[str, ...] = (
     "spinning",
     "timeouts",
     "type_mismatches",
+    "undeclared",
     "wait_loops",
     "contracts",
     "conventions",

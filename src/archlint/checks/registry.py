@@ -22,12 +22,13 @@ from typing import TYPE_CHECKING
 from archlint import checks
 from archlint.checks.merge import depends_on_arguments
 from archlint.finding import Finding, Place, Related
-from archlint.rulebook import rules
+from archlint.rulebook import codes_of, rules
 from archlint.system.variants import Arguments, condition
 
 if TYPE_CHECKING:
     from archlint.architecture import Contract, Layers
     from archlint.config import Settings
+    from archlint.config_values import Glob
     from archlint.system.model import System
 
 ISSUE_TRACKER = "archlint's issue tracker"
@@ -56,6 +57,12 @@ class Options:
     contracts: tuple[Contract, ...] = ()
     layers: Layers | None = None
     own: Mapping[str, OptionValue] = field(default_factory=dict)
+    ignored_in: tuple[Glob, ...] = ()
+    """The files whose findings ``per-file-ignores`` drops."""
+
+    def is_ignored_in(self, file: str) -> bool:
+        """Whether ``per-file-ignores`` turns the rule off for a file."""
+        return any(glob.matches(file) for glob in self.ignored_in)
 
     def is_shared(self, topic: str) -> bool:
         """Whether the configuration declares a topic as one that many may publish."""
@@ -159,6 +166,11 @@ def options_for(settings: Settings, codes: Iterable[str]) -> dict[str, Options]:
             contracts=settings.contracts,
             layers=settings.node_layers,
             own={**checks[code].defaults, **settings.rules.get(code, {})},
+            ignored_in=tuple(
+                glob
+                for glob, selectors in settings.per_file_ignores.items()
+                if any(code in codes_of(selector) for selector in selectors)
+            ),
         )
         for code in codes
         if code in checks

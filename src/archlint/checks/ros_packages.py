@@ -1,8 +1,14 @@
-"""Which ROS package an imported module belongs to."""
+"""Which ROS package an imported module belongs to, which packages there are, and what these bring along."""
 
 from __future__ import annotations
 
-from collections.abc import Container, Sequence
+from collections.abc import Callable, Sequence
+from functools import cache
+from pathlib import Path
+
+import msgspec
+
+FILE = Path(__file__).with_suffix(".json")
 
 _BY_MODULE = {
     "action_msgs": "action_msgs",
@@ -32,8 +38,10 @@ _BY_MODULE = {
 _INTERFACES = (".msg", ".srv", ".action")
 
 
-def package_of_module(module: str, names: Sequence[str], workspace: Container[str]) -> str | None:
-    """The ROS package that has to be there for an import; None for modules of anything else."""
+def package_of_module(module: str, names: Sequence[str], of_workspace: Callable[[str], bool]) -> str | None:
+    """The ROS package that has to be there for an import; None for modules of anything else.
+
+    ``of_workspace`` says whether a package of the workspace has a module of its own name."""
     top, _, rest = module.partition(".")
     if top in _BY_MODULE:
         return _BY_MODULE[top]
@@ -41,40 +49,18 @@ def package_of_module(module: str, names: Sequence[str], workspace: Container[st
         return top
     if not rest and {"msg", "srv", "action"} & set(names):
         return top
-    return top if top in workspace else None
+    return top if of_workspace(top) else None
 
 
-_INTERFACE_BASE = frozenset({"builtin_interfaces"})
-_STANDARD = _INTERFACE_BASE | {"std_msgs"}
-_GEOMETRY = _STANDARD | {"geometry_msgs"}
-_NODE = _INTERFACE_BASE | {"ament_index_python", "rcl_interfaces", "rosgraph_msgs"}
-_LAUNCH = frozenset({"launch", "ament_index_python", "osrf_pycommon"})
-_ROS_LAUNCH = _LAUNCH | _NODE | {"rclpy", "composition_interfaces", "lifecycle_msgs"}
+class Table(msgspec.Struct):
+    """The packages that rosdistro names: all their ``names``, and what those ``brings`` lists bring along when they
+    are installed, each package's own needs only."""
 
-BROUGHT: dict[str, frozenset[str]] = {
-    "std_msgs": _INTERFACE_BASE,
-    "rcl_interfaces": _INTERFACE_BASE,
-    "geometry_msgs": _STANDARD,
-    "sensor_msgs": _GEOMETRY,
-    "nav_msgs": _GEOMETRY,
-    "visualization_msgs": _GEOMETRY | {"sensor_msgs"},
-    "trajectory_msgs": _GEOMETRY,
-    "diagnostic_msgs": _GEOMETRY,
-    "stereo_msgs": _GEOMETRY | {"sensor_msgs"},
-    "shape_msgs": _GEOMETRY,
-    "nav2_msgs": _GEOMETRY | {"nav_msgs", "action_msgs"},
-    "common_interfaces": _GEOMETRY
-    | {"sensor_msgs", "nav_msgs", "visualization_msgs", "trajectory_msgs", "diagnostic_msgs", "stereo_msgs"}
-    | {"shape_msgs", "std_srvs", "actionlib_msgs"},
-    "rclpy": _NODE,
-    "tf2_ros_py": _GEOMETRY | _NODE | {"sensor_msgs", "rclpy", "tf2_msgs"},
-    "sensor_msgs_py": _GEOMETRY | {"sensor_msgs"},
-    "launch": _LAUNCH,
-    "launch_ros": _ROS_LAUNCH,
-    "launch_xml": _LAUNCH,
-    "launch_yaml": _LAUNCH,
-    "ros2launch": _ROS_LAUNCH | {"launch_ros", "launch_xml", "launch_yaml"},
-    "nav2_common": _ROS_LAUNCH | {"launch_ros"},
-}
-"""What well-known packages of ROS name in their own manifests as needed at run time: whoever declares the one
-gets the others installed."""
+    names: frozenset[str]
+    brings: dict[str, list[str]]
+
+
+@cache
+def table() -> Table:
+    """The table that ``scripts/generate_packages`` writes, read once."""
+    return msgspec.json.decode(FILE.read_bytes(), type=Table)

@@ -35,6 +35,8 @@ class World:
 
     installs: Mapping[str, Installs] = field(default_factory=dict)
     packages: Mapping[str, Package] = field(default_factory=dict)
+    manifests: Mapping[str, Package] = field(default_factory=dict)
+    """All packages by the shown path of their folder: two may have one name."""
     launched: list[Launched] = field(default_factory=list)
     """Every launch file of the workspace, run with its defaults (or the one that was asked for)."""
     parameters_of: Callable[[str], ParameterFacts] | None = None

@@ -36,6 +36,7 @@ class _Reader:
         self.name = ""
         self.name_line = 1
         self.build_type = ""
+        self.format = 1
         self.groups: list[str] = []
         self.dependencies: list[Dependency] = []
 
@@ -45,6 +46,8 @@ class _Reader:
     def start(self, tag: str, attributes: dict[str, str]) -> None:
         if not self.stack and tag != "package":
             raise ManifestError(f"the root element is <{tag}>, not <package>", self.parser.CurrentLineNumber)
+        if not self.stack and attributes.get("format", "").strip() in ("2", "3"):
+            self.format = int(attributes["format"])
         self.stack.append(tag)
         self.text = []
         self.attributes = attributes
@@ -106,6 +109,7 @@ def read_manifest(file: SourceFile, data: bytes, root: str, relative: str) -> Pa
         tuple(reader.dependencies),
         file,
         reader.name_line,
+        reader.format,
     )
 
 

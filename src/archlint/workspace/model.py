@@ -58,7 +58,8 @@ class Dependency:
 
 @dataclass(frozen=True, slots=True)
 class Package:
-    """A package by its package.xml.  ``build_type`` is ``catkin`` where the manifest names none."""
+    """A package by its package.xml.  ``build_type`` is ``catkin`` where the manifest names none, ``format``
+    (of the manifest, REP 127, 140 and 149) is 1 where it says nothing."""
 
     name: str
     root: str
@@ -68,6 +69,7 @@ class Package:
     dependencies: tuple[Dependency, ...]
     manifest: SourceFile
     name_line: int = 1
+    format: int = 1
 
     def runtime_dependencies(self) -> frozenset[str]:
         """Names this package needs to run, or to build and run (``depend``)."""

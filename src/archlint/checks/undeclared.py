@@ -1,0 +1,276 @@
+"""PKG001: what the files of a package use and its package.xml does not declare."""
+
+from __future__ import annotations
+
+import posixpath
+import re
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING
+
+from archlint.checks import ros_packages
+from archlint.checks.near import distance, nearest
+from archlint.checks.packages import needs_of, world_of
+from archlint.checks.registry import Options, finding, rule
+from archlint.facts import model as facts
+from archlint.finding import Edit, Finding, Fix, Place, Related
+from archlint.suppressions import is_covered
+from archlint.workspace.manifest import condition_holds
+
+if TYPE_CHECKING:
+    from archlint.program.launch.load import LaunchLoader
+    from archlint.system.launched import World
+    from archlint.system.model import System
+    from archlint.workspace.model import Package
+
+
+@dataclass(frozen=True, order=True)
+class _Use:
+    """A place that needs another package, and how: it ``imports`` or ``starts a node of`` it."""
+
+    place: Place
+    needed: str
+    how: str
+
+
+@rule("PKG001")
+def undeclared_dependency(system: System, options: Options) -> Iterator[Finding]:
+    """ROS packages that are imported or launched and that package.xml does not name: one finding a package."""
+    world = world_of(system)
+    if world is None or world.loader is None:
+        return
+    suppressed = _suppressed(world.loader)
+    for folder, uses in sorted(_uses_by_package(world, options).items()):
+        hidden = [use for use in uses if is_covered("PKG001", use.place.line, suppressed.get(use.place.file, ()))]
+        # What a comment allows is a finding of its own, for the comment to hide.
+        for group in ([use for use in uses if use not in hidden], *([use] for use in hidden)):
+            if group:
+                yield _undeclared(world, world.manifests[folder], group)
+
+
+def _suppressed(loader: LaunchLoader) -> dict[str, list[facts.Suppression]]:
+    python = {file.relative: found.suppressions for file, found in loader.python_facts() if found.suppressions}
+    return {**python, **loader.suppressions()}
+
+
+def _uses_by_package(world: World, options: Options) -> dict[str, list[_Use]]:
+    """What each package (by its folder) uses and does not declare, in the order of the files."""
+    assert world.loader is not None
+    there: dict[str, frozenset[str]] = {}
+    found: dict[str, list[_Use]] = {}
+    for use in sorted({*_imported(world), *_launched(world)}):
+        package = _package_of(world, use.place.file)
+        if package is None or package.build_type == "catkin" or options.is_ignored_in(use.place.file):
+            continue
+        if package.relative not in there:
+            there[package.relative] = _there(world, package)
+        known = there[package.relative]
+        if not {use.needed, _ALSO.get(use.needed)} & known and use.needed not in options.external:
+            found.setdefault(package.relative, []).append(use)
+    return found
+
+
+def _package_of(world: World, file: str) -> Package | None:
+    """The package whose package.xml is the nearest one upwards from a file; None where that one makes no package."""
+    assert world.loader is not None
+    folder = posixpath.dirname(file) or "."
+    while not world.loader.tree.is_file(posixpath.normpath(posixpath.join(folder, "package.xml"))):
+        parent = posixpath.dirname(folder) or "."
+        if parent == folder or folder.endswith(".."):
+            return None
+        folder = parent
+    return world.manifests.get(folder)
+
+
+# ------------------------------------------------------------------------------------------- what is declared
+
+_AT_RUN_TIME = frozenset({"depend", "exec", "run", "build_export", "buildtool_export"})
+_FOR_OTHERS = frozenset({"test", "doc"})
+"""What these declare is not installed where nodes run."""
+
+_ALSO = {"tf2_ros": "tf2_ros_py", "tf2_ros_py": "tf2_ros", "launch": "launch_ros"}
+"""The same thing as far as a manifest is concerned: the tutorials declare either one."""
+
+
+def _there(world: World, package: Package) -> frozenset[str]:
+    """The package itself, what it declares, what these need when they run, what that needs …: all installed."""
+    declared = [d for d in package.dependencies if d.kind not in _FOR_OTHERS and condition_holds(d.condition)]
+    waiting = [package.name, *(d.name for d in declared)]
+    found = set(waiting)
+    while waiting:
+        new = _brought_by(waiting.pop(), world) - found
+        found |= new
+        waiting.extend(new)
+    return frozenset(found)
+
+
+def _brought_by(name: str, world: World) -> set[str]:
+    package = world.packages.get(name)
+    if package is None:
+        return set(ros_packages.table().brings.get(name, ()))
+    return {d.name for d in package.dependencies if d.kind in _AT_RUN_TIME and condition_holds(d.condition)}
+
+
+# ----------------------------------------------------------------------------------------------- what is used
+
+_OF_ROS2_LAUNCH = frozenset({"launch", "launch_ros", "launch_xml", "launch_yaml", "ament_index_python"})
+"""What is there wherever a launch file is launched."""
+
+
+def _imported(world: World) -> Iterator[_Use]:
+    loader = world.loader
+    assert loader is not None
+
+    def has_module(package: str) -> bool:
+        return package in world.packages and any(
+            module == package or module.startswith(f"{package}.") for module in loader.modules_of(package)
+        )
+
+    for file, found in loader.python_facts():
+        if file.package is None or file.kind == "setup_py" or _beside_the_code(file.relative):
+            continue
+        of_launch = file.kind == "launch_python" or "/launch/" in f"/{file.relative}"
+        for statement in _unguarded(found.body):
+            names = [n for n, _ in statement.names] if isinstance(statement, facts.ImportFrom) else []
+            needed = ros_packages.package_of_module(statement.module, names, has_module)
+            if needed is None or (of_launch and needed in _OF_ROS2_LAUNCH):
+                continue
+            if not loader.is_local(file, statement.module):
+                yield _Use(Place(file.relative, *statement.span), needed, "imports")
+
+
+_BESIDE = frozenset({"test", "tests", "doc", "docs", "example", "examples"})
+
+
+def _beside_the_code(path: str) -> bool:
+    """Test code, documentation and examples need not be installed with what they use."""
+    return any(part in _BESIDE for part in path.split("/")) or posixpath.basename(path).startswith(
+        ("test_", "conftest")
+    )
+
+
+def _unguarded(body: list[facts.Stmt]) -> Iterator[facts.Import | facts.ImportFrom]:
+    """The imports of a module that always run: not inside functions, nor where a failure is caught."""
+    for statement in body:
+        if isinstance(statement, facts.Import) or (isinstance(statement, facts.ImportFrom) and not statement.level):
+            yield statement
+
+
+def _launched(world: World) -> Iterator[_Use]:
+    for launched in world.launched:
+        for started in launched.started:
+            place = started.places.get("package", started.place)
+            exact = started.package.resolution == "exact" and not started.dormant
+            judged = started.kind in ("node", "container") and not _beside_the_code(place.file)
+            if exact and judged and started.package.text:
+                yield _Use(place, started.package.text, "starts a node of")
+
+
+# -------------------------------------------------------------------------------------------------- the finding
+
+_NAMED = 12
+"""How many packages a message lists."""
+
+
+def _undeclared(world: World, package: Package, uses: Sequence[_Use]) -> Finding:
+    by_needed: dict[str, list[_Use]] = {}
+    for use in uses:
+        by_needed.setdefault(use.needed, []).append(use)
+    needed = sorted(by_needed)
+    circles = {name for name in needed if package.name in _reachable(name, world)}
+    found = finding(
+        "PKG001",
+        uses[0].place,
+        _message(package, uses[0], needed),
+        help=_help(package, needed, circles),
+        related=list(_related(by_needed)) if len(needed) > 1 else [],
+        identity=(package.name, *needed),
+    )
+    return replace(found, fix=_fix(world, package, [name for name in needed if name not in circles]))
+
+
+def _message(package: Package, first: _Use, needed: Sequence[str]) -> str:
+    declared = {d.name for d in package.dependencies if d.kind == "test" and condition_holds(d.condition)}
+    for_tests = [name for name in needed if name in declared]
+    if len(needed) == 1:
+        verb = "declares for tests only" if for_tests else "does not declare"
+        what = f"package '{package.name}' {first.how} '{first.needed}', which its package.xml {verb}"
+        return what + _hint(package, first)
+    more = f" and {len(needed) - _NAMED} more" if len(needed) > _NAMED else ""
+    listed = ", ".join(needed[:_NAMED]) + more
+    tests = f" ({', '.join(for_tests[:_NAMED])}: for tests only)" if for_tests else ""
+    what = f"package '{package.name}' uses {len(needed)} packages that its package.xml does not declare"
+    return f"{what}: {listed}{tests}"
+
+
+def _hint(package: Package, use: _Use) -> str:
+    """The declared name that was meant, if no package is called so."""
+    declared = {d.name for d in package.dependencies} - ros_packages.table().names - {use.needed}
+    near = nearest(use.needed, declared)
+    meant = near is not None and distance(use.needed, near, 2) <= 2
+    return f"; did you mean '{use.needed}' by '{near}'?" if meant else ""
+
+
+def _help(package: Package, needed: Sequence[str], circles: set[str]) -> str:
+    manifest = package.manifest.relative
+    if circles == set(needed):
+        return (
+            f"{' and '.join(needed)} needs '{package.name}' itself, and colcon builds no circle: move what both need "
+            "into a package of its own"
+        )
+    line = f"<{_tag(package)}>{needed[0]}</{_tag(package)}>"
+    return f"add {line} to {manifest}" if len(needed) == 1 else f"add a line like {line} for each to {manifest}"
+
+
+def _related(by_needed: Mapping[str, Sequence[_Use]]) -> Iterator[Related]:
+    """The first use of each package."""
+    for name, uses in sorted(by_needed.items()):
+        first = f"'{name}' is imported here" if uses[0].how == "imports" else f"a node of '{name}' is started here"
+        more = len(uses) - 1
+        yield Related(uses[0].place, first + (f" and at {more} more place{'s' * (more > 1)}" if more else ""))
+
+
+# ------------------------------------------------------------------------------------------------------ the fix
+
+
+def _reachable(name: str, world: World) -> set[str]:
+    """The packages of this workspace that one of them needs, directly or not, itself included."""
+    found = {name}
+    waiting = [name] if name in world.packages else []
+    while waiting:
+        new = needs_of(world.packages[waiting.pop()], world.packages).keys() - found
+        found |= new
+        waiting.extend(new)
+    return found
+
+
+def _tag(package: Package) -> str:
+    """How a dependency for run time is called in the format of a package.xml."""
+    return "run_depend" if package.format == 1 else "exec_depend"
+
+
+def _fix(world: World, package: Package, needed: Sequence[str]) -> Fix | None:
+    """Lines for the manifest, after the last of their kind, or where the first would stand.
+
+    Only packages that are known: those of this workspace and those of rosdistro.  Format 1 refuses one that is
+    declared for tests, too."""
+    taken = {d.name for d in package.dependencies if package.format == 1}
+    known = world.packages.keys() | ros_packages.table().names
+    names = [name for name in needed if name in known and name not in taken]
+    text = None if world.loader is None else world.loader.tree.text(package.manifest.relative)
+    lines = [] if text is None else text.splitlines()
+    in_force = _COMMENT.sub(lambda found: "\n" * found[0].count("\n"), "\n".join(lines)).split("\n")
+    after = [number for number, line in enumerate(in_force, start=1) if _DEPEND.match(line)]
+    after = after or [number for number, line in enumerate(in_force, start=1) if _ABOUT.match(line)]
+    if not after or not names:
+        return None
+    indent = lines[after[-1] - 1][: -len(lines[after[-1] - 1].lstrip())]
+    place = Place(package.manifest.relative, after[-1] + 1, 1, after[-1] + 1, 1)
+    tag = _tag(package)
+    edit = Edit(place, "".join(f"{indent}<{tag}>{name}</{tag}>\n" for name in names))
+    return Fix("safe", (edit,), f"declare {', '.join(names)}")
+
+
+_DEPEND = re.compile(r"\s*<(?:exec_|run_|build_export_|buildtool_|build_|)depend\b.*</\w*depend>\s*$")
+_ABOUT = re.compile(r"\s*<(?:maintainer|license|url|author)\b.*</(?:maintainer|license|url|author)>\s*$")
+_COMMENT = re.compile(r"<!--.*?-->", re.DOTALL)

@@ -1,0 +1,239 @@
+"""PKG001: what counts as declared, what is said once for a package, and which lines its fix adds."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+
+from archlint.checks.ros_packages import table
+from archlint.config import load
+from archlint.finding import Finding
+from archlint.session import Request, check
+
+Lint = Callable[..., list[Finding]]
+
+
+@pytest.fixture
+def lint(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Lint:
+    """Lays out files and gives what PKG001 finds; ``only`` are the paths that are asked for."""
+    monkeypatch.chdir(tmp_path)
+
+    def run(files: dict[str, str], *only: str, config: str = "") -> list[Finding]:
+        for name, text in {"archlint.toml": f'select = ["PKG001"]\n{config}', **files}.items():
+            (tmp_path / name).parent.mkdir(parents=True, exist_ok=True)
+            (tmp_path / name).write_text(text, encoding="utf-8")
+        return check(Request(only or (".",), load(tmp_path), cached=False, jobs=1)).findings
+
+    return run
+
+
+def manifest(name: str, *tags: str, head: str = 'format="3"') -> str:
+    lines = "".join(f"  {tag}\n" for tag in tags)
+    kind = "<export><build_type>ament_python</build_type></export>"
+    return f"<package {head}>\n  <name>{name}</name>\n  <license>MIT</license>\n{lines}  {kind}\n</package>\n"
+
+
+def depends(*names: str, tag: str = "exec_depend") -> list[str]:
+    return [f"<{tag}>{name}</{tag}>" for name in names]
+
+
+def node(*imports: str) -> str:
+    return "".join(f"{line}\n" for line in ("import rclpy", *imports, "rclpy.create_node('talk')"))
+
+
+LASER = "from sensor_msgs.msg import LaserScan"
+POSE = "from geometry_msgs.msg import Pose"
+PATH = "from nav_msgs.msg import Path"
+
+
+def missing(found: list[Finding]) -> list[str]:
+    return [name for one in found for name in one.identity[1:]]
+
+
+# ------------------------------------------------------------------------------------------- what is declared
+
+
+@pytest.mark.parametrize(
+    ("declared", "lines"),
+    [
+        ("nav_msgs", [POSE]),  # a message of nav_msgs holds one of geometry_msgs
+        ("rclpy", ["from builtin_interfaces.msg import Time", "from rcl_interfaces.msg import Log"]),
+        ("rclpy", ["from action_msgs.msg import GoalStatus", "from ament_index_python import get_package_prefix"]),
+        ("rclcpp_action", ["from action_msgs.msg import GoalStatus"]),
+        ("navigation2", ["from nav2_msgs.action import NavigateToPose"]),  # metapackages
+        ("desktop", ["from turtlesim.msg import Pose", LASER]),
+        ("rtabmap_ros", ["from rtabmap_msgs.msg import OdomInfo"]),
+        ("tf2_ros", ["import tf2_ros"]),  # the tutorials say so, though the module is in tf2_ros_py
+    ],
+)
+def test_what_a_declared_package_brings_along_is_there(lint: Lint, declared: str, lines: list[str]):
+    assert lint({"package.xml": manifest("talk", *depends("rclpy", declared)), "talk/node.py": node(*lines)}) == []
+
+
+def test_what_a_declared_package_does_not_bring_is_missing(lint: Lint):
+    files = {"package.xml": manifest("talk", *depends("rclpy", "std_srvs")), "talk/node.py": node(POSE)}
+    assert missing(lint(files)) == ["geometry_msgs"]
+
+
+def test_metapackages_of_a_launch_file(lint: Lint):
+    launch = '<launch><node pkg="imu_filter_madgwick" exec="imu_filter_madgwick_node"/></launch>'
+    files = {"launch/imu.launch.xml": launch, "talk/node.py": node()}
+    assert lint({**files, "package.xml": manifest("talk", *depends("rclpy", "imu_tools"))}) == []
+    assert missing(lint({**files, "package.xml": manifest("talk", *depends("rclpy"))})) == ["imu_filter_madgwick"]
+
+
+@pytest.mark.parametrize(("tag", "expected"), [("exec_depend", []), ("test_depend", ["lidar_msgs"])])
+def test_what_a_package_of_the_workspace_brings_is_there(lint: Lint, tag: str, expected: list[str]):
+    files = {
+        "lidar/package.xml": manifest("lidar", *depends("lidar_msgs", tag=tag)),
+        "talk/package.xml": manifest("talk", *depends("rclpy", "lidar")),
+        "talk/talk/node.py": node("from lidar_msgs.msg import Scan"),
+    }
+    assert missing(lint(files)) == expected
+
+
+def test_what_is_declared_for_tests_is_not_there_when_a_node_runs(lint: Lint):
+    tags = [*depends("rclpy"), *depends("sensor_msgs", tag="test_depend")]
+    (found,) = lint({"package.xml": manifest("talk", *tags), "talk/a.py": node(LASER), "test/test_it.py": node(POSE)})
+    assert found.message == "package 'talk' imports 'sensor_msgs', which its package.xml declares for tests only"
+
+
+def test_imports_that_may_fail_or_are_for_tests_need_no_dependency(lint: Lint):
+    optional = "try:\n    from sensor_msgs.msg import Image\nexcept ImportError:\n    Image = None"
+    files = {"talk/node.py": node(optional), "test/test_it.py": node(POSE), "test/it.launch.xml": "<launch/>"}
+    assert lint({**files, "package.xml": manifest("talk", *depends("rclpy"))}) == []
+
+
+def test_a_package_of_the_workspace_is_meant_only_where_it_has_such_a_module(lint: Lint):
+    files = {
+        "serial/package.xml": manifest("serial"),  # C++; the import means a module of PyPI
+        "arm/package.xml": manifest("arm"),
+        "arm/arm/__init__.py": "",
+        "talk/package.xml": manifest("talk", *depends("rclpy")),
+        "talk/talk/node.py": node("import serial", "import arm"),
+    }
+    assert missing(lint(files)) == ["arm"]
+
+
+# -------------------------------------------------------------------------------------------------- one finding
+
+
+def test_one_finding_for_a_package_with_each_place(lint: Lint):
+    files = {
+        "package.xml": manifest("talk", *depends("rclpy")),
+        "talk/a.py": node(LASER, POSE),
+        "talk/b.py": node(LASER),
+        "launch/it.launch.xml": '<launch>\n<node pkg="joy" exec="joy_node"/></launch>',
+    }
+    (found,) = lint(files)
+    assert found.message == (
+        "package 'talk' uses 3 packages that its package.xml does not declare: geometry_msgs, joy, sensor_msgs"
+    )
+    assert (found.place.file, found.place.line) == ("launch/it.launch.xml", 2)
+    assert [(one.place.file, one.place.line, one.message) for one in found.related] == [
+        ("talk/a.py", 3, "'geometry_msgs' is imported here"),
+        ("launch/it.launch.xml", 2, "a node of 'joy' is started here"),
+        ("talk/a.py", 2, "'sensor_msgs' is imported here and at 1 more place"),
+    ]
+    assert found.help == "add a line like <exec_depend>geometry_msgs</exec_depend> for each to package.xml"
+
+
+def test_files_that_are_asked_for_are_judged_alone(lint: Lint):
+    files = {"package.xml": manifest("talk", *depends("rclpy")), "talk/a.py": node(LASER), "talk/b.py": node(POSE)}
+    (found,) = lint(files, "talk/b.py")
+    assert (found.place.file, missing([found])) == ("talk/b.py", ["geometry_msgs"])
+
+
+def test_a_comment_allows_one_use_and_a_setting_those_of_a_file(lint: Lint):
+    files = {
+        "package.xml": manifest("talk", *depends("rclpy")),
+        "talk/a.py": node(f"{LASER}  # archlint: ignore[PKG001]"),
+        "talk/b.py": node(POSE),
+        "tools/c.py": node(PATH),
+    }
+    assert missing(lint(files)) == ["geometry_msgs", "nav_msgs"]
+    ignored = '[per-file-ignores]\n"talk/b.py" = ["PKG001"]\n'
+    assert missing(lint(files, config=ignored)) == ["nav_msgs"]
+
+
+# ------------------------------------------------------------------------------------------------------ the fix
+
+
+def added(found: Finding) -> str | None:
+    return None if found.fix is None else "".join(edit.text for edit in found.fix.edits)
+
+
+def test_the_lines_that_are_missing(lint: Lint):
+    files = {"package.xml": manifest("talk", *depends("rclpy")), "talk/a.py": node(LASER, POSE)}
+    (found,) = lint(files)
+    assert added(found) == "  <exec_depend>geometry_msgs</exec_depend>\n  <exec_depend>sensor_msgs</exec_depend>\n"
+    assert found.fix is not None and found.fix.edits[0].place.line == 5
+
+
+@pytest.mark.parametrize(
+    ("written", "line"),
+    [
+        ("<depend>rclpy</depend>\n<!--\n<depend>nav_msgs</depend>\n-->\n</package>", 3),
+        ("<author>A</author>\n<license>MIT</license>\n</package>", 4),  # it declares nothing yet
+        ("<depend>rclpy</depend></package>", None),
+    ],
+)
+def test_where_the_missing_lines_go(lint: Lint, written: str, line: int | None):
+    head = "<package format='3'><name>talk</name><export><build_type>ament_python</build_type></export>"
+    (found,) = lint({"package.xml": f"{head}\n{written}\n", "talk/a.py": node(LASER)})
+    assert (None if found.fix is None else found.fix.edits[0].place.line) == line
+
+
+def test_no_fix_closes_a_circle(lint: Lint):
+    files = {
+        "talk/package.xml": manifest("talk", *depends("rclpy")),
+        "arm/package.xml": manifest("arm", *depends("hand")),
+        "hand/package.xml": manifest("hand", *depends("talk")),
+        "talk/talk/a.py": node("from arm.msg import Joint"),
+    }
+    (found,) = lint(files)
+    assert found.fix is None
+    assert "arm needs 'talk' itself" in found.help
+    files["talk/talk/a.py"] = node("from arm.msg import Joint", LASER)
+    (found,) = lint(files)
+    assert added(found) == "  <exec_depend>sensor_msgs</exec_depend>\n"
+
+
+def test_no_fix_names_a_package_that_nobody_knows(lint: Lint):
+    files = {"package.xml": manifest("talk", *depends("rclpy")), "talk/a.py": node("from secret_msgs.msg import X")}
+    (found,) = lint(files)
+    assert (missing([found]), found.fix) == (["secret_msgs"], None)
+
+
+def test_each_file_goes_by_the_manifest_around_it(lint: Lint):
+    """Two packages of one name, and a package.xml inside a package, which makes none."""
+    files = {
+        "old/package.xml": manifest("talk", *depends("rclpy")),
+        "old/talk/a.py": node(LASER),
+        "new/package.xml": manifest("talk", *depends("rclpy", "sensor_msgs")),
+        "new/talk/a.py": node(LASER),
+        "new/template/package.xml": manifest("template"),
+        "new/template/template/a.py": node(POSE),
+    }
+    (found,) = lint(files)
+    assert found.place.file == "old/talk/a.py"
+    assert found.fix is not None and found.fix.edits[0].place.file == "old/package.xml"
+
+
+@pytest.mark.parametrize("head", ["", 'format="1"'])
+def test_format_1_calls_it_otherwise_and_refuses_a_second_mention(lint: Lint, head: str):
+    tags = [*depends("rclpy", tag="run_depend"), *depends("geometry_msgs", tag="test_depend")]
+    (found,) = lint({"package.xml": manifest("talk", *tags, head=head), "talk/a.py": node(LASER, POSE)})
+    assert added(found) == "  <run_depend>sensor_msgs</run_depend>\n"
+
+
+# ---------------------------------------------------------------------------------------------------- the table
+
+
+def test_the_table_of_known_packages():
+    known = table()
+    assert {"rclpy", "navigation2", "imu_tools", "desktop", "turtlesim"} <= known.names
+    assert "numpy" not in known.names
+    assert all(set(needs) <= known.names and name not in needs for name, needs in known.brings.items())
