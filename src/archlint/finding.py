@@ -86,6 +86,8 @@ class Finding:
     condition: str | None = None
     """The launch arguments (``name:=value``) under which it holds, where no default decides; None for always.
     The message of a finished finding says so, too."""
+    group: tuple[str, ...] = field(default=(), compare=False)
+    """What it has in common with the findings of its rule that are shown as one with it; empty in a finished one."""
 
     @property
     def sort_key(self) -> tuple[str, int, int, str, str, str]:

@@ -188,6 +188,7 @@ def _asked_for(system: System, workspace: Workspace) -> System:
 
 def _judged(request: Request, workspace: Workspace, facts: FactsOfFiles) -> Judged:
     from archlint import suppressions
+    from archlint.checks.folding import folded
     from archlint.checks.launch_notices import argument_notices
     from archlint.checks.merge import merged
     from archlint.checks.registry import unreadable
@@ -204,7 +205,8 @@ def _judged(request: Request, workspace: Workspace, facts: FactsOfFiles) -> Judg
     outcome = suppressions.apply(_wanted(found, request.settings, workspace), by_file)
     stale = suppressions.stale(outcome.unused, _ran(request, systems), Sources().line)
     kept = [*outcome.kept, *suppressions.apply(_wanted(stale, request.settings, workspace), by_file).kept]
-    findings = sorted(dict.fromkeys(_with_fixes(kept, request)), key=lambda finding: finding.sort_key)
+    whole = folded(dict.fromkeys(_with_fixes(kept, request)))
+    findings = sorted(whole, key=lambda finding: finding.sort_key)
     shown = [_asked_for(systems[0], workspace)]
     summary = summarise(
         findings,

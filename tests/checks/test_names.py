@@ -2,6 +2,7 @@ from __future__ import annotations
 
 import pytest
 
+from archlint.finding import Severity
 from checks.judging import Judge
 
 SCRIPT = """
@@ -15,7 +16,7 @@ SCRIPT = """
     from std_srvs.srv import Trigger
     from tf2_ros import TransformBroadcaster
 
-    SCAN = '/robot/scan'
+    SCAN = '/robot/scan'{mark}
 
 
     def main():
@@ -29,8 +30,9 @@ SCRIPT = """
 """
 
 
-def script(*lines: str) -> str:
-    return SCRIPT.format(lines="\n        ".join(lines))
+def script(*lines: str, mark: str = "") -> str:
+    """``mark`` follows the constant ``SCAN``."""
+    return SCRIPT.format(lines="\n        ".join(lines), mark=mark)
 
 
 class TestHardcodedName:
@@ -43,7 +45,6 @@ class TestHardcodedName:
             "node.create_client(Trigger, '/go')",
             "ActionClient(node, Fibonacci, '/count')",
             "ActionServer(node, Fibonacci, '/count', print)",
-            "node.create_publisher(String, SCAN, 10)",
             "node.create_publisher(String, f'{SCAN}/filtered', 10)",
             "node.create_publisher(String, SCAN + '/filtered', 10)",
             "node.create_publisher(String, topic='/words', qos_profile=10)",
@@ -93,26 +94,25 @@ class TestHardcodedName:
             ),
         )
 
-    def test_a_name_that_is_passed_on_is_shown_where_it_is_written(self, judge: Judge):
+    def test_a_name_that_is_passed_on_is_found_where_it_is_written(self, judge: Judge):
         [found] = judge(
             "NME001",
             script(
                 "def publisher(topic):",
-                "    node.create_publisher(String, topic, 10)  # here",
-                "publisher('/left')",
+                "    node.create_publisher(String, topic, 10)",
+                "publisher('/left')  # here",
                 "publisher('/right')",
             ),
         )
 
-        assert [(related.place.line, related.message) for related in found.related] == [
-            (19, "'/left' is written here"),
-            (20, "'/right' is written here"),
+        assert [(related.place.line, related.message) for related in found.related] == [(20, "the topic '/right'")]
+
+    def test_a_constant_is_found_where_it_is_written(self, judge: Judge):
+        [found] = judge("NME001", script("node.create_publisher(String, SCAN, 10)", mark="  # here"))
+
+        assert [(one.place.line, one.message) for one in found.related] == [
+            (17, "the topic is created under this name here")
         ]
-
-    def test_a_constant_is_shown_where_it_is_written(self, judge: Judge):
-        [found] = judge("NME001", script("node.create_publisher(String, SCAN, 10)  # here"))
-
-        assert [related.place.line for related in found.related] == [11]
 
     def test_names_that_the_team_allows(self, judge: Judge):
         judge(
@@ -159,6 +159,126 @@ class TestHardcodedName:
 
     def test_a_name_that_ros_rejects_has_a_worse_fault(self, judge: Judge):
         judge("NME001", script("node.create_publisher(String, '/my-words', 10)"))
+
+
+ROBOT = """
+    import rclpy
+    from rclpy.node import Node
+    from std_msgs.msg import String
+    from std_srvs.srv import Trigger
+    {top}
+
+    class Robot(Node):
+        def __init__(self):
+            super().__init__('robot')
+            {lines}
+
+
+    def main():
+        rclpy.init()
+        rclpy.spin(Robot())
+
+
+    if __name__ == '__main__':
+        main()
+"""
+
+
+def robot(*lines: str, top: str = "") -> str:
+    return ROBOT.format(lines="\n            ".join(lines), top=top)
+
+
+class TestHardcodedNamesOfOneClass:
+    def test_they_are_one_finding_at_the_first(self, judge: Judge):
+        [found] = judge(
+            "NME001",
+            robot(
+                "self.create_publisher(String, 'words', 10)",
+                "self.create_publisher(String, '/words', 10)  # here",
+                "self.create_subscription(String, '/words', print, 10)",
+                "self.create_client(Trigger, '/reset')",
+            ),
+        )
+
+        assert found.message == (
+            "2 names of Robot are absolute and fixed in the code, such as the topic '/words': no namespace moves them"
+        )
+        assert [(one.place.line, one.message) for one in found.related] == [
+            (12, "the topic '/words'"),
+            (13, "the service '/reset'"),
+        ]
+
+    def test_what_is_suppressed_is_not_counted(self, judge: Judge):
+        [found] = judge(
+            "NME001",
+            robot(
+                "self.create_publisher(String, '/words', 10)  # archlint: ignore[NME001]",
+                "self.create_publisher(String, '/more', 10)  # here",
+            ),
+        )
+
+        assert "the topic '/more' is absolute" in found.message and not found.related
+
+    def test_each_class_has_its_own_finding(self, judge: Judge):
+        judge(
+            "NME001",
+            robot("self.create_publisher(String, '/words', 10)  # here"),
+            robot("self.create_publisher(String, '/words', 10)  # here"),
+        )
+
+    def test_constants_of_another_module_are_one_finding_there(self, judge: Judge):
+        top = "from node import SAID, HEARD"
+        [found] = judge(
+            "NME001",
+            """
+            SAID = '/said'  # here
+            HEARD = '/heard'
+            """,
+            robot("self.create_publisher(String, SAID, 10)", top=top),
+            robot("self.create_publisher(String, HEARD, 10)", top=top),
+        )
+
+        assert [one.place.line for one in found.related] == [2]
+
+    @pytest.mark.parametrize(
+        "lines",
+        [
+            (
+                "robot = self.declare_parameter('robot', '').value",
+                "topic = f'/{robot}/words' if robot else '/words'  # here",
+                "self.create_publisher(String, topic, 10)",
+            ),
+            (
+                "shared = self.declare_parameter('shared', False).value",
+                "self.create_publisher(String, '/words' if shared else 'words', 10)  # here",
+            ),
+            (
+                "if self.declare_parameter('shared', False).value:",
+                "    self.create_publisher(String, '/words', 10)  # here",
+                "else:",
+                "    self.create_publisher(String, 'words', 10)",
+            ),
+            ("self.create_publisher(String, '/fmu/in/arming', 10)  # here",),
+            ("self.create_client(Trigger, '/world/empty/create')  # here",),
+        ],
+        ids=["made absolute by a parameter", "chosen", "one of two calls", "PX4's", "Gazebo's"],
+    )
+    def test_names_that_are_absolute_for_a_reason_are_information(self, judge: Judge, lines: tuple[str, ...]):
+        [found] = judge("NME001", robot(*lines))
+
+        assert found.severity is Severity.INFO
+
+    def test_a_branch_that_only_picks_one_of_two_absolute_names_is_no_reason(self, judge: Judge):
+        [found] = judge(
+            "NME001",
+            robot(
+                "left = self.declare_parameter('left', True).value",
+                "topic = '/left' if left else '/right'  # here",
+                "self.create_publisher(String, topic, 10)",
+            ),
+        )
+
+        assert found.severity is Severity.WARNING
 
 
 class TestInvalidName:

@@ -191,6 +191,24 @@ def test_a_name_becomes_a_parameter(workbench: Workbench):
     ]
 
 
+def test_all_names_of_a_class_are_one_finding_and_one_fix(workbench: Workbench):
+    lines = "self.create_publisher(String, '/echo', 10)\n        self.create_client(Trigger, '/reset')"
+    fixed = workbench.fix(lines, "--unsafe-fixes", code="NME001")
+    assert fixed.splitlines() == [
+        "self.declare_parameter('echo_topic', '/echo')",
+        "echo_topic = self.get_parameter('echo_topic').value",
+        "self.create_publisher(String, echo_topic, 10)",
+        "self.declare_parameter('reset_service', '/reset')",
+        "reset_service = self.get_parameter('reset_service').value",
+        "self.create_client(Trigger, reset_service)",
+    ]
+
+
+def test_a_name_that_the_vehicle_fixes_stays(workbench: Workbench):
+    line = "self.create_publisher(String, '/fmu/in/arming', 10)"
+    assert workbench.fix(line, "--unsafe-fixes", code="NME001") == line
+
+
 def test_two_names_that_end_alike_get_a_parameter_each(workbench: Workbench):
     lines = "self.create_publisher(String, '/left/say', 10)\n        self.create_publisher(String, '/right/say', 10)"
     fixed = workbench.fix(lines, "--unsafe-fixes", code="NME001")
@@ -276,6 +294,7 @@ def test_a_method_that_may_run_again_asks_for_the_parameter_first(workbench: Wor
     [
         "say = '/said'\ndef again():\n    self.create_publisher(String, say, 10)\nagain()\nagain()",
         "self.open('/said')\n\ndef open(self, say):\n    self.create_publisher(String, say, 10)",
+        "def open(say):\n    self.create_publisher(String, say, 10)\nopen('/said')\nopen('/said')",
     ],
 )
 def test_a_name_that_a_method_may_be_given_is_left_alone(workbench: Workbench, lines: str):

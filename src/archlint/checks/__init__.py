@@ -7,6 +7,7 @@ MODULES: tuple[str, ...] = (
     "callback_waits",
     "launch",
     "handlers",
+    "hardcoded",
     "names",
     "nested_services",
     "ownership",

@@ -1,9 +1,8 @@
-"""NME001 and NME002: names that are fixed in the code, and names that ROS rejects."""
+"""NME002: names that ROS rejects."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator
-from fnmatch import fnmatchcase
 from typing import TYPE_CHECKING
 
 from archlint.checks.registry import Options, finding, rule
@@ -22,16 +21,7 @@ if TYPE_CHECKING:
     from archlint.finding import Place
     from archlint.system.model import Endpoint, Node, System
 
-ABSOLUTE_BY_CONVENTION = (
-    "/tf",
-    "/tf_static",
-    "/clock",
-    "/rosout",
-    "/parameter_events",
-    "/diagnostics",
-    "/robot_description",
-)
-_WORDS = {
+WORDS = {
     PUBLISHER: "topic",
     SUBSCRIBER: "topic",
     SERVICE: "service",
@@ -39,65 +29,6 @@ _WORDS = {
     ACTION_SERVER: "action",
     ACTION_CLIENT: "action",
 }
-_BY_CODE = frozenset({"literal", "format"})
-
-
-@rule("NME001", relative=False, allow=())
-def hardcoded_name(system: System, options: Options) -> Iterator[Finding]:
-    """Absolute names that only an edit of the code can change, one finding a create call."""
-    relative, allowed = options.flag("relative"), options.texts("allow")
-    sites: dict[Place, list[Endpoint]] = {}
-    varied = {one.place for one in system.endpoints if one.creation.name.resolution != "exact"}
-    for endpoint in system.endpoints:
-        name = endpoint.written
-        if name is None or not _fixed_in_code(endpoint) or _conventional(name, allowed):
-            continue
-        if endpoint.creation.name.origin_kind == "format" and endpoint.place in varied:
-            continue  # only one of the parts that this call puts together is written in the code
-        if relative or name.startswith("/"):
-            sites.setdefault(endpoint.place, []).append(endpoint)
-    for place in sorted(sites):
-        yield _hardcoded(sites[place])
-
-
-def _fixed_in_code(endpoint: Endpoint) -> bool:
-    creation = endpoint.creation
-    return (
-        creation.name_place is not None
-        and creation.name.resolution == "exact"
-        and creation.name.origin_kind in _BY_CODE
-        and not endpoint.node.test
-        and endpoint.error is None
-    )
-
-
-def _conventional(name: str, allowed: tuple[str, ...]) -> bool:
-    return name in ABSOLUTE_BY_CONVENTION or any(fnmatchcase(name, pattern) for pattern in allowed)
-
-
-def _hardcoded(endpoints: list[Endpoint]) -> Finding:
-    first = endpoints[0]
-    several = len({endpoint.written for endpoint in endpoints})
-    word, name = _WORDS[first.kind], first.written or ""
-    others = f" (one of {several})" if several > 1 else ""
-    absolute = name.startswith("/")
-    bare = name.lstrip("/") or "…"
-    return finding(
-        "NME001",
-        first.creation.name_place or first.place,
-        f"the {word} '{name}'{others} is "
-        + ("absolute and fixed in the code: no namespace moves it" if absolute else "fixed in the code"),
-        help=f"write '{bare}', which follows the node's namespace, or take the name from a parameter"
-        if absolute
-        else f"take the name from a parameter: self.declare_parameter('{_parameter(bare)}', '{name}')",
-        related=_written_elsewhere(endpoints),
-        node=first.node.name,
-        identity=(first.creation.function, first.kind, name),
-    )
-
-
-def _parameter(name: str) -> str:
-    return name.rpartition("/")[2].lstrip("~") + "_name"
 
 
 def _written_elsewhere(endpoints: list[Endpoint]) -> list[Related]:
@@ -145,7 +76,7 @@ def _invalid_endpoints(node: Node) -> Iterator[Finding]:
             continue
         if endpoint.resolution == "parameter" and creation.conditional:
             continue  # with that value of the parameter the branch may not be taken
-        shown, word = endpoint.written or "", _WORDS[endpoint.kind]
+        shown, word = endpoint.written or "", WORDS[endpoint.kind]
         default = f", the default of the parameter '{endpoint.parameter}'" if endpoint.resolution == "parameter" else ""
         only_complete = names.validate_topic_name(shown) is None
         complete = f" (complete: '{endpoint.name}')" if only_complete else ""

@@ -138,6 +138,7 @@ def finding(
     related: Sequence[Related] = (),
     node: str | None = None,
     identity: Sequence[str] = (),
+    group: Sequence[str] = (),
 ) -> Finding:
     """A finding of a rule, with the rule's name and severity from its page."""
     page = rules()[code]
@@ -151,6 +152,7 @@ def finding(
         node=node,
         related=tuple(related),
         identity=tuple(identity),
+        group=tuple(group),
     )
 
 

@@ -196,4 +196,18 @@ def enclosing_function(world: World, place: Place) -> facts.Function | None:
     return inner
 
 
-__all__ = ["declares_all", "enclosing_function", "facts_at", "is_whole", "walk"]
+def enclosing_class(world: World | None, place: Place) -> str | None:
+    """The name of the innermost class that a place is in."""
+    found = None if world is None else facts_at(world, place.file)
+    if found is None:
+        return None
+    around = [one for one in _every_class(_Same(found)) if one.span[0] <= place.line <= one.span[2]]
+    return max(around, key=lambda one: one.span[0]).name if around else None
+
+
+@lru_cache(maxsize=10_000)
+def _every_class(file: _Same) -> tuple[facts.Class, ...]:
+    return tuple(item for item in walk(file.found.body) if isinstance(item, facts.Class))
+
+
+__all__ = ["declares_all", "enclosing_class", "enclosing_function", "facts_at", "is_whole", "walk"]

@@ -19,7 +19,7 @@ _MOST_FILES = 1_000
 """How many files of a package are looked through for names in use."""
 
 BUILDERS: dict[str, Builder] = {
-    "NME001": names.declare_parameter,
+    "NME001": lambda finding, _, around: names.declare_parameter(finding, around),
     "TMO001": lambda finding, source, _: timeouts.limit_wait(finding, source),
     "TMO002": lambda finding, source, around: timeouts.limit_call(finding, source, around.distros),
     "TMO003": lambda finding, source, _: timeouts.limit_spin(finding, source),
@@ -42,11 +42,12 @@ class Surroundings:
     def keep(self, findings: Iterable[Finding]) -> None:
         """Take the findings of a run, of which a fix may mend several."""
         for one in findings:
-            self._findings.setdefault((one.code, one.place.file), []).append(one)
+            for file in sorted({one.place.file, *(related.place.file for related in one.related)}):
+                self._findings.setdefault((one.code, file), []).append(one)
 
-    def findings_like(self, finding: Finding) -> list[Finding]:
-        """The other findings of the rule in the same file."""
-        return [one for one in self._findings.get((finding.code, finding.place.file), []) if one is not finding]
+    def findings_like(self, finding: Finding, file: str) -> list[Finding]:
+        """The other findings of the rule that are about a file."""
+        return [one for one in self._findings.get((finding.code, file), []) if one is not finding]
 
     def source(self, file: str) -> Source | None:
         if file not in self._sources:

@@ -10,7 +10,7 @@ from archlint.finding import Edit, Fix
 from archlint.fixes import scopes
 
 if TYPE_CHECKING:
-    from archlint.finding import Finding
+    from archlint.finding import Finding, Place
     from archlint.fixes import Surroundings
     from archlint.fixes.source import Source
 
@@ -25,16 +25,20 @@ _KIND = {
 }
 
 
-def declare_parameter(finding: Finding, source: Source, around: Surroundings) -> Fix | None:
+def declare_parameter(finding: Finding, around: Surroundings) -> Fix | None:
     """Declare a parameter in front of the create call and read the name from it.
 
     Other calls with the same name in reach of the new variable take it too: their fix is that of the first.
     """
-    site = _site_of(finding, source, around)
-    if site is None or "(one of " in finding.message:
-        return None
-    others = around.findings_like(finding)
-    mine = [other for one in others if (other := _site_of(one, source, around)) is not None and site.shares_with(other)]
+    site = _site_of(finding, around)
+    if site is None or "fixed" not in finding.group:
+        return None  # a name that is absolute for a reason stays
+    source = site.source
+    likes = around.findings_like(finding, source.file)
+    others = [(one, other) for one in likes if (other := _site_of(one, around)) and other.source is source]
+    if any(other.expression is site.expression and _written(one) != _written(finding) for one, other in others):
+        return None  # several names meet at this call
+    mine = [other for _, other in others if site.shares_with(other)]
     if any(other.reaches(site) for other in mine if other.start < site.start):
         return None  # the first one's fix is also this one's
     # Whoever else declares parameters on a node that is handed over is perhaps in another file.
@@ -94,15 +98,20 @@ class _Site:
         return around is not None
 
 
-def _site_of(finding: Finding, source: Source, around: Surroundings) -> _Site | None:
-    if finding.place not in source.sites:
-        source.sites[finding.place] = _made_site(finding, source, lambda: around.elsewhere(source))
-    found = source.sites[finding.place]
+def _site_of(finding: Finding, around: Surroundings) -> _Site | None:
+    """The create call that the finding is about: it stands where the name is written, or is related."""
+    place = next((one.place for one in finding.related), finding.place)
+    source = around.source(place.file)
+    if source is None:
+        return None
+    if place not in source.sites:
+        source.sites[place] = _made_site(place, source, lambda: around.elsewhere(source))
+    found = source.sites[place]
     return found if isinstance(found, _Site) else None
 
 
-def _made_site(finding: Finding, source: Source, elsewhere: scopes.Elsewhere) -> _Site | None:
-    expression = source.node_at(finding.place, ast.expr)
+def _made_site(place: Place, source: Source, elsewhere: scopes.Elsewhere) -> _Site | None:
+    expression = source.node_at(place, ast.expr)
     call = None if expression is None else source.parents.get(expression)
     if isinstance(call, ast.keyword):
         call = source.parents.get(call)
@@ -115,11 +124,21 @@ def _made_site(finding: Finding, source: Source, elsewhere: scopes.Elsewhere) ->
     indent = source.line(statement.lineno)
     if indent[: source.span(statement)[0] - source.starts[statement.lineno - 1]].strip():
         return None  # something else stands in front of it
-    if not scopes.is_node(source, node, statement, elsewhere):
+    if not scopes.is_node(source, node, statement, elsewhere) or _is_given(source, expression):
         return None
     site = _Site(source, expression, node, kind, statement)
     again = not site.once or scopes.is_other_method(source, site.function)
     return site if not again or scopes.is_constant(source, expression, statement) else None
+
+
+def _is_given(source: Source, expression: ast.expr) -> bool:
+    """Whether the caller gives (a part of) a name: another call may give another one."""
+    function = scopes.enclosing_function(source, expression)
+    if function is None or function.name == "__init__":
+        return False
+    own = function.args
+    given = {one.arg for one in (*own.posonlyargs, *own.args, *own.kwonlyargs)} - {"self"}
+    return any(isinstance(one, ast.Name) and one.id in given for one in ast.walk(expression))
 
 
 def _written(finding: Finding) -> str:

@@ -1,0 +1,43 @@
+"""One cause, one finding: findings that share a cause become one, once each had its chance to be turned off.
+
+A rule that finds the same mistake at several places yields a finding for each, all with the same ``group``.  What
+the user suppresses or ignores at one place leaves the others; the rest becomes one finding, with one fix.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Sequence
+from dataclasses import replace
+
+from archlint.finding import Finding
+
+Fold = Callable[[Sequence[Finding]], Finding]
+
+_FOLDS: dict[str, Fold] = {}
+
+
+def folds(code: str) -> Callable[[Fold], Fold]:
+    """Register the decorated function as what makes one finding of several of the rule with this code: they come in
+    the order of their places."""
+
+    def register(function: Fold) -> Fold:
+        _FOLDS[code] = function
+        return function
+
+    return register
+
+
+def folded(findings: Iterable[Finding]) -> list[Finding]:
+    """The findings with those of one group made one, which no longer has a group."""
+    alone: list[Finding] = []
+    groups: dict[tuple[object, ...], list[Finding]] = {}
+    for one in findings:
+        if one.group and one.code in _FOLDS:
+            groups.setdefault((one.code, one.severity, one.system, one.condition, *one.group), []).append(one)
+        else:
+            alone.append(one)
+    for several in groups.values():
+        ordered = sorted(several, key=lambda one: one.sort_key)
+        found = ordered[0] if len(ordered) == 1 else _FOLDS[ordered[0].code](ordered)
+        alone.append(replace(found, group=()))
+    return alone

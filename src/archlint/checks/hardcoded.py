@@ -1,0 +1,211 @@
+"""NME001: absolute names that only an edit of the code can change."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, replace
+from fnmatch import fnmatchcase
+from typing import TYPE_CHECKING
+
+from archlint.checks.folding import folds
+from archlint.checks.names import WORDS
+from archlint.checks.registry import Options, finding, rule
+from archlint.checks.whole import enclosing_class
+from archlint.finding import Finding, Fix, Related, Severity
+from archlint.system.model import exclusive
+
+if TYPE_CHECKING:
+    from archlint.finding import Place
+    from archlint.system.model import Endpoint, Node, System
+
+ABSOLUTE_BY_CONVENTION = (
+    "/tf",
+    "/tf_static",
+    "/clock",
+    "/rosout",
+    "/parameter_events",
+    "/diagnostics",
+    "/robot_description",
+)
+FIXED_BY_OTHERS = {
+    "/fmu/": "PX4",
+    "/ap/": "ArduPilot",
+    "/mavros/": "MAVROS",
+    "/world/": "Gazebo",
+    "/gazebo/": "Gazebo",
+    "/carla/": "CARLA",
+}
+"""Systems outside of ROS that one robot or one simulation has one of, and whose bridges choose these names."""
+
+_BY_CODE = frozenset({"literal", "format"})
+_NAMES_SHOWN = 3
+"""How many names of one place a message lists."""
+
+
+@dataclass(frozen=True)
+class _Reason:
+    """Why a name is as it is: it ``is`` so, and so ``what`` follows, with ``cure`` as help for several names."""
+
+    key: str
+    state: str
+    effect: str
+    cure: str
+    severity: Severity | None = None
+
+    def message(self, subject: str, such_as: str, plural: bool) -> str:
+        effect = self.effect.format(it="them" if plural else "it")
+        return f"{subject} {'are' if plural else 'is'} {self.state}{such_as}{effect}"
+
+
+_FIXED = _Reason(
+    "fixed",
+    "absolute and fixed in the code",
+    ": no namespace moves {it}",
+    "write them without the leading '/', so that they follow the node's namespace, or take them from parameters",
+)
+_RELATIVE = _Reason("fixed", "fixed in the code", "", "take the names from parameters")
+_CHOSEN = _Reason(
+    "chosen",
+    "absolute in one of the forms that the code chooses from",
+    "",
+    "this is fine where whoever starts the node can choose the other form",
+    Severity.INFO,
+)
+
+
+def _of_others(system: str) -> _Reason:
+    return _Reason(
+        "others",
+        "absolute",
+        f": {system} fixes {{it}} so",
+        f"this is fine for one {system}; for several, leave out the leading '/' and start the node in a namespace",
+        Severity.INFO,
+    )
+
+
+@rule("NME001", relative=False, allow=())
+def hardcoded_name(system: System, options: Options) -> Iterator[Finding]:
+    """Absolute names that only an edit of the code can change, one finding a create call and literal; those of one
+    class become one."""
+    relative, allowed = options.flag("relative"), options.texts("allow")
+    varied = {one.place for one in system.endpoints if one.creation.name.resolution != "exact"}
+    found: dict[tuple[Place, Place, str], Finding] = {}
+    for node in system.nodes:
+        for endpoint in node.endpoints:
+            name = endpoint.written
+            if name is None or not _fixed_in_code(endpoint) or _conventional(name, allowed):
+                continue
+            if endpoint.creation.name.origin_kind == "format" and endpoint.place in varied:
+                continue  # only one of the parts that this call puts together is written in the code
+            if relative or name.startswith("/"):
+                one = _hardcoded(system, node, endpoint)
+                found.setdefault((one.place, endpoint.place, name), one)
+    yield from (found[key] for key in sorted(found))
+
+
+def _fixed_in_code(endpoint: Endpoint) -> bool:
+    creation = endpoint.creation
+    return (
+        creation.name_place is not None
+        and creation.name.resolution == "exact"
+        and creation.name.origin_kind in _BY_CODE
+        and not endpoint.node.test
+        and endpoint.error is None
+    )
+
+
+def _conventional(name: str, allowed: tuple[str, ...]) -> bool:
+    return name in ABSOLUTE_BY_CONVENTION or any(fnmatchcase(name, pattern) for pattern in allowed)
+
+
+def _hardcoded(system: System, node: Node, endpoint: Endpoint) -> Finding:
+    creation, name, word = endpoint.creation, endpoint.written or "", WORDS[endpoint.kind]
+    given = creation.name_place or endpoint.place
+    place = creation.name.origin or given
+    home = _home(system, place, endpoint.place)
+    reason = _reason(node, endpoint)
+    made = finding(
+        "NME001",
+        place,
+        reason.message(f"the {word} '{name}'", "", plural=False),
+        help=_help(name, reason),
+        related=[] if given == place else [Related(given, f"the {word} is created under this name here")],
+        node=endpoint.node.name,
+        identity=(home[1], word, name),
+        group=(*home, reason.key, reason.state, reason.effect, reason.cure),
+    )
+    return made if reason.severity is None else replace(made, severity=reason.severity)
+
+
+def _reason(node: Node, endpoint: Endpoint) -> _Reason:
+    name = endpoint.written or ""
+    if not name.startswith("/"):
+        return _RELATIVE
+    owner = next((owner for prefix, owner in FIXED_BY_OTHERS.items() if name.startswith(prefix)), None)
+    if owner is not None:
+        return _of_others(owner)
+    return _CHOSEN if _is_chosen(node, endpoint) else _FIXED
+
+
+def _is_chosen(node: Node, endpoint: Endpoint) -> bool:
+    """Whether another arm of the branch that takes this name makes the same endpoint under a name that something
+    outside of the code decides, or that follows the namespace."""
+    arms = endpoint.creation.arms
+    return bool(arms) and any(
+        other.kind == endpoint.kind
+        and other.type == endpoint.type
+        and exclusive(arms, other.creation.arms)
+        and (other.creation.name.resolution != "exact" or not (other.written or "/").startswith("/"))
+        for other in node.endpoints
+    )
+
+
+def _help(name: str, reason: _Reason) -> str:
+    bare = name.lstrip("/") or "…"
+    if reason is _FIXED:
+        return f"write '{bare}', which follows the node's namespace, or take the name from a parameter"
+    if reason is _RELATIVE:
+        parameter = name.rpartition("/")[2].lstrip("~") + "_name"
+        return f"take the name from a parameter: self.declare_parameter('{parameter}', '{name}')"
+    return reason.cure
+
+
+def _home(system: System, literal: Place, call: Place) -> tuple[str, str]:
+    """The file and the class that fix a name: those that the literal is in.  A constant of the module belongs to the
+    class that uses it, if that is in the same file; the class is empty where there is none."""
+    home = enclosing_class(system.world, literal)
+    if home is None and literal.file == call.file:
+        home = enclosing_class(system.world, call)
+    return literal.file, home or ""
+
+
+@folds("NME001")
+def of_one_class(findings: Sequence[Finding]) -> Finding:
+    """The finding for all names that one class fixes: at the first literal, the others related."""
+    first = findings[0]
+    at: dict[Place, dict[str, None]] = {}
+    for one in findings:
+        at.setdefault(one.place, {})[_shown(one)] = None
+    names = sorted({one.identity[-1] for one in findings})
+    edits = [edit for one in findings if one.fix is not None for edit in one.fix.edits]
+    fix = Fix("unsafe", tuple(dict.fromkeys(edits)), "take the names from parameters") if edits else None
+    here = ", ".join(list(at.pop(first.place))[:_NAMES_SHOWN])
+    related = tuple(Related(place, ", ".join(at[place])) for place in sorted(at))
+    if len(names) == 1:
+        return replace(first, related=(*first.related, *related), fix=fix)
+    _, _, key, state, effect, cure = first.group
+    reason = _Reason(key, state, effect, cure)
+    owner = f"of {first.identity[0]}" if first.identity[0] else "in this file"
+    return replace(
+        first,
+        message=reason.message(f"{len(names)} names {owner}", f", such as {here}", plural=True),
+        help=reason.cure,
+        related=related,
+        fix=fix,
+        identity=(first.identity[0], *names),
+    )
+
+
+def _shown(one: Finding) -> str:
+    _, word, name = one.identity
+    return f"the {word} '{name}'"
