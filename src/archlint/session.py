@@ -18,7 +18,7 @@ if TYPE_CHECKING:
     from archlint.facts.store import NullStore, Store
     from archlint.finding import Finding
     from archlint.program.launch.load import LaunchLoader
-    from archlint.system.model import System
+    from archlint.system.model import Node, System
     from archlint.workspace.model import SourceFile, Workspace
 
 
@@ -182,8 +182,12 @@ def _partial(request: Request, workspace: Workspace) -> bool:
 def _asked_for(system: System, workspace: Workspace) -> System:
     """The system without the nodes of files that were only read as context."""
     context = {file.relative for file in workspace.files if file.context}
-    nodes = [node for node in system.nodes if not node.blueprint or node.blueprint.place.file not in context]
-    return replace(system, nodes=nodes)
+
+    def asked_for(node: Node) -> bool:
+        return node.blueprint is None or node.blueprint.place.file not in context
+
+    nodes, unowned = ([*filter(asked_for, entries)] for entries in (system.nodes, system.unowned))
+    return replace(system, nodes=nodes, unowned=unowned)
 
 
 def _judged(request: Request, workspace: Workspace, facts: FactsOfFiles) -> Judged:

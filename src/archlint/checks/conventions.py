@@ -62,10 +62,10 @@ def name_convention(system: System, options: Options) -> Iterator[Finding]:
 
 def _names(system: System) -> Iterator[tuple[str, Text, str, Place, str | None]]:
     """Kind, name as written, separator of its parts, place and node of every name."""
-    for node in system.nodes:
+    for node in system.entries:
         if node.test:
             continue
-        if node.blueprint is not None and not node.blueprint.held:
+        if node.blueprint is not None and node.is_node:
             yield "node", node.blueprint.name, "/", node.blueprint.name.origin or node.blueprint.place, node.name
         for end in node.endpoints:
             if end.creation.name_place is not None or end.creation.name.origin is not None:

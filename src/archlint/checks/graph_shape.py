@@ -41,8 +41,8 @@ def _runs(system: System) -> bool:
 
 
 def _judged(node: Node) -> bool:
-    if node.blueprint is None or node.blueprint.held:
-        return False  # what a helper works on may be any node of its process
+    if node.blueprint is None:
+        return False
     return node.name is not None and not node.test and node.blueprint.complete
 
 

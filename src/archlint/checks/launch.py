@@ -71,9 +71,9 @@ def dead_remapping(system: System, options: Options) -> Iterator[Finding]:
 
 
 def _by_started(system: System) -> list[tuple[Started, list[Node]]]:
-    """What a launch file starts of code that is here, each with its nodes."""
+    """What a launch file starts of code that is here, each with its nodes, and what they may have in it."""
     found: dict[int, tuple[Started, list[Node]]] = {}
-    for node in system.nodes:
+    for node in system.entries:
         if node.started is not None and not node.external:
             found.setdefault(id(node.started), (node.started, []))[1].append(node)
     return list(found.values())
@@ -332,7 +332,7 @@ def duplicate_node_name(system: System, options: Options) -> Iterator[Finding]:
     if system.launched is None:
         return
     named = [n for n in system.nodes if n.name is not None and n.resolution == "exact" and n.launch_place]
-    for name, group in groupby(sorted(named, key=lambda n: (n.name or "", _is_held(n))), key=lambda node: node.name):
+    for name, group in groupby(sorted(named, key=lambda n: n.name or ""), key=lambda node: node.name):
         first, *others = list(group)
         other = next((node for node in others if _certainly_together(first, node)), None)
         if other is None or other.launch_place is None or first.launch_place is None:
@@ -353,15 +353,8 @@ def duplicate_node_name(system: System, options: Options) -> Iterator[Finding]:
 
 
 def _certainly_together(one: Node, other: Node) -> bool:
-    """Whether the one always runs when the other does, and is not perhaps the other: the node that a helper
-    works on, where nobody is seen to hand it one, may be any of its process."""
-    if one.started is other.started and (_is_held(one) or _is_held(other)):
-        return False
+    """Whether the one always runs when the other does."""
     return one.alternatives <= other.alternatives or other.alternatives <= one.alternatives
-
-
-def _is_held(node: Node) -> bool:
-    return node.blueprint is not None and node.blueprint.held
 
 
 @rule("GRF002")
@@ -374,7 +367,7 @@ def node_not_launched(system: System, options: Options) -> Iterator[Finding]:
     spoken = _words_of_launch_code(world)
     for node in system.nodes:
         blueprint = node.blueprint
-        if blueprint is None or node.test or not node.executables or blueprint.held:
+        if blueprint is None or node.test or not node.executables:
             continue
         runs = {(run_package(node), name) for name in node.executables}
         installed = world.installs.get(run_package(node) or "")

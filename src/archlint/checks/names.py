@@ -45,7 +45,7 @@ def _written_elsewhere(endpoints: list[Endpoint]) -> list[Related]:
 def invalid_name(system: System, options: Options) -> Iterator[Finding]:
     """Names of nodes and endpoints that rcl refuses."""
     found: dict[tuple[Place, str], Finding] = {}
-    for node in system.nodes:
+    for node in system.entries:
         for one in (*_invalid_node(node), *_invalid_endpoints(node)):
             found.setdefault((one.place, one.message), one)
     yield from (found[key] for key in sorted(found))

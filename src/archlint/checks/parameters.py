@@ -119,7 +119,7 @@ def _set_nodes(system: System) -> Iterator[tuple[Node, list[Setting]]]:
     if system.launched is None or world is None or world.parameters_of is None:
         return
     for node in system.nodes:
-        if node.started is not None and node.blueprint is not None and not node.blueprint.held:
+        if node.started is not None and node.blueprint is not None:
             full = node.name if node.resolution in ("exact", "parameter") else None
             yield node, applied(node.started, full, world.parameters_of)
 
@@ -134,7 +134,7 @@ def undeclared_parameter(system: System, options: Options) -> Iterator[Finding]:
     """Parameters that are read and never declared."""
     for node in system.nodes:
         declared = _declared(node)
-        if node.blueprint is None or declared is None or node.program is None or node.blueprint.held:
+        if node.blueprint is None or declared is None or node.program is None:
             continue
         if not declares_all(system.world, node.blueprint):
             continue
@@ -176,7 +176,7 @@ def unknown_parameter_override(system: System, options: Options) -> Iterator[Fin
         assert node.blueprint is not None
         if declared is None or not declares_all(system.world, node.blueprint) or _libraries(system.world, node):
             continue
-        siblings = [other for other in system.nodes if other.started is node.started and other is not node]
+        siblings = [other for other in system.entries if other.started is node.started and other is not node]
         others = [_declared(other) for other in siblings]
         for setting in settings:
             if setting.name in declared or _always(setting.name) or setting.shared:

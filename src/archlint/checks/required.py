@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from archlint.architecture import REQUIRE, Contract, Globs, any_node
+from archlint.architecture import REQUIRE, Contract, Globs, any_node, matches
 from archlint.checks.conflicts import in_source_order
 from archlint.checks.links import Link, counts, has, is_meant, is_named, launched, links, named
 from archlint.checks.registry import Options, finding, rule
@@ -90,6 +90,8 @@ def _missing_link(system: System, contract: Contract) -> str | None:
     lost = [node for node in starts if id(node) not in reached and _followed(node)]
     if not lost or not all(_followed(node) for node in system.nodes if is_meant(contract.target, node)):
         return None
+    if any(_is_named(contract, end) for end in _of_unknown_nodes(system)):
+        return None
     over = f" over {' or '.join(contract.names)}" if contract.names else ""
     return f"nothing goes from {_listed(lost)} to {target}{over}"
 
@@ -109,6 +111,8 @@ def _end_of_no_node(system: System, contract: Contract, globs: Globs, kind: str,
     name = " or ".join(contract.names)
     there = named(system, contract)
     nodes = [node for node in system.nodes if is_meant(globs, node)]
+    if any(end.kind == kind and _is_named(contract, end) for end in _of_unknown_nodes(system)):
+        return None
     if not any_node(globs):
         if not nodes:
             return f"there is no node {' or '.join(globs)} to {does} {name}"
@@ -163,7 +167,18 @@ def _passes_by(contract: Contract, topic: Connection, end: Endpoint, past: list[
 
 
 def _all_followed(system: System, globs: Globs) -> bool:
-    return all(_followed(node, SUBSCRIBER) for node in system.nodes if is_meant(globs, node))
+    unknown = any(end.kind == SUBSCRIBER for end in _of_unknown_nodes(system))
+    return not unknown and all(_followed(node, SUBSCRIBER) for node in system.nodes if is_meant(globs, node))
+
+
+def _of_unknown_nodes(system: System) -> Iterator[Endpoint]:
+    """The endpoints of what is used by a node that is not known: any node may be the one."""
+    return (end for entry in system.unowned if not entry.test for end in entry.endpoints)
+
+
+def _is_named(contract: Contract, end: Endpoint) -> bool:
+    """Whether an endpoint has, or may have, a name that the contract is about."""
+    return not contract.names or end.name is None or not end.resolved or matches(contract.names, end.name)
 
 
 def _followed(node: Node, kind: str | None = None) -> bool:

@@ -16,6 +16,7 @@ from archlint.facts.deep_stack import call_with_deep_stack
 from archlint.finding import Place
 from archlint.program import calls, definitions, model
 from archlint.program.api import command_line, nodes
+from archlint.program.helpers import settle_helpers
 from archlint.program.interest import interesting, names_in
 from archlint.program.modules import Module, ModuleIndex
 from archlint.program.roots import NOT_PASSED, enter_root, finish, run_callbacks, run_pending
@@ -108,6 +109,7 @@ class Linker:
                     self.run_script(module)
             self._sweep(chosen, test)
         _prune(self.programs)
+        settle_helpers(self.programs)
         return [p for p in self.programs if p.nodes or p.calls or p.callbacks or p.unknown_interfaces or p.field_uses]
 
     def _is_started(self, module: Module, started: dict[str, set[str]]) -> bool:

@@ -22,6 +22,9 @@ ACTION_CLIENT = "action_client"
 TIMER = "timer"
 GUARD = "guard_condition"
 
+NEVER_CONSTRUCTED = "the node's constructor is not reached"
+"""Why the name of an object of a node class is not known where nothing calls ``Node.__init__`` on it."""
+
 ENDPOINT_KINDS = (PUBLISHER, SUBSCRIBER, SERVICE, CLIENT, ACTION_SERVER, ACTION_CLIENT)
 
 
@@ -240,8 +243,9 @@ class Blueprint:
     """A node as one program makes it, before a launch file renames or remaps anything.
 
     ``name`` and ``namespace`` are the constructor's; ``class_name`` the class (or function, for
-    ``create_node``).  A class that creates endpoints on a node it is handed, and that nothing here uses, has a
-    blueprint of its own with an unknown name and ``held`` set.
+    ``create_node``).  With ``held`` it is no node: what a class or function creates on a node that nothing here
+    is seen to hand it, and what a class with a base from elsewhere creates on itself while nothing shows that
+    the base is a node.
     """
 
     class_name: str

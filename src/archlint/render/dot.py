@@ -57,7 +57,7 @@ def _boxes(graph: networkx.MultiDiGraph) -> Iterator[str]:
     for title, size in overview.box_sizes(graph).items():
         ids[title] = f"n{len(ids)}"
         box = {
-            "label": f"{title or 'others'}\n{look.counted(size, 'node')}",
+            "label": f"{title or 'others'}\n{look.counted(size, 'helper' if title == look.UNOWNED else 'node')}",
             "shape": "box",
             "style": "rounded,filled",
             "fillcolor": colours.fill,
@@ -129,7 +129,7 @@ def _vertex(graph: networkx.MultiDiGraph, key: Key, ids: dict[Key, str]) -> str:
 
 def _node(data: dict[str, Any]) -> dict[str, str]:
     node = data["node"]
-    aside = node.test or node.external
+    aside = look.is_aside(node)
     colours = look.PALETTE["wrong" if node.error else "aside" if aside else "node"]
     return {
         "label": look.node_label(node),

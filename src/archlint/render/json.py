@@ -47,7 +47,7 @@ def document(system: System) -> dict[str, Any]:
     return {
         "version": VERSION,
         "system": system.name,
-        "nodes": [_node(node) for node in system.nodes],
+        "nodes": [_node(node) for node in system.entries],
         "topics": [
             {**_connection(c, "publishers", "subscribers"), "undelivered": _undelivered(system, c)}
             for c in system.topics.values()
@@ -70,6 +70,7 @@ def _node(node: Node) -> dict[str, Any]:
         "executables": list(node.executables),
         "file": _file(place.file) if place else None,
         "line": place.line if place else None,
+        "is_node": node.is_node,
         "lifecycle": blueprint.lifecycle if blueprint else False,
         "executor": node.executor,
         "launched_by": node.launched_by,
@@ -235,7 +236,7 @@ def unresolved(system: System) -> list[dict[str, Any]]:
     if system.launched is not None:
         for gap in system.launched.not_followed():
             found[_file(gap.place.file), gap.place.line, gap.place.column, gap.kind, gap.reason] = None
-    for node in system.nodes:
+    for node in system.entries:
         place = node.launch_place
         if node.unfollowed is not None and place is not None:
             found[_file(place.file), place.line, place.column, "node", node.unfollowed] = None

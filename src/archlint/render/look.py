@@ -34,7 +34,11 @@ PALETTE = {
     "wrong": Colours("#fee2e2", "#b91c1c", "#450a0a"),
     "aside": Colours("#ffffff", "#94a3b8", "#475569"),
 }
-"""``wrong`` marks types that differ and names that ROS rejects; ``aside`` test code and external nodes."""
+"""``wrong`` marks types that differ and names that ROS rejects; ``aside`` what :func:`is_aside` tells."""
+
+
+UNOWNED = "used by a node that is not known"
+"""Title of what stands apart: classes and functions that are no nodes."""
 
 
 def node_label(node: Node) -> str:
@@ -42,6 +46,8 @@ def node_label(node: Node) -> str:
     if node.name is not None:
         return _lines([node.name, condition_words(node)])
     called = node.blueprint.class_name if node.blueprint else node.executable or "?"
+    if not node.is_node:
+        return _lines([called, condition_words(node)])
     return _lines([called, "name not known", condition_words(node)])
 
 
@@ -111,15 +117,17 @@ def qos_words(qos: Qos) -> str:
 def groups(graph: networkx.MultiDiGraph) -> dict[tuple[str, str], str]:
     """Vertex → title of the group it is drawn in: its namespace where nodes have several, else its package.
 
-    An interface belongs to a group if all its nodes do.
+    An interface belongs to a group if all its nodes do.  What is no node has a group of its own.
     """
-    nodes = {key: data["node"] for key, data in graph.nodes(data=True) if data["kind"] == NODE}
+    entries = {key: data["node"] for key, data in graph.nodes(data=True) if data["kind"] == NODE}
+    nodes = {key: node for key, node in entries.items() if node.is_node}
     by = _namespace if len({_namespace(node) for node in nodes.values()}) > 1 else _package
-    titles = {key: by(node) for key, node in nodes.items()}
-    if len(set(titles.values())) < 2:
+    several = len({by(node) for node in nodes.values()}) > 1
+    titles = {key: (by(node) if several else "") if node.is_node else UNOWNED for key, node in entries.items()}
+    if not any(titles.values()):
         return {}
     for key in graph.nodes:
-        if key not in nodes:
+        if key not in entries:
             around = {titles[other] for other in (*graph.predecessors(key), *graph.successors(key))}
             titles[key] = around.pop() if len(around) == 1 else ""
     return {key: title for key, title in titles.items() if title}
@@ -152,9 +160,19 @@ def caption(graph: networkx.MultiDiGraph) -> str:
 
 def counts(graph: networkx.MultiDiGraph) -> str:
     """``3 nodes, 1 topic, 2 services``."""
-    kinds = Counter(kind for _, kind in graph.nodes(data="kind"))
+    kinds = Counter(data["kind"] for _, data in graph.nodes(data=True) if not is_unowned(data))
     words = [counted(kinds[kind], kind) for kind in ("node", "topic", "service", "action") if kinds[kind]]
     return ", ".join(words) or "no nodes"
+
+
+def is_unowned(data: dict[str, Any]) -> bool:
+    """Whether the data of a vertex are those of an entry that is no node."""
+    return data["kind"] == NODE and not data["node"].is_node
+
+
+def is_aside(node: Node) -> bool:
+    """Whether it is drawn in grey: test code, nodes whose source is not here, and what is no node."""
+    return node.test or node.external or not node.is_node
 
 
 def counted(number: int, noun: str) -> str:

@@ -41,6 +41,7 @@ def render(system: System, *, color: bool = False) -> str:
     remapped = _remapped(system)
     sections = [
         _nodes(system, paint),
+        _unowned(system, paint),
         _connections(system, "topic", system.topics.values(), remapped, paint),
         _connections(system, "service", system.services.values(), remapped, paint),
         _connections(system, "action", system.actions.values(), remapped, paint),
@@ -61,13 +62,24 @@ def _paint(color: bool, text: str, style: str) -> str:
 def _nodes(system: System, paint: Paint) -> Iterator[str]:
     if system.nodes:
         yield paint(look.counted(len(system.nodes), "node"), "title")
-    for node in system.nodes:
-        heading = "  ".join(paint(*cell) for cell in _heading(node) if cell[0])
-        yield "\n".join([heading, *_table([*_rows(node)], paint)])
+    yield from (_entry(node, paint) for node in system.nodes)
+
+
+def _unowned(system: System, paint: Paint) -> Iterator[str]:
+    """The classes and functions that are no nodes, and what they create on one that is not known."""
+    if system.unowned:
+        yield paint(look.UNOWNED, "title")
+    yield from (_entry(node, paint) for node in system.unowned)
+
+
+def _entry(node: Node, paint: Paint) -> str:
+    heading = "  ".join(paint(*cell) for cell in _heading(node) if cell[0])
+    return "\n".join([heading, *_table([*_rows(node)], paint)])
 
 
 def _heading(node: Node) -> Iterator[Cell]:
-    yield (node.name, "node") if node.name else ("name not known", "alarm")
+    if node.is_node:
+        yield (node.name, "node") if node.name else ("name not known", "alarm")
     if node.blueprint is None:
         where = "not followed" if node.unfollowed else "not in this workspace"
         yield f"{node.package}/{node.executable}, {where}", "quiet"

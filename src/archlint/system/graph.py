@@ -39,21 +39,22 @@ def to_networkx(system: System) -> networkx.MultiDiGraph:
 
     Vertices are :data:`Key`; each has ``kind``, ``name`` and ``resolution``, those of interfaces also
     ``types``, ``matched`` (somebody at either end, be it without saying so) and ``error``, those of nodes
-    ``node``.  Each edge has its ``endpoint``.  ``graph.graph["remapped"]`` are the lines between external nodes and
-    the names that they are remapped to.  Vertices and edges are in the order of names, the same on every run.
+    ``node``, which may also be an entry that is none (:attr:`Node.is_node`).  Each edge has its ``endpoint``.
+    ``graph.graph["remapped"]`` are the lines between external nodes and the names that they are remapped to.
+    Vertices and edges are in the order of names, the same on every run.
     """
     import networkx
 
     graph = networkx.MultiDiGraph(name=system.name or "")
     keys = node_keys(system)
-    for node in system.nodes:
+    for node in system.entries:
         graph.add_node(keys[id(node)], kind=NODE, name=node.name, resolution=node.resolution, node=node)
     implicit = implicit_names(system)
     for key, endpoints in sorted(_interfaces(system).items()):
         attributes = _interface_attributes(key, endpoints)
         attributes["matched"] = attributes["matched"] or attributes["name"] in implicit
         graph.add_node(key, **attributes)
-    for node in system.nodes:
+    for node in system.entries:
         for endpoint in node.endpoints:
             ends = (keys[id(node)], interface_key(endpoint))
             graph.add_edge(
@@ -86,7 +87,7 @@ def node_keys(system: System) -> dict[int, Key]:
     """The vertex of each node, by ``id(node)``; more nodes of one name are numbered."""
     keys: dict[int, Key] = {}
     taken: set[Key] = set()
-    for node in system.nodes:
+    for node in system.entries:
         key: Key = (NODE, node.name or _where(node))
         number = 2
         while key in taken:

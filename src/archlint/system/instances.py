@@ -64,7 +64,8 @@ def instantiate(
     )
     executables = tuple(sorted(set(blueprint.executables)))
     node = Node(
-        name=own.full,
+        # Whoever uses a helper may be any node of the process.
+        name=None if blueprint.held else own.full,
         blueprint=blueprint,
         package=blueprint.package,
         executable=executables[0] if executables else None,
@@ -161,7 +162,7 @@ def _node_of_twins(twins: list[Twin]) -> Node:
 
 def _twin_order(twin: Twin) -> tuple[object, ...]:
     blueprint, program = twin
-    return (blueprint.test, not program.executable, program.package or "", program.name, program.file)
+    return (blueprint.test, blueprint.held, not program.executable, program.package or "", program.name, program.file)
 
 
 def _common_executor(executors: Iterable[str]) -> str:

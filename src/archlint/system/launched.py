@@ -96,16 +96,21 @@ class LaunchSystems:
             again = None if words is None else self.program(started, None, words)
             program = again if again is not None and _has_nodes(again) else program
         if program is None or not _has_nodes(program):
-            node = _external(started, launch_file, self._why_unfollowed(started, program))
-            node.settings = sorted(applied(started, node.name, self.parameters_of), key=lambda setting: setting.name)
-            return [node]
+            return [self._unfollowed(started, program, launch_file)]
         changes = outside(started, program, self.parameters_of, _rules(started))
         if changes is not None:
             again = self.program(started, changes, words)
             program = again if again is not None and _has_nodes(again) else program
-        return [
-            self._node(blueprint, program, started, launch_file) for blueprint in program.nodes if not blueprint.test
-        ]
+        made = [self._node(one, program, started, launch_file) for one in program.nodes if not one.test]
+        if not any(node.is_node for node in made):
+            # It starts a node for sure, and all that is known of it is what some helper creates there.
+            made.append(self._unfollowed(started, program, launch_file))
+        return made
+
+    def _unfollowed(self, started: Started, program: Program | None, launch_file: str) -> Node:
+        node = _external(started, launch_file, self._why_unfollowed(started, program))
+        node.settings = sorted(applied(started, node.name, self.parameters_of), key=lambda setting: setting.name)
+        return node
 
     def _node(self, blueprint: Blueprint, program: Program, started: Started, launch_file: str) -> Node:
         node = instantiate(
@@ -194,14 +199,20 @@ def _known(text: Text) -> bool:
 def _forget_unknown_remaps(node: Node, started: Started) -> None:
     """A remapping to a name that is not known leaves the name unknown."""
     sources = [r.source.text for r in started.remaps if _known(r.source) and not _known(r.target)]
-    if not sources or node.name is None or node.blueprint is None:
+    if not sources or node.blueprint is None or (node.name is None and node.is_node):
         return
-    namespace, _, own = node.name.rpartition("/")
+    namespace, _, own = (node.name or f"{_namespace(started)}/_").rpartition("/")
     for source in sources:
         expanded = names.expand(source or "", own, namespace or "/")
         for number, endpoint in enumerate(node.endpoints):
             if endpoint.name == expanded and endpoint.resolved:
                 node.endpoints[number] = _unknown(endpoint)
+
+
+def _namespace(started: Started) -> str:
+    """The namespace that a launch file gives, without a slash at the end."""
+    given = started.namespace
+    return (given.text or "").rstrip("/") if given is not None and _known(given) else ""
 
 
 def _unknown(endpoint: Endpoint) -> Endpoint:

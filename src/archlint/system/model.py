@@ -114,6 +114,11 @@ class Node:
     def test(self) -> bool:
         return self.blueprint is not None and self.blueprint.test
 
+    @property
+    def is_node(self) -> bool:
+        """False for what only stands for a node that is not known: a helper that nothing here hands one."""
+        return self.blueprint is None or not all(blueprint.held for blueprint in self.blueprints)
+
     def of_kind(self, *kinds: str) -> Iterator[Endpoint]:
         return (endpoint for endpoint in self.endpoints if endpoint.kind in kinds)
 
@@ -172,6 +177,17 @@ class System:
     world: World | None = None
     apart: frozenset[frozenset[object]] = frozenset()
     """Pairs of node classes, each as ``(place, class name)``, that some launch file starts together."""
+    unowned: list[Node] = field(default_factory=list)
+    """What is used by nodes that are not known.  Where ``nodes`` are given with such entries, these move here."""
+
+    def __post_init__(self) -> None:
+        self.unowned = [*self.unowned, *(node for node in self.nodes if not node.is_node)]
+        self.nodes = [node for node in self.nodes if node.is_node]
+
+    @property
+    def entries(self) -> list[Node]:
+        """The nodes, then what is used by nodes that are not known."""
+        return [*self.nodes, *self.unowned]
 
     def _started_together(self, one: Node, other: Node) -> bool:
         if not self.apart or one.blueprint is None or other.blueprint is None:
@@ -181,7 +197,7 @@ class System:
 
     @property
     def endpoints(self) -> Iterator[Endpoint]:
-        return (endpoint for node in self.nodes for endpoint in node.endpoints)
+        return (endpoint for node in self.entries for endpoint in node.endpoints)
 
     @cached_property
     def topics(self) -> dict[str, Connection]:

@@ -15,7 +15,7 @@ def connections(system: System) -> list[Connection]:
 
 
 def connected(system: System) -> set[int]:
-    """``id`` of the nodes that share a name with another node."""
+    """``id`` of the nodes that share a name with another node, be it one that is not known."""
     found: set[int] = set()
     for connection in connections(system):
         nodes = {id(end.node) for end in (*connection.providers, *connection.users)}
@@ -32,9 +32,10 @@ def plain_graph(system: System) -> networkx.Graph:
     graph = networkx.Graph()
     graph.add_nodes_from(id(node) for node in system.nodes)
     for connection in connections(system):
-        if connection.providers and connection.users:
+        providers, users = ([e for e in ends if e.node.is_node] for ends in (connection.providers, connection.users))
+        if providers and users:
             key = (connection.kind, connection.name)
-            graph.add_edges_from((key, id(end.node)) for end in (*connection.providers, *connection.users))
+            graph.add_edges_from((key, id(end.node)) for end in (*providers, *users))
     return graph
 
 

@@ -63,7 +63,8 @@ def endpoint(run: Run, call: ApiUse) -> Value:
     type_value = call.get(api.type)
     if api.type is not None and not _plausible(type_value, on):
         return Unknown(f"what {api.path}() of another library gives")
-    blueprints = nodes.nodes_of(run, on, plausible=api.node is None or isinstance(on, (Unknown, Instance)))
+    of = nodes.nodes_of if api.node is None else nodes.given_nodes
+    blueprints = of(run, on, plausible=api.node is None or isinstance(on, (Unknown, Instance)))
     if not blueprints:
         return Unknown("a create call on something that is no node")
     missing = "passed by * or **" if call.open else "no name is given"
@@ -293,7 +294,7 @@ def transform_listener(run: Run, call: ApiUse) -> Value:
     if call.get("static_only") == Known(True):
         topics = topics[-1:]
     made = []
-    for blueprint in nodes.nodes_of(run, call.get("node")):
+    for blueprint in nodes.given_nodes(run, call.get("node")):
         for parameter, name, qos, default in topics:
             value = call.get(parameter)
             text = model.Text(name, "exact") if value is None else text_of_value(value, "no name is given")
@@ -317,7 +318,7 @@ def transform_buffer(run: Run, call: ApiUse) -> Value:
     if node is not None and not (isinstance(node, Known) and node.value is None):
         row = Api(call.api.path, (), "endpoint", kind=model.SERVICE, default_qos="services_default")
         part = ApiUse(row, None, {}, call.expression, False, [], {})
-        for blueprint in nodes.nodes_of(run, node):
+        for blueprint in nodes.given_nodes(run, node):
             text = model.Text("tf2_frames", "exact")
             _create(run, part, blueprint, text, "tf2_msgs/srv/FrameGraph", None, profiles.DEFAULT, None)
     return Instance(External("tf2_ros.buffer.Buffer"), run.store.new_key())
@@ -338,7 +339,7 @@ def parameter_client(run: Run, call: ApiUse) -> Value:
     row = Api(call.api.path, (), "endpoint", kind=model.CLIENT, default_qos="services_default")
     made = []
     remote = call.get("remote_node_name") or Unknown("no name is given")
-    for blueprint in nodes.nodes_of(run, call.get("node")):
+    for blueprint in nodes.given_nodes(run, call.get("node")):
         for name, type_ in _PARAMETER_SERVICES:
             text = text_of_value(join_texts((remote, Known(f"/{name}"))), "no name is given")
             part = ApiUse(row, None, {}, call.expression, False, [], {})

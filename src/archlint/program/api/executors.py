@@ -140,7 +140,7 @@ def _is_init(function: facts.Function | facts.Lambda) -> bool:
 
 def spin(run: Run, call: ApiUse) -> Value:
     """``rclpy.spin(node)`` and its relatives."""
-    spun = nodes.nodes_of(run, call.get("node"), plausible=False)
+    spun = nodes.given_nodes(run, call.get("node"), plausible=False)
     lasting = _lasting(run, call, spun)
     if run.context.role in _STARTED or spun != [run.context.node]:
         given = call.get("executor")
@@ -182,7 +182,7 @@ def _serve(run: Run, call: ApiUse) -> None:
 def add_node(run: Run, call: ApiUse) -> Value:
     use = use_of(run, call.receiver)
     if use is not None:
-        added = nodes.nodes_of(run, call.get("node"), plausible=False)
+        added = nodes.given_nodes(run, call.get("node"), plausible=False)
         use.astray = use.astray or not added
         for node in added:
             _put(use, node)

@@ -22,6 +22,7 @@ from archlint.program.values import (
     OneOf,
     Unknown,
     Value,
+    alternatives,
     join_texts,
 )
 from archlint.workspace.test_code import is_test_file
@@ -36,7 +37,7 @@ _ROOT = model.Text("/", "exact")
 def new_blueprint(run: Run, class_name: str, place: Place, key: str, package: str | None) -> model.Blueprint:
     blueprint = model.Blueprint(
         class_name,
-        model.Text(None, "unknown", reason="the node's constructor is not reached"),
+        model.Text(None, "unknown", reason=model.NEVER_CONSTRUCTED),
         _ROOT,
         place,
         package,
@@ -78,6 +79,7 @@ def blueprint_of_instance(run: Run, instance: Instance) -> model.Blueprint:
     blueprint = new_blueprint(run, cls.qualified, place, key, cls.scope.module.file.package)
     blueprint.made_at = instance.place
     blueprint.lifecycle = is_lifecycle_class(cls)
+    blueprint.held = not _may_be_node_class(cls)
     run.blueprints[instance.key] = blueprint
     return blueprint
 
@@ -117,8 +119,10 @@ def hand_out(run: Run, values: Iterable[Value]) -> None:
 
 
 def _may_be_node_class(cls: ClassValue) -> bool:
-    """Whether a class derives from rclpy's Node, or from something elsewhere that is called one."""
-    return is_node_class(cls) or any(path.endswith("Node") for path in cls.external_bases())
+    """Whether a class derives from rclpy's Node, or from something elsewhere that is called or known as one."""
+    return is_node_class(cls) or any(
+        path.endswith("Node") or path in rclpy_names.FOREIGN_NODES for path in cls.external_bases()
+    )
 
 
 def node_key(run: Run, value: Value | None) -> int:
@@ -126,6 +130,16 @@ def node_key(run: Run, value: Value | None) -> int:
     if isinstance(value, (NodeValue, Instance)):
         return value.key
     return held_key(run)
+
+
+def given_nodes(run: Run, value: Value | None, *, plausible: bool = True) -> list[model.Blueprint]:
+    """The nodes that an argument stands for which ROS takes nothing but a node for."""
+    found = nodes_of(run, value, plausible=plausible)
+    for option in alternatives(value) if value is not None else ():
+        node = known_node(run, option)
+        if node is not None:
+            node.held = False
+    return found
 
 
 def nodes_of(run: Run, value: Value | None, *, plausible: bool = True) -> list[model.Blueprint]:

@@ -10,6 +10,14 @@ LIFECYCLE_NODE = "rclpy.lifecycle.node.LifecycleNode"
 
 NODE_CLASSES = frozenset({NODE, LIFECYCLE_NODE, "rclpy.node.BaseNode", "rclpy.experimental.async_node.AsyncNode"})
 
+FOREIGN_NODES = frozenset(
+    {
+        "nav2_simple_commander.robot_navigator.BasicNavigator",
+        "turtlebot4_navigation.turtlebot4_navigator.TurtleBot4Navigator",
+    }
+)
+"""Node classes of other packages whose name does not say so."""
+
 PLAIN_BASES = frozenset(
     {
         "abc.ABC",

@@ -1,0 +1,226 @@
+"""Whose endpoint is it?  Small workspaces, and the node under which each endpoint stands."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+from textwrap import dedent
+from typing import Any
+
+import pytest
+
+from archlint.config import load
+from archlint.render.json import document
+from archlint.session import Request, check, graph
+
+Owners = Callable[..., dict[str, list[str]]]
+
+IMPORTS = """\
+import rclpy
+from rclpy.node import Node
+from std_msgs.msg import String
+from std_srvs.srv import Trigger
+"""
+LISTS = ("publishers", "subscribers", "services", "clients", "action_servers", "action_clients")
+
+
+class Workspace:
+    """``owners(source, …)`` writes files and tells which names each node has; what is no node is in brackets."""
+
+    def __init__(self, folder: Path) -> None:
+        self.folder = folder
+
+    def __call__(self, *sources: str, **modules: str) -> dict[str, list[str]]:
+        return {_shown(entry): _names(entry) for entry in self.entries(*sources, **modules)}
+
+    def entries(self, *sources: str, **modules: str) -> list[dict[str, Any]]:
+        named = {f"node{number or ''}": source for number, source in enumerate(sources)} | modules
+        for name, source in named.items():
+            (self.folder / f"{name}.py").write_text(IMPORTS + dedent(source), encoding="utf-8")
+        nodes: list[dict[str, Any]] = document(graph(self.request()))["nodes"]
+        return nodes
+
+    def request(self) -> Request:
+        return Request((".",), load(self.folder), cached=False, jobs=1)
+
+
+def _shown(entry: dict[str, Any]) -> str:
+    return (entry["name"] or entry["class"]) if entry["is_node"] else f"({entry['class']})"
+
+
+def _names(entry: dict[str, Any]) -> list[str]:
+    return sorted(str(endpoint["name"]) for one in LISTS for endpoint in entry[one])
+
+
+@pytest.fixture
+def owners(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Workspace:
+    monkeypatch.chdir(tmp_path)
+    return Workspace(tmp_path)
+
+
+TALKER = """\
+class Talker(Node):
+    def __init__(self):
+        super().__init__("talker")
+        self.helper = Helper(self)
+"""
+HELPER = """\
+class Helper:
+    def __init__(self, node):
+        self.out = node.create_publisher(String, "chatter", 10)
+"""
+
+
+# ------------------------------------------------------------------------------------------ what is no node
+
+
+def test_a_helper_that_nothing_hands_a_node_is_no_node(owners):
+    assert owners(HELPER) == {"(Helper)": ["/chatter"]}
+
+
+def test_a_helper_of_a_known_node_stands_for_nothing_else(owners):
+    again = """\
+    def report():
+        Helper().out.publish(String())  # one of them is made without a node: a singleton's second use
+    """
+    assert owners(HELPER + TALKER + dedent(again)) == {"/talker": ["/chatter"]}
+
+
+def test_another_name_of_the_same_line_is_kept(owners):
+    source = """\
+    def listen(node, name):
+        node.create_subscription(String, name, print, 10)
+
+    class Talker(Node):
+        def __init__(self):
+            super().__init__("talker")
+            listen(self, "chatter")
+
+    class Plugin:
+        def start(self, context):
+            listen(context.node, f"{context.node.get_name()}/log")
+            listen(context.node, "whisper")
+    """
+    assert owners(source) == {"/talker": ["/chatter"], "(listen)": ["/whisper"]}
+
+
+@pytest.mark.parametrize(
+    ("base", "body"),
+    [
+        ("from framework import Plugin", "self.declare_parameter('rate', 10)"),
+        ("from framework import Plugin", "self.pub = self.create_publisher(String, 'chatter', 10)"),
+        ("from framework.parts import Component as Plugin", "self.timer = self.create_timer(1.0, self.tick)"),
+        ("import framework; Plugin = framework.base()", "self.pub = self.create_publisher(String, 'chatter', 10)"),
+    ],
+)
+def test_a_base_from_elsewhere_makes_no_node(owners, base, body):
+    source = f"""\
+    {base}
+
+    class Thing(Plugin):
+        def __init__(self):
+            super().__init__()
+            {body}
+
+        def tick(self):
+            pass
+    """
+    [entry] = owners.entries(source)
+    assert (entry["name"], entry["class"], entry["is_node"]) == (None, "Thing", False)
+
+
+@pytest.mark.parametrize(
+    ("base", "use"),
+    [
+        ("from framework import HelloNode as Base", ""),
+        ("from framework.node import Node as Base", ""),
+        ("from nav2_simple_commander.robot_navigator import BasicNavigator as Base", ""),
+        ("from framework import Robot as Base", "rclpy.spin(Thing())"),
+        ("from framework import Robot as Base", "rclpy.get_global_executor().add_node(Thing()); rclpy.spin(Thing())"),
+    ],
+)
+def test_a_base_that_is_called_a_node_or_used_as_one_makes_one(owners, base, use):
+    source = f"""\
+    {base}
+
+    class Thing(Base):
+        def __init__(self):
+            super().__init__()
+            self.pub = self.create_publisher(String, "chatter", 10)
+
+    if __name__ == "__main__":
+        {use or 'pass'}
+    """
+    assert owners(source) == {"Thing": ["/chatter"]}
+
+
+def test_what_ros_takes_for_a_node_is_one(owners):
+    source = """\
+    from framework import Robot
+    from rclpy.action import ActionClient
+    from example_interfaces.action import Fibonacci
+
+    class Thing(Robot):
+        def __init__(self):
+            super().__init__()
+            self.goals = ActionClient(self, Fibonacci, "fibonacci")
+    """
+    assert owners(source) == {"Thing": ["/fibonacci"]}
+
+
+def test_an_object_of_a_node_class_whose_constructor_never_runs_is_no_node(owners):
+    source = """\
+    class Arm(Node):
+        def __init__(self):
+            super().__init__("arm")
+            self.out = self.create_publisher(String, "pose", 10)
+
+    class Gripper(Arm):
+        def __init__(self, node):
+            self.node = node  # not super().__init__(): there is nothing of a node in it
+            self.out = node.create_publisher(String, "grip", 10)
+
+    if __name__ == "__main__":
+        gripper = Gripper(Arm())
+    """
+    assert owners(source) == {"/arm": ["/grip", "/pose"]}
+
+
+# --------------------------------------------------------------------------------------- how it is shown
+
+
+UNKNOWN_USER = """\
+class Talker(Node):
+    def __init__(self):
+        super().__init__("talker")
+        self.out = self.create_publisher(String, "chatter", 10)
+
+class Plugin:
+    def start(self, context):
+        context.node.create_subscription(String, "chatter", print, 10)
+"""
+
+
+def test_what_is_no_node_is_not_counted(owners):
+    owners(UNKNOWN_USER)
+    assert check(owners.request()).summary.nodes == 1
+
+
+def test_it_is_shown_apart_in_text(owners):
+    from archlint.render.text import render
+
+    owners(UNKNOWN_USER)
+    shown = render(graph(owners.request()))
+    assert shown.startswith("1 node\n\n/talker")
+    assert "\n\nused by a node that is not known\n\nPlugin  node.py:" in shown
+    assert "connected: 0 of 1 node" in shown and "hub" not in shown
+
+
+def test_it_is_drawn_apart(owners):
+    from archlint.render import dot, mermaid
+
+    owners(UNKNOWN_USER)
+    system = graph(owners.request())
+    assert 'label="used by a node that is not known"' in dot.render(system)
+    assert "1 node, 1 topic" in dot.render(system)
+    assert 'subgraph g0["used by a node that is not known"]' in mermaid.render(system)
