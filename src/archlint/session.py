@@ -8,6 +8,9 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from archlint.facts.deep_stack import call_with_deep_stack
+from archlint.faults import Faults
+from archlint.finding import Place
 from archlint.report.model import Judged, Report, summarise
 from archlint.run_cache import RunCache
 from archlint.sources import PYTHON, Sources
@@ -51,7 +54,7 @@ def check(request: Request) -> Report:
         facts = _compiled(request, workspace, store)
         judged = kept.load_again(facts)
         if judged is None:
-            judged = _judged(request, workspace, facts)
+            judged = call_with_deep_stack(lambda: _judged(request, workspace, facts))
             if facts.lasting and not any(finding.code == "LNT003" for finding in judged.findings):
                 kept.save(judged)
     store.close()
@@ -69,7 +72,7 @@ def graph(request: Request, everything: bool = False) -> System:
     workspace = _found(request)
     store = _store(request)
     facts = _compiled(request, workspace, store)
-    system = _systems(request, workspace, facts)[0]
+    system = call_with_deep_stack(lambda: _systems(request, workspace, facts))[0]
     store.close()
     system = _asked_for(system, workspace)
     return with_implicit(system, request.settings.distro) if everything else system
@@ -113,7 +116,6 @@ def _compiled(request: Request, workspace: Workspace, store: Store | NullStore) 
 
 def _systems(request: Request, workspace: Workspace, facts: FactsOfFiles) -> list[System]:
     """Link and load."""
-    from archlint.facts.deep_stack import call_with_deep_stack
     from archlint.program.entry_points import entry_points, read_installs
     from archlint.program.interface_table import InterfaceTable
     from archlint.program.launch.load import LaunchLoader
@@ -124,15 +126,16 @@ def _systems(request: Request, workspace: Workspace, facts: FactsOfFiles) -> lis
     from archlint.workspace.tree import SourceTree
 
     tree = SourceTree(Path.cwd(), Path(workspace.root))
-    installs = read_installs(workspace.packages, workspace.files, facts.facts_of, tree)
+    faults = Faults()
+    installs = read_installs(workspace.packages, workspace.files, facts.facts_of, tree, faults)
     words = {name: one.words for name, one in installs.items()}
     generated = {name: one.generated for name, one in installs.items() if one.generated is not None}
     interfaces = InterfaceTable(workspace.files, lambda file: tree.text(file.relative), words, generated)
-    linker = Linker(workspace.files, facts.facts_of, facts.relevant, interfaces)
+    linker = Linker(workspace.files, facts.facts_of, facts.relevant, interfaces, faults)
     entries = entry_points(installs, workspace.files)
-    programs = call_with_deep_stack(lambda: linker.run_all(entries))
+    programs = linker.run_all(entries)
     [opened] = assemble(programs, workspace, request.settings)
-    loader = LaunchLoader(workspace.files, facts.facts_of, installs, tree, facts.relevant)
+    loader = LaunchLoader(workspace.files, facts.facts_of, installs, tree, facts.relevant, faults)
     if request.launch is not None and not loader.is_launch_file(request.launch):
         raise NothingToDo(_no_launch_file(request, loader))
     systems = launch_systems(
@@ -145,6 +148,7 @@ def _systems(request: Request, workspace: Workspace, facts: FactsOfFiles) -> lis
             {package.name: package for package in workspace.packages},
             {package.relative: package for package in workspace.packages},
             loader=loader,
+            faults=faults,
             partial=_partial(request, workspace),
         ),
         closed=request.settings.closed_world,
@@ -195,17 +199,19 @@ def _judged(request: Request, workspace: Workspace, facts: FactsOfFiles) -> Judg
     from archlint.checks.folding import folded
     from archlint.checks.launch_notices import argument_notices
     from archlint.checks.merge import merged
-    from archlint.checks.registry import unreadable
+    from archlint.checks.registry import failure, unreadable
     from archlint.render.json import unresolved
 
     systems = _systems(request, workspace, facts)
     known = [file for file in _python(workspace) if facts.relevant(file)]
     loader = systems[0].world.loader if systems[0].world is not None else None
-    found = [*_problems(workspace, known, facts), *merged(_rules(request.settings, systems))]
+    faults = systems[0].world.faults if systems[0].world is not None else Faults()
+    found = [*_problems(workspace, known, facts, faults), *merged(_rules(request.settings, systems))]
     by_file = {file.relative: one.suppressions for file in known if (one := facts.facts_of(file)) is not None}
     if loader is not None:
         found.extend(unreadable(*problem) for problem in loader.problems())
         by_file.update(loader.suppressions())
+    found.extend(failure(fault) for fault in faults.found())
     outcome = suppressions.apply(_wanted(found, request.settings, workspace), by_file)
     stale = suppressions.stale(outcome.unused, _ran(request, systems), Sources().line)
     kept = [*outcome.kept, *suppressions.apply(_wanted(stale, request.settings, workspace), by_file).kept]
@@ -264,16 +270,22 @@ def _ran(request: Request, systems: Sequence[System]) -> frozenset[str]:
 
 
 def _with_fixes(findings: Sequence[Finding], request: Request) -> Sequence[Finding]:
+    """The findings with their fixes; one more for each fix that cannot be made by a fault of ours."""
+    from archlint.checks.registry import failure
     from archlint.rulebook import rules
 
     if not any(rules()[finding.code].fix for finding in findings):
         return findings
     from archlint.fixes import Surroundings, attach
 
-    return attach(findings, Surroundings(request.settings.distros))
+    faults = Faults()
+    fixed = attach(findings, Surroundings(request.settings.distros), faults)
+    return [*fixed, *map(failure, faults.found())]
 
 
-def _problems(workspace: Workspace, files: Sequence[SourceFile], facts: FactsOfFiles) -> Iterator[Finding]:
+def _problems(
+    workspace: Workspace, files: Sequence[SourceFile], facts: FactsOfFiles, faults: Faults
+) -> Iterator[Finding]:
     """What could not be read: LNT002, or LNT003 where the fault is ours."""
     from archlint.checks.registry import unreadable
     from archlint.facts.interfaces import interface_problems
@@ -286,8 +298,9 @@ def _problems(workspace: Workspace, files: Sequence[SourceFile], facts: FactsOfF
             yield unreadable(file.relative, fault.line, fault.column, fault.message)
     for file in workspace.files:
         if file.kind == "interface" and not file.context:
-            for line, column, message in interface_problems(file.path):
-                yield unreadable(file.relative, line, column, message)
+            with faults.apart("reading this interface", Place(file.relative, 1, 1, 1, 1)):
+                for line, column, message in interface_problems(file.path):
+                    yield unreadable(file.relative, line, column, message)
 
 
 def _wanted(findings: Iterable[Finding], settings: Settings, workspace: Workspace) -> Iterator[Finding]:

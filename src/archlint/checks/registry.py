@@ -12,15 +12,14 @@ gives the type, and an underscore is a dash in the configuration::
 from __future__ import annotations
 
 import importlib
-import traceback
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from fnmatch import fnmatchcase
-from pathlib import Path
 from typing import TYPE_CHECKING
 
 from archlint import checks
 from archlint.checks.merge import depends_on_arguments
+from archlint.faults import Fault
 from archlint.finding import Finding, Place, Related
 from archlint.rulebook import codes_of, rules
 from archlint.system.variants import Arguments, condition
@@ -187,7 +186,7 @@ def judge(system: System, selected: Mapping[str, Options]) -> Iterator[Finding]:
         try:
             found = list(check.function(system, selected[code]))
         except Exception as error:
-            yield failure(f"the rule {rules()[code].title}", error, _place_of(system))
+            yield failure(Fault.of(f"the rule {rules()[code].title}", error, _place_of(system)))
         else:
             yield from (replace(one, system=system.name) for one in found)
 
@@ -223,16 +222,14 @@ def _how_general(finding: Finding) -> tuple[int, int, str]:
     return ((finding.condition or "").count(":="), -len(finding.related), finding.message)
 
 
-def failure(what: str, error: Exception, place: Place) -> Finding:
-    """The LNT003 finding for a part of archlint that raised ``error``."""
-    frames = traceback.extract_tb(error.__traceback__)
-    where = f" ({Path(frames[-1].filename).name}:{frames[-1].lineno})" if frames else ""
+def failure(fault: Fault) -> Finding:
+    """The LNT003 finding for a part of archlint that raised."""
     return finding(
         "LNT003",
-        place,
-        f"{what} failed with {type(error).__name__}: {error}{where}; everything else was checked",
+        fault.place,
+        f"{fault.what} failed with {fault.message}; everything else was checked",
         help=_REPORT,
-        identity=(what, type(error).__name__),
+        identity=(fault.what, fault.kind),
     )
 
 

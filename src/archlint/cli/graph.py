@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import argparse
 import sys
+from typing import TYPE_CHECKING
 
 from archlint import render
 from archlint.cli import console, exits
@@ -20,6 +21,9 @@ from archlint.cli.options import (
     settings_of,
 )
 from archlint.session import NothingToDo, Request, graph
+
+if TYPE_CHECKING:
+    from archlint.system.model import System
 
 
 def parser() -> argparse.ArgumentParser:
@@ -68,7 +72,18 @@ def run(arguments: argparse.Namespace) -> int:
     if not arguments.quiet:
         for notice in argument_notices(system):
             console.note(f"archlint: warning: {notice}")
-    return exits.CLEAN
+    return _told_faults(system)
+
+
+def _told_faults(system: System) -> int:
+    """The exit status, after a line for each part of the drawing that is missing by a fault of archlint's."""
+    faults = system.world.faults.found() if system.world is not None else []
+    for fault in faults:
+        place = fault.place
+        console.note(f"archlint: {place.file}:{place.line}:{place.column}: {fault.what} failed with {fault.message}")
+    if faults:
+        console.note("This is a fault of archlint, not of your code; everything else was followed.")
+    return exits.FAILED if faults else exits.CLEAN
 
 
 def _format(format: str | None, file: str | None) -> str:

@@ -24,9 +24,10 @@ _STARTING = threading.Lock()
 
 
 def call_with_deep_stack(function: Callable[[], Result]) -> Result:
-    """What ``function`` returns or raises, called in a thread with a stack of :data:`STACK_BYTES`.
+    """What ``function`` returns or raises, called in a thread with a stack of :data:`STACK_BYTES` and with the
+    recursion limit that fits it.
 
-    The recursion limit is left as it is: see :func:`recursion_limit`.
+    The limit holds for the whole process, so it is sound only because the thread that calls does nothing but wait.
     """
     results: list[Result] = []
     errors: list[BaseException] = []
@@ -37,14 +38,15 @@ def call_with_deep_stack(function: Callable[[], Result]) -> Result:
         except BaseException as error:  # raised again in the thread that waits
             errors.append(error)
 
-    thread = threading.Thread(target=run, name="archlint-compile")
-    with _STARTING:
-        previous = threading.stack_size(STACK_BYTES)
-        try:
-            thread.start()
-        finally:
-            threading.stack_size(previous)
-    thread.join()
+    thread = threading.Thread(target=run, name="archlint-deep")
+    with recursion_limit(DEEP_LIMIT):
+        with _STARTING:
+            previous = threading.stack_size(STACK_BYTES)
+            try:
+                thread.start()
+            finally:
+                threading.stack_size(previous)
+        thread.join()
     if errors:
         raise errors[0]
     return results[0]

@@ -7,6 +7,7 @@ from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from archlint.faults import Faults
 from archlint.fixes import names, timeouts
 from archlint.fixes.source import Source, read
 
@@ -66,11 +67,15 @@ class Surroundings:
         return "\n".join((*(t for name, t in self._texts[root].items() if name != str(file)), *sorted(taken)))
 
 
-def attach(findings: Iterable[Finding], around: Surroundings) -> list[Finding]:
-    """The findings, each with its fix where there is one."""
+def attach(findings: Iterable[Finding], around: Surroundings, faults: Faults | None = None) -> list[Finding]:
+    """The findings, each with its fix where there is one.  Of a fix that fails to be made, ``faults`` are told."""
     found = list(findings)
     around.keep(found)
-    return [_with_fix(finding, around) for finding in found]
+    faults = faults or Faults()
+    for number, finding in enumerate(found):
+        with faults.apart(f"making the fix of {finding.code}", finding.place):
+            found[number] = _with_fix(finding, around)
+    return found
 
 
 def _with_fix(finding: Finding, around: Surroundings) -> Finding:

@@ -7,7 +7,8 @@ read, so that variables, f-strings and comprehensions resolve.
 from __future__ import annotations
 
 import posixpath
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from contextlib import contextmanager
 from dataclasses import replace
 from typing import TYPE_CHECKING, Protocol
 
@@ -18,6 +19,7 @@ from archlint.facts.entry_point_tables import (
     entries_of_setup_cfg,
     parse_entry,
 )
+from archlint.faults import Faults
 from archlint.finding import Place
 from archlint.program import model
 from archlint.program.installs import Executable, InstalledFiles, Installs, read_cmake
@@ -62,30 +64,56 @@ class SetupRun(Run):
 
 
 def read_installs(
-    packages: Iterable[PackageFolder], files: Sequence[SourceFile], facts_of: FactsOf, tree: Tree
+    packages: Iterable[PackageFolder],
+    files: Sequence[SourceFile],
+    facts_of: FactsOf,
+    tree: Tree,
+    faults: Faults | None = None,
 ) -> dict[str, Installs]:
-    """What each package installs, by package name."""
+    """What each package installs, by package name.  Of what fails here, ``faults`` are told."""
     index = ModuleIndex(files, facts_of)
     setups = {file.relative: file for file in files if file.kind == "setup_py"}
+    faults = faults or Faults()
     found: dict[str, Installs] = {}
     for package in packages:
-        installs = Installs(package.name, package.relative)
-        cmake = posixpath.normpath(posixpath.join(package.relative, "CMakeLists.txt"))
-        text = tree.text(cmake)
-        if text is not None:
-            read_cmake(installs, text, cmake)
-        _read_tables(installs, tree)
-        setup = setups.get(posixpath.normpath(posixpath.join(package.relative, "setup.py")))
-        if setup is not None:
-            module = index.module(setup)
-            if module is None:
-                installs.open_executables = installs.open_files = True
-            else:
-                _read_setup(installs, module, index)
-        _find_programs(installs, files)
-        _follow_links(installs, files, tree)
-        found[package.name] = installs
+        installs = found[package.name] = Installs(package.name, package.relative)
+        with _apart(installs, "CMakeLists.txt", faults) as cmake:
+            text = tree.text(cmake)
+            if text is not None:
+                read_cmake(installs, text, cmake)
+        with _apart(installs, "setup.cfg", faults):
+            _read_tables(installs, tree)
+        with _apart(installs, "setup.py", faults) as path:
+            _read_setup_at(installs, path, setups, index, faults)
+        with _apart(installs, "package.xml", faults):
+            _find_programs(installs, files)
+            _follow_links(installs, files, tree)
     return found
+
+
+@contextmanager
+def _apart(installs: Installs, name: str, faults: Faults) -> Iterator[str]:
+    """The path of a package's build file.  Where reading it fails there may be more than is known of, and ``faults``
+    are told."""
+    path = posixpath.normpath(posixpath.join(installs.folder, name))
+    try:
+        yield path
+    except Exception as error:
+        faults.note("reading what this package installs", error, Place(path, 1, 1, 1, 1))
+        installs.open_executables = installs.open_files = True
+
+
+def _read_setup_at(
+    installs: Installs, path: str, setups: dict[str, SourceFile], index: ModuleIndex, faults: Faults
+) -> None:
+    setup = setups.get(path)
+    if setup is None:
+        return
+    module = index.module(setup)
+    if module is None:
+        installs.open_executables = installs.open_files = True
+    else:
+        _read_setup(installs, module, index, faults)
 
 
 def _find_programs(installs: Installs, files: Sequence[SourceFile]) -> None:
@@ -149,12 +177,15 @@ def _executable(entry: ScriptEntry, package: str, path: str) -> Executable:
 # ------------------------------------------------------------------------------------------------ setup.py
 
 
-def _read_setup(installs: Installs, module: Module, index: ModuleIndex) -> None:
+def _read_setup(installs: Installs, module: Module, index: ModuleIndex, faults: Faults) -> None:
     installs.build_files.append(module.path)
     place = Place(module.path, 1, 1, 1, 1)
     program = model.Program("setup", module.file.package, module.path)
     run = SetupRun(index, Store(), program, model.Callback("module", "setup", place, None))
+    run.faults = faults
     run.import_module(module)
+    if run.program.exhausted:
+        installs.open_executables = installs.open_files = True
     if run.keywords is None:
         installs.open_executables = installs.open_files = True
         return

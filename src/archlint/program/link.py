@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING
 
 from archlint.facts import model as facts
 from archlint.facts.deep_stack import call_with_deep_stack
+from archlint.faults import Faults
 from archlint.finding import Place
 from archlint.program import calls, definitions, model
 from archlint.program.api import command_line, nodes
@@ -76,6 +77,7 @@ class Linker:
         facts_of: Callable[[SourceFile], facts.Facts | None],
         relevant: Callable[[SourceFile], bool],
         interfaces: InterfaceTable | None = None,
+        faults: Faults | None = None,
     ) -> None:
         self.index = ModuleIndex(files, facts_of)
         self.files = sorted(files, key=lambda file: file.relative)
@@ -83,6 +85,7 @@ class Linker:
         self.relevant = relevant
         self.interfaces = interfaces
         self.store = Store()
+        self.faults = faults or Faults()
         self.programs: list[model.Program] = []
         self.started: dict[tuple[str | None, str], model.Program] = {}
         """The program of each entry point, by package and executable."""
@@ -163,6 +166,7 @@ class Linker:
         context = model.Callback(role, name, place, None, file=module.path)
         run = Run(self.index, self.store, program, context, self.interfaces, overrides)
         run.at_spin = run_pending
+        run.faults = self.faults
         if is_test_file(module.path):
             run.left = run.allowed_steps = TEST_STEPS
         return run
@@ -179,7 +183,7 @@ class Linker:
         run = self.new_run(entry.executable, module, overrides=overrides)
         run.program.package = entry.package
         ran_before = module.state != "new"
-        with _Program(self, run, module):
+        with _Program(self, run, module) as root:
             if words is not None:
                 command_line.give_words(run, words)
             run.import_module(module)
@@ -187,6 +191,7 @@ class Linker:
                 function = self._dotted(run, module, entry.function)
                 if function is not None:
                     run.context.name = entry.function
+                    root.place = _place_of(function) or root.place
                     calls.call(run, function, [], {})
             elif _main_guard(module) is not None:
                 _run_block(run, module, _main_guard(module))
@@ -208,10 +213,11 @@ class Linker:
         """Run a file as ``python file``: its top level, then what the main guard holds."""
         name = module.path.rpartition("/")[2]
         run = self.new_run(name.removesuffix(".py"), module)
-        run.program.executable = _main_guard(module) is not None
-        with _Program(self, run, module):
+        guard = _main_guard(module)
+        run.program.executable = guard is not None
+        with _Program(self, run, module, None if guard is None else Place(module.path, *guard.span)):
             run.import_module(module)
-            _run_block(run, module, _main_guard(module))
+            _run_block(run, module, guard)
             _make_handed_out(run)
         return run.program
 
@@ -253,7 +259,7 @@ class Linker:
     def _run_class(self, module: Module, cls: ClassValue) -> None:
         run = self.new_run(cls.qualified, module, "init")
         run.program.executable = False
-        with _Program(self, run, module):
+        with _Program(self, run, module, _place_of(cls)):
             definitions.instantiate(run, cls, [], {})
 
     def _run_rest(self, modules: list[Module], classes: list[tuple[Module, ClassValue]], test: bool) -> None:
@@ -279,7 +285,7 @@ class Linker:
                 elif isinstance(value, FunctionValue) and id(value.ir) not in self.ran:
                     run = self.new_run(value.qualified, module, "method")
                     run.program.executable = False
-                    with _Program(self, run, module):
+                    with _Program(self, run, module, _place_of(value)):
                         calls.call(run, value, [], {})
 
 
@@ -326,37 +332,70 @@ def _is_uncalled(creation: model.Creation) -> bool:
 
 
 class _Program:
-    """One program on a layer of its own: its callbacks run when the block ends, then the layer goes."""
+    """One program on a layer of its own: its callbacks run when the block ends, then the layer goes.
 
-    def __init__(self, linker: Linker, run: Run, module: Module) -> None:
+    What is raised inside is noted at ``place``, and what the program has done until then stays."""
+
+    def __init__(self, linker: Linker, run: Run, module: Module, place: Place | None = None) -> None:
         self.linker = linker
         self.run = run
         self.module = module
+        self.place = place or run.context.place
 
-    def __enter__(self) -> None:
-        run = self.run
-        self.depth = run.store.depth
-        run.store.push()
-        if self.module.scope is None and self.module.state == "new":
-            pass
-        enter_root(run, self.module)
+    def __enter__(self) -> _Program:
+        self.depth = self.run.store.depth
+        self.run.store.push()
+        enter_root(self.run, self.module)
+        return self
 
-    def __exit__(self, kind: object, error: object, trace: object) -> None:
+    def __exit__(self, kind: object, error: BaseException | None, trace: object) -> bool:
         run = self.run
         try:
-            if error is None:
+            if isinstance(error, Exception):
+                self._recover(error)
+            if error is None or isinstance(error, Exception):
                 run_callbacks(run)
+        except Exception as raised:
+            run.note_fault(self._what, raised, self.place)
         finally:
             run.activations.clear()
             run.store.cut(self.depth)
-        linker = self.linker
+        self._finish()
+        return isinstance(error, Exception)
+
+    @property
+    def _what(self) -> str:
+        return f"following {self.run.context.name}"
+
+    def _recover(self, error: Exception) -> None:
+        """Where the program failed: its callbacks are run all the same."""
+        run = self.run
+        run.note_fault(self._what, error, self.place)
+        run.activations.clear()
+        run.arms.clear()
+        run.store.merge([run.store.cut(self.depth + 1)])
+        enter_root(run, self.module)
+
+    def _finish(self) -> None:
+        linker, run = self.linker, self.run
         linker.ran |= run.ran
         for instance in run.instances.values():
             if isinstance(instance.cls, ClassValue):
                 linker.made.update(id(base) for base in instance.cls.mro)
-        finish(run)
+        try:
+            finish(run)
+        except Exception as raised:
+            run.note_fault(self._what, raised, self.place)
         if run.program not in linker.programs:
             linker.programs.append(run.program)
+
+
+def _place_of(value: Value) -> Place | None:
+    """Where a class or a function is defined."""
+    if isinstance(value, (ClassValue, FunctionValue)):
+        span = value.ir.span if isinstance(value.ir, facts.Lambda) else value.ir.name_span
+        return Place(value.scope.module.path, *span)
+    return None
 
 
 def _main_guard(module: Module) -> facts.If | None:

@@ -106,6 +106,8 @@ def run_root(
     run.store.push()
     try:
         calls.call(run, value, _fit(value, arguments), {})
+    except Exception as error:
+        run.note_fault(f"following {callback.name}", error, callback.place)
     finally:
         layer = run.store.cut(depth)
         run.context, run.activations, run.lineage = kept_context, kept_activations, kept_lineage

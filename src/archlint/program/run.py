@@ -11,6 +11,7 @@ from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any
 
 from archlint.facts import model as facts
+from archlint.faults import Faults
 from archlint.finding import Place
 from archlint.program import model
 from archlint.program.store import Layer, Store
@@ -134,6 +135,8 @@ class Run:
         self.context = context
         self.interfaces = interfaces
         self.overrides = overrides or model.Overrides()
+        self.faults = Faults()
+        """Where archlint itself failed; a linker or loader gives all of its runs one."""
         self.activations: list[Activation] = []
         self.arms: list[tuple[str, int]] = []
         self.steps = 0
@@ -255,6 +258,8 @@ class Run:
                         Activation(module.name, module, module.scope, module.facts.body, self.store.depth)
                     )
                     self.execute(module.facts.body)
+            except Exception as error:  # of what statements do not keep to themselves: code that is nested too deep
+                self.note_fault(f"following the module {module.name}", error, context.place)
             finally:
                 self.activations, self.arms, self.context = kept
                 module.state = "done"
@@ -281,16 +286,39 @@ class Run:
             # Joining large lists again and again takes longer than the statements that make it happen.
             self.steps += self.store.work // WORK_OF_A_STEP
             self.store.work = 0
+        depth, arms = self.store.depth, len(self.arms)
         for statement in block:
             self.steps += 1
             if self.steps > self.allowed_steps:
                 self.program.exhausted = True
                 return "raise"
             activation.statement = statement
-            status = statements.STATEMENTS[statement.__class__](self, statement)
+            try:
+                status = statements.STATEMENTS[statement.__class__](self, statement)
+            except (RecursionError, MemoryError):
+                raise  # not for the innermost statement, which was only the last straw
+            except Exception as error:
+                status = self._step_over(statement, error, activation, depth, arms)
             if status is not None:
                 return status
         return None
+
+    def _step_over(
+        self, statement: facts.Stmt, error: Exception, activation: Activation, depth: int, arms: int
+    ) -> Status:
+        """Go on behind a statement that archlint failed at, with the state as far as it got."""
+        span = (1, 1, 1, 1) if isinstance(statement, facts.Global) else statement.span
+        self.note_fault("following this statement", error, activation.place(span))
+        del self.activations[self.activations.index(activation) + 1 :]
+        del self.arms[arms:]
+        if self.store.depth > depth:
+            self.store.merge([self.store.cut(depth)])
+        return None
+
+    def note_fault(self, what: str, error: Exception, place: Place) -> None:
+        """Note a failure of archlint's own: the program is followed only in part."""
+        self.faults.note(what, error, place)
+        self.program.exhausted = True
 
     def branch(self, key: str, arm: int, block: list[facts.Stmt]) -> tuple[Status, Layer]:
         """Run a block as one arm of an undecided branch; its writes are returned, not applied."""

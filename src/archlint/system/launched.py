@@ -7,6 +7,7 @@ from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING
 
+from archlint.faults import Faults
 from archlint.program.launch.model import Launched, Started
 from archlint.program.model import Blueprint, Overrides, Program, Text
 from archlint.system import names
@@ -42,6 +43,8 @@ class World:
     parameters_of: Callable[[str], ParameterFacts] | None = None
     systems: list[System] = field(default_factory=list)
     loader: LaunchLoader | None = None
+    faults: Faults = field(default_factory=Faults)
+    """Where archlint itself failed in this run."""
     explicit: bool = False
     """True where a launch file was named: the only system then."""
     partial: bool = False

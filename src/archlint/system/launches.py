@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING
 
-from archlint.facts.deep_stack import call_with_deep_stack
+from archlint.finding import Place
 from archlint.program.launch.load import LaunchLoader
 from archlint.program.launch.model import UNKNOWN, Launched
 from archlint.program.model import Blueprint, Program
@@ -46,22 +46,23 @@ def launch_systems(
         parts = _parts(launched)
         systems = []
         for one in launched:
-            named = chosen is not None or any(glob.matches(one.file) for glob in configured)
-            if one.ros1 or not one.is_launch_file or (configured and not named):
-                continue
-            system = maker.system(one, closed, dependencies)
-            system.part = one.file in parts
-            # The nodes of a part may have their partners beside it.
-            system.closed = (closed and not system.part) or (named and _whole(one, system))
-            for values in undecided_arguments(one) if _differs(system) else ():
-                other = maker.system(loader.launch(one.file, {**one.arguments, **values}), closed, dependencies)
-                other.closed, other.part = system.closed, system.part
-                system.alternatives.append((values, other))
-            systems.append(system)
+            with loader.faults.apart("making the system of this launch file", Place(one.file, 1, 1, 1, 1)):
+                named = chosen is not None or any(glob.matches(one.file) for glob in configured)
+                if one.ros1 or not one.is_launch_file or (configured and not named):
+                    continue
+                system = maker.system(one, closed, dependencies)
+                system.part = one.file in parts
+                # The nodes of a part may have their partners beside it.
+                system.closed = (closed and not system.part) or (named and _whole(one, system))
+                for values in undecided_arguments(one) if _differs(system) else ():
+                    other = maker.system(loader.launch(one.file, {**one.arguments, **values}), closed, dependencies)
+                    other.closed, other.part = system.closed, system.part
+                    system.alternatives.append((values, other))
+                systems.append(system)
         opened.apart = frozenset(started_pairs(launched, _by_executable(opened.programs)))
         return systems
 
-    systems = call_with_deep_stack(work)
+    systems = work()
     found = systems if chosen is not None else [opened, *systems]
     world.systems = found
     for system in found:

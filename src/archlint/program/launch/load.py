@@ -12,6 +12,7 @@ from archlint.facts.launch_model import LaunchFacts
 from archlint.facts.launch_xml import read_launch_xml
 from archlint.facts.launch_yaml import read_launch_yaml
 from archlint.facts.parameters import ParameterFacts, read_parameters
+from archlint.faults import Faults
 from archlint.finding import Place
 from archlint.program import calls
 from archlint.program.installs import Installs
@@ -65,6 +66,7 @@ class LaunchLoader:
         installs: Mapping[str, Installs],
         tree: Tree,
         relevant: Callable[[SourceFile], bool] = lambda file: True,
+        faults: Faults | None = None,
     ) -> None:
         self._files = files
         self._facts_of = facts_of
@@ -76,6 +78,7 @@ class LaunchLoader:
         self._parameter_facts: dict[str, ParameterFacts] = {}
         self.index = ModuleIndex(files, facts_of)
         self.store = Store()
+        self.faults = faults or Faults()
         self._tops: frozenset[str] | None = None
         self._launched: dict[str, Launched] = {}
         self.includes = 0
@@ -157,9 +160,7 @@ class LaunchLoader:
     def launched_once(self, path: str) -> Launched:
         """A launch file run on its own with its defaults; the same answer each time."""
         if path not in self._launched:
-            from archlint.facts.deep_stack import call_with_deep_stack
-
-            self._launched[path] = call_with_deep_stack(lambda: self.launch(path))
+            self._launched[path] = self.launch(path)
         return self._launched[path]
 
     def problems(self) -> list[tuple[str, int, int, str]]:
@@ -205,9 +206,11 @@ class LaunchLoader:
     def frontend(self, path: str) -> LaunchFacts:
         if path not in self._frontend_facts:
             text = self.tree.text(path)
-            self._frontend_facts[path] = (
-                LaunchFacts(problems=self._unreadable(path)) if text is None else _read(path, text)
-            )
+            found = LaunchFacts(problems=self._unreadable(path))
+            if text is not None:
+                with self.faults.apart("reading this launch file", Place(path, 1, 1, 1, 1)):
+                    found = _read(path, text)
+            self._frontend_facts[path] = found
         return self._frontend_facts[path]
 
     def _is_frontend(self, path: str) -> bool:
@@ -218,9 +221,11 @@ class LaunchLoader:
     def parameters(self, path: str) -> ParameterFacts:
         if path not in self._parameter_facts:
             text = self.tree.text(path)
-            self._parameter_facts[path] = (
-                ParameterFacts(problems=self._unreadable(path)) if text is None else read_parameters(text)
-            )
+            found = ParameterFacts(problems=self._unreadable(path))
+            if text is not None:
+                with self.faults.apart("reading this parameter file", Place(path, 1, 1, 1, 1)):
+                    found = read_parameters(text)
+            self._parameter_facts[path] = found
         return self._parameter_facts[path]
 
     def _unreadable(self, path: str) -> tuple[facts.FileProblem, ...]:
@@ -284,6 +289,8 @@ class LaunchLoader:
                 self._enter_frontend(run, path)
             else:
                 self._enter_python(run, path)
+        except Exception as error:
+            run.note_fault("following this launch file", error, Place(path, 1, 1, 1, 1))
         finally:
             run.stack.pop()
             run.file, run.place_now = kept, kept_place

@@ -37,6 +37,7 @@ class LaunchRun(Run):
             index, store, model.Program(file, None, file), model.Callback("launch", file, place, None, file=file)
         )
         self.loader = loader
+        self.faults = loader.faults
         self.launch = Context()
         self.file = file
         self.result = result
@@ -75,6 +76,10 @@ class LaunchRun(Run):
         if gap not in self._seen:
             self._seen.add(gap)
             self.result.gaps.append(gap)
+
+    def note_fault(self, what: str, error: Exception, place: Place) -> None:
+        super().note_fault(what, error, place)
+        self.gap("archlint failed here", place=place)
 
     def start(self, started: Started) -> None:
         """Note a process.  What an event handler starts at a place that starts it otherwise, too, is the same

@@ -44,6 +44,11 @@ def visit(run: LaunchRun, entity: Value) -> None:
     run.nesting += 1
     try:
         _visit(run, entity)
+    except (RecursionError, MemoryError):
+        raise  # not for the innermost action, which was only the last straw
+    except Exception as error:
+        place = entity.place if isinstance(entity, Instance) else None
+        run.note_fault("following this action", error, place or run.place_now)
     finally:
         run.nesting -= 1
 

@@ -1,0 +1,54 @@
+"""Failures of archlint's own: noted where they happened, so that the rest of a run goes on."""
+
+from __future__ import annotations
+
+import traceback
+from collections.abc import Iterator
+from contextlib import contextmanager
+from dataclasses import dataclass
+from pathlib import Path
+
+from archlint.finding import Place
+
+
+@dataclass(frozen=True)
+class Fault:
+    """A part of the work that raised: ``what`` failed, with an error of the type ``kind``, while it looked at
+    ``place``; ``message`` holds what the error says and which line of archlint raised it."""
+
+    what: str
+    kind: str
+    message: str
+    place: Place
+
+    @classmethod
+    def of(cls, what: str, error: Exception, place: Place) -> Fault:
+        kind = type(error).__name__
+        if isinstance(error, (RecursionError, MemoryError)):
+            return cls(what, kind, kind, place)  # which line was the last straw says nothing
+        frames = traceback.extract_tb(error.__traceback__)
+        where = f" ({Path(frames[-1].filename).name}:{frames[-1].lineno})" if frames else ""
+        return cls(what, kind, f"{kind}: {error}{where}", place)
+
+
+class Faults:
+    """The faults of one run, each once."""
+
+    def __init__(self) -> None:
+        self._found: dict[tuple[Place, str, str], Fault] = {}
+
+    def note(self, what: str, error: Exception, place: Place) -> None:
+        fault = Fault.of(what, error, place)
+        self._found.setdefault((place, what, fault.kind), fault)
+
+    def found(self) -> list[Fault]:
+        """All of them by place."""
+        return [self._found[key] for key in sorted(self._found)]
+
+    @contextmanager
+    def apart(self, what: str, place: Place) -> Iterator[None]:
+        """What is raised inside is noted, and what stands after the block goes on."""
+        try:
+            yield
+        except Exception as error:
+            self.note(what, error, place)
