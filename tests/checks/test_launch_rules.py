@@ -487,3 +487,55 @@ def test_a_node_action_without_a_package_needs_none(findings):
 def test_a_module_that_is_not_there_is_named_with_the_near_one(findings, target, words):
     (found,) = findings("PKG002", **{"setup.py": SETUP.replace("robot.talker:", f"{target}:"), "robot/a.py": ""})
     assert found.message.endswith(f": {words}")
+
+
+# ------------------------------------------------------------------------------------------------ LCH008
+
+ASKED = """\
+from launch import Condition, LaunchDescription
+from launch.actions import DeclareLaunchArgument
+from launch.conditions import IfCondition
+from launch.substitutions import LaunchConfiguration
+from launch_ros.actions import Node
+
+def is_real(context):
+    return True
+
+def generate_launch_description():
+    return LaunchDescription([
+        DeclareLaunchArgument('x', default_value='true'),
+        Node(package='robot', executable='talker', condition={condition}),
+    ])
+"""
+
+
+@pytest.mark.parametrize(
+    ("condition", "what", "wrap"),
+    [
+        ("'true'", "the text 'true'", "IfCondition"),
+        ("True", "the value True", "IfCondition"),
+        ("LaunchConfiguration('x')", "a LaunchConfiguration", "IfCondition"),
+        ("[LaunchConfiguration('x')]", "a list", "IfCondition"),
+        ("lambda context: True", "a lambda", "Condition(predicate"),
+        ("is_real", "the function 'is_real'", "Condition(predicate"),
+    ],
+)
+def test_what_is_no_condition(findings, condition, what, wrap):
+    (one,) = findings("LCH008", **{"launch/it.launch.py": ASKED.format(condition=condition)})
+    assert one.message == f"condition= of this Node is {what}, which is no Condition"
+    assert (one.place.file, one.place.line) == ("launch/it.launch.py", 13)
+    assert wrap in (one.help or "")
+
+
+@pytest.mark.parametrize(
+    "condition",
+    [
+        "None",
+        "IfCondition('true')",
+        "Condition(predicate=is_real)",
+        "IfCondition(LaunchConfiguration('x'))",
+        "unknown()",
+    ],
+)
+def test_what_is_a_condition_or_may_be_one(findings, condition):
+    assert findings("LCH008", **{"launch/it.launch.py": ASKED.format(condition=condition)}) == []

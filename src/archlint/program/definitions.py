@@ -212,6 +212,10 @@ def _is_in(value: Value, row: list[Value]) -> bool:
     return any(_equal(value, other) for other in row)
 
 
+GIVEN = "#given"
+"""The slot of what the constructor of a class that derives from one of launch's was given, by name or position."""
+
+
 def instantiate(
     run: Run,
     cls: ClassValue,
@@ -227,6 +231,10 @@ def instantiate(
     made = Instance(cls, run.store.new_key(), place)
     run.instances[made.key] = made
     effects.adopt(run, made)
+    if not open_arguments and any(path.startswith("launch") for path in cls.external_bases()):
+        named = sorted(keywords.items(), key=lambda row: row[0])
+        rows = [*((str(number), value) for number, value in enumerate(args)), *named]
+        run.store.set(made.key, GIVEN, tuple(rows))
     init, owner = class_lookup(run, cls, "__init__")
     if init is not None:
         run.call(bind(run, init, made, cls), args, keywords, expression, open_arguments)

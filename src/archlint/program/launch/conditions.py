@@ -6,14 +6,30 @@ import re
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
+from archlint.facts import model as facts
+from archlint.program import decisions
+from archlint.program.attributes import get_attribute
+from archlint.program.launch.shapes import OPAQUE, WHERE, shape_of
 from archlint.program.launch.substitutions import (
+    SUBSTITUTIONS,
     argument,
-    expression_template,
     kind_of,
+    made_by_base,
     perform,
     truth_of,
 )
-from archlint.program.values import Instance, Known, ListValue, OneOf, Unknown, Value, alternatives
+from archlint.program.values import (
+    BoundMethod,
+    ClassValue,
+    FunctionValue,
+    Instance,
+    Known,
+    ListValue,
+    OneOf,
+    Partial,
+    Value,
+    alternatives,
+)
 
 if TYPE_CHECKING:
     from archlint.program.launch.run import LaunchRun
@@ -34,6 +50,8 @@ def judge(run: LaunchRun, condition: Value | None) -> Verdict:
     """The verdict on a ``condition=`` argument."""
     if condition is None:
         return ALWAYS
+    if isinstance(condition, OneOf):
+        return _one_of_several(run, condition)
     kind = kind_of(condition)
     if kind in ("IfCondition", "UnlessCondition"):
         expected = kind == "IfCondition"
@@ -44,17 +62,57 @@ def judge(run: LaunchRun, condition: Value | None) -> Verdict:
         return Verdict(None, _branch(run, given, expected))
     if kind in ("LaunchConfigurationEquals", "LaunchConfigurationNotEquals"):
         return _equality(run, condition, kind == "LaunchConfigurationEquals")
-    place = condition.place if isinstance(condition, Instance) else None
-    return Verdict(None, (f"condition at {place}", 1))
+    holds = _asked(run, condition)
+    if holds is not None:
+        return Verdict(holds)
+    base = made_by_base(run, condition)
+    if base is not None and kind_of(base) != "Condition" and _own_predicate(run, condition) is None:
+        return judge(run, base)
+    return Verdict(None, _branch(run, condition, True))
+
+
+def _one_of_several(run: LaunchRun, condition: OneOf) -> Verdict:
+    """One of several conditions, None among them: decided where all of them agree."""
+    options = [None if option == Known(None) else option for option in condition.values]
+    found = {judge(run, option).holds for option in options}
+    if len(found) == 1 and None not in found:
+        return Verdict(found.pop())
+    return Verdict(None, _branch(run, condition, True))
+
+
+_PREDICATES = ("evaluate", "_predicate_func")
+"""What a class that derives from launch's conditions may define of its own."""
+
+
+def _asked(run: LaunchRun, condition: Value) -> bool | None:
+    """What the condition's own code says, for a class of the workspace and for ``Condition(predicate=…)``."""
+    made = made_by_base(run, condition) or condition
+    predicate = _own_predicate(run, condition) or argument(made, "predicate")
+    if predicate is None:
+        return None
+    return decisions.truth(run, run.ask(predicate))
+
+
+def _own_predicate(run: LaunchRun, condition: Value) -> Value | None:
+    if not isinstance(condition, Instance) or not isinstance(condition.cls, ClassValue):
+        return None
+    for name in _PREDICATES:
+        found = get_attribute(run, condition, name)
+        if isinstance(found, BoundMethod) and isinstance(found.function, FunctionValue):
+            return found
+    return None
 
 
 def _equality(run: LaunchRun, condition: Value, wanted: bool) -> Verdict:
     name = perform(run, argument(condition, "launch_configuration_name"))
-    expected = perform(run, argument(condition, "expected_value"))
+    given = argument(condition, "expected_value")
     if not isinstance(name, Known):
-        return Verdict(None, None)
+        return Verdict(None, _branch(run, condition, True))
     text = str(name.value)
     found = run.launch.configurations.get(text)
+    if given is None:
+        return Verdict((found is None) is wanted)
+    expected = perform(run, given)
     verdicts = set()
     for option in alternatives(found) if found is not None else ():
         both = isinstance(option, Known) and isinstance(expected, Known)
@@ -63,7 +121,9 @@ def _equality(run: LaunchRun, condition: Value, wanted: bool) -> Verdict:
         verdicts = {False}
     if len(verdicts) == 1 and None not in verdicts:
         return Verdict(verdicts.pop() is wanted)
-    return Verdict(None, _arm_of_value(run, text, expected, wanted))
+    if not isinstance(expected, Known):
+        return Verdict(None, _branch(run, condition, True))
+    return Verdict(None, _arm_of_value(run, run.argument_behind(text), str(expected.value), wanted))
 
 
 def _same(one: Value, other: Value) -> bool:
@@ -71,85 +131,84 @@ def _same(one: Value, other: Value) -> bool:
     return str(one.value) == str(other.value)
 
 
-def _arm_of_value(run: LaunchRun, name: str, expected: Value, wanted: bool) -> tuple[str, int] | None:
+def _arm_of_value(run: LaunchRun, name: str, text: str, wanted: bool) -> tuple[str, int]:
     """One branch an argument, one arm a value: ``mode:=a`` and ``mode:=b`` exclude each other."""
-    if not isinstance(expected, Known):
-        return None
-    text = str(expected.value)
     if text.lower() in ("true", "false"):
-        run.note_undecided(name, "true", "false")
-        truth = (text.lower() == "true") is wanted
-        return run.label((name, int(truth)), f"{name}:={str(truth).lower()}")
+        return _arm_of_truth(run, name, (text.lower() == "true") is wanted)
     run.note_undecided(name, text)
+    shown = run.shown(name)
     if wanted:
-        return run.label((name, 2 + run.number_of_value(name, text)), f"{name}:={text}")
-    return run.label((f"{name}!={text}", 1), f"{name} other than {text}")
+        return run.label((name, 2 + run.number_of_value(name, text)), f"{shown}:={text}")
+    return run.label((f"{name}!={text}", 1), f"{shown} other than {text}")
+
+
+def _arm_of_truth(run: LaunchRun, name: str, truth: bool) -> tuple[str, int]:
+    run.note_undecided(name, "true", "false")
+    return run.label((name, int(truth)), f"{run.shown(name)}:={str(truth).lower()}")
 
 
 _EQUALS = re.compile(r"""^\s*['"]?\0(?P<name>[^\0]+)\0['"]?\s*(?P<op>==|!=)\s*['"](?P<value>[^'"]*)['"]\s*$""")
 _PLAIN = re.compile(r"^\s*\0(?P<name>[^\0]+)\0\s*$")
 _ARGUMENT = re.compile(r"\0([^\0]+)\0")
+_FILE = re.compile(f"{WHERE}[^{WHERE}]*{WHERE}")
 _OPERANDS = re.compile(r"\0[^\0]+\0|\b(?:and|or|not)\b|[()]")
 """What a test of truth values consists of."""
 _NOT = re.compile(r"^\s*not\s+\0(?P<name>[^\0]+)\0\s*$")
 
 
-def _branch(run: LaunchRun, expression: Value | None, expected: bool) -> tuple[str, int] | None:
+def _branch(run: LaunchRun, expression: Value | None, expected: bool) -> tuple[str, int]:
     """The arm of an undecided test.  The same test elsewhere has the same branch."""
-    template = _template(run, expression)
-    if template is None:
+    shape = "" if expression is None else shape_of(run, expression)
+    names = _ARGUMENT.findall(shape)
+    if all(map(run.is_open_argument, names)):
+        known = _known_form(run, shape, expected)
+        if known is not None:
+            return known
+        if not _OPERANDS.sub("", shape).strip():
+            for name in names:
+                run.note_undecided(name, "true", "false")
+    arm = (f"({shape})", int(expected))
+    if OPAQUE in shape:
+        return arm
+    shown = _ARGUMENT.sub(lambda found: run.shown(found[1]), _FILE.sub("", shape))
+    return run.label(arm, f"{'' if expected else 'not '}({shown})")
+
+
+def _known_form(run: LaunchRun, shape: str, expected: bool) -> tuple[str, int] | None:
+    """The arm of a test of one argument: for its truth, or against one value."""
+    plain = _PLAIN.match(shape)
+    negated = _NOT.match(shape)
+    if plain is not None:
+        return _arm_of_truth(run, plain["name"], expected)
+    if negated is not None:
+        return _arm_of_truth(run, negated["name"], not expected)
+    equality = _EQUALS.match(shape)
+    if equality is None:
         return None
-    plain = _PLAIN.match(template)
-    negated = _NOT.match(template)
-    if plain or negated:
-        name = (plain or negated)["name"]  # type: ignore[index]
-        truth = expected if plain else not expected
-        run.note_undecided(name, "true", "false")
-        return run.label((name, int(truth)), f"{name}:={str(truth).lower()}")
-    equality = _EQUALS.match(template)
-    if equality:
-        wanted = (equality["op"] == "==") is expected
-        return _arm_of_value(run, equality["name"], Known(equality["value"]), wanted)
-    if not _OPERANDS.sub("", template).strip():
-        for name in _ARGUMENT.findall(template):
-            run.note_undecided(name, "true", "false")
-    shown = _ARGUMENT.sub(r"\1", template)
-    return run.label((f"({shown})", int(expected)), f"{'' if expected else 'not '}({shown})")
+    return _arm_of_value(run, equality["name"], equality["value"], (equality["op"] == "==") is expected)
 
 
-def _template(run: LaunchRun, value: Value | None) -> str | None:
-    """The text of a test with the names of configurations between NULs."""
-    if isinstance(value, Known):
-        return str(value.value)
-    if isinstance(value, ListValue):
-        from archlint.program import containers
-
-        parts = [_template(run, item) for item in containers.items_of(run, value).values]
-        return None if None in parts else "".join(part for part in parts if part is not None)
-    kind = kind_of(value)
-    if kind == "LaunchConfiguration":
-        name = perform(run, argument(value, "variable_name"))
-        return f"\0{name.value!s}\0" if isinstance(name, Known) else None
-    if kind == "PythonExpression":
-        return _template(run, argument(value, "expression"))
-    if kind == "NotSubstitution":
-        inner = _template(run, argument(value, "value"))
-        return None if inner is None else f"not {inner}"
-    if kind in ("EqualsSubstitution", "NotEqualsSubstitution"):
-        left, right = _template(run, argument(value, "left")), _template(run, argument(value, "right"))
-        if left is None or right is None:
-            return None
-        if "\0" in right and "\0" not in left:
-            left, right = right, left
-        return f"{left} {'==' if kind == 'EqualsSubstitution' else '!='} '{right}'"
-    if kind in ("AndSubstitution", "OrSubstitution"):
-        left, right = _template(run, argument(value, "left")), _template(run, argument(value, "right"))
-        word = "and" if kind == "AndSubstitution" else "or"
-        return None if left is None or right is None else f"{left} {word} {right}"
-    if kind == "EnvironmentVariable":
-        name = perform(run, argument(value, "name"))
-        return f"${name.value!s}" if isinstance(name, Known) else None
+def mistaken(run: LaunchRun, condition: Value) -> str | None:
+    """What a ``condition=`` is that has no ``evaluate`` for launch to call; None for what has one, or may."""
+    if isinstance(condition, FunctionValue):
+        return "a lambda" if isinstance(condition.ir, facts.Lambda) else f"the function '{condition.qualified}'"
+    if isinstance(condition, (BoundMethod, Partial)):
+        return "a callable"
+    if isinstance(condition, Known):
+        return f"the text '{condition.value}'" if isinstance(condition.value, str) else f"the value {condition.value!r}"
+    if isinstance(condition, ListValue):
+        return f"a {condition.kind}"
+    if kind_of(condition) in SUBSTITUTIONS:
+        return f"a {kind_of(condition)}"
+    if isinstance(condition, Instance) and isinstance(condition.cls, ClassValue):
+        bases = {kind_of(made_by_base(run, condition)), *map(_last, condition.cls.external_bases())}
+        if bases & {"Substitution", *SUBSTITUTIONS} and _own_predicate(run, condition) is None:
+            return f"a {condition.cls.qualified}"
     return None
 
 
-__all__ = ["ALWAYS", "OneOf", "Unknown", "Verdict", "expression_template", "judge"]
+def _last(path: str) -> str:
+    return path.rpartition(".")[2]
+
+
+__all__ = ["ALWAYS", "Verdict", "judge", "mistaken"]

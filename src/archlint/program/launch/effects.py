@@ -7,7 +7,7 @@ from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from archlint.facts import model as facts
-from archlint.program.launch.substitutions import SUBSTITUTIONS, package_share, perform
+from archlint.program.launch.substitutions import SUBSTITUTIONS, made_by_base, package_share, perform
 from archlint.program.store import Items
 from archlint.program.values import (
     NONE,
@@ -15,6 +15,7 @@ from archlint.program.values import (
     Instance,
     Known,
     ListValue,
+    OneOf,
     Unknown,
     Value,
     alternatives,
@@ -65,6 +66,8 @@ def _items(run: Run, value: Value | None) -> Items:
 
     if value is None or value == NONE:
         return Items(())
+    if isinstance(value, OneOf):
+        return Items((value,))
     found = containers.iterate(run, value)
     return Items((value,), True) if found is None else found
 
@@ -112,7 +115,9 @@ def _in_branch(run: Run, value: Value) -> Value:
 def _perform(run: Run, receiver: Value, args: list[Value], keywords: dict[str, Value], e: facts.Call | None) -> Value:
     from archlint.program.launch.run import LaunchRun
 
-    return perform(run, receiver) if isinstance(run, LaunchRun) else Unknown("a substitution outside of a launch")
+    if not isinstance(run, LaunchRun):
+        return Unknown("a substitution outside of a launch")
+    return perform(run, made_by_base(run, receiver) or receiver)  # a class of the workspace asks its base
 
 
 def _perform_argument(

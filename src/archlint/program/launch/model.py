@@ -146,6 +146,16 @@ class UnknownAttribute:
     place: Place
 
 
+@dataclass(frozen=True)
+class NotACondition:
+    """What an action is given as its ``condition=`` that launch cannot ask: ``what`` names it."""
+
+    action: str
+    what: str
+    callable: bool
+    place: Place
+
+
 def why_unknown(reference: FileReference) -> str:
     return reference.reason or f"it is not known which file '{reference.written}' is"
 
@@ -184,6 +194,7 @@ class Launched:
     undeclared: list[UndeclaredUse] = field(default_factory=list)
     references: list[FileReference] = field(default_factory=list)
     unknown_attributes: list[UnknownAttribute] = field(default_factory=list)
+    mistakes: list[NotACondition] = field(default_factory=list)
     gaps: list[Gap] = field(default_factory=list)
     made: set[Place] = field(default_factory=set)
     """Where the run came past a node action, whether it is then started or not."""

@@ -8,13 +8,13 @@ from itertools import pairwise
 from typing import TYPE_CHECKING
 
 from archlint.finding import Place
-from archlint.program.launch import conditions
 from archlint.program.launch.context import absolute, prefix_namespace
 from archlint.program.launch.included import launch_apart
 from archlint.program.launch.model import OpenParameters, Remap, Started, UnknownAttribute
 from archlint.program.launch.parameters import Parameter, file_use, parameters_of
 from archlint.program.launch.scopes import remap
 from archlint.program.launch.substitutions import argument, kind_of, perform
+from archlint.program.launch.visiting import arms_of, each_alternative, verdict_on
 from archlint.program.model import Text
 from archlint.program.texts import text_of_value
 from archlint.program.values import Instance, Known, ListValue, OneOf, Unknown, Value, reason
@@ -138,15 +138,12 @@ def _check_keywords(run: LaunchRun, entity: Instance) -> None:
 def _components(run: LaunchRun, entity: Instance, container: Text | None) -> None:
     value = argument(entity, "composable_node_descriptions")
     for item in run.items(value):
-        options = item.values if isinstance(item, OneOf) else (item,)
-        for option in options:
+        for option in each_alternative(run, item) if isinstance(item, OneOf) else (item,):
             if kind_of(option) not in ("ComposableNode", "ComposableLifecycleNode"):
                 run.gap(f"a component: {reason(option)}")
                 continue
             assert isinstance(option, Instance)
-            verdict = conditions.judge(run, argument(option, "condition"))
-            arms = run.store.get(option.key, "#arms")
-            own = frozenset(arms) - run.code_arms if isinstance(arms, frozenset) else frozenset()
+            verdict, own = verdict_on(run, option), arms_of(run, option) - run.code_arms
             kept, run.place_now = run.place_now, option.place or run.place_now
             with run.under(own, verdict, run.place_now):
                 made = _started(run, option, "component")

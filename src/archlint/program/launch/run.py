@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 
 from archlint.finding import Place
 from archlint.program import model
+from archlint.program.launch.argument_names import AGAIN, ArgumentNames
 from archlint.program.launch.conditions import Verdict
 from archlint.program.launch.context import Context
 from archlint.program.launch.model import (
@@ -15,6 +16,7 @@ from archlint.program.launch.model import (
     FileReference,
     Gap,
     Launched,
+    NotACondition,
     Started,
     UndeclaredUse,
     UnknownAttribute,
@@ -50,6 +52,7 @@ class LaunchRun(Run):
         self.dormant = 0
         self.undecided = 0
         self.stack: list[str] = []
+        self.names = ArgumentNames()
         self._values: dict[str, list[str]] = {}
         self._seen: set[object] = set()
         self._started: dict[object, bool] = {}
@@ -100,6 +103,11 @@ class LaunchRun(Run):
             self._seen.add(wrong)
             self.result.unknown_attributes.append(wrong)
 
+    def note_mistake(self, mistake: NotACondition) -> None:
+        if mistake not in self._seen:
+            self._seen.add(mistake)
+            self.result.mistakes.append(mistake)
+
     def reference(self, kind: str, path: Value, place: Place) -> FileReference:
         found = self.loader.resolve(self, kind, path, place)
         if found not in self._seen:
@@ -146,8 +154,22 @@ class LaunchRun(Run):
         self.result.labels.setdefault(arm, text)
         return arm
 
+    def argument_behind(self, name: str) -> str:
+        """The name of the launch argument that a configuration's value comes from."""
+        return self.names.behind(name, self.launch.configurations.get(name))
+
+    def is_open_argument(self, name: str) -> bool:
+        """Whether nothing decides what an argument is."""
+        return not isinstance(self.launch.configurations.get(name), Known)
+
+    @staticmethod
+    def shown(name: str) -> str:
+        return name.partition(AGAIN)[0]
+
     def note_undecided(self, name: str, *values: str) -> None:
         """A condition asks for an argument that nothing decides."""
+        if AGAIN in name:
+            return  # set anew on the way: no argument from outside decides it
         known = self.result.undecided.setdefault(name, [])
         known.extend(value for value in values if value not in known)
 
@@ -215,24 +237,42 @@ class LaunchRun(Run):
         self, function: Value, args: list[Value], kwargs: Value | None, before: Sequence[Value] = ()
     ) -> Value:
         """Call the function of an OpaqueFunction with a launch context; what it sets there stays set."""
-        from archlint.program import calls, containers
-        from archlint.program.roots import _module_of
+        from archlint.program import containers
 
-        module = _module_of(function)
-        if module is None:
-            return Unknown("a function that launch calls, and that is not followed")
-        context = Instance(External("launch.LaunchContext"), self.store.new_key())
-        entries = {containers.hashable(Known(n)): (Known(n), v) for n, v in self.launch.configurations.items()}
-        known = containers.new_dict(self, {key: row for key, row in entries.items() if key is not None})
-        self.store.set(context.key, "launch_configurations", known)
+        context, known = self._context()
         keywords = {}
         if isinstance(kwargs, DictValue):
             for key, value in containers.entries_of(self, kwargs).entries.values():
                 if isinstance(key, Known):
                     keywords[str(key.value)] = value
-        with self.root(module):
-            result = calls.call(self, function, [*before, context, *args], keywords)
+        result = self._call(function, [*before, context, *args], keywords)
         for key, value in containers.entries_of(self, known).entries.values():
             if isinstance(key, Known):
                 self.launch.configurations[str(key.value)] = value
         return result
+
+    def ask(self, function: Value) -> Value:
+        """What a predicate or a ``perform`` of the workspace says of the launch context."""
+        return self._call(function, [self._context()[0]], {})
+
+    def _context(self) -> tuple[Value, DictValue]:
+        """The launch context as code sees it, and the dict of its configurations."""
+        from archlint.program import containers
+
+        context = Instance(External("launch.LaunchContext"), self.store.new_key())
+        entries = {containers.hashable(Known(n)): (Known(n), v) for n, v in self.launch.configurations.items()}
+        known = containers.new_dict(self, {key: row for key, row in entries.items() if key is not None})
+        self.store.set(context.key, "launch_configurations", known)
+        return context, known
+
+    def _call(self, function: Value, args: list[Value], keywords: dict[str, Value]) -> Value:
+        from archlint.program import calls
+        from archlint.program.roots import _module_of
+
+        module = _module_of(function)
+        if module is None:
+            return Unknown("a function that launch calls, and that is not followed")
+        if self.activations:
+            return calls.call(self, function, args, keywords)
+        with self.root(module):
+            return calls.call(self, function, args, keywords)

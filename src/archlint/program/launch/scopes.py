@@ -59,6 +59,7 @@ def declare(run: LaunchRun, entity: Instance) -> None:
     if not run.is_dormant or text not in run.launch.configurations:
         missing = Unknown(f"the launch argument '{text}' has no default")
         run.launch.configurations.setdefault(text, value if value is not None else missing)
+        run.argument_behind(text)
     choices = argument(entity, "choices")
     allowed = [str(c.value) for c in run.items(choices) if isinstance(c, Known)] if choices is not None else []
     shown = None if value is None else text_of_value(value, "no default")

@@ -2,14 +2,19 @@
 
 from __future__ import annotations
 
+import math
 import posixpath
 from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING
 
+from archlint.program.attributes import get_attribute
 from archlint.program.launch import expression
 from archlint.program.launch.model import UndeclaredUse
 from archlint.program.values import (
+    BoundMethod,
+    ClassValue,
     External,
+    FunctionValue,
     Holed,
     Instance,
     Known,
@@ -42,6 +47,22 @@ def argument(value: Value | None, name: str) -> Value | None:
     return None if isinstance(found, Known) and found.value is None else found
 
 
+def made_by_base(run: LaunchRun, value: Value) -> Instance | None:
+    """For an object of a workspace's class that derives from one of launch's: what ``super().__init__()`` made."""
+    made = run.store.get(value.key, "#action") if isinstance(value, Instance) else None
+    return made if isinstance(made, Instance) else None
+
+
+def _own_text(run: LaunchRun, value: Instance) -> Value:
+    """The text of a substitution class of the workspace: what its ``perform`` returns."""
+    method = get_attribute(run, value, "perform")
+    if isinstance(method, BoundMethod) and isinstance(method.function, FunctionValue):
+        found = run.ask(method)
+        return found if isinstance(found, Unknown) else perform(run, found)
+    base = made_by_base(run, value)
+    return Unknown(reason(value)) if base is None else perform(run, base)
+
+
 def perform(run: LaunchRun, value: Value | None) -> Value:
     """The text of what launch takes for one: a text, a substitution, a path, or a list of these."""
     if value is None:
@@ -64,6 +85,8 @@ def perform(run: LaunchRun, value: Value | None) -> Value:
         return _SUBSTITUTIONS[kind](run, value)
     if isinstance(value, (Unknown, Holed)):
         return value
+    if isinstance(value, Instance) and isinstance(value.cls, ClassValue):
+        return _own_text(run, value)
     return Unknown(reason(value))
 
 
@@ -188,17 +211,32 @@ def _python(run: LaunchRun, value: Instance) -> Value:
 
 _TRUE = frozenset({"true", "1"})
 _FALSE = frozenset({"false", "0"})
-_YES = _TRUE | {"on", "yes", "y"}
-_NO = _FALSE | {"off", "no", "n"}
 
 
-def truth_of(value: Value, loose: bool = False) -> bool | None:
-    """Whether the text of a condition holds; None where it is not known or launch refuses it."""
-    verdicts = set()
-    for option in alternatives(value):
-        text = str(option.value).strip().lower() if isinstance(option, Known) else None
-        yes, no = (_YES, _NO) if loose else (_TRUE, _FALSE)
-        verdicts.add(True if text in yes else False if text in no else None)
+def truth_of(value: Value) -> bool | None:
+    """Whether the text of a condition holds, in any case and between spaces; None where it is not known or launch
+    refuses it (``evaluate_condition_expression``)."""
+    return _agreed(value, lambda text: _in(text.strip().lower(), _TRUE, _FALSE))
+
+
+_YAML_TRUE = frozenset({"true", "True", "TRUE", "yes", "Yes", "YES", "on", "On", "ON"})
+_YAML_FALSE = frozenset({"false", "False", "FALSE", "no", "No", "NO", "off", "Off", "OFF"})
+
+
+def typed_truth_of(value: Value) -> bool | None:
+    """The same for launch's boolean substitutions, which read ``1``, ``0`` and what is a bool to PyYAML
+    (``coerce_to_type``)."""
+    digits = {"1": True, "0": False}
+    return _agreed(value, lambda text: digits.get(text, _in(text.strip(), _YAML_TRUE, _YAML_FALSE)))
+
+
+def _in(text: str, true: frozenset[str], false: frozenset[str]) -> bool | None:
+    return True if text in true else False if text in false else None
+
+
+def _agreed(value: Value, read: Callable[[str], bool | None]) -> bool | None:
+    """What all alternatives of a text say."""
+    verdicts = {read(str(option.value)) if isinstance(option, Known) else None for option in alternatives(value)}
     return verdicts.pop() if len(verdicts) == 1 else None
 
 
@@ -208,7 +246,7 @@ def _told(verdict: bool | None, *values: Value) -> Value:
 
 def _not(run: LaunchRun, value: Instance) -> Value:
     inner = perform(run, argument(value, "value"))
-    verdict = truth_of(inner, loose=True)
+    verdict = typed_truth_of(inner)
     return _told(None if verdict is None else not verdict, inner)
 
 
@@ -217,7 +255,7 @@ def _several(stop: bool) -> Callable[[LaunchRun, Instance], Value]:
         given = [value.arguments[name] for name in ("left", "right") if name in value.arguments]
         rest = run.store.get(value.key, "#rest")
         inner = [perform(run, part) for part in [*given, *(rest if isinstance(rest, tuple) else ())]]
-        verdicts = [truth_of(part, loose=True) for part in inner]
+        verdicts = [typed_truth_of(part) for part in inner]
         if stop in verdicts:
             return _told(stop)
         return _told(None if None in verdicts else not stop, *inner)
@@ -228,13 +266,22 @@ def _several(stop: bool) -> Callable[[LaunchRun, Instance], Value]:
 def _equals(run: LaunchRun, value: Instance) -> Value:
     left, right = perform(run, argument(value, "left")), perform(run, argument(value, "right"))
     verdicts = {
-        str(one.value).lower() == str(other.value).lower()
-        if isinstance(one, Known) and isinstance(other, Known)
-        else None
+        _same_text(str(one.value), str(other.value)) if isinstance(one, Known) and isinstance(other, Known) else None
         for one in alternatives(left)
         for other in alternatives(right)
     }
     return _told(verdicts.pop() if len(verdicts) == 1 else None, left, right)
+
+
+def _same_text(one: str, other: str) -> bool:
+    """launch compares two truth values, two numbers (nearly), or the texts as they are (``EqualsSubstitution``)."""
+    truths = [_in(text.lower(), _TRUE, _FALSE) for text in (one, other)]
+    if None not in truths:
+        return truths[0] == truths[1]
+    try:
+        return math.isclose(float(one), float(other))
+    except ValueError:
+        return one == other
 
 
 def _not_equals(run: LaunchRun, value: Instance) -> Value:
@@ -244,7 +291,7 @@ def _not_equals(run: LaunchRun, value: Instance) -> Value:
 
 def _if_else(run: LaunchRun, value: Instance) -> Value:
     test = perform(run, argument(value, "condition"))
-    verdict = truth_of(test, loose=True)
+    verdict = typed_truth_of(test)
     rows = {True: "if_value", False: "else_value"}
     if verdict is not None:
         return perform(run, argument(value, rows[verdict]))
@@ -253,7 +300,7 @@ def _if_else(run: LaunchRun, value: Instance) -> Value:
 
 def _boolean(run: LaunchRun, value: Instance) -> Value:
     inner = perform(run, argument(value, "value"))
-    return _told(truth_of(inner, loose=True), inner)
+    return _told(typed_truth_of(inner), inner)
 
 
 def _value(run: LaunchRun, value: Instance) -> Value:

@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from itertools import combinations
 from typing import TYPE_CHECKING
 
 from archlint.program.launch import conditions
-from archlint.program.launch.substitutions import argument, kind_of
+from archlint.program.launch.model import Arms, NotACondition
+from archlint.program.launch.substitutions import argument, kind_of, made_by_base
 from archlint.program.store import Items
 from archlint.program.values import (
     External,
@@ -67,19 +69,68 @@ def _visit(run: LaunchRun, entity: Value) -> None:
 def _visit_several(run: LaunchRun, entity: ListValue | OneOf) -> None:
     from archlint.program import containers
 
-    if isinstance(entity, OneOf):
-        for option in entity.values:
+    if isinstance(entity, ListValue):
+        visit_items(run, containers.items_of(run, entity))
+    elif all(isinstance(option, ListValue) for option in entity.values):
+        _visit_versions(run, entity)
+    else:
+        for option in each_alternative(run, entity):
             visit(run, option)
-        return
-    visit_items(run, containers.items_of(run, entity))
+
+
+def each_alternative(run: LaunchRun, entity: OneOf) -> Iterator[Value]:
+    """The alternatives of a value one by one, each under a branch that excludes the others."""
+    apart = _are_apart(run, entity)
+    for number, option in enumerate(entity.values):
+        with run.under(frozenset() if apart else _version(run, entity, number), conditions.ALWAYS, run.place_now):
+            yield option
+
+
+def _are_apart(run: LaunchRun, entity: OneOf) -> bool:
+    """Whether the alternatives were made in branches of the code that exclude each other: these tell them apart."""
+    every = [dict(arms_of(run, option)) for option in entity.values]
+    return all(any(one[key] != other.get(key, one[key]) for key in one) for one, other in combinations(every, 2))
+
+
+def _version(run: LaunchRun, entity: OneOf, number: int) -> Arms:
+    return frozenset({(f"one of {run.names.number(entity)}", number)})
+
+
+def _visit_versions(run: LaunchRun, entity: OneOf) -> None:
+    """One of several lists: what is in all of them runs, the rest only where its list is the one."""
+    from archlint.program import containers
+
+    rows = [containers.items_of(run, option) for option in entity.values if isinstance(option, ListValue)]
+    for value in dict.fromkeys(value for row in rows for value in row.values):
+        holding = [number for number, row in enumerate(rows) if value in row.values]
+        own: Arms = frozenset()
+        if len(holding) == 1:
+            own = _version(run, entity, holding[0])
+        elif len(holding) < len(rows):
+            own = frozenset({(f"some of {run.names.number(entity)}: {holding}", 0)})
+        with run.under(own, conditions.ALWAYS, run.place_now):
+            visit(run, value)
+    for row in rows:
+        _note_open(run, row)
 
 
 def visit_items(run: LaunchRun, items: Items) -> None:
     for value in items.values:
         visit(run, value)
-    branches = any(isinstance(v, Instance) and run.store.get(v.key, "#arms") for v in items.values)
+    _note_open(run, items)
+
+
+def _note_open(run: LaunchRun, items: Items) -> None:
+    branches = any(arms_of(run, value) for value in items.values)
     if not items.whole and not branches and not any(isinstance(v, Unknown) for v in items.values):
         run.gap("a list of actions that is not wholly known")
+
+
+def arms_of(run: LaunchRun, value: Value) -> Arms:
+    """The branches of the launch file's own code that an object was made in."""
+    made = made_by_base(run, value)
+    arms = run.store.get(getattr(made or value, "key", 0), "#arms")
+    return frozenset(arms) if isinstance(arms, frozenset) else frozenset()
 
 
 def _visit_one(run: LaunchRun, entity: Instance) -> None:
@@ -89,9 +140,8 @@ def _visit_one(run: LaunchRun, entity: Instance) -> None:
         return
     entity = _known_by_name(made if isinstance(made, Instance) else entity)
     kind = kind_of(entity)
-    arms = run.store.get(entity.key, "#arms")
-    own = frozenset(arms) - run.code_arms if isinstance(arms, frozenset) else frozenset()
-    verdict = conditions.judge(run, argument(entity, "condition"))
+    own = arms_of(run, entity) - run.code_arms
+    verdict = verdict_on(run, entity)
     place = entity.place or run.place_now
     kept = run.place_now
     run.place_now = place
@@ -104,6 +154,16 @@ def _visit_one(run: LaunchRun, entity: Instance) -> None:
                 run.gap(f"{entity.note or kind or 'an object'} is no action that is followed")
     finally:
         run.place_now = kept
+
+
+def verdict_on(run: LaunchRun, entity: Instance) -> conditions.Verdict:
+    """Whether an action or a component runs, as its ``condition=`` says."""
+    condition = argument(entity, "condition")
+    what = None if condition is None else conditions.mistaken(run, condition)
+    if condition is not None and what is not None:
+        place = run.places_of(entity).get("condition") or entity.place or run.place_now
+        run.note_mistake(NotACondition(kind_of(entity), what, callable_value(condition), place))
+    return conditions.judge(run, condition)
 
 
 def _known_by_name(entity: Instance) -> Instance:
