@@ -171,16 +171,11 @@ def _no_launch_file(request: Request, loader: LaunchLoader) -> str:
 
 
 def _partial(request: Request, workspace: Workspace) -> bool:
-    """Whether every path is a file, or (in) a package, below the folder that the configuration is for."""
+    """Whether less is known than the folder that the configuration is for holds."""
     if request.settings.file is None:
         return False
     base = Path(request.settings.file).parent.resolve()
-    roots = {Path(package.root).resolve() for package in workspace.packages}
-    for path in (Path(path).resolve() for path in request.paths):
-        part = path if path.is_file() else next((root for root in (path, *path.parents) if root in roots), None)
-        if part is None or part == base or part in base.parents:
-            return False
-    return True
+    return not any(base.is_relative_to(Path(folder).resolve()) for folder in workspace.whole)
 
 
 def _asked_for(system: System, workspace: Workspace) -> System:

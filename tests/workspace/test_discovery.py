@@ -242,7 +242,7 @@ def test_names_that_are_not_utf8_are_found(tmp_path):
     assert found(tmp_path) == ["caf\udce9.py"]
 
 
-# --- the package around a path
+# --- what lies around a path
 
 
 @pytest.fixture
@@ -260,9 +260,11 @@ def package(tmp_path: Path) -> Path:
     )
 
 
-def test_the_rest_of_the_package_comes_as_context(package):
+def test_the_rest_of_the_package_and_of_the_workspace_comes_as_context(package):
     workspace = look(package, "src/pkg/pkg/node.py")
     assert {file.relative: file.context for file in workspace.files} == {
+        "src/other/other/x.py": True,
+        "src/other/package.xml": True,
         "src/pkg/package.xml": True,
         "src/pkg/pkg/__init__.py": True,
         "src/pkg/pkg/base.py": True,
@@ -280,9 +282,102 @@ def test_a_folder_in_a_package_is_checked_the_rest_is_context(package):
     assert file_in(look(package, "src/pkg/pkg"), "src/pkg/package.xml").context
 
 
-def test_a_whole_package_or_workspace_needs_no_context(package):
-    for path in ("src/pkg", "src", "."):
+def test_beside_a_package_the_rest_of_the_workspace_is_context(package):
+    context = [file.relative for file in look(package, "src/pkg").files if file.context]
+    assert context == ["src/other/other/x.py", "src/other/package.xml"]
+
+
+def test_a_whole_workspace_needs_no_context(package):
+    for path in ("src", "."):
         assert not any(file.context for file in look(package, path).files)
+
+
+def test_a_repository_is_a_workspace_too(tmp_path):
+    plant(
+        tmp_path,
+        {
+            "robot/.git/": "",
+            "robot/drive/package.xml": manifest("drive"),
+            "robot/drive/drive/a.py": "",
+            "robot/sense/package.xml": manifest("sense"),
+            "robot/sense/sense/b.py": "",
+            "elsewhere/c.py": "",
+        },
+    )
+    names = [file.relative for file in look(tmp_path, "robot/drive").files]
+    assert "robot/sense/sense/b.py" in names
+    assert "elsewhere/c.py" not in names
+
+
+def test_repositories_cloned_into_one_workspace_are_known_together(tmp_path):
+    plant(
+        tmp_path,
+        {
+            "ws/build/x/.built_by": "colcon",
+            "ws/src/one/.git/": "",
+            "ws/src/one/drive/package.xml": manifest("drive"),
+            "ws/src/one/drive/drive/a.py": "",
+            "ws/src/two/.git/": "",
+            "ws/src/two/sense/package.xml": manifest("sense"),
+            "ws/src/two/sense/sense/b.py": "",
+        },
+    )
+    for path in ("ws/src/one", "ws/src/one/drive"):
+        names = [file.relative for file in look(tmp_path, path).files]
+        assert "ws/src/two/sense/sense/b.py" in names
+
+
+def test_repositories_in_a_folder_called_src_are_strangers_where_nothing_was_built(tmp_path):
+    plant(
+        tmp_path,
+        {
+            "src/one/.git/": "",
+            "src/one/package.xml": manifest("one"),
+            "src/one/one/a.py": "",
+            "src/two/.git/": "",
+            "src/two/package.xml": manifest("two"),
+            "src/two/two/b.py": "",
+        },
+    )
+    assert not any("two" in file.relative for file in look(tmp_path, "src/one").files)
+
+
+def test_workspaces_side_by_side_are_told_apart_by_packages_of_one_name(tmp_path):
+    """As in a course, where each week has a workspace of its own."""
+    weeks = {
+        f"course/{week}/{package}/{file}": text
+        for week in ("week1", "week2")
+        for package in ("robot", "helpers")
+        for file, text in {"package.xml": manifest(package), f"{package}/a.py": ""}.items()
+    }
+    plant(tmp_path, {"course/.git/": "", **weeks})
+    context = {file.relative for file in look(tmp_path, "course/week1/robot").files if file.context}
+    assert context == {"course/week1/helpers/helpers/a.py", "course/week1/helpers/package.xml"}
+
+
+def test_the_src_of_a_package_is_no_workspace(tmp_path):
+    plant(
+        tmp_path,
+        {
+            "ws/src/pkg/package.xml": manifest("pkg", "ament_cmake"),
+            "ws/src/pkg/src/pkg/node.py": "",
+            "ws/src/other/package.xml": manifest("other"),
+            "ws/src/other/other/x.py": "",
+        },
+    )
+    names = [file.relative for file in look(tmp_path, "ws/src/pkg/src/pkg").files]
+    assert "ws/src/other/other/x.py" in names
+
+
+def test_a_home_folder_is_never_a_workspace(tmp_path, monkeypatch):
+    plant(tmp_path, {".git/": "", "pkg/package.xml": manifest("pkg"), "pkg/pkg/a.py": "", "other/b.py": ""})
+    monkeypatch.setenv("HOME", str(tmp_path))
+    assert not any("other" in file.relative for file in look(tmp_path, "pkg").files)
+
+
+def test_what_is_wrong_beside_what_was_asked_for_is_not_told(package):
+    (package / "src/other/broken.py").symlink_to("nowhere")
+    assert not look(package, "src/pkg").problems
 
 
 def test_the_search_for_the_package_around_ends_with_the_repository(tmp_path):

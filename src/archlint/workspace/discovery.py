@@ -6,12 +6,18 @@ import os
 import re
 from collections.abc import Callable, Sequence
 
-from archlint.workspace.membership import place
-from archlint.workspace.model import Problem, Workspace
+from archlint.workspace.around import (
+    ROOT_MARKS,
+    has,
+    is_below,
+    package_around,
+    within_one_workspace,
+    workspace_around,
+)
+from archlint.workspace.membership import package_of, place
+from archlint.workspace.model import Package, Problem, Workspace
 from archlint.workspace.pruning import COLCON_FOLDERS
 from archlint.workspace.walk import Walk
-
-_ROOT_MARKS = (".git", "archlint.toml", ".archlint.toml")
 
 
 class PathNotFound(Exception):
@@ -28,8 +34,9 @@ def find(
     """All packages and files that ``paths`` (files and folders; without any, the working directory) lead to.
 
     ``exclude`` are ``fnmatch`` patterns for paths from the working directory, or for the name of a file or
-    folder; what is named in ``paths`` itself is taken all the same.  The rest of the package that a path lies
-    in is found as context, so that imports resolve.  Raises :class:`PathNotFound` for the first path that
+    folder; what is named in ``paths`` itself is taken all the same.  The rest of the package and of the
+    workspace that a path lies in is found as context: what is asked for narrows what is shown, not what is known.
+    Raises :class:`PathNotFound` for the first path that
     does not exist.
     """
     here = os.path.abspath(working_directory or os.curdir)
@@ -42,10 +49,35 @@ def find(
             _add_file(walk, name, path)
     for folder in folders:
         walk.add_folder(folder)
-    for package in sorted({package for path in asked if (package := _package_around(path)) is not None}):
+    packages = sorted({package for path in asked if (package := package_around(path)) is not None})
+    for package in packages:
         walk.add_folder(package, context=True)
+    whole = [*folders, *packages, *_add_workspaces(walk, asked)]
     root = _root([path if path in folders else os.path.dirname(path) for path in asked])
-    return place(root, walk.files.values(), walk.problems.values())
+    return place(root, walk.files.values(), walk.problems.values(), whole)
+
+
+def _add_workspaces(walk: Walk, asked: Sequence[str]) -> list[str]:
+    """Take the workspaces around paths as context; returns their folders."""
+    wanted = {workspace for path in asked if (workspace := workspace_around(path)) is not None}
+    before = set(walk.files)
+    for workspace in sorted(wanted):
+        walk.add_folder(workspace, context=True)
+    added = [key for key in walk.files if key not in before]
+    packages = [
+        (package.name, package.root)
+        for file in walk.files.values()
+        if file.kind == "package_xml" and isinstance(package := package_of(file), Package)
+    ]
+    kept = [
+        within_one_workspace(package_around(path) or path, workspace, packages)
+        for path in asked
+        if (workspace := workspace_around(path)) is not None
+    ]
+    for key in added:
+        if not any(is_below(walk.files[key].path, folder) for folder in kept):
+            del walk.files[key]
+    return kept
 
 
 def _absolute(path: str, working_directory: str) -> str:
@@ -85,21 +117,6 @@ def _excluder(patterns: Sequence[str]) -> Callable[[str], bool] | None:
     return excluded
 
 
-def _package_around(path: str) -> str | None:
-    """The folder of the ROS package that a path lies in; None if it is that folder, or in none.
-
-    The search ends with the repository.
-    """
-    folder = path
-    while True:
-        if os.path.isfile(os.path.join(folder, "package.xml")):
-            return folder if folder != path else None
-        parent = os.path.dirname(folder)
-        if parent == folder or os.path.lexists(os.path.join(folder, ".git")):
-            return None
-        folder = parent
-
-
 def _root(folders: Sequence[str]) -> str:
     """The folder of the repository or workspace around the folders.
 
@@ -113,13 +130,11 @@ def _root(folders: Sequence[str]) -> str:
     while not _is_root(folder):
         parent = os.path.dirname(folder)
         if parent == folder:
-            return _package_around(common) or common
+            return package_around(common) or common
         folder = parent
     return folder
 
 
 def _is_root(folder: str) -> bool:
-    def has(name: str) -> bool:
-        return os.path.lexists(os.path.join(folder, name))
-
-    return any(map(has, _ROOT_MARKS)) or (has("src") and any(map(has, COLCON_FOLDERS)))
+    built = has(folder, "src") and any(has(folder, name) for name in COLCON_FOLDERS)
+    return built or any(has(folder, mark) for mark in ROOT_MARKS)

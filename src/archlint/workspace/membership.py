@@ -16,13 +16,18 @@ MAX_BYTES = 1_000_000
 _PYTHON_KINDS = ("python", "launch_python", "setup_py")
 
 
-def place(root: str, files: Iterable[SourceFile], problems: Iterable[Problem]) -> Workspace:
-    """The workspace that files make up: reads the manifests, gives each file its package and its module."""
+def place(
+    root: str, files: Iterable[SourceFile], problems: Iterable[Problem], whole: Iterable[str] = ()
+) -> Workspace:
+    """The workspace that files make up: reads the manifests, gives each file its package and its module.
+
+    ``whole`` are the folders of which all files are there.
+    """
     files = sorted(files, key=lambda file: file.relative)
     problems = list(problems)
     packages: dict[str, Package | None] = {}
     for file in _manifests(files):
-        package = _package(file)
+        package = package_of(file)
         packages[os.path.dirname(file.path)] = None if isinstance(package, Problem) else package
         if isinstance(package, Problem) and not file.context:
             problems.append(package)
@@ -42,6 +47,7 @@ def place(root: str, files: Iterable[SourceFile], problems: Iterable[Problem]) -
         tuple(placed),
         tuple(sorted(known, key=lambda package: (package.name, package.relative))),
         tuple(sorted(problems, key=lambda problem: (problem.file, problem.line, problem.column))),
+        tuple(sorted(set(whole))),
     )
 
 
@@ -76,7 +82,8 @@ def _innermost(roots: Collection[str], folder: str) -> str | None:
     return folder
 
 
-def _package(file: SourceFile) -> Package | Problem:
+def package_of(file: SourceFile) -> Package | Problem:
+    """What a manifest says, or why it cannot be read."""
     try:
         data = _read(file)
     except OSError as error:

@@ -85,6 +85,8 @@ class Workspace:
     files: tuple[SourceFile, ...]
     packages: tuple[Package, ...]
     problems: tuple[Problem, ...] = field(default=())
+    whole: tuple[str, ...] = ()
+    """The folders of which all files were looked for, as absolute paths."""
 
     def of_kind(self, *kinds: str) -> list[SourceFile]:
         return [file for file in self.files if file.kind in kinds]

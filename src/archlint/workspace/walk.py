@@ -107,7 +107,8 @@ class Walk:
             with os.scandir(folder.path) as listing:
                 entries = {entry.name: entry for entry in listing}
         except OSError as error:
-            self._problem(folder.shown, f"cannot be listed: {error.strerror}")
+            if not folder.context:
+                self._problem(folder.shown, f"cannot be listed: {error.strerror}")
             return
         names = entries.keys()
         if folder.siblings is not None and is_pruned_by_content(folder.name, names, folder.siblings):
@@ -138,7 +139,7 @@ class Walk:
         try:
             status = entry.stat()
         except OSError as error:
-            if kind is not None and (message := _why_unreadable(entry, error)):
+            if kind is not None and not folder.context and (message := _why_unreadable(entry, error)):
                 self._problem(shown, message)
             return
         if kind is None:
@@ -178,7 +179,8 @@ class Walk:
         if real in self.files:
             return
         if not stat.S_ISREG(status.st_mode):
-            self._problem(shown, "is not a regular file")
+            if not context:
+                self._problem(shown, "is not a regular file")
             return
         file = SourceFile(
             path,
