@@ -18,7 +18,8 @@ if TYPE_CHECKING:
 class Filters:
     """``ignore``, ``per-file-ignores``, ``per-package-ignores`` and ``severity``, for one workspace.
 
-    What lies in files that were only read as context is dropped, too.
+    What lies in files that were only read as context is dropped, too, unless it is about a connection whose other
+    end was asked for.
     """
 
     def __init__(self, settings: Settings, workspace: Workspace) -> None:
@@ -39,7 +40,7 @@ class Filters:
 
     def _drops(self, finding: Finding) -> bool:
         file = self._files.get(finding.place.file)
-        if not self._selection.runs(finding.code, closed=True) or (file is not None and file.context):
+        if not self._selection.runs(finding.code, closed=True) or not self._asked_for(finding):
             return True
         if any(finding.code in codes and glob.matches(finding.place.file) for glob, codes in self._by_file):
             return True
@@ -47,6 +48,29 @@ class Filters:
         return package is not None and any(
             finding.code in codes and fnmatchcase(package, pattern) for pattern, codes in self._by_package
         )
+
+    def _asked_for(self, finding: Finding) -> bool:
+        """Whether the place of a finding was asked for, or one of those that a connection has elsewhere."""
+        places = [finding.place.file]
+        if finding.code.startswith(_OF_CONNECTIONS):
+            places += (related.place.file for related in finding.related)
+        return any((file := self._files.get(place)) is None or not file.context for place in places)
+
+
+_OF_CONNECTIONS = (
+    "ACT002",
+    "ARC",
+    "NME004",
+    "OWN",
+    "QOS001",
+    "QOS002",
+    "QOS003",
+    "SRV002",
+    "SRV006",
+    "TOP001",
+    "TOP004",
+)
+"""Rules about two ends, of which either may be the place of the finding."""
 
 
 def _codes(selectors: tuple[str, ...]) -> set[str]:

@@ -21,7 +21,7 @@ if TYPE_CHECKING:
     from archlint.facts.store import NullStore, Store
     from archlint.finding import Finding
     from archlint.program.launch.load import LaunchLoader
-    from archlint.system.model import Node, System
+    from archlint.system.model import System
     from archlint.workspace.model import SourceFile, Workspace
 
 
@@ -74,7 +74,7 @@ def graph(request: Request, everything: bool = False) -> System:
     facts = _compiled(request, workspace, store)
     system = call_with_deep_stack(lambda: _systems(request, workspace, facts))[0]
     store.close()
-    system = _asked_for(system, workspace)
+    system = _asked_for(request, system, workspace)
     return with_implicit(system, request.settings.distro) if everything else system
 
 
@@ -178,15 +178,13 @@ def _partial(request: Request, workspace: Workspace) -> bool:
     return not any(base.is_relative_to(Path(folder).resolve()) for folder in workspace.whole)
 
 
-def _asked_for(system: System, workspace: Workspace) -> System:
-    """The system without the nodes of files that were only read as context."""
-    context = {file.relative for file in workspace.files if file.context}
+def _asked_for(request: Request, system: System, workspace: Workspace) -> System:
+    """The system as it is shown: whole where a launch file was asked for, else without what is only context."""
+    from archlint.system.shown import only
 
-    def asked_for(node: Node) -> bool:
-        return node.blueprint is None or node.blueprint.place.file not in context
-
-    nodes, unowned = ([*filter(asked_for, entries)] for entries in (system.nodes, system.unowned))
-    return replace(system, nodes=nodes, unowned=unowned)
+    if request.launch is not None:
+        return system
+    return only(system, {file.relative for file in workspace.files if file.context})
 
 
 def _judged(request: Request, workspace: Workspace, facts: FactsOfFiles) -> Judged:
@@ -212,7 +210,7 @@ def _judged(request: Request, workspace: Workspace, facts: FactsOfFiles) -> Judg
     kept = [*outcome.kept, *suppressions.apply(_wanted(stale, request.settings, workspace), by_file).kept]
     whole = folded(dict.fromkeys(_with_fixes(kept, request)))
     findings = sorted(whole, key=lambda finding: finding.sort_key)
-    shown = [_asked_for(systems[0], workspace)]
+    shown = [_asked_for(request, systems[0], workspace)]
     summary = summarise(
         findings,
         files=sum(_is_input(file) for file in workspace.files),

@@ -129,7 +129,7 @@ def _vertex(graph: networkx.MultiDiGraph, key: Key, ids: dict[Key, str]) -> str:
 
 def _node(data: dict[str, Any]) -> dict[str, str]:
     node = data["node"]
-    aside = look.is_aside(node)
+    aside = look.is_aside(node) or data["neighbour"]
     colours = look.PALETTE["wrong" if node.error else "aside" if aside else "node"]
     return {
         "label": look.node_label(node),

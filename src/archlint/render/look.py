@@ -34,7 +34,7 @@ PALETTE = {
     "wrong": Colours("#fee2e2", "#b91c1c", "#450a0a"),
     "aside": Colours("#ffffff", "#94a3b8", "#475569"),
 }
-"""``wrong`` marks types that differ and names that ROS rejects; ``aside`` what :func:`is_aside` tells."""
+"""``wrong`` marks types that differ and rejected names; ``aside`` neighbours and what :func:`is_aside` tells."""
 
 
 UNOWNED = "used by a node that is not known"
@@ -145,6 +145,8 @@ def caption(graph: networkx.MultiDiGraph) -> str:
     """One line that counts what is drawn and explains the lines that need it."""
     data = [data for _, data in graph.nodes(data=True)]
     sentences = [counts(graph)]
+    if any(one.get("neighbour") for one in data):
+        sentences.append("white: a neighbour that was not asked for, with what it shares")
     if any(one["kind"] != NODE and not one["matched"] for one in data):
         sentences.append("dashed: nobody at the other end")
     if any(one["kind"] != NODE and one["resolution"] == "partial" for one in data):
@@ -160,8 +162,12 @@ def caption(graph: networkx.MultiDiGraph) -> str:
 
 def counts(graph: networkx.MultiDiGraph) -> str:
     """``3 nodes, 1 topic, 2 services``."""
-    kinds = Counter(data["kind"] for _, data in graph.nodes(data=True) if not is_unowned(data))
-    words = [counted(kinds[kind], kind) for kind in ("node", "topic", "service", "action") if kinds[kind]]
+    kinds = Counter(
+        "neighbour" if data.get("neighbour") else data["kind"]
+        for _, data in graph.nodes(data=True)
+        if not is_unowned(data)
+    )
+    words = [counted(kinds[kind], kind) for kind in ("node", "neighbour", "topic", "service", "action") if kinds[kind]]
     return ", ".join(words) or "no nodes"
 
 

@@ -96,5 +96,5 @@ def _styles(graph: networkx.MultiDiGraph, ids: dict[Key, str]) -> Iterator[str]:
 def _style(data: dict[str, Any]) -> str:
     if data["kind"] == NODE:
         node = data["node"]
-        return "wrong" if node.error else "aside" if look.is_aside(node) else "node"
+        return "wrong" if node.error else "aside" if look.is_aside(node) or data["neighbour"] else "node"
     return "wrong" if data["error"] or len(data["types"]) > 1 else str(data["kind"])

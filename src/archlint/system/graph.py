@@ -39,22 +39,30 @@ def to_networkx(system: System) -> networkx.MultiDiGraph:
 
     Vertices are :data:`Key`; each has ``kind``, ``name`` and ``resolution``, those of interfaces also
     ``types``, ``matched`` (somebody at either end, be it without saying so) and ``error``, those of nodes
-    ``node``, which may also be an entry that is none (:attr:`Node.is_node`).  Each edge has its ``endpoint``.
-    ``graph.graph["remapped"]`` are the lines between external nodes and the names that they are remapped to.
-    Vertices and edges are in the order of names, the same on every run.
+    ``node``, which may also be an entry that is none (:attr:`Node.is_node`), and ``neighbour`` (not asked for).
+    Each edge has its ``endpoint``.  ``graph.graph["remapped"]`` are the lines between external nodes and the names
+    that they are remapped to.  Vertices and edges are in the order of names, the same on every run.
     """
     import networkx
 
     graph = networkx.MultiDiGraph(name=system.name or "")
     keys = node_keys(system)
-    for node in system.entries:
-        graph.add_node(keys[id(node)], kind=NODE, name=node.name, resolution=node.resolution, node=node)
+    neighbours = {id(node) for node in system.neighbours}
+    for node in system.drawn:
+        graph.add_node(
+            keys[id(node)],
+            kind=NODE,
+            name=node.name,
+            resolution=node.resolution,
+            node=node,
+            neighbour=id(node) in neighbours,
+        )
     implicit = implicit_names(system)
     for key, endpoints in sorted(_interfaces(system).items()):
         attributes = _interface_attributes(key, endpoints)
         attributes["matched"] = attributes["matched"] or attributes["name"] in implicit
         graph.add_node(key, **attributes)
-    for node in system.entries:
+    for node in system.drawn:
         for endpoint in node.endpoints:
             ends = (keys[id(node)], interface_key(endpoint))
             graph.add_edge(
@@ -87,7 +95,7 @@ def node_keys(system: System) -> dict[int, Key]:
     """The vertex of each node, by ``id(node)``; more nodes of one name are numbered."""
     keys: dict[int, Key] = {}
     taken: set[Key] = set()
-    for node in system.entries:
+    for node in system.drawn:
         key: Key = (NODE, node.name or _where(node))
         number = 2
         while key in taken:
@@ -113,7 +121,7 @@ def interface_key(endpoint: Endpoint) -> Key:
 
 def _interfaces(system: System) -> dict[Key, list[Endpoint]]:
     found: dict[Key, list[Endpoint]] = {}
-    for endpoint in system.endpoints:
+    for endpoint in (end for node in system.drawn for end in node.endpoints):
         found.setdefault(interface_key(endpoint), []).append(endpoint)
     return found
 

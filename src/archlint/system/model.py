@@ -175,6 +175,8 @@ class System:
     alternatives: list[tuple[dict[str, str], System]] = field(default_factory=list)
     """The systems that it may be, with the launch arguments that make them, where nothing decides some."""
     world: World | None = None
+    neighbours: list[Node] = field(default_factory=list)
+    """For drawing: the nodes at the other end of what ``nodes`` have, that were not asked for, with these ends only."""
     apart: frozenset[frozenset[object]] = frozenset()
     """Pairs of node classes, each as ``(place, class name)``, that some launch file starts together."""
     unowned: list[Node] = field(default_factory=list)
@@ -188,6 +190,11 @@ class System:
     def entries(self) -> list[Node]:
         """The nodes, then what is used by nodes that are not known."""
         return [*self.nodes, *self.unowned]
+
+    @property
+    def drawn(self) -> list[Node]:
+        """The entries, then the neighbours."""
+        return [*self.entries, *self.neighbours]
 
     def _started_together(self, one: Node, other: Node) -> bool:
         if not self.apart or one.blueprint is None or other.blueprint is None:
@@ -213,7 +220,7 @@ class System:
 
     def _connections(self, kind: str, provider: str, user: str) -> dict[str, Connection]:
         found: dict[str, Connection] = {}
-        for endpoint in self.endpoints:
+        for endpoint in (end for node in self.drawn for end in node.endpoints):
             if endpoint.kind not in (provider, user) or not endpoint.resolved or endpoint.error:
                 continue
             assert endpoint.name is not None

@@ -90,7 +90,7 @@ class LaunchLoader:
         """Every launch file of the workspace, sorted."""
         found = []
         for file in self._files:
-            if file.context or _is_test(file.relative):
+            if _is_test(file.relative):
                 continue
             if file.kind == "launch_python" or (file.kind == "python" and self._in_launch_folder(file)):
                 if self.defines_launch(file.relative):
@@ -180,7 +180,8 @@ class LaunchLoader:
 
     def notices(self) -> list[str]:
         """What is to be said beside the findings: how many files are ROS 1's."""
-        old = sorted(path for path, one in self._frontend_facts.items() if one.ros1)
+        context = {file.relative for file in self._files if file.context}
+        old = sorted(path for path, one in self._frontend_facts.items() if one.ros1 and path not in context)
         if not old:
             return []
         what = f"{len(old)} launch files are" if len(old) > 1 else f"{old[0]} is"
