@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from archlint.facts import model as facts
-from archlint.program import messages
+from archlint.program import escapes, messages
 from archlint.program.api import command_line, profiles, rclpy_names
 from archlint.program.values import (
     NONE,
@@ -365,6 +365,7 @@ def _set_one(run: Run, target: Value, name: str, value: Value) -> None:
             if isinstance(setter, FunctionValue):
                 run.call(BoundMethod(setter, target), [value], {})
             return
+    escapes.assigned(run, target, name, value)
     if isinstance(target, ModuleValue):
         assert target.module.scope is not None
         run.store.set(target.module.scope.key, name, value)

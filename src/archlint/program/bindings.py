@@ -7,6 +7,13 @@ from functools import lru_cache
 from archlint.facts import model as facts
 
 
+def bound_in(block: list[facts.Stmt]) -> frozenset[str]:
+    """The names that a block of statements binds, those of the functions inside it left out."""
+    names: set[str] = set()
+    _of_block(block, names, set())
+    return frozenset(names)
+
+
 class _Names:
     __slots__ = ("ir",)
 

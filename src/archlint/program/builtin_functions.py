@@ -6,6 +6,7 @@ from collections.abc import Callable, Hashable
 from typing import TYPE_CHECKING, Any
 
 from archlint.facts import model as facts
+from archlint.program import escapes
 from archlint.program.api import rclpy_names
 from archlint.program.store import Items
 from archlint.program.type_tests import isinstance_of
@@ -50,12 +51,28 @@ def call_builtin(
     if target is not None:
         method = function.name.rpartition(".")[2]
         return call_method(run, target, method, args, keywords, expression, open_arguments)
-    handler = BUILTINS.get(function.name)
+    found = _call_known(run, function.name, args, keywords, expression, open_arguments)
+    if function.name in _LEAVE_ALONE:
+        return found
+    return escapes.lost(run, found, [*args, *keywords.values()], f"it is given to {function.name}()")
+
+
+def _call_known(
+    run: Run, name: str, args: Arguments, keywords: Keywords, expression: facts.Call | None, open_arguments: bool
+) -> Value:
+    handler = BUILTINS.get(name)
     if handler is None:
-        return Unknown(f"{function.name}() is not followed")
-    if open_arguments and function.name not in ("print", "dict", "set", "list"):
-        return Unknown(f"{function.name}() of arguments that are not known")
+        return Unknown(f"{name}() is not followed")
+    if open_arguments and name not in ("print", "dict", "set", "list"):
+        return Unknown(f"{name}() of arguments that are not known")
     return handler(run, args, keywords, expression)
+
+
+_LEAVE_ALONE = frozenset(
+    {"print", "str", "repr", "format", "int", "float", "bool", "abs", "round", "len", "range", "any", "all"}
+    | {"isinstance", "issubclass", "callable", "hasattr", "getattr", "id", "hash", "dir", "vars", "super"}
+)
+"""Functions of Python's own that keep nothing of what they are given."""
 
 
 def _first(args: Arguments, why: str = "an argument is missing") -> Value:
@@ -327,6 +344,8 @@ def _setattr(run: Run, args: Arguments, keywords: Keywords, e: object) -> Value:
 
     if len(args) == 3 and isinstance(args[1], Known) and isinstance(args[1].value, str):
         set_attribute(run, args[0], args[1].value, args[2])
+    else:
+        escapes.escape(run, args[2:], "setattr() stores it under a name that is not known")
     return NONE
 
 

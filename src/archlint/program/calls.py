@@ -6,7 +6,8 @@ from typing import TYPE_CHECKING
 
 from archlint.facts import model as facts
 from archlint.finding import Place
-from archlint.program.api import effects, nodes
+from archlint.program import escapes
+from archlint.program.api import effects
 from archlint.program.attributes import get_attribute
 from archlint.program.bindings import bound_names
 from archlint.program.builtin_functions import BUILTINS, call_builtin
@@ -137,7 +138,7 @@ def call(
         method = get_attribute(run, function, "__call__")
         if isinstance(method, BoundMethod):
             return call(run, method, args, keywords, expression, open_arguments)
-    nodes.hand_out(run, [*args, *keywords.values()])
+    escapes.to_call(run, [*args, *keywords.values()], "", expression)
     if isinstance(function, Unknown):
         return Unknown(function.reason, function.parameter)
     return Unknown("the result of a call that is not followed")

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Hashable, Sequence
 from typing import TYPE_CHECKING
 
+from archlint.program import escapes
 from archlint.program.attributes import get_attribute, set_attribute
 from archlint.program.store import Entries, Items
 from archlint.program.values import (
@@ -126,6 +127,10 @@ def enum_members(run: Run, cls: ClassValue) -> list[Value]:
 
 
 def slice_of(run: Run, value: Value, bounds: slice | None) -> Value:
+    return escapes.lost(run, _slice_of(run, value, bounds), (value,), "it is in a part of a list")
+
+
+def _slice_of(run: Run, value: Value, bounds: slice | None) -> Value:
     if isinstance(value, EachValue):
         return value
     if bounds is None or bounds.step == 0:
@@ -142,6 +147,16 @@ def slice_of(run: Run, value: Value, bounds: slice | None) -> Value:
 
 def get_item(run: Run, container: Value, index: Value) -> Value:
     """``container[index]``."""
+    found = _get_item(run, container, index)
+    if isinstance(container, (ListValue, DictValue)):
+        return escapes.lost(run, found, (container,), _TAKEN)
+    return found
+
+
+_TAKEN = "it is in a container from which something is taken"
+
+
+def _get_item(run: Run, container: Value, index: Value) -> Value:
     if isinstance(container, EachValue):
         return container.element
     if isinstance(container, ListValue):
@@ -245,6 +260,8 @@ def set_item(run: Run, container: Value, index: Value, value: Value) -> None:
     """``container[index] = value``; where it is one of several containers, each may now hold it."""
     several = isinstance(container, OneOf)
     for target in alternatives(container):
+        if isinstance(target, (DictValue, ListValue)):
+            escapes.kept(run, target.key, (index, value))
         if isinstance(target, DictValue):
             entries = entries_of(run, target)
             at = hashable(index)
@@ -276,6 +293,10 @@ def set_item(run: Run, container: Value, index: Value, value: Value) -> None:
             method = get_attribute(run, target, "__setitem__")
             if isinstance(method, BoundMethod):
                 run.call(method, [index, value], {})
+            else:
+                escapes.escape(run, (value,), "it is put into something that is not followed")
+        else:
+            escapes.escape(run, (value,), "it is put into something that is not followed")
 
 
 def delete_item(run: Run, container: Value, index: Value) -> None:

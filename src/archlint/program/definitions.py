@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from archlint.facts import model as facts
+from archlint.program import escapes
 from archlint.program.api import effects, rclpy_names
 from archlint.program.attributes import bind, class_lookup, get_attribute
 from archlint.program.values import (
@@ -288,6 +289,8 @@ def _fill_dataclass(
             value = run.store.get(base.key, name)
             if isinstance(value, Instance) and value.note == "dataclasses.field":
                 value = _field_default(run, value)
+        if isinstance(value, Value):
+            escapes.kept(run, made.key, (value,), name)
         run.store.set(made.key, name, value if isinstance(value, Value) else Unknown(f"the field '{name}' is not set"))
     if "typing.NamedTuple" in cls.external_bases():
         run.store.set(made.key, "#fields", tuple(fields))

@@ -15,7 +15,7 @@ from archlint.facts import model as facts
 from archlint.facts.deep_stack import call_with_deep_stack
 from archlint.faults import Faults
 from archlint.finding import Place
-from archlint.program import calls, definitions, model
+from archlint.program import calls, definitions, escapes, model
 from archlint.program.api import command_line, nodes
 from archlint.program.helpers import settle_helpers
 from archlint.program.interest import interesting, names_in
@@ -286,7 +286,8 @@ class Linker:
                     run = self.new_run(value.qualified, module, "method")
                     run.program.executable = False
                     with _Program(self, run, module, _place_of(value)):
-                        calls.call(run, value, [], {})
+                        made = calls.call(run, value, [], {})
+                        escapes.escape(run, [made], f"{value.qualified}() returns it, and nothing here calls that")
 
 
 def _common_folder(paths: Sequence[str]) -> str:
@@ -355,6 +356,7 @@ class _Program:
                 self._recover(error)
             if error is None or isinstance(error, Exception):
                 run_callbacks(run)
+                escapes.settle(run)
         except Exception as raised:
             run.note_fault(self._what, raised, self.place)
         finally:
@@ -427,7 +429,7 @@ def _make_handed_out(run: Run) -> None:
     [cls] = run.handed_out.values()
     run.activations[-1].statement = None
     made = definitions.instantiate(run, cls, [], {})
-    nodes.hand_out(run, [made])
+    escapes.escape(run, [made], "code that is not followed makes it")
 
 
 def _definitions(body: list[facts.Stmt]) -> list[facts.Function | facts.Class]:

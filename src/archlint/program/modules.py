@@ -70,6 +70,10 @@ class ModuleIndex:
             self._modules[file.path] = None if facts is None else Module(file, name, facts)
         return self._modules[file.path]
 
+    def loaded(self) -> list[Module]:
+        """The modules that some program has imported, in the order of their paths."""
+        return sorted((m for m in self._modules.values() if m is not None and m.state == "done"), key=lambda m: m.path)
+
     def find(self, importer: Module, name: str, level: int = 0) -> Module | None:
         """The module called ``name`` for an import in ``importer``; None for foreign ones."""
         if level:

@@ -8,6 +8,7 @@ from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
 from archlint.facts import model as facts
+from archlint.program import escapes
 from archlint.program.containers import ITEM_LIMIT, PYTHON, entries_of, hashable, items_of, new_dict, new_list
 from archlint.program.formatting import CARTESIAN, percent_format, plain_text
 from archlint.program.values import (
@@ -61,7 +62,8 @@ _ARITHMETIC: dict[str, Callable[[Any, Any], Any]] = {
 def binary(run: Run, op: str, left: Value, right: Value, span: facts.Span) -> Value:
     """``left op right`` over all alternatives."""
     found = [_binary_one(run, op, one, other, span) for one in alternatives(left) for other in alternatives(right)]
-    return one_of(found[:CARTESIAN])
+    result = one_of(found[:CARTESIAN])
+    return result if is_text(left) else escapes.lost(run, result, (left, right), f"it is an operand of '{op}'")
 
 
 def is_text(value: Value) -> bool:

@@ -5,12 +5,13 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from archlint.facts import model as facts
-from archlint.program import calls, definitions, model
+from archlint.program import calls, definitions, escapes, model
 from archlint.program.api import executors
 from archlint.program.api.callbacks import describe
 from archlint.program.interest import interesting
 from archlint.program.modules import Module
 from archlint.program.run import EXTRA_STEPS, FEW_STEPS, ROOTS, SELF_STARTS, STEPS, Activation, Run
+from archlint.program.uses import bare
 from archlint.program.values import (
     NONE,
     BoundMethod,
@@ -105,7 +106,9 @@ def run_root(
     depth = run.store.depth
     run.store.push()
     try:
-        calls.call(run, value, _fit(value, arguments), {})
+        given = calls.call(run, value, _fit(value, arguments), {})
+        if callback.role == "method" and not isinstance(value, BoundMethod):
+            escapes.escape(run, [given], f"{callback.name}() gives it to whoever calls that")
     except Exception as error:
         run.note_fault(f"following {callback.name}", error, callback.place)
     finally:
@@ -179,7 +182,9 @@ def _run_methods(run: Run) -> bool:
             if (instance.key, id(ir)) in run.executed or not isinstance(ir, facts.Function):
                 continue
             special = ir.name.startswith("__") and ir.name != "__call__"
-            if special or "abstract" in function.decorators or not interesting(ir):
+            if special or "abstract" in function.decorators:
+                continue
+            if not interesting(ir) and not _hands_on(run, instance, ir):
                 continue
             bound = bind_quietly(function, instance, owner)
             callback = describe(run, bound)
@@ -188,6 +193,14 @@ def _run_methods(run: Run) -> bool:
             run.program.callbacks.append(callback)
             stateful |= run_root(run, callback, bound, _uncalled_arguments(ir, callback.bound_arguments))
     return stateful
+
+
+def _hands_on(run: Run, instance: Instance, ir: facts.Function) -> bool:
+    """Whether a method of a node, or of what holds one, does more with the node than use it."""
+    names = escapes.holders(run, instance)
+    if instance.key in run.blueprints and ir.params:
+        names |= {ir.params[0].name}
+    return bool(names) and bare(ir, names)
 
 
 def _uncalled_arguments(ir: facts.Function, bound: int) -> tuple[Value, ...]:

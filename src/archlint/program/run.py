@@ -150,6 +150,10 @@ class Run:
         self.instances: dict[int, Instance] = {}
         self.argv: Value | None = None
         """The list ``sys.argv``, where the command line is known."""
+        self.escaped: dict[int, escapes.Escape] = {}
+        """Objects that code has which is not followed, by key."""
+        self.shared: list[escapes.Shared] = []
+        """Nodes, or what may hold some, that were put where all functions of a module can get at them."""
         self.handed_out: dict[int, ClassValue] = {}
         """Node classes that the entry point gives to code that is not here."""
         self.roots = 0
@@ -239,6 +243,8 @@ class Run:
                 target = target.parent
             scope = target or scope
         self.store.set(scope.key, name, value)
+        if scope.kind == "module":
+            escapes.named(self, scope.module, name, value)
 
     # -------------------------------------------------------------------------------------------- modules
 
@@ -263,6 +269,7 @@ class Run:
             finally:
                 self.activations, self.arms, self.context = kept
                 module.state = "done"
+            escapes.share(self, module)
         return ModuleValue(module)
 
     def module_attribute(self, module: Module, name: str) -> Value | None:
@@ -371,6 +378,6 @@ class Run:
 
 
 # The three modules are one machine in three rooms: statements here need expressions and calls there.
-from archlint.program import calls, expressions, statements  # noqa: E402
+from archlint.program import calls, escapes, expressions, statements  # noqa: E402
 
 __all__ = ["Activation", "Pending", "Run"]

@@ -7,7 +7,7 @@ from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
 from archlint.facts import model as facts
-from archlint.program import calls, containers, decisions, definitions, expressions, messages
+from archlint.program import calls, containers, decisions, definitions, escapes, expressions, messages
 from archlint.program.augmented import augmented, forget_counters
 from archlint.program.run import UNROLL, Run, Status
 from archlint.program.store import Items, Layer
@@ -65,8 +65,10 @@ def _unpack(run: Run, targets: list[facts.Expr], value: Value) -> None:
             for target, item in zip(targets[at + 1 :], row[len(row) - after :], strict=True):
                 assign(run, target, item)
             return
+        unknown = Unknown("the items of this value are not known")
+        escapes.lost(run, unknown, (value,), "it is unpacked from a list")
         for target in targets:
-            assign(run, target, Unknown("the items of this value are not known"))
+            assign(run, target, unknown)
         return
     for i, target in enumerate(targets):
         assign(run, target, one_of(row[i] for row in rows if row is not None))

@@ -25,6 +25,10 @@ class Store:
     def __init__(self) -> None:
         self.layers: list[Layer] = [{}]
         self._next = 1
+        self.held: dict[int, dict[Hashable, None]] = {}
+        """The attributes of objects that may lead to others, by key, whatever they hold now."""
+        self.shared: dict[int, object] = {}
+        """How the objects that a module keeps from its import on are got at, by key."""
         self.work = 0
         """Slots and items that joins have looked at, until somebody counts and takes them."""
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Hashable, Sequence
+from collections.abc import Callable, Hashable, Sequence
 from typing import TYPE_CHECKING
 
 from archlint.facts import model as facts
@@ -100,11 +100,29 @@ def call_method(
         return _text_method(run, target, name, args, keywords, expression)
     if isinstance(target, Holed):
         return _holed_method(run, target, name, args)
-    if isinstance(target, ListValue):
-        return _list_method(run, target, name, args, keywords)
-    if isinstance(target, DictValue):
-        return _dict_method(run, target, name, args, keywords)
+    if isinstance(target, (ListValue, DictValue)):
+        return _method_of_container(run, target, name, args, keywords)
     return Unknown(f"{name}() of a value that is not followed")
+
+
+_PUTS = frozenset({"append", "add", "extend", "insert", "update", "setdefault", "appendleft", "extendleft"})
+_ASKS = frozenset({"index", "count", "remove", "discard"})
+
+
+def _method_of_container(
+    run: Run, target: ListValue | DictValue, name: str, args: Arguments, keywords: Keywords
+) -> Value:
+    from archlint.program import escapes
+
+    given = [*args, *keywords.values()]
+    if name in _PUTS:
+        escapes.kept(run, target.key, given)
+    method: Callable[..., Value] = _list_method if isinstance(target, ListValue) else _dict_method
+    found = method(run, target, name, args, keywords)
+    if name in _ASKS:
+        return found
+    inside = () if name in _PUTS else (target,)
+    return escapes.lost(run, found, (*given, *inside), f"{name}() of a container has it")
 
 
 def _text_method(

@@ -23,7 +23,10 @@ from archlint.program.values import (
     Known,
     ListValue,
     MessageValue,
+    NodeValue,
+    OneOf,
     Partial,
+    Scope,
     Unknown,
     Value,
     alternatives,
@@ -88,21 +91,28 @@ def register(
 
             given = arguments if arguments is not None else default_arguments(run, role, creation, call)
             run.pending.append(Pending(callback, option, given, run.lineage))
+        elif isinstance(option, (Partial, ApiMethod)):
+            from archlint.program import escapes
+
+            escapes.escape(run, (option,), "a callback takes it along that is not followed", call.expression)
         made = made or callback
     return made
 
 
 def hand_out(run: Run, values: Iterable[Value]) -> None:
     """Note functions that are given to code which we do not see (an event loop, a user interface): it may call
-    them.  Methods of objects need no note, since all that can matter are run."""
+    them.  Methods of objects need a note only where a partial gives them something to work on, since all that can
+    matter are run."""
     from archlint.program.interest import interesting
     from archlint.program.run import Pending
 
     for option in (option for value in values for option in alternatives(value)):
-        function: Value = option
-        while isinstance(function, Partial):
-            function = function.function
-        if not isinstance(function, FunctionValue) or not interesting(function.ir):
+        function, given = _taken_apart(option)
+        method = isinstance(function, BoundMethod) and any(isinstance(value, _OBJECTS) for value in given)
+        inner = function.function if isinstance(function, BoundMethod) else function
+        if not isinstance(inner, FunctionValue) or (inner is not function and not method):
+            continue
+        if not (interesting(inner.ir) or given or _passes_on(run, inner)):
             continue
         callback = describe(run, option)
         # Once a function, whatever scope it is defined in: one that defines others and hands them out has no end.
@@ -113,6 +123,35 @@ def hand_out(run: Run, values: Iterable[Value]) -> None:
         callback.role = "method"
         run.program.callbacks.append(callback)
         run.pending.append(Pending(callback, option, (), run.lineage))
+
+
+_OBJECTS = (Instance, NodeValue, ListValue, DictValue)
+
+
+def _taken_apart(value: Value) -> tuple[Value, list[Value]]:
+    """A callable without its partials, and what these give it."""
+    given: list[Value] = []
+    while isinstance(value, Partial):
+        given += [*value.args, *(one for _, one in value.keywords)]
+        value = value.function
+    return value, given
+
+
+def _passes_on(run: Run, function: FunctionValue) -> bool:
+    """Whether a function hands on an object that it closes over."""
+    from archlint.program.bindings import bound_names
+    from archlint.program.interest import names_in
+    from archlint.program.uses import bare
+
+    own = bound_names(function.ir)[0]
+    closed_over: set[str] = {name for name, value in function.defaults if isinstance(value, _OBJECTS)}
+    scope: Scope | None = function.scope
+    while scope is not None and scope.kind != "module":
+        if scope.kind != "class":
+            names = names_in(function.ir) - own
+            closed_over |= {name for name in names if isinstance(run.store.get(scope.key, name), _OBJECTS)}
+        scope = scope.parent
+    return bool(closed_over) and bare(function.ir, frozenset(closed_over))
 
 
 def _receiver(value: Value) -> int:
@@ -239,6 +278,10 @@ def thread(run: Run, call: ApiUse) -> Value:
             )
             value = Partial(value, (), pairs) if pairs else value
         register(run, value, role, None, None, None, call, tuple(arguments))
+        if isinstance(value, (Unknown, OneOf)):
+            from archlint.program import escapes
+
+            escapes.to_call(run, arguments, "", None)
         _run_foreign_target(run, value, arguments, call)
     place = run.place(call.expression.span) if call.expression is not None else None
     return Instance(External(call.api.path), run.store.new_key(), place)

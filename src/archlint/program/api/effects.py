@@ -104,8 +104,8 @@ def call_external(
     plain = python_effects.PLAIN.get(path)
     if plain is not None:
         return plain(run, args, keywords, expression)
-    if not path.startswith(("rclpy.", "tf2_", "message_filters.")):
-        nodes.hand_out(run, [*args, *keywords.values()])
+    if not escapes.is_own(path):
+        escapes.to_call(run, [*args, *keywords.values()], path, expression)
     name = path.rpartition(".")[2]
     if name[:1].isupper() or path in ("dataclasses.field",):
         place = run.place(expression.span) if expression is not None and run.activations else None
@@ -139,14 +139,22 @@ def call_method(
             # A class of ours derived from, say, ActionServer.
             return use(run, api, receiver, args, keywords, expression, open_arguments)
         nodes.name_by_foreign_base(run, receiver, path)
+        escapes.to_call(run, [*args, *keywords.values()], path, expression)
         return Unknown(f"{path} is outside of this workspace")
     if api is not None:
         return use(run, api, receiver, args, keywords, expression, open_arguments)
     method = python_effects.METHODS.get(path)
     if method is not None:
         return method(run, receiver, args, keywords, expression)
-    nodes.hand_out(run, [*args, *keywords.values()])
+    if not escapes.is_own(path) or _is_missing_method(path):
+        escapes.to_call(run, [*args, *keywords.values()], path.removeprefix("?."), expression)
     return Unknown(f"{path.removeprefix('?.')}() is outside of this workspace")
+
+
+def _is_missing_method(path: str) -> bool:
+    """Whether a node is asked for an attribute that rclpy's does not have: something else put it there."""
+    owner, _, name = path.rpartition(".")
+    return owner in rclpy_names.NODE_CLASSES and not rclpy_names.is_node_attribute(name)
 
 
 def use(
@@ -328,6 +336,7 @@ def _get_interface(run: Run, call: ApiUse) -> Value:
     return one_of(found)
 
 
+from archlint.program import escapes  # noqa: E402
 from archlint.program.api import (  # noqa: E402
     callbacks,
     command_line,

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
 from typing import TYPE_CHECKING
 
 from archlint.finding import Place
@@ -104,18 +103,10 @@ def known_node(run: Run, value: Value | None) -> model.Blueprint | None:
     return None
 
 
-def hand_out(run: Run, values: Iterable[Value]) -> None:
-    """Note that nodes, the classes of some, or functions are given to code that we do not see."""
-    from archlint.program.api import callbacks
-
-    given = list(values)
-    callbacks.hand_out(run, given)
-    for value in given:
-        node = known_node(run, value)
-        if node is not None:
-            node.handed_out = True
-        elif isinstance(value, ClassValue) and run.context.role == "main" and _may_be_node_class(value):
-            run.handed_out.setdefault(id(value), value)
+def hand_out_class(run: Run, value: ClassValue) -> None:
+    """Note that the class of a node is given to code that we do not see."""
+    if run.context.role == "main" and _may_be_node_class(value):
+        run.handed_out.setdefault(id(value), value)
 
 
 def _may_be_node_class(cls: ClassValue) -> bool:

@@ -6,6 +6,7 @@ from collections.abc import Callable
 from typing import TYPE_CHECKING
 
 from archlint.facts import model as facts
+from archlint.program import escapes
 from archlint.program.api import profiles
 from archlint.program.builtin_functions import BUILTINS
 from archlint.program.values import (
@@ -137,6 +138,7 @@ def _decorator(run: Run, args: list[Value], keywords: dict[str, Value], e: facts
 def _namespace(run: Run, args: list[Value], keywords: dict[str, Value], e: facts.Call | None) -> Value:
     made = Instance(External("types.SimpleNamespace"), run.store.new_key())
     for name, value in keywords.items():
+        escapes.kept(run, made.key, (value,), name)
         run.store.set(made.key, name, value)
     return made
 
