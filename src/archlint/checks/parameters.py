@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 from archlint.checks.near import did_you_mean
 from archlint.checks.registry import Options, finding, rule
-from archlint.checks.whole import declares_all, enclosing_function, facts_at, walk
+from archlint.checks.whole import declares_all, enclosing_function, facts_at, in_sight, walk
 from archlint.facts import model as facts
 from archlint.finding import Finding, Place, Related
 from archlint.program.launch.model import ParameterFileUse, Started
@@ -40,6 +40,11 @@ def _declared(node: Node) -> dict[str, list[ParameterDeclaration]] | None:
                 return None
             found.setdefault(name.text, []).append(declaration)
     return found
+
+
+def _followed(node: Node) -> bool:
+    """Whether no code from elsewhere has the node: that may declare, read and set what it likes."""
+    return all(in_sight(blueprint) for blueprint in node.blueprints)
 
 
 # ------------------------------------------------------------------------------------------------- PRM002
@@ -136,7 +141,7 @@ def undeclared_parameter(system: System, options: Options) -> Iterator[Finding]:
         declared = _declared(node)
         if node.blueprint is None or declared is None or node.program is None:
             continue
-        if not declares_all(system.world, node.blueprint):
+        if not declares_all(system.world, node.blueprint) or not _followed(node):
             continue
         calls = [call for call in node.program.calls if call.node is node.blueprint]
         guarded = {_name_of(call) for call in calls if call.api.endswith(".has_parameter")}
@@ -174,7 +179,7 @@ def unknown_parameter_override(system: System, options: Options) -> Iterator[Fin
     for node, settings in _set_nodes(system):
         declared = _declared(node)
         assert node.blueprint is not None
-        if declared is None or not declares_all(system.world, node.blueprint) or _libraries(system.world, node):
+        if declared is None or not declares_all(system.world, node.blueprint) or not _followed(node):
             continue
         siblings = [other for other in system.entries if other.started is node.started and other is not node]
         others = [_declared(other) for other in siblings]
@@ -231,13 +236,6 @@ def _others_are_not_run(world: World) -> bool:
     return world.explicit and world.loader is not None and len(world.loader.launch_files()) > 1
 
 
-def _libraries(world: World | None, node: Node) -> bool:
-    """Whether something outside of this workspace may declare parameters on the node."""
-    from archlint.checks.whole import _followed
-
-    return world is None or any(not _followed(world, b.place.file) for b in node.blueprints)
-
-
 # ------------------------------------------------------------------------------------------------- PRM005
 
 
@@ -279,9 +277,10 @@ def _files_of(system: System) -> list[str]:
 
 
 def _may_hold_more_nodes(world: World, file: str) -> bool:
-    """Whether a process whose source is not here gets the file: nav2's servers make the nodes of their costmaps."""
+    """Whether a process gets the file whose source is not here, or whose nodes are in other hands: nav2's servers
+    make the nodes of their costmaps."""
     return any(
-        node.external and node.started is not None and file in _files_of_process(node.started)
+        (node.external or not _followed(node)) and node.started is not None and file in _files_of_process(node.started)
         for system in world.systems
         for node in system.nodes
     )
@@ -319,7 +318,7 @@ def unused_parameter(system: System, options: Options) -> Iterator[Finding]:
         return
     for node in system.nodes:
         blueprint = node.blueprint
-        if blueprint is None or node.program is None or blueprint.test or node.program.exhausted:
+        if blueprint is None or node.program is None or blueprint.test or not _followed(node):
             continue
         if any(callback.role == "parameter" for callback in node.program.callbacks):
             continue

@@ -11,6 +11,7 @@ from archlint.checks.near_misses import nearly_equal
 from archlint.checks.ownership import SHARED_BY_DESIGN, TYPES_SHARED_BY_DESIGN
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.whole import declares_all
+from archlint.checks.whole import in_sight as followed
 from archlint.finding import Finding, Related
 from archlint.program.model import (
     ACTION_CLIENT,
@@ -139,7 +140,7 @@ def _seen(node: Node, world: World | None) -> bool:
     class from elsewhere, no library that is given the node."""
     if node.program is not None and node.program.exhausted:
         return False
-    if any(blueprint.handed_out or not blueprint.complete for blueprint in node.blueprints):
+    if not all(followed(blueprint) for blueprint in node.blueprints):
         return False
     return world is None or all(declares_all(world, blueprint) for blueprint in node.blueprints)
 

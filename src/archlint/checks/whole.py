@@ -17,49 +17,6 @@ if TYPE_CHECKING:
     from archlint.system.model import Node
 
 _NODE_BASES = frozenset({"Node", "LifecycleNode", "object", "ABC", "Generic", "Protocol"})
-_HARMLESS = frozenset(
-    [
-        "super",
-        "spin",
-        "spin_once",
-        "spin_until_future_complete",
-        "add_node",
-        "remove_node",
-        "destroy_node",
-        "isinstance",
-        "issubclass",
-        "hasattr",
-        "getattr",
-        "setattr",
-        "print",
-        "len",
-        "repr",
-        "str",
-        "id",
-        "type",
-        "partial",
-        "ActionServer",
-        "ActionClient",
-        "Subscriber",
-        "Buffer",
-        "TransformListener",
-        "TransformBroadcaster",
-        "StaticTransformBroadcaster",
-        "StaticTransformListener",
-        "BufferClient",
-        "wait_for_message",
-        "__init__",
-        "append",
-        "debug",
-        "info",
-        "warn",
-        "warning",
-        "error",
-        "fatal",
-        "format",
-    ]
-)
-
 
 def walk(item: object) -> Iterator[object]:
     """Every fact below one, itself first, in no particular order."""
@@ -82,12 +39,16 @@ def is_whole(world: World | None, node: Node) -> bool:
     endpoints has a known name."""
     if world is None or node.blueprint is None or node.program is None:
         return False
-    if node.program.exhausted or any(b.held or not b.complete or b.gaps for b in node.blueprints):
+    if node.program.exhausted or any(b.held or not in_sight(b) for b in node.blueprints):
         return False
     if any(endpoint.name is None or endpoint.resolution in ("partial", "unknown") for endpoint in node.endpoints):
         return False
-    files = {b.place.file for b in node.blueprints} | {c.place.file for b in node.blueprints for c in b.creations}
-    return all(_followed(world, file) for file in files) and declares_all(world, node.blueprint)
+    return declares_all(world, node.blueprint)
+
+
+def in_sight(blueprint: Blueprint) -> bool:
+    """Whether all that is done with a node was followed: no code from elsewhere has it, and nothing was cut short."""
+    return blueprint.complete and not blueprint.gaps and not blueprint.handed_out
 
 
 def declares_all(world: World | None, blueprint: Blueprint) -> bool:
@@ -111,40 +72,10 @@ def declares_all(world: World | None, blueprint: Blueprint) -> bool:
     return True
 
 
-def _followed(world: World, file: str) -> bool:
-    found = facts_at(world, file)
-    if found is None:
-        return False
-    given_to = _given_to(_Same(found))
-    return None not in given_to and given_to - _HARMLESS <= _ours(world, found)
-
-
-def _method_of_self(function: facts.Expr) -> bool:
-    return isinstance(function, facts.Attribute) and _is_node(function.value)
-
-
-def _is_node(value: facts.Expr) -> bool:
-    if isinstance(value, facts.Attribute):
-        return value.attr in ("node", "_node") and isinstance(value.value, facts.Name)
-    return isinstance(value, facts.Name) and value.id in ("self", "node")
-
-
 def _last(value: facts.Expr) -> str | None:
     if isinstance(value, facts.Attribute):
         return value.attr
     return value.id if isinstance(value, facts.Name) else None
-
-
-@lru_cache(maxsize=10_000)
-def _given_to(file: _Same) -> frozenset[str | None]:
-    """The names of what is called with the node, but for the node's own methods; None for one without a name."""
-    return frozenset(
-        _last(item.func)
-        for item in walk(file.found.body)
-        if isinstance(item, facts.Call)
-        and any(_is_node(argument.value) for argument in item.args)
-        and not _method_of_self(item.func)
-    )
 
 
 class _Same:
@@ -210,4 +141,4 @@ def _every_class(file: _Same) -> tuple[facts.Class, ...]:
     return tuple(item for item in walk(file.found.body) if isinstance(item, facts.Class))
 
 
-__all__ = ["declares_all", "enclosing_class", "enclosing_function", "facts_at", "is_whole", "walk"]
+__all__ = ["declares_all", "enclosing_class", "enclosing_function", "facts_at", "in_sight", "is_whole", "walk"]
