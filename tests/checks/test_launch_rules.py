@@ -88,16 +88,83 @@ def test_the_nearest_word_is_near():
 # ------------------------------------------------------------------------------------------------------- LCH
 
 
-def test_an_executable_that_may_come_from_elsewhere_is_no_finding(findings):
-    cmake = "project(robot)\nadd_subdirectory(src)\n"
-    manifest = MANIFEST.format(name="robot", type="ament_cmake", more="")
-    assert findings("LCH001", node(exec="driver"), **{"CMakeLists.txt": cmake, "package.xml": manifest}) == []
+CMAKE = MANIFEST.format(name="robot", type="ament_cmake", more="")
+SCRIPTS = "install(PROGRAMS scripts/drive.py DESTINATION lib/robot)\n"
+TESTS = """if(BUILD_TESTING)
+  foreach(path test/test_a.py)
+    ament_add_pytest_test(${path} ${path})
+  endforeach()
+endif()
+"""
+
+
+@pytest.mark.parametrize(
+    ("cmake", "found"),
+    [
+        ("project(robot)\nadd_subdirectory(gone)\n" + SCRIPTS, 0),
+        ("project(robot)\nmake_node(driver)\n" + SCRIPTS, 0),  # an unknown command may build it
+        ("project(robot)\nforeach(n ${NODES})\nadd_executable(${n})\nendforeach()\n" + SCRIPTS, 0),
+        ("project(robot)\nforeach(n driver arm)\nadd_executable(${n})\nendforeach()\n" + SCRIPTS, 0),
+        ("project(robot)\nadd_subdirectory(src)\n" + SCRIPTS, 0),
+        ("project(robot)\ninstall(DIRECTORY nodes/ DESTINATION lib/robot)\n" + SCRIPTS, 0),
+        ("project(robot)\n" + SCRIPTS + TESTS, 1),
+        ("project(driver)\n" + SCRIPTS, 1),  # a project is no executable
+        ("project(robot)\ninstall(DIRECTORY scripts/ DESTINATION lib/robot)\n", 1),
+        ("project(robot)\nament_python_install_package(robot SCRIPTS_DESTINATION lib/robot)\n" + SCRIPTS, 1),
+    ],
+)
+def test_what_a_build_with_cmake_leaves_open(findings, cmake, found):
+    files = {"CMakeLists.txt": cmake, "package.xml": CMAKE, "setup.py": "", "setup.cfg": "[develop]\n"}
+    files |= {"src/CMakeLists.txt": "add_executable(driver driver.cpp)\n", "nodes/driver": "", "scripts/drive.py": ""}
+    assert len(findings("LCH001", node(exec="driver"), **files)) == found
+
+
+def test_an_executable_of_another_workspace(findings):
     assert findings("LCH001", node(pkg="nav2_amcl", exec="amcl")) == []
 
 
 def test_an_unknown_executable_is_named_with_the_near_one(findings):
     (found,) = findings("LCH001", node(exec="taker"))
     assert found.message == "package 'robot' installs no executable 'taker'; did you mean 'talker'?"
+    assert found.help == "it installs talker; add it to setup.py, or start one of these"
+
+
+def test_another_name_of_the_same_file_is_the_one_to_start(findings):
+    setup = SETUP.replace("'talker =", "'speak =")
+    (found,) = findings("LCH001", node(exec="talker.py"), **{"setup.py": setup})
+    assert found.message.endswith("no executable 'talker.py'; robot.talker is installed as 'speak'")
+    assert found.help == "start 'speak'"
+    files = {"CMakeLists.txt": "project(robot)\n" + SCRIPTS, "package.xml": CMAKE, "setup.py": ""}
+    (found,) = findings("LCH001", node(exec="drive"), **files)
+    assert found.message.endswith("; scripts/drive.py is installed as 'drive.py'")
+
+
+def test_an_executable_whose_file_is_there(findings):
+    files = {"CMakeLists.txt": "project(robot)\n" + SCRIPTS, "package.xml": CMAKE, "setup.py": ""}
+    (found,) = findings("LCH001", node(exec="steer.py"), **files, **{"scripts/steer.py": TALKER})
+    assert found.help == "scripts/steer.py is there: install it in CMakeLists.txt"
+
+
+def test_a_program_in_a_folder_below_is_not_found_by_launch(findings):
+    cmake = "project(robot)\ninstall(DIRECTORY scripts DESTINATION lib/robot)\n"
+    files = {"CMakeLists.txt": cmake, "package.xml": CMAKE, "setup.py": "", "scripts/drive.py": TALKER}
+    (found,) = findings("LCH001", node(exec="drive.py"), **files)
+    assert found.message.endswith("'drive.py': it comes to lib/robot/scripts")
+    assert found.help == "launch looks in the folder itself: install(DIRECTORY …/ …), with a slash"
+    files["CMakeLists.txt"] = cmake.replace("scripts", "scripts/")
+    assert findings("LCH001", node(exec="drive.py"), **files) == []
+
+
+def test_a_missing_file_behind_the_block_that_every_package_copies(findings):
+    cmake = "project(robot)\ninstall(DIRECTORY launch DESTINATION share/robot)\n" + TESTS
+    files = {"CMakeLists.txt": cmake, "package.xml": CMAKE, "setup.py": "", "config/talk.yaml": ""}
+    for written, message in (("config/talk.yaml", "does not install"), ("config/tolk.yaml", "has no parameter file")):
+        inner = f'<param from="$(find-pkg-share robot)/{written}"/>'
+        (found,) = findings("LCH004", node(inner), **files)
+        assert message in found.message
+    whole = cmake.replace("DIRECTORY launch", "DIRECTORY launch config")
+    inner = '<param from="$(find-pkg-share robot)/config/talk.yaml"/>'
+    assert findings("LCH004", node(inner), **{**files, "CMakeLists.txt": whole}) == []
 
 
 @pytest.mark.parametrize(

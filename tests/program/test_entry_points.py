@@ -6,7 +6,6 @@ from pathlib import Path
 
 import pytest
 
-from archlint.facts.cmake import parse_cmake
 from archlint.facts.compile import compile_python
 from archlint.program.entry_points import entry_points, read_installs
 from archlint.program.installs import Installs
@@ -178,13 +177,6 @@ setup(data_files=[
     assert not installs.open_files
 
 
-def test_cmake_comments_quotes_and_brackets():
-    text = '#[[ set(A 1) ]]\nset(B "x;y z") # set(C 1)\nset(D [=[ a ) b ]=])\nfoo(${B} "${B}")\n'
-    commands = parse_cmake(text)
-    assert [(c.name, c.texts) for c in commands][-1] == ("foo", ["x;y z", "x;y z"])
-    assert commands[-1].line == 4
-
-
 def scripts_of(installs: Installs) -> dict[str, str | None]:
     return {executable.name: executable.script for executable in installs.executables.values()}
 
@@ -199,12 +191,19 @@ file(GLOB NODES nodes/*.py)
 install(PROGRAMS ${NODES} DESTINATION lib/${PROJECT_NAME})
 """,
             "scripts/talk": "#!/usr/bin/env python3\n",
+            "scripts/run.sh": "",
             "scripts/deeper/other.py": "",
             "nodes/listen.py": "",
             "launch/it.launch.py": "",
         }
     )
-    assert scripts_of(installs) == {"talk": "robot/scripts/talk", "listen.py": "robot/nodes/listen.py"}
+    assert scripts_of(installs) == {
+        "talk": "robot/scripts/talk",
+        "run.sh": "robot/scripts/run.sh",
+        "listen.py": "robot/nodes/listen.py",
+    }
+    assert installs.too_deep == {"other.py": "lib/robot/deeper"}  # ros2 run finds it, launch does not
+    assert not installs.open_executables and not installs.open_files
 
 
 def test_a_link_is_the_file_that_it_leads_to(installs_of, tmp_path):

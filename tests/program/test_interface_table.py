@@ -7,6 +7,7 @@ import pytest
 from archlint.program.installs import Installs, read_cmake
 from archlint.program.interface_table import InterfaceTable
 from archlint.workspace.model import SourceFile
+from program.builds import Build
 
 
 def table(cmake: str = "", **files: str) -> InterfaceTable:
@@ -141,7 +142,7 @@ def test_a_file_that_is_not_generated(words: str, left_out: bool):
 )
 def test_what_the_generating_command_names_is_all_there_is(cmake: str, defined: bool | None):
     installs = Installs("robot_interfaces", ".")
-    read_cmake(installs, f"project(robot_interfaces)\n{cmake}", "CMakeLists.txt")
+    read_cmake(installs, "CMakeLists.txt", Build({"CMakeLists.txt": f"project(robot_interfaces)\n{cmake}"}))
     file = SourceFile("/w/msg/Battery.msg", "msg/Battery.msg", "interface", "robot_interfaces", None)
     generated = {} if installs.generated is None else {"robot_interfaces": installs.generated}
 

@@ -19,6 +19,7 @@ from archlint.system import names
 from archlint.system.instances import instantiate
 
 if TYPE_CHECKING:
+    from archlint.program.installs import Executable, Installs
     from archlint.program.launch.model import Included, Launched, Remap, Started, UnknownAttribute
     from archlint.system.launched import World
     from archlint.system.model import Node, System
@@ -41,17 +42,50 @@ def unknown_executable(system: System, options: Options) -> Iterator[Finding]:
             continue
         package = system.world.packages.get(installs.package)
         unread = package is None or package.build_type not in ("ament_python", "ament_cmake")
-        if unread or installs.open_executables or not installs.build_files or name in installs.words:
+        if unread or installs.open_executables or not installs.build_files or name in installs.mentioned:
             continue
-        known = sorted(installs.executables)
-        listed = f"it installs {', '.join(known[:8])}" if known else "it installs none"
+        hint, help = _instead(installs, name, system.world)
         yield finding(
             "LCH001",
             started.places.get("executable", started.place),
-            f"package '{installs.package}' installs no executable '{name}'{did_you_mean(name, known)}",
-            help=f"{listed}; add it to {posixpath.basename(installs.build_files[0])}, or start one of these",
+            f"package '{installs.package}' installs no executable '{name}'{hint}",
+            help=help,
             identity=(installs.package, name),
         )
+
+
+def _instead(installs: Installs, name: str, world: World) -> tuple[str, str]:
+    """What to start or to install instead of an executable that is not there: a hint and a line of help."""
+    known = sorted(installs.executables)
+    same = [one for one in known if _stem(installs.executables[one]) == name.removesuffix(".py")]
+    if len(same) == 1:
+        source = installs.executables[same[0]]
+        return f"; {source.script or source.module} is installed as '{same[0]}'", f"start '{same[0]}'"
+    if name in installs.too_deep:
+        where = installs.too_deep[name]
+        return f": it comes to {where}", "launch looks in the folder itself: install(DIRECTORY …/ …), with a slash"
+    build = _build_file(installs, world)
+    files = [] if world.loader is None else world.loader.python_files_of(installs.package)
+    there = [file for file in files if posixpath.basename(file) == name]
+    if len(there) == 1:
+        return did_you_mean(name, known), f"{there[0]} is there: install it in {build}"
+    listed = f"it installs {', '.join(known[:8])}" if known else "it installs none"
+    return did_you_mean(name, known), f"{listed}; add it to {build}, or start one of these"
+
+
+def _stem(executable: Executable) -> str:
+    """The file that an executable runs, by its name alone."""
+    if executable.script is not None:
+        return posixpath.basename(executable.script).removesuffix(".py")
+    return (executable.module or "").rpartition(".")[2]
+
+
+def _build_file(installs: Installs, world: World) -> str:
+    """The file in which a package names its executables."""
+    package = world.packages.get(installs.package)
+    wanted = "setup.py" if package is not None and package.build_type == "ament_python" else "CMakeLists.txt"
+    names = [posixpath.basename(file) for file in installs.build_files]
+    return wanted if wanted in names else names[0]
 
 
 # ------------------------------------------------------------------------------------------------- LCH002

@@ -1,8 +1,4 @@
-"""CMakeLists.txt as a list of commands: what a package installs stands there.
-
-Nothing is configured: variables are replaced where ``set`` and ``project`` make them plain texts, and
-conditions are not evaluated.
-"""
+"""CMakeLists.txt as a list of commands, as they are written: no variable is replaced."""
 
 from __future__ import annotations
 
@@ -21,7 +17,6 @@ _TOKEN = re.compile(
     """,
     re.VERBOSE | re.DOTALL,
 )
-_VARIABLE = re.compile(r"\$\{([\w.+/-]+)\}")
 LIMIT = 2_000_000
 
 
@@ -53,23 +48,14 @@ class Command:
 
 
 def parse_cmake(text: str) -> list[Command]:
-    """The commands of a CMake file, with the variables replaced that the file itself sets to plain texts."""
-    variables: dict[str, list[str]] = {}
-    found = []
-    for command in _commands(text[:LIMIT]):
-        expanded = Command(command.name, tuple(_expand(command, variables)), command.line, command.column)
-        _remember(expanded, variables)
-        found.append(expanded)
-    return found
-
-
-def _commands(text: str) -> list[Command]:
+    """The commands of a CMake file, one after the other, blocks and what is in them included."""
     found: list[Command] = []
     name: str | None = None
     start = (1, 1)
     arguments: list[Argument] = []
     depth = 0
     line, line_start, at = 1, 0, 0
+    text = text[:LIMIT]
     for match in _TOKEN.finditer(text):
         line += text.count("\n", at, match.start())
         newline = text.rfind("\n", at, match.start())
@@ -92,40 +78,3 @@ def _commands(text: str) -> list[Command]:
             quoted = match["quoted"] is not None
             arguments.append(Argument(value[1:-1] if quoted else value, line, column, quoted))
     return found
-
-
-def _expand(command: Command, variables: dict[str, list[str]]) -> list[Argument]:
-    found: list[Argument] = []
-    for argument in command.arguments:
-        whole = _VARIABLE.fullmatch(argument.text)
-        if whole is not None and not argument.quoted and whole[1] in variables:
-            values = variables[whole[1]]
-            found.extend(Argument(value, argument.line, argument.column) for value in values)
-            continue
-        text = _VARIABLE.sub(lambda m: ";".join(variables.get(m[1], [m[0]])), argument.text)
-        parts = [text] if argument.quoted else [part for part in text.split(";") if part]
-        found.extend(Argument(part, argument.line, argument.column, argument.quoted) for part in parts)
-    return found[:10_000]
-
-
-def _remember(command: Command, variables: dict[str, list[str]]) -> None:
-    texts = command.texts
-    if command.name == "project" and texts:
-        variables["PROJECT_NAME"] = [texts[0]]
-        variables["CMAKE_PROJECT_NAME"] = [texts[0]]
-    elif command.name == "set" and texts:
-        values = texts[1:]
-        for keyword in ("CACHE", "PARENT_SCOPE"):
-            if keyword in values:
-                values = values[: values.index(keyword)]
-        if any("${" in value for value in values) or sum(map(len, values)) > 20_000:
-            variables.pop(texts[0], None)
-        else:
-            variables[texts[0]] = values
-    elif command.name == "list" and len(texts) > 2 and texts[0].upper() == "APPEND":
-        known = variables.get(texts[1], [])
-        if len(known) + len(texts) < 2_000:
-            variables[texts[1]] = [*known, *texts[2:]]
-    elif command.name == "file" and len(texts) > 2 and texts[0].upper() in ("GLOB", "GLOB_RECURSE"):
-        options = {"CONFIGURE_DEPENDS", "RELATIVE", "LIST_DIRECTORIES", "true", "false"}
-        variables[texts[1]] = [text for text in texts[2:] if text not in options]

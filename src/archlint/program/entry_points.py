@@ -14,7 +14,6 @@ from typing import TYPE_CHECKING, Protocol
 
 from archlint.facts import model as facts
 from archlint.facts.entry_point_tables import (
-    ScriptEntry,
     entries_of_pyproject,
     entries_of_setup_cfg,
     parse_entry,
@@ -22,7 +21,7 @@ from archlint.facts.entry_point_tables import (
 from archlint.faults import Faults
 from archlint.finding import Place
 from archlint.program import model
-from archlint.program.installs import Executable, InstalledFiles, Installs, read_cmake
+from archlint.program.installs import Executable, InstalledFiles, Installs, console_script, read_cmake
 from archlint.program.link import EntryPoint
 from archlint.program.modules import Module, ModuleIndex
 from archlint.program.run import Run
@@ -36,13 +35,16 @@ FactsOf = Callable[["SourceFile"], "facts.Facts | None"]
 
 
 class PackageFolder(Protocol):
-    """A package of the workspace: its name and the shown path of the folder of its package.xml."""
+    """A package of the workspace: its name, the shown path of the folder of its package.xml, its build type."""
 
     @property
     def name(self) -> str: ...
 
     @property
     def relative(self) -> str: ...
+
+    @property
+    def build_type(self) -> str: ...
 
 
 class Tree(Protocol):
@@ -78,13 +80,17 @@ def read_installs(
     for package in packages:
         installs = found[package.name] = Installs(package.name, package.relative)
         with _apart(installs, "CMakeLists.txt", faults) as cmake:
-            text = tree.text(cmake)
-            if text is not None:
-                read_cmake(installs, text, cmake)
+            if tree.is_file(cmake):
+                read_cmake(installs, cmake, tree)
+        if package.build_type == "ament_python":  # which does not run CMake
+            installs.open_executables = installs.open_files = False
         with _apart(installs, "setup.cfg", faults):
             _read_tables(installs, tree)
+        before = installs.open_executables, installs.open_files
         with _apart(installs, "setup.py", faults) as path:
             _read_setup_at(installs, path, setups, index, faults)
+        if package.build_type == "ament_cmake":  # which does not run setup.py
+            installs.open_executables, installs.open_files = before
         with _apart(installs, "package.xml", faults):
             _find_programs(installs, files)
             _follow_links(installs, files, tree)
@@ -166,12 +172,7 @@ def _read_tables(installs: Installs, tree: Tree) -> None:
         text = tree.text(path)
         for entry in read(text) if text is not None and "scripts" in text else ():
             installs.build_files.append(path)
-            installs.add(_executable(entry, installs.package, path))
-
-
-def _executable(entry: ScriptEntry, package: str, path: str) -> Executable:
-    place = Place(path, entry.line, entry.column, entry.line, entry.end_column)
-    return Executable(entry.name, package, place, entry.module, entry.function)
+            installs.add(console_script(entry, installs.package, path))
 
 
 # ------------------------------------------------------------------------------------------------ setup.py

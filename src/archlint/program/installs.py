@@ -7,9 +7,20 @@ import posixpath
 import re
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
+from typing import Protocol
 
-from archlint.facts.cmake import Argument, Command, parse_cmake
+from archlint.facts.cmake import Argument, Command
+from archlint.facts.entry_point_tables import ScriptEntry, entries_of_setup_cfg
 from archlint.finding import Place
+from archlint.program.cmake_run import CMakeRun, Step
+
+
+class CMakeTree(Protocol):
+    """The files of the workspace by shown paths."""
+
+    def text(self, path: str) -> str | None: ...
+
+    def files_below(self, folder: str) -> list[str]: ...
 
 
 @dataclass(frozen=True)
@@ -52,7 +63,12 @@ class Installs:
     open_executables: bool = False
     open_files: bool = False
     words: frozenset[str] = frozenset()
-    """Every word of the build file: an executable whose name is not even mentioned is not built."""
+    """Every word of the CMake files."""
+    mentioned: frozenset[str] = frozenset()
+    """What CMake commands that are not known here are given: each may be the name of an executable."""
+    too_deep: dict[str, str] = field(default_factory=dict)
+    """Programs by name that come to a folder inside ``lib/<package>``, where ``ros2 run`` finds them and launch does
+    not: that folder."""
     generated: frozenset[str] | None = None
     """The words that ``rosidl_generate_interfaces`` is given; None where there is none, or one is not known."""
     build_files: list[str] = field(default_factory=list)
@@ -114,36 +130,72 @@ _KEYWORDS = frozenset(
         "SCRIPT",
     ]
 )
-_OPEN = frozenset({"include", "add_subdirectory", "foreach", "macro", "function"})
-_HERE = re.compile(r"^\$\{(?:CMAKE_CURRENT_(?:SOURCE|LIST)_DIR|(?:CMAKE|PROJECT)_SOURCE_DIR)\}/?")
+_NAMES_NO_EXECUTABLE = frozenset(
+    {"project", "find_package", "cmake_minimum_required", "set", "list", "file", "message", "add_library", "install"}
+    | {"get_filename_component", "string", "option", "if", "add_compile_options", "add_definitions", "unset"}
+    | {"include_directories", "link_directories", "link_libraries", "pkg_check_modules"}
+    | {"ament_package", "ament_target_dependencies", "ament_python_install_package", "ament_auto_package"}
+    | {"rosidl_generate_interfaces", "rosidl_target_interfaces", "rosidl_get_typesupport_target"}
+)
+"""Commands whose words are names of other things."""
+_PREFIXES = ("target_", "set_", "ament_export_", "ament_add_", "ament_lint_", "catkin_add_", "_")
 
 
-def read_cmake(installs: Installs, text: str, path: str) -> None:
-    """Add what a CMakeLists.txt installs."""
-    installs.build_files.append(path)
-    installs.words |= frozenset(re.findall(r"[\w.-]+", text))
-    for command in parse_cmake(text):
-        if command.name in ("install", "catkin_install_python"):
-            _install(installs, command, path)
-        elif "add_executable" in command.name and command.arguments:
-            _target(installs, command.arguments[0], path)
-        elif command.name == "ament_auto_package":
-            texts = command.texts
-            at = texts.index("INSTALL_TO_SHARE") if "INSTALL_TO_SHARE" in texts else len(texts)
-            for name in texts[at + 1 :]:
-                source = posixpath.join(installs.folder, _HERE.sub("", name))
-                installs.files.append(InstalledFiles(source, f"share/{installs.package}", folder=True))
-        elif command.name in _OPEN:
-            installs.open_executables = True
-            installs.open_files = installs.open_files or command.name != "include"
-        elif command.name == "rosidl_generate_interfaces":
-            known = not any(argument.open for argument in command.arguments)
-            installs.generated = frozenset(command.texts) if known and installs.generated is None else None
-        elif command.name == "ament_python_install_package":
-            installs.open_executables |= "SCRIPTS_DESTINATION" in command.texts
-        arguments = command.texts
-        if "EXECUTABLE" in arguments[:-1]:
-            _target(installs, command.arguments[arguments.index("EXECUTABLE") + 1], path)
+def read_cmake(installs: Installs, path: str, tree: CMakeTree) -> None:
+    """Add what a CMakeLists.txt, and what it includes, installs."""
+    run = CMakeRun(tree.text, tree.files_below)
+    run.run(path, installs.folder)
+    installs.build_files.extend(run.files)
+    installs.words |= frozenset(word for text in run.texts for word in re.findall(r"[\w.-]+", text))
+    installs.open_executables |= run.open
+    installs.open_files |= run.open
+    for step in run.steps:
+        _read_step(installs, step, tree)
+
+
+def _read_step(installs: Installs, step: Step, tree: CMakeTree) -> None:
+    command, arguments, texts = step.command, step.command.arguments, step.command.texts
+    if command.name in ("install", "catkin_install_python"):
+        _install(installs, step, tree)
+    elif "add_executable" in command.name and arguments:
+        _target(installs, arguments[0], step.file)
+    elif command.name == "ament_auto_package":
+        at = texts.index("INSTALL_TO_SHARE") if "INSTALL_TO_SHARE" in texts else len(texts)
+        for name in texts[at + 1 :]:
+            installs.files.append(InstalledFiles(step.path(name), f"share/{installs.package}", folder=True))
+    elif command.name == "rosidl_generate_interfaces":
+        known = not any(argument.open for argument in arguments)
+        installs.generated = frozenset(texts) if known and installs.generated is None else None
+    elif command.name == "ament_python_install_package":
+        _console_scripts(installs, step, tree)
+    elif command.name not in _NAMES_NO_EXECUTABLE and not command.name.startswith(_PREFIXES):
+        installs.mentioned |= frozenset(texts)
+    if "EXECUTABLE" in texts[:-1]:
+        _target(installs, arguments[texts.index("EXECUTABLE") + 1], step.file)
+
+
+def _console_scripts(installs: Installs, step: Step, tree: CMakeTree) -> None:
+    """``ament_python_install_package(… SCRIPTS_DESTINATION …)`` installs what a setup.cfg beside the Python package
+    names; that of the ROS package is read anyway."""
+    texts = step.command.texts
+    if "SCRIPTS_DESTINATION" not in texts:
+        return
+    folder = texts[texts.index("PACKAGE_DIR") + 1] if "PACKAGE_DIR" in texts[:-1] else texts[0]
+    table = texts[texts.index("SETUP_CFG") + 1] if "SETUP_CFG" in texts[:-1] else f"{folder}/../setup.cfg"
+    path = step.path(table)
+    text = None if "$" in table else tree.text(path)
+    if text is None:
+        installs.open_executables = True
+    elif path != posixpath.normpath(posixpath.join(installs.folder, "setup.cfg")):
+        installs.build_files.append(path)
+        for entry in entries_of_setup_cfg(text):
+            installs.add(console_script(entry, installs.package, path))
+
+
+def console_script(entry: ScriptEntry, package: str, path: str) -> Executable:
+    """The executable that an entry of a table stands for."""
+    place = Place(path, entry.line, entry.column, entry.line, entry.end_column)
+    return Executable(entry.name, package, place, entry.module, entry.function)
 
 
 def _target(installs: Installs, argument: Argument, path: str) -> None:
@@ -158,8 +210,49 @@ def _place(argument: Argument, path: str) -> Place:
     return Place(path, argument.line, argument.column, argument.line, end)
 
 
-def _install(installs: Installs, command: Command, path: str) -> None:
-    texts = command.texts
+def _install(installs: Installs, step: Step, tree: CMakeTree) -> None:
+    groups = _groups(step.command)
+    where = groups.get("DESTINATION") or []
+    destination = _destination(where[0].text) if where else None
+    if not {"TARGETS", "CODE", "SCRIPT", "EXPORT"}.isdisjoint(groups):
+        return
+    if destination is None or "$" in destination:
+        installs.open_executables = installs.open_files = True
+        return
+    programs = destination in (f"lib/{installs.package}", "${CATKIN_PACKAGE_BIN_DESTINATION}")
+    own = next((argument.text for argument in groups.get("RENAME", [])), None)
+    for kind in ("PROGRAMS", "FILES", "DIRECTORY"):
+        for argument in groups.get(kind, []):
+            if "$" in argument.text:
+                installs.open_executables |= programs
+                installs.open_files |= not programs
+                continue
+            shown = step.path(argument.text)
+            contents = kind == "DIRECTORY" and (argument.text.endswith("/") or shown == installs.folder)
+            row = InstalledFiles(shown, destination, kind == "DIRECTORY", contents, own)
+            if not programs or kind == "DIRECTORY":
+                installs.files.append(row)
+            if programs and kind == "DIRECTORY":
+                _programs_of_folder(installs, row, _place(argument, step.file), tree)
+            elif programs:
+                name = own or posixpath.basename(shown)
+                installs.add(Executable(name, installs.package, _place(argument, step.file), script=shown))
+
+
+def _programs_of_folder(installs: Installs, row: InstalledFiles, place: Place, tree: CMakeTree) -> None:
+    """``install(DIRECTORY … DESTINATION lib/<package>)``: launch finds what comes to that very folder."""
+    for script in tree.files_below(row.source):
+        name = posixpath.basename(script)
+        inside = posixpath.relpath(script, row.source)
+        if row.contents and inside == name:
+            installs.add(Executable(name, installs.package, place, script=script))
+        else:
+            top = row.destination if row.contents else posixpath.join(row.destination, posixpath.basename(row.source))
+            installs.too_deep.setdefault(name, posixpath.normpath(posixpath.join(top, posixpath.dirname(inside))))
+
+
+def _groups(command: Command) -> dict[str, list[Argument]]:
+    """The arguments of ``install`` by the keyword that they follow."""
     groups: dict[str, list[Argument]] = {}
     current = ""
     for argument in command.arguments:
@@ -168,38 +261,7 @@ def _install(installs: Installs, command: Command, path: str) -> None:
             groups.setdefault(current, [])
         else:
             groups.setdefault(current, []).append(argument)
-    where = groups.get("DESTINATION") or []
-    destination = _destination(where[0].text) if where else None
-    if "TARGETS" in groups or "CODE" in groups or "SCRIPT" in groups:
-        return
-    if destination is None or "$" in destination:
-        installs.open_executables = installs.open_files = True
-        return
-    program_folder = destination in (f"lib/{installs.package}", "${CATKIN_PACKAGE_BIN_DESTINATION}")
-    for kind in ("PROGRAMS", "FILES", "DIRECTORY"):
-        for argument in groups.get(kind, []):
-            source = _HERE.sub("", argument.text)
-            if "$" in source:
-                installs.open_executables |= program_folder
-                installs.open_files |= not program_folder
-                continue
-            shown = posixpath.normpath(posixpath.join(installs.folder, source)) if source else installs.folder
-            rename = groups.get("RENAME")
-            if kind == "DIRECTORY":
-                contents = argument.text.endswith("/") or not source
-                installs.files.append(InstalledFiles(shown, destination, folder=True, contents=contents))
-                installs.open_executables |= program_folder
-            elif program_folder and "*" not in source:
-                name = rename[0].text if rename else posixpath.basename(source)
-                installs.add(Executable(name, installs.package, _place(argument, path), script=shown))
-            elif program_folder:
-                installs.files.append(InstalledFiles(shown, destination))
-                installs.open_executables = True
-            else:
-                own = rename[0].text if rename else None
-                installs.files.append(InstalledFiles(shown, destination, rename=own))
-    if not texts:
-        installs.open_files = True
+    return groups
 
 
 def _destination(text: str) -> str:
