@@ -7,7 +7,8 @@ from pathlib import Path
 import pytest
 
 from archlint.config import load
-from archlint.session import Request, check
+from archlint.render.json import document
+from archlint.session import Request, check, graph
 
 FILES = {
     "package.xml": """<package format="3"><name>robot</name>
@@ -97,3 +98,71 @@ def test_a_node_that_stays_in_sight(tmp_path, monkeypatch, body):
 )
 def test_a_node_that_escapes(tmp_path, monkeypatch, body):
     assert told(tmp_path, monkeypatch, body, *OF_ABSENCE) == set()
+
+
+# ------------------------------------------------------------------------------------- what was not understood
+
+
+def launched(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, inner: str, talker: str) -> tuple[list[str], bool]:
+    """What LCH002 and PRM004 say of a launched node, and whether the graph calls it complete."""
+    monkeypatch.chdir(tmp_path)
+    launch = f"<launch><node pkg='robot' exec='talker'>{inner}</node></launch>"
+    config = "select = ['LCH002', 'PRM004']\n"
+    for name, text in {
+        **FILES,
+        "archlint.toml": config,
+        "robot/talker.py": talker,
+        "launch/it.launch.xml": launch,
+    }.items():
+        path = tmp_path / name
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_text(text, encoding="utf-8")
+    request = Request((".",), load(tmp_path), cached=False, jobs=1, launch="launch/it.launch.xml")
+    [node] = document(graph(request))["nodes"]
+    return [one.code for one in check(request).findings], node["complete"]
+
+
+def remaps(count: int) -> str:
+    return "".join(f"<remap from='from{number}' to='to{number}'/>" for number in range(count))
+
+
+def values(count: int) -> str:
+    return "".join(f"<param name='p{number}' value='1'/>" for number in range(count))
+
+
+EMPTY = """import rclpy
+from rclpy.node import Node
+
+class Talker(Node):
+    def __init__(self):
+        super().__init__('talker')
+
+def main():
+    rclpy.init()
+    rclpy.spin(Talker())
+"""
+FULL = EMPTY.replace("('talker')", "('talker')\n        self.create_client(Trigger, 'ask')\n").replace(
+    "import rclpy\n", "import rclpy\nfrom std_srvs.srv import Trigger\n", 1
+)
+
+
+@pytest.mark.parametrize(
+    ("inner", "talker"),
+    [(remaps(20), EMPTY), (remaps(2) + values(1), EMPTY), (values(3), EMPTY), (remaps(4) + values(1), FULL)],
+    ids=["twenty remappings", "two", "parameters", "none of its own meets"],
+)
+def test_many_names_that_a_node_lacks_are_a_node_that_was_not_understood(tmp_path, monkeypatch, inner, talker):
+    assert launched(tmp_path, monkeypatch, inner, talker) == ([], False)
+
+
+@pytest.mark.parametrize(
+    ("inner", "talker", "codes"),
+    [
+        (remaps(1) + values(2), EMPTY, ["LCH002", "PRM004", "PRM004"]),
+        (remaps(3) + values(3), FULL, ["LCH002"] * 3 + ["PRM004"] * 3),
+        (remaps(6) + "<remap from='ask' to='please'/>", FULL, ["LCH002"] * 6),
+    ],
+    ids=["few of a node without any", "few of a node with others", "one meets"],
+)
+def test_few_are_mistakes(tmp_path, monkeypatch, inner, talker, codes):
+    assert launched(tmp_path, monkeypatch, inner, talker) == (codes, True)

@@ -43,8 +43,9 @@ def _declared(node: Node) -> dict[str, list[ParameterDeclaration]] | None:
 
 
 def _followed(node: Node) -> bool:
-    """Whether no code from elsewhere has the node: that may declare, read and set what it likes."""
-    return all(in_sight(blueprint) for blueprint in node.blueprints)
+    """Whether no code from elsewhere has the node, which may declare, read and set what it likes, and what is known
+    of it fits what the launch file says."""
+    return node.doubt is None and all(in_sight(blueprint) for blueprint in node.blueprints)
 
 
 # ------------------------------------------------------------------------------------------------- PRM002

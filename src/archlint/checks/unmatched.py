@@ -138,7 +138,7 @@ def in_sight(system: System) -> bool:
 def _seen(node: Node, world: World | None) -> bool:
     """Whether a node's endpoints are those that its own code creates, and all of that code was followed: no base
     class from elsewhere, no library that is given the node."""
-    if node.program is not None and node.program.exhausted:
+    if node.doubt is not None or (node.program is not None and node.program.exhausted):
         return False
     if not all(followed(blueprint) for blueprint in node.blueprints):
         return False

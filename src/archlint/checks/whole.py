@@ -37,7 +37,7 @@ def facts_at(world: World, file: str) -> facts.Facts | None:
 def is_whole(world: World | None, node: Node) -> bool:
     """True where nothing outside of this workspace is handed the node or is its base class, and each of its
     endpoints has a known name."""
-    if world is None or node.blueprint is None or node.program is None:
+    if world is None or node.blueprint is None or node.program is None or node.doubt is not None:
         return False
     if node.program.exhausted or any(b.held or not in_sight(b) for b in node.blueprints):
         return False

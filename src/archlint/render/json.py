@@ -78,7 +78,7 @@ def _node(node: Node) -> dict[str, Any]:
         "condition": node.condition,
         "remappings": _remappings(node),
         "test": node.test,
-        "complete": node.unfollowed is None and all(b.complete for b in node.blueprints),
+        "complete": node.unfollowed is None and node.doubt is None and all(b.complete for b in node.blueprints),
         "error": node.error,
         **lists,
         "timers": [_timer(timer) for timer in node.timers],
@@ -238,8 +238,9 @@ def unresolved(system: System) -> list[dict[str, Any]]:
             found[_file(gap.place.file), gap.place.line, gap.place.column, gap.kind, gap.reason] = None
     for node in system.entries:
         place = node.launch_place
-        if node.unfollowed is not None and place is not None:
-            found[_file(place.file), place.line, place.column, "node", node.unfollowed] = None
+        why = node.unfollowed or node.doubt
+        if why is not None and place is not None:
+            found[_file(place.file), place.line, place.column, "node", why] = None
         for endpoint in node.endpoints:
             if endpoint.resolution == "unknown":
                 place = endpoint.place

@@ -17,6 +17,7 @@ from archlint.system.model import Endpoint, Node, System
 from archlint.system.outside import is_undecided, known_name, outside
 from archlint.system.overrides import applied, overrides_of
 from archlint.system.remap import RemapRule, rules_of_arguments
+from archlint.system.understood import doubt
 
 if TYPE_CHECKING:
     from archlint.facts.parameters import ParameterFacts
@@ -76,6 +77,7 @@ class LaunchSystems:
         for started in launched.started:
             if not started.dormant and started.kind != "process":
                 made = self.nodes(started, launched.file)
+                self._note_doubt(started, made)
                 for node in made:
                     node.condition = launched.condition(started.arms)
                 nodes.extend(made)
@@ -88,6 +90,15 @@ class LaunchSystems:
             package_dependencies=dependencies,
             launched=launched,
         )
+
+    def _note_doubt(self, started: Started, made: Sequence[Node]) -> None:
+        """Say of nodes whose source is here where it does not fit what the launch file says of them."""
+        if any(node.external for node in made):
+            return
+        settings = [setting for node in made for setting in applied(started, known_name(node), self.parameters_of)]
+        reason = doubt(started, made, settings)
+        for node in made:
+            node.doubt = reason
 
     # --------------------------------------------------------------------------------------------- nodes
 

@@ -88,6 +88,8 @@ class Node:
     launched_by: str | None = None
     external: bool = False
     unfollowed: str | None = None
+    doubt: str | None = None
+    """Why what was found of its code is perhaps not all: the launch file names much that is not in it."""
     endpoints: list[Endpoint] = field(default_factory=list)
     alternatives: frozenset[tuple[str, int]] = frozenset()
     """Branches of launch files that this node depends on (as ``Creation.arms``)."""
