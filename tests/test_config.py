@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Iterator
 from pathlib import Path
 
@@ -327,3 +328,68 @@ def test_rules_of_the_closed_world_run_in_an_open_one_only_when_asked_for():
 
 def test_unreadable_files_can_be_ignored_by_name_but_a_failure_of_ours_cannot():
     assert resolve([Layer(ignore=("LNT",))]).always & ALWAYS == {"LNT003"}
+
+
+# --- what a repository may not have read
+
+
+SECRET = "TOKEN=hunter2\n"
+
+
+@pytest.fixture
+def repository(folder: Path) -> Path:
+    (folder / "repository/.git").mkdir(parents=True)
+    write(folder, "secret", SECRET)
+    return folder / "repository"
+
+
+@pytest.mark.parametrize("extend", ["../secret", "{folder}/secret", "/proc/self/environ", "link"])
+def test_a_repository_cannot_have_another_file_of_the_machine_shown(folder: Path, repository: Path, extend: str):
+    (repository / "link").symlink_to(folder / "secret")
+    told = complaint(repository, f"extend = '{extend.format(folder=folder)}'")
+    assert "`extend` leads out of the repository" in told
+    assert "hunter2" not in told
+
+
+def test_a_configuration_that_is_a_link_out_of_the_repository_is_not_shown(folder: Path, repository: Path):
+    (repository / "archlint.toml").symlink_to(folder / "secret")
+    with pytest.raises(ConfigurationError) as caught:
+        load(repository)
+    assert "hunter2" not in str(caught.value)
+
+
+def test_a_configuration_that_the_user_names_may_build_on_any_file_which_is_not_shown(folder: Path, repository: Path):
+    own = write(repository, "archlint.toml", "extend = '../secret'")
+    with pytest.raises(ConfigurationError) as caught:
+        load(repository, own)
+    assert "hunter2" not in str(caught.value)
+    assert "not valid TOML" in str(caught.value)
+
+    write(folder, "secret", "distro = 'jazzy'")
+    assert load(repository, own).distro == "jazzy"
+    write(folder, "secret", "distro = 'hunter2'")
+    with pytest.raises(ConfigurationError) as caught:
+        load(repository, own)
+    assert "secret:1" in str(caught.value)
+    assert " | " not in str(caught.value)
+
+
+def test_inside_the_repository_a_configuration_may_lie_above_the_package(folder: Path, repository: Path):
+    write(repository, "common.toml", "distro = 'humble'")
+    write(repository, "package/archlint.toml", "extend = '../common.toml'")
+    assert load(repository / "package").distro == "humble"
+
+
+def test_a_pipe_is_no_configuration(folder: Path):
+    os.mkfifo(folder / "base.toml")
+    assert "names a file that is not there" in complaint(folder, "extend = 'base.toml'")
+
+
+@pytest.mark.parametrize("key", ["extend", "cache-dir"])
+def test_a_path_that_is_none_is_told(folder: Path, key: str):
+    assert f"`{key}` holds a character that no path has" in complaint(folder, f'{key} = "a\\u0000b"')
+    assert f"`{key}` names a user whose home is not known" in complaint(folder, f'{key} = "~no-such-user/x"')
+
+
+def test_a_file_that_is_too_large_is_no_configuration(folder: Path):
+    assert "the file is too large: the limit is 1000 kB" in complaint(folder, "#" * 1_000_001)

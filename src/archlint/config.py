@@ -8,6 +8,7 @@ shows the line and, where something is near, what was probably meant.
 from __future__ import annotations
 
 import importlib
+import os
 import re
 import sys
 from collections.abc import Callable, Mapping
@@ -18,6 +19,7 @@ from typing import TYPE_CHECKING, Any
 from archlint import architecture_config
 from archlint import config_values as read
 from archlint.config_values import ConfigurationError, Glob, Source, Value
+from archlint.disk import read_regular
 from archlint.selection import Layer, Selection, resolve
 
 if TYPE_CHECKING:
@@ -35,6 +37,8 @@ DISTROS = ("humble", "jazzy", "kilted", "lyrical", "rolling")
 
 
 CACHE_FOLDER = ".archlint_cache"
+MAX_BYTES = 1_000_000
+"""A larger file is no configuration."""
 
 
 @dataclass(frozen=True)
@@ -112,7 +116,7 @@ def load(start: Path, file: Path | None = None) -> Settings:
     source = read_source(file.absolute(), named=True) if file is not None else find(start.absolute())
     if source is None:
         return Settings()
-    return replace(_settings(source, ()), file=source.path.as_posix())
+    return replace(_settings(source, (), named=file is not None), file=source.path.as_posix())
 
 
 def find(start: Path) -> Source | None:
@@ -121,25 +125,40 @@ def find(start: Path) -> Source | None:
         for name in FILE_NAMES:
             path = folder / name
             source = read_source(path) if path.is_file() else None
-            if source is not None:
-                return source
+            if source is None:
+                continue
+            if not _is_within(path, _repository(folder)):
+                raise ConfigurationError("leads out of the repository: name it with --config", source.shown)
+            return source
     return None
 
 
-def read_source(path: Path, named: bool = False) -> Source | None:
+def _repository(folder: Path) -> Path:
+    """The repository that a folder is in; the folder itself where it is in none."""
+    folders = (folder, *folder.parents)
+    return next((one for one in folders if os.path.lexists(one / ".git")), folder).resolve()
+
+
+def _is_within(path: Path, folder: Path) -> bool:
+    return path.resolve().is_relative_to(folder)
+
+
+def read_source(path: Path, named: bool = False, foreign: bool = False) -> Source | None:
     """A configuration file's text; None for a ``pyproject.toml`` without the table, unless it was named."""
     shown = Source(path, "", ()).shown
     try:
-        content = path.read_bytes()
+        content = read_regular(path, MAX_BYTES)
     except OSError as error:
         raise ConfigurationError(f"cannot be read: {error.strerror}", shown) from None
     in_pyproject = path.name == "pyproject.toml"
     if in_pyproject and b"archlint" not in content and not named:
         return None
     try:
-        source = Source(path, content.decode("utf-8-sig"), ("tool", "archlint") if in_pyproject else ())
+        source = Source(path, content.decode("utf-8-sig"), ("tool", "archlint") if in_pyproject else (), foreign)
     except UnicodeDecodeError:
         raise ConfigurationError("is not UTF-8", shown) from None
+    foreign = foreign or not (named or _is_within(path, _repository(path.parent)))
+    source = replace(source, foreign=foreign)
     if in_pyproject and _own_table(source) is None and not named:
         return None
     return source
@@ -158,14 +177,15 @@ def _parse(source: Source) -> dict[str, Any]:
         document: dict[str, Any] = toml.loads(source.text)
     except (ValueError, RecursionError) as error:
         place = re.search(r"\(at line (\d+), column (\d+)\)", str(error))
-        message = f"not valid TOML: {str(error).partition(' (at ')[0] or 'nested too deeply'}"
+        why = str(error).partition(" (at ")[0] or "nested too deeply"
+        message = "not valid TOML" if source.foreign else f"not valid TOML: {why}"
         lines = source.text.splitlines() or [""]
         line, column = (int(place[1]), int(place[2])) if place else (len(lines), len(lines[-1]))
         raise source.error_at(message, line, column, column + 1) from None
     return document
 
 
-def _settings(source: Source, trail: tuple[Path, ...]) -> Settings:
+def _settings(source: Source, trail: tuple[Path, ...], named: bool) -> Settings:
     table = _own_table(source) or {}
     for key in table:
         if key not in KEYS:
@@ -173,20 +193,26 @@ def _settings(source: Source, trail: tuple[Path, ...]) -> Settings:
     values = {key: KEYS[key](Value(table[key], (key,), source)) for key in KEYS if key in table}
     parent = Settings()
     if "extend" in values:
-        parent = _extended(source, str(values.pop("extend")), (*trail, source.path.resolve()))
+        parent = _extended(source, str(values.pop("extend")), (*trail, source.path.resolve()), named)
     return _merged(parent, values, source)
 
 
-def _extended(source: Source, extend: str, trail: tuple[Path, ...]) -> Settings:
-    path = source.path.parent / Path(extend).expanduser()
+def _extended(source: Source, extend: str, trail: tuple[Path, ...], named: bool) -> Settings:
+    """The settings of the file that another builds on.  One outside of the repository counts only where the user
+    ``named`` the configuration: a repository must not choose what else of the machine is read and shown."""
+    path = source.path.parent / read.home_of(source, extend, ("extend",))
     if path.resolve() in trail:
         shown = " -> ".join(Source(step, "", ()).shown for step in (*trail, path.resolve()))
         raise source.error(f"`extend` goes round in a circle: {shown}", ("extend",))
     if not path.is_file():
         raise source.error(f"`extend` names a file that is not there: {extend}", ("extend",), extend)
-    parent = read_source(path, named=True)
+    foreign = not _is_within(path, _repository(trail[0].parent))
+    if foreign and not named:
+        message = f"`extend` leads out of the repository: {extend}; to allow that, name this file with --config"
+        raise source.error(message, ("extend",), extend)
+    parent = read_source(path, named=True, foreign=foreign)
     assert parent is not None
-    return _settings(parent, trail)
+    return _settings(parent, trail, named)
 
 
 def _merged(parent: Settings, values: dict[str, Any], source: Source) -> Settings:

@@ -69,6 +69,8 @@ class Source:
     path: Path
     text: str
     table: KeyPath
+    foreign: bool = False
+    """Whether it lies outside of the repository: then no line of it is shown, for it may be no configuration."""
 
     @property
     def shown(self) -> str:
@@ -86,6 +88,8 @@ class Source:
         return self.error_at(message, *place) if place else ConfigurationError(message, self.shown)
 
     def error_at(self, message: str, line: int, column: int, end: int) -> ConfigurationError:
+        if self.foreign:
+            return ConfigurationError(message, self.shown, line=line)
         lines = self.text.splitlines()
         text = lines[line - 1] if line <= len(lines) else ""
         margin = " " * len(str(line))
@@ -206,7 +210,17 @@ def severities(value: Value) -> dict[str, Severity]:
 
 
 def folder(value: Value) -> str:
-    return (Path(value.base) / Path(string(value)).expanduser()).as_posix()
+    return (Path(value.base) / home_of(value.source, string(value), value.path)).as_posix()
+
+
+def home_of(source: Source, path: str, key: KeyPath) -> Path:
+    """A path with ``~`` and ``~user`` as folders.  Raises :class:`ConfigurationError` for what is no path."""
+    if "\0" in path:
+        raise source.error(f"`{key[-1]}` holds a character that no path has", key)
+    try:
+        return Path(path).expanduser()
+    except RuntimeError:
+        raise source.error(f"`{key[-1]}` names a user whose home is not known: {path}", key) from None
 
 
 def rule_options(value: Value) -> dict[str, dict[str, OptionValue]]:

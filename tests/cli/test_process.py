@@ -78,6 +78,13 @@ def test_it_runs_as_a_module(node: Path):
     assert {one["file"] for one in json.loads(done.stdout)["diagnostics"]} == {"talker.py"}
 
 
+@pytest.mark.parametrize("module", ["yaml", "msgspec", "json", "tomllib", "argparse"])
+def test_as_a_module_it_runs_nothing_of_the_folder_that_it_checks(node: Path, module: str):
+    (node.parent / f"{module}.py").write_text("import os; os._exit(77)\n")
+    (node.parent / "system.launch.yaml").write_text("launch: []\n")
+    assert python("-m", "archlint", "check", "--no-cache", cwd=node.parent).returncode == 1
+
+
 def test_a_pipe_gets_no_colours_and_no_cursor_control(node: Path):
     assert "\x1b" not in python("-m", "archlint", "check", cwd=node.parent).stdout
 

@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import TextIO
 
 from archlint.cli.exits import UsageError
+from archlint.disk import replace_file
 
 
 def note(text: str) -> None:
@@ -50,18 +51,15 @@ def write(content: str | bytes, file: str | None) -> None:
 
 
 def _write_file(content: bytes, path: Path) -> None:
-    target = path.resolve()  # a symbolic link stays one
-    temporary = target.with_name(f".{target.name}.{os.getpid()}.tmp")
     try:
+        target = path.resolve()  # a symbolic link stays one
         if target.exists() and not target.is_file():  # /dev/null, a named pipe
             target.write_bytes(content)
             return
-        try:
-            temporary.write_bytes(content)
-            temporary.replace(target)
-        finally:
-            temporary.unlink(missing_ok=True)
+        replace_file(target, content, target.stat() if target.exists() else None)
     except BrokenPipeError:
         raise
     except OSError as error:
         raise UsageError(f"cannot write {path}: {error.strerror}") from None
+    except (RuntimeError, ValueError):  # a link to itself; a name that is none
+        raise UsageError(f"cannot write {path}: it is no name of a file") from None

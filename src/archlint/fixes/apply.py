@@ -12,6 +12,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 from xml.parsers import expat
 
+from archlint.disk import replace_file
 from archlint.facts.safe_yaml import YamlError, YamlReader
 from archlint.fixes.source import Source, read
 
@@ -132,13 +133,7 @@ def write(outcome: Outcome) -> None:
 
 def _replace(target: Path, data: bytes) -> None:
     """``target`` is no symbolic link: one that leads to it stays as it is."""
-    temporary = target.with_name(f".{target.name}.{os.getpid()}.tmp")
-    try:
-        temporary.write_bytes(data)
-        temporary.chmod(target.stat().st_mode & 0o7777)
-        temporary.replace(target)
-    finally:
-        temporary.unlink(missing_ok=True)
+    replace_file(target, data, target.stat())
 
 
 def unified_diff(outcome: Outcome) -> str:

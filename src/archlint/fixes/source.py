@@ -13,6 +13,7 @@ from functools import cached_property
 from pathlib import Path
 from typing import TypeVar, cast
 
+from archlint.disk import read_regular
 from archlint.finding import Place
 
 _Node = TypeVar("_Node", bound=ast.AST)
@@ -128,10 +129,14 @@ _MEANINGLESS = frozenset(
 )
 
 
+MAX_BYTES = 8_000_000
+"""A larger file is not mended, and its names are not looked at: the largest that archlint reads at all."""
+
+
 def read(file: str) -> Source | None:
     """A file as text; None where it cannot be read as such, or would not be written back byte by byte."""
     try:
-        data = Path(file).read_bytes()
+        data = read_regular(file, MAX_BYTES)
         encoding = "utf-8"
         if file.endswith(".py") or not Path(file).suffix:
             encoding = tokenize.detect_encoding(io.BytesIO(data).readline)[0]
