@@ -9,6 +9,8 @@ It is
   where the run knows the name: not where it depends on what only a robot, a network or a command line
   decides);
 - right in type and in QoS, likewise, at the endpoint of that name where there is one;
+- right in owner, when the tool lists it under the node whose create call ran, and a phantom is an entry that counts as
+  a node and is none: see `owners.py`;
 - wrong in name, when the tool gives resolved names there, and none is one that any run gave at that
   place. An answer of `partial` or `unknown` is a miss, not wrong.
 """
@@ -29,7 +31,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
-from . import peer
+from . import owners, peer
 from .oracle.workspace import is_test
 
 LISTS = {
@@ -61,6 +63,10 @@ class Score:
     right_qos: int = 0
     sites: int = 0
     wrong_sites: int = 0
+    owned: int = 0
+    right_owner: int = 0
+    nodes: int = 0
+    phantoms: int = 0
 
     def __add__(self, other: Score) -> Score:
         return Score(**{name: getattr(self, name) + getattr(other, name) for name in vars(self)})
@@ -74,11 +80,14 @@ class Comparison:
     misses: list[str] = field(default_factory=list)
     wrong: list[str] = field(default_factory=list)
     unseen: list[str] = field(default_factory=list)
+    astray: list[str] = field(default_factory=list)
+    phantoms: list[str] = field(default_factory=list)
+    nodes: int = 0
 
     @property
     def total(self) -> Score:
         """All kinds together."""
-        return sum(self.scores.values(), Score())
+        return sum(self.scores.values(), Score(nodes=self.nodes, phantoms=len(self.phantoms)))
 
 
 def compare(
@@ -102,6 +111,20 @@ def compare(
             other = " (seen there as another kind)" if site[:2] in executed else ""
             result.unseen.append(f"{site[0]}:{site[1]} {site[2]} {known}{other}")
     return result
+
+
+def compare_owners(oracle: dict[str, Any], graph: dict[str, Any], checkout: Path, result: Comparison) -> None:
+    """Add to a comparison whose the endpoints are, and what is no node."""
+    for site, entity, right in owners.owned(oracle, graph, LISTS):
+        score = result.scores[site[2]]
+        score.owned += 1
+        score.right_owner += right
+        if not right:
+            given = ", ".join(owners.owners(graph, site, LISTS)) or "nothing"
+            result.astray.append(f"{_place(site)}: {entity['class']} {entity['node']} is {given}")
+    counted = [entry for entry in graph["nodes"] if entry.get("is_node", True) and not entry.get("test")]
+    result.nodes = len(counted)
+    result.phantoms = owners.phantoms(oracle, graph, checkout)
 
 
 def oracle_entities(oracle: dict[str, Any], kinds: Iterable[str]) -> list[Entity]:
@@ -202,8 +225,9 @@ def _words(values: Iterable[Any]) -> str:
 def table(rows: dict[str, Score]) -> str:
     """The scores as a Markdown table."""
     lines = [
-        "| | entities | found | right name | right type | right QoS | wrong names (of sites) |",
-        "|---|---|---|---|---|---|---|",
+        "| | entities | found | right name | right type | right QoS | wrong names (of sites) "
+        "| right owner | phantom nodes |",
+        "|---|---|---|---|---|---|---|---|---|",
     ]
     for title, score in rows.items():
         cells = [
@@ -212,6 +236,8 @@ def table(rows: dict[str, Score]) -> str:
             _share(score.right_type, score.typed),
             _share(score.right_qos, score.profiled),
             _share(score.wrong_sites, score.sites),
+            _share(score.right_owner, score.owned),
+            f"{score.phantoms} of {score.nodes}" if score.nodes else "-",
         ]
         lines.append(f"| {title} | {score.entities} | " + " | ".join(cells) + " |")
     return "\n".join(lines)
@@ -244,9 +270,13 @@ def main() -> None:
         graph, asked = _answer(options, checkout)
         elapsed = time.monotonic() - started
         everything[record.stem] = comparison = compare(oracle, graph, **asked)
+        if not options.peer:
+            compare_owners(oracle, graph, checkout, comparison)
         print(f"\n## {record.stem} ({elapsed:.1f} s)\n\n{table({**comparison.scores, 'all': comparison.total})}")
         for title, lines in (
             ("wrong", comparison.wrong),
+            ("no nodes", comparison.phantoms),
+            ("under another node", comparison.astray),
             *((("missed", comparison.misses), ("not seen by a run", comparison.unseen)) if options.misses else ()),
         ):
             if lines:

@@ -186,6 +186,32 @@ def test_an_object_of_a_node_class_whose_constructor_never_runs_is_no_node(owner
     assert owners(source) == {"/arm": ["/grip", "/pose"]}
 
 
+# ------------------------------------------------------------------------------------- how it is handed on
+
+
+@pytest.mark.parametrize("arguments", ["self, node", "self=self, node=node"])
+def test_a_constructor_that_is_called_by_way_of_its_class(owners, arguments):
+    source = f"""\
+    class Arm:
+        def __init__(self, node):
+            self.out = node.create_publisher(String, "pose", 10)
+
+    class Gripper(Arm):
+        def __init__(self, node):
+            super().__init__(node)
+
+    class Hand(Gripper):
+        def __init__(self, node):
+            Gripper.__init__({arguments})
+
+    class Robot(Node):
+        def __init__(self):
+            super().__init__("robot")
+            self.hand = Hand(self)
+    """
+    assert owners(source) == {"/robot": ["/pose"]}
+
+
 # --------------------------------------------------------------------------------------- how it is shown
 
 

@@ -275,10 +275,11 @@ def enter_function(
 
     ir = function.ir
     module = function.scope.module
+    bound = bind_arguments(run, function, args, keywords, open_arguments)
+    self_value = self_value or _self_of(function, bound)
     instance_key = self_value.key if isinstance(self_value, (Instance, NodeValue)) else 0
     run.executed.add((instance_key, id(ir)))
     run.ran.add(id(ir))
-    bound = bind_arguments(run, function, args, keywords, open_arguments)
     names, outer = bound_names(ir)
     scope = run.new_scope(function.scope, module, "function", function.qualified, names, outer)
     body = ir.body if isinstance(ir, facts.Function) else []
@@ -307,6 +308,15 @@ def enter_function(
         run.store.merge([layer])
         return result
     return _leave_function(run, ir, activation, status, layer)
+
+
+def _self_of(function: FunctionValue, bound: dict[str, Value]) -> Value | None:
+    """The object that a method of a class works on where it is called by way of the class: ``Base.__init__(self)``."""
+    ir = function.ir
+    if function.owner is None or not ir.params or "staticmethod" in function.decorators:
+        return None
+    first = bound.get(ir.params[0].name)
+    return first if isinstance(first, (Instance, ClassValue)) else None
 
 
 def _leave_function(run: Run, ir: facts.Function, activation: object, status: str | None, layer: object) -> Value:
