@@ -89,6 +89,9 @@ class Finding:
     group: tuple[str, ...] = field(default=(), compare=False)
     """What it has in common with the findings of its rule that are shown as one with it; empty in a finished one."""
 
+    mendable: bool = field(default=True, compare=False)
+    """False where no edit of the text can be right, such as a wait that is wrong where it stands, limit or not."""
+
     @property
     def sort_key(self) -> tuple[str, int, int, str, str, str]:
         place = self.place

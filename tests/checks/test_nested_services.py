@@ -187,6 +187,37 @@ class TestExecutorsAndGroups:
         assert found.severity is Severity.WARNING
 
 
+class TestOneFindingAHandler:
+    STEPS = (
+        "while not self.motor.wait_for_service(timeout_sec=1.0):",
+        "    pass",
+        "self.motor.call(SetBool.Request())  # here",
+        "self.motor.call(SetBool.Request())",
+        "self.motor.call(SetBool.Request())",
+        "return response",
+    )
+
+    def test_with_several_threads_it_says_what_the_waits_cost(self, judge: Judge):
+        [found] = judge("SRV003", gripper(list(self.STEPS), THREADS, client=", callback_group=self.apart"))
+
+        assert found.severity is Severity.WARNING
+        assert "waits for the service 'enable_motor', 3 times, which works here" in found.message
+        assert found.message.endswith("meanwhile its own caller waits, and one thread less is there for the others")
+        waits = [one.place.line for one in found.related if one.message.startswith("it waits for")]
+        assert waits == [found.place.line + 1, found.place.line + 2]
+
+    def test_what_hangs_hangs_at_the_first_wait(self, judge: Judge):
+        [found] = judge("SRV003", gripper(list(self.STEPS)))
+
+        assert "hangs for ever" in found.message
+
+    def test_the_other_rules_about_waits_are_silent_there(self, judge: Judge):
+        steps = [step.removesuffix("  # here") for step in self.STEPS]
+        judge("SRV005", gripper(steps, THREADS, client=", callback_group=self.apart"))
+        judge("TMO002", gripper(steps, THREADS, client=", callback_group=self.apart"))
+        judge("TMO004", gripper(steps, THREADS, client=", callback_group=self.apart"))
+
+
 class TestTheWayThere:
     HELPER = """
     class Motor:

@@ -5,14 +5,18 @@ import pytest
 from checks.judging import Judge
 
 SCRIPT = """
+    import threading
+
     import rclpy
     from example_interfaces.action import Fibonacci
     from rclpy.action import ActionClient
-    from rclpy.executors import SingleThreadedExecutor
+    from rclpy.callback_groups import ReentrantCallbackGroup
+    from rclpy.executors import MultiThreadedExecutor, SingleThreadedExecutor
     from rclpy.task import Future
     from rclpy.wait_for_message import wait_for_message
     from std_msgs.msg import String
     from std_srvs.srv import Trigger
+    from somewhere import hand_over
 
 
     def main(timeout=None):
@@ -29,6 +33,7 @@ SCRIPT = """
 """
 REQUEST = "Trigger.Request()"
 FUTURE = f"client.call_async({REQUEST})"
+SPIN_IN_A_THREAD = "threading.Thread(target=rclpy.spin, args=(node,), daemon=True).start()"
 
 
 def script(line: str) -> str:
@@ -144,21 +149,47 @@ class TestCallWithoutTimeout:
             script(f"try:\n            client.call({REQUEST})  # here\n        except Exception:\n            pass"),
         )
 
-    def test_humble_has_no_timeout_to_offer(self, judge: Judge):
-        [found] = judge("TMO002", script(f"client.call({REQUEST})  # here"), config='distro = "humble"')
+    @pytest.mark.parametrize(
+        ("before", "distro", "help_"),
+        [
+            ("pass", "humble", "call_async() and rclpy.spin_until_future_complete(node, future, timeout_sec=2.0)"),
+            ("pass", "jazzy", "call_async() and rclpy.spin_until_future_complete(node, future, timeout_sec=2.0)"),
+            (
+                "executor.add_node(node)",
+                "jazzy",
+                "call_async() and executor.spin_until_future_complete(future, timeout_sec=2.0)",
+            ),
+            (SPIN_IN_A_THREAD, "jazzy", "call(request, timeout_sec=2.0)"),
+            (
+                SPIN_IN_A_THREAD,
+                "humble",
+                "another thread spins the node: call_async(), and event.wait(timeout=2.0) for an Event that a done "
+                "callback sets",
+            ),
+            ("hand_over(node)", "jazzy", "call_async() and go on in a done callback: future.add_done_callback(…)"),
+        ],
+        ids=["humble", "later", "an executor that spins later", "another thread", "and in humble", "who knows"],
+    )
+    def test_what_helps_depends_on_who_spins_the_node(self, judge: Judge, before: str, distro: str, help_: str):
+        lines = f"{before}\n        client.call({REQUEST})  # here\n        executor.spin()"
+        [found] = judge("TMO002", script(lines), config=f'distro = "{distro}"')
 
-        assert "timeout_sec=2.0)" in found.help.partition("spin_until_future_complete")[2]
-        assert "call(request, timeout_sec" not in found.help
+        assert found.help == help_
 
-    def test_later_distributions_have_one(self, judge: Judge):
-        [found] = judge("TMO002", script(f"client.call({REQUEST})  # here"), config='distro = "jazzy"')
-
-        assert "call(request, timeout_sec=2.0)" in found.help
+    def test_a_call_that_can_never_be_answered_needs_no_limit(self, judge: Judge):
+        judge("TMO002", script(f"node.create_timer(1.0, lambda: client.call({REQUEST}))\n        rclpy.spin(node)"))
 
     def test_a_callback_is_not_told_to_spin(self, judge: Judge):
-        [found] = judge("TMO002", script(f"node.create_timer(1.0, lambda: client.call({REQUEST}))  # here"))
+        lines = (
+            "client = node.create_client(Trigger, 'far', callback_group=ReentrantCallbackGroup())",
+            f"node.create_timer(1.0, lambda: client.call({REQUEST}))  # here",
+            "executor = MultiThreadedExecutor()",
+            "executor.add_node(node)",
+            "executor.spin()",
+        )
+        [found] = judge("TMO002", script("\n        ".join(lines)))
 
-        assert "spin_until_future_complete" not in found.help
+        assert found.help == "call_async() and go on in a done callback: future.add_done_callback(…)"
 
 
 class TestSpinWithoutTimeout:
@@ -190,10 +221,38 @@ class TestSpinWithoutTimeout:
     def test_a_future_that_the_code_completes_itself_is_no_answer(self, judge: Judge):
         judge("TMO003", script("rclpy.spin_until_future_complete(node, Future())"))
 
+    @pytest.mark.parametrize(
+        ("setup", "end", "mark"),
+        [
+            pytest.param("", "print(done.result())", "  # here", id="only a message completes it"),
+            pytest.param("", "node.destroy_node()", "", id="a message ends the program"),
+            pytest.param(
+                "node.create_timer(5.0, lambda: done.set_result(None))",
+                "print(done.result())",
+                "",
+                id="so does a timer",
+            ),
+        ],
+    )
+    def test_a_future_that_a_subscription_completes(self, judge: Judge, setup: str, end: str, mark: str):
+        lines = (
+            "done = Future()",
+            "node.create_subscription(String, 'words', lambda message: done.set_result(message), 10)",
+            setup or "pass",
+            f"rclpy.spin_until_future_complete(node, done){mark}",
+            end,
+        )
+        judge("TMO003", script("\n        ".join(lines)))
+
 
 class TestIgnoredWaitResult:
     @pytest.mark.parametrize(
-        "line", ["client.wait_for_service(timeout_sec=1.0)", "action.wait_for_server(timeout_sec=1.0)"]
+        "line",
+        [
+            "client.wait_for_service(timeout_sec=1.0)",
+            "action.wait_for_server(timeout_sec=1.0)",
+            "found = client.wait_for_service(timeout_sec=1.0)",
+        ],
     )
     def test_thrown_away(self, judge: Judge, line: str):
         judge("TMO005", script(line + "  # here"))
@@ -201,7 +260,9 @@ class TestIgnoredWaitResult:
     @pytest.mark.parametrize(
         "line",
         [
-            "found = client.wait_for_service(timeout_sec=1.0)",
+            "found = client.wait_for_service(timeout_sec=1.0)\n        print(found)",
+            "found = client.wait_for_service(timeout_sec=1.0)\n        node.create_timer(1.0, lambda: print(found))",
+            "node.found = client.wait_for_service(timeout_sec=1.0)",
             "assert client.wait_for_service(timeout_sec=1.0)",
             "client.wait_for_service(timeout_sec=1.0) or print('no server')",
             "client.wait_for_service()",  # has no result to ignore: it ends when the server is there

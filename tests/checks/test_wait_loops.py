@@ -2,6 +2,7 @@ from __future__ import annotations
 
 import pytest
 
+from archlint.finding import Severity
 from checks.judging import Judge
 
 SCRIPT = """
@@ -103,3 +104,25 @@ def test_something_else_ends_it(judge: Judge, lines: tuple[str, ...]):
 
 def test_a_first_wait_without_limit_is_another_rules_matter(judge: Judge):
     judge("TMO004", script("while not far.wait_for_service():", "    pass"))
+
+
+def test_a_node_that_starts_up_may_wait_and_a_callback_may_not(judge: Judge):
+    [starting] = judge("TMO004", script(f"while not {WAIT}:  # here", "    pass"))
+    assert starting.severity is Severity.INFO
+
+    lines = ("def tick():", f"    while not {WAIT}:  # here", "        pass", "node.create_timer(1.0, tick)")
+    [ticking] = judge("TMO004", script(*lines, "rclpy.spin(node)"))
+    assert ticking.severity is Severity.WARNING and "service_is_ready" in ticking.help
+
+
+def test_a_handler_that_waits_for_the_answer_next_is_one_finding(judge: Judge):
+    lines = (
+        "def handle(request, response):",
+        f"    while not {WAIT}:",
+        "        pass",
+        "    return far.call(request)",
+        "node.create_service(Trigger, 'near', handle)",
+        "rclpy.spin(node)",
+    )
+    judge("TMO004", script(*lines))
+    judge("SRV003", script(*(f"{line}  # here" if "far.call" in line else line for line in lines)))

@@ -12,6 +12,8 @@ import pytest
 from archlint.cli import main
 
 HEAD = """\
+import threading
+
 import rclpy
 from rclpy.action import ActionClient
 from rclpy.node import Node
@@ -68,40 +70,69 @@ SERVER = "ActionClient(self, Fibonacci, 'count')"
 @pytest.mark.parametrize(
     ("before", "after"),
     [
-        (f"ok = {CLIENT}.wait_for_service()", f"ok = {CLIENT}.wait_for_service(timeout_sec=5.0)"),
-        (f"ok = {CLIENT}.wait_for_service(None)", f"ok = {CLIENT}.wait_for_service(5.0)"),
-        (f"ok = {CLIENT}.wait_for_service(timeout_sec = None)", f"ok = {CLIENT}.wait_for_service(timeout_sec = 5.0)"),
-        (f"ok = {SERVER}.wait_for_server( )", f"ok = {SERVER}.wait_for_server(timeout_sec=5.0 )"),
+        (f"self.ok = {CLIENT}.wait_for_service()", f"self.ok = {CLIENT}.wait_for_service(timeout_sec=5.0)"),
+        (f"self.ok = {CLIENT}.wait_for_service(None)", f"self.ok = {CLIENT}.wait_for_service(5.0)"),
+        (
+            f"self.ok = {CLIENT}.wait_for_service(timeout_sec = None)",
+            f"self.ok = {CLIENT}.wait_for_service(timeout_sec = 5.0)",
+        ),
+        (f"self.ok = {SERVER}.wait_for_server( )", f"self.ok = {SERVER}.wait_for_server(timeout_sec=5.0 )"),
         (
             f"{CLIENT}.wait_for_service()  # patiently",
-            f"if not {CLIENT}.wait_for_service(timeout_sec=5.0):  # patiently\n"
-            "    self.get_logger().warning('the service far is not there')",
+            f"while rclpy.ok() and not {CLIENT}.wait_for_service(timeout_sec=5.0):  # patiently\n"
+            "    self.get_logger().warning('waiting for the service far')",
         ),
         (
             f"{SERVER}.wait_for_server(\n    # patiently\n)",
-            f"if not {SERVER}.wait_for_server(timeout_sec=5.0\n    # patiently\n):\n"
-            "    self.get_logger().warning('the action server count is not there')",
+            f"while rclpy.ok() and not {SERVER}.wait_for_server(timeout_sec=5.0\n    # patiently\n):\n"
+            "    self.get_logger().warning('waiting for the action server count')",
         ),
         (
             f"while not {CLIENT}.wait_for_service(): pass",
             f"while rclpy.ok() and not {CLIENT}.wait_for_service(timeout_sec=5.0): pass",
         ),
-        (f"x = 1; {CLIENT}.wait_for_service()", f"x = 1; {CLIENT}.wait_for_service(timeout_sec=5.0)"),
-        ("wait_for_message(String, self, 'x')", "wait_for_message(String, self, 'x', time_to_wait=5.0)"),
-        ("wait_for_message(String, self, ('x'),)", "wait_for_message(String, self, ('x'), time_to_wait=5.0,)"),
         (
-            "wait_for_message(\n    String,\n    self,\n    'x',  # what is said\n)",
-            "wait_for_message(\n    String,\n    self,\n    'x', time_to_wait=5.0,  # what is said\n)",
+            f"ok = {CLIENT}.wait_for_service(); print(ok)",
+            f"ok = {CLIENT}.wait_for_service(timeout_sec=5.0); print(ok)",
+        ),
+        (
+            "_, said = wait_for_message(String, self, ('x'),)",
+            "_, said = wait_for_message(String, self, ('x'), time_to_wait=5.0,)\n"
+            "if said is None:\n    raise TimeoutError('no message came within 5.0 s')",
+        ),
+        (
+            "_, said = wait_for_message(\n    String,\n    self,\n    'x',  # what is said\n)",
+            "_, said = wait_for_message(\n    String,\n    self,\n    'x', time_to_wait=5.0,  # what is said\n)\n"
+            "if said is None:\n    raise TimeoutError('no message came within 5.0 s')",
+        ),
+        (
+            "came, said = wait_for_message(String, self, 'x')\nprint(said if came else '')",
+            "came, said = wait_for_message(String, self, 'x', time_to_wait=5.0)\nprint(said if came else '')",
         ),
     ],
 )
 def test_a_wait_gets_a_limit(workbench: Workbench, before: str, after: str):
-    assert workbench.fix(before.replace("\n", "\n        "), code="TMO001") == after
+    assert workbench.fix(before.replace("\n", "\n        "), code="TMO001") == before  # unsafe: not by --fix alone
+    assert workbench.fix(before.replace("\n", "\n        "), "--unsafe-fixes", code="TMO001") == after
+
+
+@pytest.mark.parametrize(
+    "line",
+    [
+        f"x = 1; {CLIENT}.wait_for_service()",  # no line of its own for what is to be said
+        f"ok = {CLIENT}.wait_for_service()",  # nobody would read the answer
+        "wait_for_message(String, self, 'x')",
+        "said = wait_for_message(String, self, 'x')[1]",
+        f"self.create_timer(5.0, lambda: {CLIENT}.wait_for_service())",  # a callback had better not wait
+    ],
+)
+def test_a_limit_alone_would_only_hide_the_wait(workbench: Workbench, line: str):
+    assert workbench.fix(line, "--unsafe-fixes", code="TMO001") == line
 
 
 def test_a_limited_wait_breaks_no_other_rule_about_time(workbench: Workbench, capsys: pytest.CaptureFixture[str]):
     for line in (f"{CLIENT}.wait_for_service()", f"while not {CLIENT}.wait_for_service(): pass"):
-        workbench.fix(line, code="TMO001")
+        workbench.fix(line, "--unsafe-fixes", code="TMO001")
         capsys.readouterr()
         assert main(["check", "--select", "TMO", "--no-cache", "--format", "concise"]) == 0, capsys.readouterr().out
 
@@ -132,16 +163,16 @@ main()
     [
         (
             "node.create_client(Trigger, 'far')",
-            "if not client.wait_for_service(timeout_sec=5.0):\n"
-            "        node.get_logger().warning('the service far is not there')",
+            "while rclpy.ok() and not client.wait_for_service(timeout_sec=5.0):\n"
+            "        node.get_logger().warning('waiting for the service far')",
         ),
         ("make(node)", None),  # whose client this is, only another function tells
     ],
 )
 def test_a_wait_in_a_function(workbench: Workbench, made: str, after: str | None):
     workbench.file.write_text(WAITING_SCRIPT.format(made, "client.wait_for_service()"), encoding="utf-8")
-    main(["check", "--fix", "--select", "TMO001", "--no-cache"])
-    expected = "client.wait_for_service(timeout_sec=5.0)" if after is None else after
+    main(["check", "--fix", "--unsafe-fixes", "--select", "TMO001", "--no-cache"])
+    expected = "client.wait_for_service()" if after is None else after
     assert workbench.file.read_text("utf-8") == WAITING_SCRIPT.format(made, expected)
 
 
@@ -164,21 +195,63 @@ SPIN = "rclpy.spin_until_future_complete"
 def test_a_spin_gets_a_limit(workbench: Workbench, arguments: str, after: str):
     future = f"{CLIENT}.call_async(Trigger.Request())"
     line = f"{SPIN}({arguments.replace('F', future)})"
-    assert workbench.fix(line, code="TMO003") == f"{SPIN}({after.replace('F', future)})"
+    assert workbench.fix(line, code="TMO003") == line  # unsafe: not by --fix alone
+    assert workbench.fix(line, "--unsafe-fixes", code="TMO003") == f"{SPIN}({after.replace('F', future)})"
 
 
-def test_a_goal_may_take_longer_than_a_safe_fix_would_allow(workbench: Workbench):
+@pytest.mark.parametrize(
+    ("rest", "added"),
+    [
+        (
+            "print(asked.result().success)",
+            "if not asked.done():\n    raise TimeoutError('no answer came within 5.0 s')\n",
+        ),
+        ("if asked.done():\n    print(asked.result())", ""),
+        ("if asked.result() is not None:\n    print(asked.result())", ""),
+    ],
+    ids=["a result that would be None", "the code asks itself", "the code asks for the result"],
+)
+def test_after_a_limited_spin_the_future_is_asked(workbench: Workbench, rest: str, added: str):
+    asked = f"asked = {CLIENT}.call_async(Trigger.Request())"
+    lines = f"{asked}\n{SPIN}(self, asked)\n{rest}".replace("\n", "\n        ")
+    fixed = workbench.fix(lines, "--unsafe-fixes", code="TMO003")
+    assert fixed == f"{asked}\n{SPIN}(self, asked, timeout_sec=5.0)\n{added}{rest}"
+
+
+def test_a_goal_may_take_longer_than_any_limit_of_ours(workbench: Workbench):
     goal = f"handle = {SERVER}.send_goal_async(Fibonacci.Goal()).result()"
     line = f"{goal}; done = handle.get_result_async(); {SPIN}(self, done)"
-    assert workbench.fix(line, code="TMO003") == line
-    assert workbench.fix(line, "--unsafe-fixes", code="TMO003").endswith(f"{SPIN}(self, done, timeout_sec=5.0)")
+    assert workbench.fix(line, "--unsafe-fixes", code="TMO003") == line
 
 
-def test_a_call_gets_a_limit_where_the_distribution_has_one(workbench: Workbench):
+IN_A_THREAD = f"""def ask():
+    answer = {CLIENT}.call(Trigger.Request())
+    print(answer.success)
+threading.Thread(target=ask).start()""".replace("\n", "\n        ")
+
+
+@pytest.mark.parametrize(
+    ("distro", "added"),
+    [
+        ("humble", None),
+        ("jazzy", "    if answer is None:\n        raise TimeoutError('no answer came within 5.0 s')\n"),
+        ("kilted", ""),  # call() raises by itself
+        ("rolling", ""),
+    ],
+)
+def test_a_call_gets_a_limit_where_the_distribution_has_one(workbench: Workbench, distro: str, added: str | None):
+    before = workbench.fix(IN_A_THREAD, "--unsafe-fixes", code="TMO002")  # humble is among those that are supported
+    (workbench.folder / "archlint.toml").write_text(f'distro = "{distro}"\n')
+    assert workbench.fix(IN_A_THREAD, code="TMO002") == before  # unsafe: not by --fix alone
+    after = workbench.fix(IN_A_THREAD, "--unsafe-fixes", code="TMO002")
+    limited = before.replace("Request())\n", f"Request(), timeout_sec=5.0)\n{added}")
+    assert after == (before if added is None else limited)
+
+
+def test_a_limit_is_no_help_where_nobody_spins(workbench: Workbench):
     line = f"{CLIENT}.call(Trigger.Request())"
-    assert workbench.fix(line, code="TMO002") == line
     (workbench.folder / "archlint.toml").write_text('distro = "jazzy"\n')
-    assert workbench.fix(line, code="TMO002") == f"{CLIENT}.call(Trigger.Request(), timeout_sec=5.0)"
+    assert workbench.fix(line, "--unsafe-fixes", code="TMO002") == line
 
 
 def test_a_name_becomes_a_parameter(workbench: Workbench):
@@ -442,11 +515,11 @@ def test_a_dependency_is_declared(tmp_path: Path, monkeypatch: pytest.MonkeyPatc
 def test_a_diff_changes_nothing(workbench: Workbench, capsys: pytest.CaptureFixture[str]):
     before = HEAD + f"        {CLIENT}.wait_for_service()\n" + TAIL
     workbench.file.write_text(before, encoding="utf-8")
-    assert main(["check", "--diff", "--select", "TMO001", "--no-cache"]) == 1
+    assert main(["check", "--diff", "--unsafe-fixes", "--select", "TMO001", "--no-cache"]) == 1
     assert [line for line in capsys.readouterr().out.splitlines() if line[:2] in ("+ ", "- ")] == [
         f"-        {CLIENT}.wait_for_service()",
-        f"+        if not {CLIENT}.wait_for_service(timeout_sec=5.0):",
-        "+            self.get_logger().warning('the service far is not there')",
+        f"+        while rclpy.ok() and not {CLIENT}.wait_for_service(timeout_sec=5.0):",
+        "+            self.get_logger().warning('waiting for the service far')",
     ]
     assert workbench.file.read_text("utf-8") == before
 
@@ -488,7 +561,7 @@ def test_a_read_only_file_is_an_error(workbench: Workbench, capsys: pytest.Captu
     other = workbench.folder / "another.py"
     other.write_text(LINE, encoding="utf-8")
     workbench.file.chmod(0o444)
-    assert main(["check", "--fix", "--select", "TMO001", "--no-cache"]) == 2
+    assert main(["check", "--fix", "--unsafe-fixes", "--select", "TMO001", "--no-cache"]) == 2
     assert "cannot write worker.py: the file is read-only" in capsys.readouterr().err
     assert workbench.file.read_text("utf-8") == other.read_text("utf-8") == LINE  # all or nothing
 
@@ -498,7 +571,7 @@ def test_a_linked_file_is_written_through(workbench: Workbench):
     real.parent.mkdir()
     real.write_text(LINE, encoding="utf-8")
     workbench.file.symlink_to(real)
-    main(["check", "--fix", "--select", "TMO001", "--no-cache"])
+    main(["check", "--fix", "--unsafe-fixes", "--select", "TMO001", "--no-cache"])
     assert workbench.file.is_symlink()
     assert "timeout_sec=5.0" in real.read_text("utf-8")
     assert sorted(path.name for path in real.parent.iterdir()) == ["real.txt"]
@@ -544,10 +617,3 @@ def test_a_base_class_in_another_file(workbench: Workbench, bases: str):
     main(["check", "--fix", "--unsafe-fixes", "--select", "NME001", "--no-cache"])
     after = derived.read_text("utf-8")
     assert after == before if bases != "Node" else "self.declare_parameter('said_topic_2', '/said')" in after
-
-
-def test_no_fix_for_a_call_in_humble(workbench: Workbench):
-    line = f"{CLIENT}.call(Trigger.Request())"
-    for distro, fixed in (("humble", False), ("jazzy", True), ("kilted", True), ("lyrical", True), ("rolling", True)):
-        (workbench.folder / "archlint.toml").write_text(f'distro = "{distro}"\n')
-        assert ("timeout_sec" in workbench.fix(line, code="TMO002")) is fixed, distro

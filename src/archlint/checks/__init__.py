@@ -7,6 +7,7 @@ MODULES: tuple[str, ...] = (
     "callback_waits",
     "launch",
     "launch_values",
+    "limitless_calls",
     "handlers",
     "hardcoded",
     "names",

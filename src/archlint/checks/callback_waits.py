@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 from archlint.checks import blocking
 from archlint.checks.callback_roles import callback_words, related_to, runs_in_executor
-from archlint.checks.deadlock import Verdict, group_relation, judge_spin, judge_wait, threads_of
+from archlint.checks.deadlock import Verdict, group_relation, judge_spin, threads_of
 from archlint.checks.early_results import EarlyResult, early_results
 from archlint.checks.event_waits import EventWait, event_waits
 from archlint.checks.reach import (
@@ -21,7 +21,8 @@ from archlint.checks.reach import (
     one_for_each_place,
 )
 from archlint.checks.registry import Options, finding, rule
-from archlint.checks.waits import Wait, waits
+from archlint.checks.stuck import is_spin, stuck_waits
+from archlint.checks.waits import Wait
 from archlint.finding import Finding, Severity
 from archlint.program.values import Instance, NodeValue, alternatives
 
@@ -131,13 +132,7 @@ def shared_exclusive_group(system: System, options: Options) -> Iterator[Finding
 
 def _judged(system: System, options: Options) -> Iterator[tuple[Wait, Verdict]]:
     """The waits of callbacks other than service handlers that do not end well, for certain."""
-    for wait in waits(system):
-        callback = wait.call.context
-        if wait.kind == blocking.SPIN or callback.role == "service" or not runs_in_executor(callback):
-            continue
-        verdict = judge_wait(wait.kind, wait.call, wait.client, wait.program, wait.limited, options.distros)
-        if not verdict.safe and not verdict.unknown:
-            yield wait, verdict
+    return (row for row in stuck_waits(system, options.distros) if not is_spin(row[0]))
 
 
 def _by_group(wait: Wait) -> bool:

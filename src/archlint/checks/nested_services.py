@@ -6,15 +6,17 @@ from collections.abc import Iterator
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
-from archlint.checks.deadlock import AWAIT, CALL, SPIN, Verdict, judge_wait, related_executor
+from archlint.checks.deadlock import AWAIT, CALL, SPIN, Verdict, related_executor
 from archlint.checks.reach import (
     endpoint_words,
     node_name,
+    one_for_each_place,
     related_chain,
     related_creation,
 )
 from archlint.checks.registry import Options, finding, rule
-from archlint.checks.waits import Wait, waits
+from archlint.checks.stuck import nested_waits
+from archlint.checks.waits import Wait
 from archlint.finding import Finding, Related, Severity
 
 if TYPE_CHECKING:
@@ -24,31 +26,33 @@ if TYPE_CHECKING:
 
 _OTHERS_SHOWN = 5
 
-_INSTEAD = (
-    "answer from what a topic has told, or send the request with call_async(), return, and report the "
-    "outcome on a topic; a task of several steps is an action"
-)
+_NAMES_SHOWN = 3
+
+_INSTEAD = "send the request with call_async(), return, and report the outcome on a topic from the done callback"
 _HELP = {
-    CALL: f"{_INSTEAD}; if the call must stay, give the client a callback group of its own and spin the node "
-    "with a MultiThreadedExecutor",
-    AWAIT: "give the client a callback group of its own (callback_group=MutuallyExclusiveCallbackGroup()), "
-    f"or {_INSTEAD}",
+    CALL: _INSTEAD,
+    AWAIT: "give the client a callback group of its own (callback_group=MutuallyExclusiveCallbackGroup())",
     SPIN: f"a callback cannot spin its own node: {_INSTEAD}",
 }
-_HELP_WHERE_SAFE = "the caller waits for both services, and a slow one makes the other slow: " + _INSTEAD
+
+_Row = tuple[Wait, Verdict, "list[Wait]"]
+"""A wait, what becomes of it, and the waits of other handlers at the same place."""
 
 
 @rule("SRV003")
 def nested_service_call(system: System, options: Options) -> Iterator[Finding]:
-    """Waits that the handler of a service reaches; one finding a place, for the handler that is worst off."""
+    """Waits that the handler of a service reaches: one finding a handler, and a place for the handler that is worst
+    off."""
     judged: dict[Place, list[tuple[Wait, Verdict]]] = {}
-    for wait in waits(system):
-        if wait.call.context.role == "service":
-            verdict = judge_wait(wait.kind, wait.call, wait.client, wait.program, wait.limited, options.distros)
-            judged.setdefault(wait.call.place, []).append((wait, verdict))
+    for wait, verdict in nested_waits(system, options.distros):
+        judged.setdefault(wait.call.place, []).append((wait, verdict))
+    handlers: dict[tuple[Place, str], list[_Row]] = {}
     for place in sorted(judged):
-        ordered = sorted(judged[place], key=_worst_first)
-        yield _nested(system, *ordered[0], [wait for wait, _ in ordered[1:]])
+        (wait, verdict), *others = sorted(judged[place], key=_worst_first)
+        handler = wait.call.context
+        row = (wait, verdict, [other for other, _ in others])
+        handlers.setdefault((handler.place, handler.name), []).append(row)
+    yield from one_for_each_place(_nested(system, rows) for rows in handlers.values())
 
 
 def _worst_first(row: tuple[Wait, Verdict]) -> tuple[object, ...]:
@@ -56,25 +60,42 @@ def _worst_first(row: tuple[Wait, Verdict]) -> tuple[object, ...]:
     return (verdict.safe, verdict.unknown, len(wait.call.chain), wait.call.context.place, wait.call.context.name)
 
 
-def _nested(system: System, wait: Wait, verdict: Verdict, others: list[Wait]) -> Finding:
+def _nested(system: System, rows: list[_Row]) -> Finding:
+    # Where one wait hangs, those that follow are never reached.
+    wait, verdict, others = min(rows, key=lambda row: (row[1].safe, row[1].unknown, row[0].call.place))
     call, handler = wait.call, wait.call.context
+    further = [row[0] for row in rows if row[0] is not wait]
     service = endpoint_words(handler.creation)
+    awaited = _all_words([wait, *further]) if verdict.safe else endpoint_words(wait.client)
     found = finding(
         "SRV003",
         call.place,
-        f"the handler of {service} waits for {endpoint_words(wait.client)}{_outcome(verdict)}",
-        help=_HELP_WHERE_SAFE if verdict.safe else _HELP[wait.kind],
+        f"the handler of {service} waits for {awaited}{_outcome(wait, verdict)}",
+        help=_INSTEAD if verdict.safe else _HELP[wait.kind],
         related=[
             Related(handler.place, f"{handler.name} handles {service}"),
             *related_chain(call),
             *related_creation(wait.client),
             *related_executor(handler.node, wait.program),
+            *(Related(one.call.place, f"it waits for {endpoint_words(one.client)}, too") for one in further),
             *_other_handlers(handler, others),
         ],
         node=node_name(system, handler.node),
         identity=(handler.name, wait.client.name.text or "", call.api),
     )
     return replace(found, severity=Severity.WARNING) if verdict.safe else found
+
+
+def _all_words(waits: list[Wait]) -> str:
+    """``the service 'a' and the service 'b' one after the other``."""
+    words = list(dict.fromkeys(endpoint_words(wait.client) for wait in waits))
+    if len(waits) == 1:
+        return words[0]
+    if len(words) == 1:
+        return f"{words[0]}, {len(waits)} times"
+    if len(words) > _NAMES_SHOWN:
+        words[_NAMES_SHOWN - 1 :] = [f"{len(words) - _NAMES_SHOWN + 1} more"]
+    return f"{', '.join(words[:-1])} and {words[-1]} one after the other"
 
 
 def _other_handlers(first: Callback, waits: list[Wait]) -> Iterator[Related]:
@@ -88,9 +109,19 @@ def _other_handlers(first: Callback, waits: list[Wait]) -> Iterator[Related]:
             yield Related(handler.place, f"{handler.name}, which handles {service}, gets there too")
 
 
-def _outcome(verdict: Verdict) -> str:
+def _outcome(wait: Wait, verdict: Verdict) -> str:
     if verdict.safe:
-        return f", which only stalls its callback group: {verdict.why}"
+        return f", which works here ({verdict.why}), but meanwhile {_cost(wait)}"
     if verdict.unknown:
         return f", which may never come: {verdict.why}"
     return f" and {verdict.words}: {verdict.why}"
+
+
+def _cost(wait: Wait) -> str:
+    """What a wait costs that ends well."""
+    handler = wait.call.context
+    others = handler.node.callbacks if handler.node is not None else []
+    exclusive = handler.group is not None and handler.group.kind != "reentrant"
+    if exclusive and any(other.group == handler.group and other.place != handler.place for other in others):
+        return "its own caller waits, and no other callback of its group runs"
+    return "its own caller waits" + ("" if wait.kind == AWAIT else ", and one thread less is there for the others")

@@ -237,6 +237,8 @@ def _runs(system: System) -> Iterator[list[_Step]]:
         call = wait.call
         if not (runs_in_executor(call.context) or (call.looped and call.context.role in ("main", "thread"))):
             continue
+        if call.context.role == "service":
+            continue  # SRV003 says of a handler that it waits, and for how many answers
         if wait.kind != AWAIT and any(_retries(loop) for loop in call.loops):
             continue
         for way, rounds in ((call.chain, call.rounds), *call.ways):

@@ -1,10 +1,12 @@
-"""TMO001, TMO002, TMO003 and TMO005: waits without a limit, and limits whose outcome nobody reads."""
+"""TMO001, TMO003 and TMO005: waits without a limit, and limits whose outcome nobody reads."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
+from archlint.checks.callback_roles import runs_in_executor
 from archlint.checks.reach import (
     argument,
     calls_of,
@@ -12,6 +14,7 @@ from archlint.checks.reach import (
     endpoint_words,
     has_limit,
     node_name,
+    once_for_each_system,
     one_for_each_place,
     related_chain,
     related_creation,
@@ -19,7 +22,9 @@ from archlint.checks.reach import (
     waits_for_ever,
 )
 from archlint.checks.registry import Options, finding, rule
+from archlint.checks.stuck import spoken_of
 from archlint.facts import model as facts
+from archlint.facts.walk import called_name, calls_in
 from archlint.finding import Finding, Place, Related
 from archlint.program.values import External, Instance, Known
 
@@ -36,24 +41,9 @@ _LIMIT = {
     WAIT_FOR_SERVER: "timeout_sec",
     WAIT_FOR_MESSAGE: "time_to_wait",
 }
-_CALL = "rclpy.client.Client.call"
-_SEND_GOAL = "rclpy.action.client.ActionClient.send_goal"
 _SPIN = "rclpy.spin_until_future_complete"
 _EXECUTOR_SPIN = "rclpy.executors.Executor.spin_until_future_complete"
-_IN_CALLBACKS = frozenset(
-    {
-        "subscription",
-        "timer",
-        "service",
-        "execute",
-        "goal",
-        "cancel",
-        "accepted",
-        "feedback",
-        "done",
-        "parameter",
-    }
-)
+_COMPLETE = tuple(f"rclpy.task.Future.{name}" for name in ("set_result", "set_exception", "cancel"))
 
 
 @rule("TMO001")
@@ -68,73 +58,46 @@ def wait_without_timeout(system: System, options: Options) -> Iterator[Finding]:
 
 
 def _limitless_wait(system: System, call: ApiCall) -> Finding:
-    function, limit = call.api.rpartition(".")[2], _LIMIT[call.api]
-    awaited = "a message" if call.api == WAIT_FOR_MESSAGE else endpoint_words(call.creation, _kind(call))
-    look = "received, message = " if call.api == WAIT_FOR_MESSAGE else "if not "
-    return finding(
+    function = call.api.rpartition(".")[2]
+    awaited = "a message" if call.api == WAIT_FOR_MESSAGE else endpoint_words(call.creation, kind_of(call))
+    found = finding(
         "TMO001",
         call.place,
         f"{function}() waits for {awaited} without limit: if it never comes, nothing after this line runs",
-        help=f"set a limit and look at the answer: {look}{function}(…, {limit}=5.0)"
-        if call.api == WAIT_FOR_MESSAGE
-        else f"set a limit and look at the answer: {look}….{function}({limit}=5.0):",
+        help=_help_for_wait(call, function),
         related=way_to(call, call.creation if call.api != WAIT_FOR_MESSAGE else None),
         node=node_name(system, call.node or call.context.node),
-        identity=(call.function, _name_of(call.creation), function),
+        identity=(call.function, name_of(call.creation), function),
     )
+    # Whoever waits in a callback had better not wait at all.
+    return replace(found, mendable=not runs_in_executor(call.context))
 
 
-@rule("TMO002")
-def call_without_timeout(system: System, options: Options) -> Iterator[Finding]:
-    """Blocking calls that wait for their answer without limit."""
-    yield from one_for_each_place(
-        _limitless_call(system, call, options.distros)
-        for _, call in calls_of(system, (_CALL, _SEND_GOAL))
-        if call.api == _SEND_GOAL or waits_for_ever(call, "timeout_sec", negative=False)
-    )
-
-
-def _limitless_call(system: System, call: ApiCall, distros: tuple[str, ...]) -> Finding:
-    function = call.api.rpartition(".")[2]
-    answer = "the result of" if call.api == _SEND_GOAL else "the answer of"
-    return finding(
-        "TMO002",
-        call.place,
-        f"{function}() waits for {answer} {endpoint_words(call.creation, _kind(call))} without limit: "
-        "if it is lost, this never returns",
-        help=_help_for_call(call, distros),
-        related=way_to(call, call.creation),
-        node=node_name(system, call.node or call.context.node),
-        identity=(call.function, _name_of(call.creation), function),
-    )
-
-
-def _help_for_call(call: ApiCall, distros: tuple[str, ...]) -> str:
-    if call.api == _SEND_GOAL:
+def _help_for_wait(call: ApiCall, function: str) -> str:
+    """What to write; a callback does not wait, or everything else of its node waits with it."""
+    of_message = call.api == WAIT_FOR_MESSAGE
+    if runs_in_executor(call.context):
         return (
-            "send_goal() has no timeout: use send_goal_async() with done callbacks, "
-            "or spin on its future with a timeout"
+            "subscribe, and go on in the callback" if of_message else f"ask without waiting: if not ….{_ready(call)}():"
         )
-    in_callback = call.context.role in _IN_CALLBACKS
-    asynchronous = (
-        "call_async() and a done callback"
-        if in_callback
-        else "call_async() and rclpy.spin_until_future_complete(node, future, timeout_sec=2.0)"
-    )
-    if distros == ("humble",):
-        return f"call() has no timeout in humble: use {asynchronous}"
-    if "humble" in distros:
-        return f"jazzy and later: call(request, timeout_sec=2.0); in every distribution: {asynchronous}"
-    return f"call(request, timeout_sec=2.0), or {asynchronous}"
+    if of_message:
+        return f"set a limit and look at the answer: received, message = {function}(…, {_LIMIT[call.api]}=5.0)"
+    return f"set a limit and look at the answer: if not ….{function}({_LIMIT[call.api]}=5.0):"
+
+
+def _ready(call: ApiCall) -> str:
+    return "server_is_ready" if kind_of(call) == "action" else "service_is_ready"
 
 
 @rule("TMO003")
 def spin_without_timeout(system: System, options: Options) -> Iterator[Finding]:
     """Spins until a future is complete that nothing limits."""
+    told = spoken_of(system, options.distros)
     yield from one_for_each_place(
         _limitless_spin(system, call)
         for _, call in calls_of(system, (_SPIN, _EXECUTOR_SPIN))
-        if waits_for_ever(call, "timeout_sec") and not _own_future(call)
+        if waits_for_ever(call, "timeout_sec") and call.place not in told
+        if not _own_future(call) or _waits_for_a_message(system, call)
     )
 
 
@@ -144,10 +107,46 @@ def _own_future(call: ApiCall) -> bool:
     return isinstance(future, Instance) and isinstance(future.cls, External)
 
 
+def _waits_for_a_message(system: System, call: ApiCall) -> bool:
+    """Whether only a subscription completes the future, and what it brings is read afterwards.  A program may well
+    spin until a message tells it to stop; then nobody reads what the future holds."""
+    future = argument(call, "future")
+    if not isinstance(future, Instance) or _completed_by(system).get(future.key) != {"subscription"}:
+        return False
+    given = call.expression.args if call.expression is not None else []
+    names = {_dotted(one.value) for one in given} - {""}
+    read = (one.func.value for one in calls_in(call.body) if isinstance(one.func, facts.Attribute))
+    return any(called_name(one) == "result" for one in calls_in(call.body)) and any(
+        _dotted(one) in names for one in read
+    )
+
+
+def _dotted(expression: facts.Expr) -> str:
+    """``self.node.future`` as written; empty for anything else."""
+    if isinstance(expression, facts.Name):
+        return expression.id
+    if not isinstance(expression, facts.Attribute):
+        return ""
+    owner = _dotted(expression.value)
+    return f"{owner}.{expression.attr}" if owner else ""
+
+
+@once_for_each_system
+def _completed_by(system: System) -> dict[int, set[str]]:
+    """The roles of the code that completes the futures which the program makes itself."""
+    found: dict[int, set[str]] = {}
+    for _, call in calls_of(system, _COMPLETE):
+        if isinstance(call.receiver, Instance):
+            found.setdefault(call.receiver.key, set()).add(call.context.role)
+    return found
+
+
 def _limitless_spin(system: System, call: ApiCall) -> Finding:
     clients = creations_of(argument(call, "future"))
     client = clients[0] if len({creation.place for creation in clients}) == 1 else None
     awaited = f"the answer of {endpoint_words(client)}" if client else "the future"
+    if _own_future(call):
+        awaited = "the message that completes the future"
     return finding(
         "TMO003",
         call.place,
@@ -155,7 +154,7 @@ def _limitless_spin(system: System, call: ApiCall) -> Finding:
         help="set timeout_sec, and ask future.done() afterwards",
         related=way_to(call, client),
         node=node_name(system, call.context.node),
-        identity=(call.function, _name_of(client), "spin_until_future_complete"),
+        identity=(call.function, name_of(client), "spin_until_future_complete"),
     )
 
 
@@ -173,8 +172,30 @@ def ignored_wait_result(system: System, options: Options) -> Iterator[Finding]:
 
 
 def _thrown_away(call: ApiCall) -> bool:
+    """Whether nobody looks at what a call says: it stands alone, or in a variable that nobody reads."""
     statement = call.statement
-    return isinstance(statement, facts.Expression) and same_expression(statement.value, call.expression)
+    if isinstance(statement, facts.Expression):
+        return same_expression(statement.value, call.expression)
+    if not isinstance(statement, facts.Assign) or not same_expression(statement.value, call.expression):
+        return False
+    names = [target.id for target in statement.targets if isinstance(target, facts.Name)]
+    return len(names) == len(statement.targets) and not _reads(call.body, names)
+
+
+def _reads(fact: object, names: list[str]) -> bool:
+    """Whether code, that of the functions inside it too, reads one of some variables, or passes all of them on."""
+    if isinstance(fact, (list, tuple)):
+        return any(_reads(one, names) for one in fact)
+    if isinstance(fact, facts.Name):
+        return fact.id in names or fact.id in ("locals", "vars", "eval")
+    if isinstance(fact, facts.Global):
+        return not set(names).isdisjoint(fact.names)
+    if isinstance(fact, facts.Opaque):
+        return fact.what not in ("bytes", "huge integer")
+    if isinstance(fact, facts.Assign):
+        targets = [one for one in fact.targets if not isinstance(one, facts.Name)]
+        return _reads(fact.value, names) or _reads(targets, names)
+    return isinstance(fact, facts.Base) and any(_reads(getattr(fact, one), names) for one in fact.__struct_fields__)
 
 
 def _clients_asked_for(system: System) -> set[Place]:
@@ -188,24 +209,23 @@ def _clients_asked_for(system: System) -> set[Place]:
 
 def _ignored(system: System, call: ApiCall) -> Finding:
     function = call.api.rpartition(".")[2]
-    ready = "server_is_ready" if call.api == WAIT_FOR_SERVER else "service_is_ready"
     return finding(
         "TMO005",
         call.place,
-        f"nobody looks at what {function}() says about {endpoint_words(call.creation, _kind(call))}: "
+        f"nobody looks at what {function}() says about {endpoint_words(call.creation, kind_of(call))}: "
         "when the time is up, the code goes on as if it were there",
-        help=f"if not ….{function}(…): do without it; or ask {ready}() before each request",
+        help=f"look at the answer, and do without the server where it is not there: if not ….{function}(…):",
         related=way_to(call, call.creation),
         node=node_name(system, call.node or call.context.node),
-        identity=(call.function, _name_of(call.creation), function),
+        identity=(call.function, name_of(call.creation), function),
     )
 
 
-def _kind(call: ApiCall) -> str:
+def kind_of(call: ApiCall) -> str:
     return "action" if call.api.startswith("rclpy.action.") else "service"
 
 
-def _name_of(creation: Creation | None) -> str:
+def name_of(creation: Creation | None) -> str:
     return "" if creation is None else creation.name.text or ""
 
 
@@ -213,7 +233,7 @@ def way_to(call: ApiCall, client: Creation | None) -> list[Related]:
     """The calls on the way from a callback; what leads there from ``main`` goes without saying, but for the
     call that leaves out a limit which this one passes on."""
     hops = list(related_chain(call))
-    if call.context.role not in _IN_CALLBACKS:
+    if not runs_in_executor(call.context):
         hops = hops[-1:] if _passed_on(call) else []
     return [*hops, *related_creation(client)]
 

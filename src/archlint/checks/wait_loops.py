@@ -3,18 +3,22 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
+from archlint.checks.callback_roles import runs_in_executor
 from archlint.checks.reach import (
     calls_of,
+    creations_of,
     endpoint_words,
     has_limit,
     node_name,
 )
 from archlint.checks.registry import Options, finding, rule
+from archlint.checks.stuck import nested_waits
 from archlint.checks.timeouts import READY, WAIT_FOR_SERVER, WAIT_FOR_SERVICE, way_to
 from archlint.facts import model as facts
-from archlint.finding import Finding
+from archlint.finding import Finding, Severity
 
 if TYPE_CHECKING:
     from archlint.program.model import ApiCall
@@ -35,26 +39,41 @@ _PASTIMES = frozenset(
 @rule("TMO004")
 def endless_wait_loop(system: System, options: Options) -> Iterator[Finding]:
     """Loops that go round until a server appears, and that nothing else ends."""
-    loops: dict[tuple[str, facts.Span], ApiCall] = {}
+    asked = {
+        (wait.call.context.place, creation.place)
+        for wait, _ in nested_waits(system, options.distros)
+        for creation in creations_of(wait.call.receiver) or (wait.client,)
+    }
+    loops: dict[tuple[str, facts.Span], list[ApiCall]] = {}
     for _, call in calls_of(system, (WAIT_FOR_SERVICE, WAIT_FOR_SERVER, *READY)):
-        if (call.api in READY or has_limit(call, "timeout_sec")) and _only_the_server_ends(call):
-            loops.setdefault((call.place.file, call.loops[-1].span), call)
+        if not (call.api in READY or has_limit(call, "timeout_sec")) or not _only_the_server_ends(call):
+            continue
+        # A handler that asks the server afterwards is SRV003's: this is part of the same wait.
+        if asked.isdisjoint((call.context.place, client.place) for client in creations_of(call.receiver)):
+            loops.setdefault((call.place.file, call.loops[-1].span), []).append(call)
     yield from (_endless(system, loops[key]) for key in sorted(loops))
 
 
-def _endless(system: System, call: ApiCall) -> Finding:
+def _endless(system: System, calls: Sequence[ApiCall]) -> Finding:
+    """A callback that loops holds up its node; a program that starts up has nothing else to do yet."""
+    in_callback = [call for call in calls if runs_in_executor(call.context)]
+    call = (in_callback or calls)[0]
     kind = "action" if call.api.startswith("rclpy.action.") else "service"
-    return finding(
+    missing = endpoint_words(call.creation, kind)
+    ready = "server_is_ready" if kind == "action" else "service_is_ready"
+    stands = "the callback never returns, and its thread is lost" if in_callback else "the node never goes on"
+    found = finding(
         "TMO004",
         call.place,
-        f"only the appearance of {endpoint_words(call.creation, kind)} ends this loop: without it the node "
-        "never goes on",
-        help="count the attempts or watch the clock, then do without it; a node that is of no use without it "
-        "loops while rclpy.ok()",
+        f"only the appearance of {missing} ends this loop: without it {stands}",
+        help=f"ask without waiting, and do without it: if not ….{ready}():"
+        if in_callback
+        else "let the loop end with ROS: while rclpy.ok() and not …:",
         related=way_to(call, call.creation),
         node=node_name(system, call.node or call.context.node),
         identity=(call.function, "" if call.creation is None else call.creation.name.text or "", "loop"),
     )
+    return found if in_callback else replace(found, severity=Severity.INFO)
 
 
 def _only_the_server_ends(call: ApiCall) -> bool:

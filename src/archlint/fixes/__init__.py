@@ -80,7 +80,7 @@ def attach(findings: Iterable[Finding], around: Surroundings, faults: Faults | N
 
 def _with_fix(finding: Finding, around: Surroundings) -> Finding:
     builder = BUILDERS.get(finding.code)
-    if builder is None or finding.fix is not None:
+    if builder is None or finding.fix is not None or not finding.mendable:
         return finding
     source = around.source(finding.place.file)
     fix = None if source is None else builder(finding, source, around)

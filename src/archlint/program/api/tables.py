@@ -363,6 +363,9 @@ ROWS = [
     _row("rclpy.action.server.ServerGoalHandle.canceled", "response", watched=True),
     _row("rclpy.task.Future.result", "", effect="future_result", watched=True),
     _row("rclpy.task.Future.done", "", watched=True),
+    _row("rclpy.task.Future.set_result", "result", watched=True),
+    _row("rclpy.task.Future.set_exception", "exception", watched=True),
+    _row("rclpy.task.Future.cancel", "", watched=True),
     _row("rclpy.publisher.Publisher.publish", "msg", watched=True),
     # ---- spinning
     _row("rclpy.spin", "node executor", effect="spin", watched=True),

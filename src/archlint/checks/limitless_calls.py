@@ -1,0 +1,86 @@
+"""TMO002: blocking calls that wait for their answer without limit, and what to write in their place."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import replace
+from typing import TYPE_CHECKING
+
+from archlint.checks.callback_roles import runs_in_executor
+from archlint.checks.reach import calls_of, endpoint_words, node_name, one_for_each_place, waits_for_ever
+from archlint.checks.registry import Options, finding, rule
+from archlint.checks.stuck import spoken_of
+from archlint.checks.timeouts import kind_of, name_of, way_to
+from archlint.finding import Finding
+
+if TYPE_CHECKING:
+    from archlint.program.model import ApiCall, Program
+    from archlint.system.model import System
+
+_CALL = "rclpy.client.Client.call"
+_SEND_GOAL = "rclpy.action.client.ActionClient.send_goal"
+
+_ANOTHER = "another thread"
+_NOBODY = "nobody yet"
+_EXECUTOR = "its executor, later"
+_UNKNOWN = "nobody knows"
+
+
+@rule("TMO002")
+def call_without_timeout(system: System, options: Options) -> Iterator[Finding]:
+    """Blocking calls that wait for their answer without limit."""
+    told = spoken_of(system, options.distros)
+    yield from one_for_each_place(
+        _limitless_call(system, program, call, options.distros)
+        for program, call in calls_of(system, (_CALL, _SEND_GOAL))
+        if call.place not in told and (call.api == _SEND_GOAL or waits_for_ever(call, "timeout_sec", negative=False))
+    )
+
+
+def _limitless_call(system: System, program: Program, call: ApiCall, distros: tuple[str, ...]) -> Finding:
+    function = call.api.rpartition(".")[2]
+    answer = "the result of" if call.api == _SEND_GOAL else "the answer of"
+    spinner = _spinner(call, program)
+    found = finding(
+        "TMO002",
+        call.place,
+        f"{function}() waits for {answer} {endpoint_words(call.creation, kind_of(call))} without limit: "
+        "if it is lost, this never returns",
+        help=_help(call, spinner, distros),
+        related=way_to(call, call.creation),
+        node=node_name(system, call.node or call.context.node),
+        identity=(call.function, name_of(call.creation), function),
+    )
+    # Where nobody spins meanwhile, a limit would always expire.
+    return replace(found, mendable=spinner in (_ANOTHER, _UNKNOWN))
+
+
+def _spinner(call: ApiCall, program: Program) -> str:
+    """Who spins the client's node while the call waits: that decides what can replace the call."""
+    role = call.context.role
+    if runs_in_executor(call.context):
+        return _ANOTHER
+    node = call.node if call.creation is None else call.creation.node
+    if node is None or node.held or node.handed_out or role not in ("init", "main", "module", "thread"):
+        return _UNKNOWN
+    uses = program.executors_of(node)
+    if any(use.in_thread for use in uses) or (uses and role == "thread"):
+        return _ANOTHER
+    if role == "thread" or node.executor == "unknown":
+        return _UNKNOWN
+    return _EXECUTOR if any(node not in use.spells for use in uses) else _NOBODY
+
+
+def _help(call: ApiCall, spinner: str, distros: tuple[str, ...]) -> str:
+    goal = call.api == _SEND_GOAL
+    sent = "send_goal_async()" if goal else "call_async()"
+    if spinner == _NOBODY:
+        return f"{sent} and rclpy.spin_until_future_complete(node, future, timeout_sec=2.0)"
+    if spinner == _EXECUTOR:
+        # rclpy's own function would take the node from its executor for good.
+        return f"{sent} and executor.spin_until_future_complete(future, timeout_sec=2.0)"
+    if runs_in_executor(call.context) or spinner == _UNKNOWN:
+        return f"{sent} and go on in a done callback: future.add_done_callback(…)"
+    if not goal and "humble" not in distros:
+        return "call(request, timeout_sec=2.0)"
+    return f"another thread spins the node: {sent}, and event.wait(timeout=2.0) for an Event that a done callback sets"

@@ -1,0 +1,49 @@
+"""Waits that cannot end well where they stand: what is to be said of them says it all about the line.
+
+A rule about limits is silent there: a limit would always expire.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from typing import TYPE_CHECKING
+
+from archlint.checks import blocking
+from archlint.checks.callback_roles import runs_in_executor
+from archlint.checks.deadlock import Verdict, judge_wait
+from archlint.checks.waits import Wait, waits
+
+if TYPE_CHECKING:
+    from archlint.finding import Place
+    from archlint.system.model import System
+
+
+def nested_waits(system: System, distros: Sequence[str]) -> Iterator[tuple[Wait, Verdict]]:
+    """The waits of service handlers, each with what becomes of it (SRV003)."""
+    for wait in waits(system):
+        if wait.call.context.role == "service":
+            yield wait, _verdict(wait, distros)
+
+
+def stuck_waits(system: System, distros: Sequence[str]) -> Iterator[tuple[Wait, Verdict]]:
+    """The waits of other callbacks that do not end well, for certain (EXE002, CBG001; spins are EXE001's)."""
+    for wait in waits(system):
+        if wait.call.context.role == "service" or not runs_in_executor(wait.call.context):
+            continue
+        verdict = _verdict(wait, distros)
+        if not verdict.safe and not verdict.unknown:
+            yield wait, verdict
+
+
+def spoken_of(system: System, distros: Sequence[str]) -> frozenset[Place]:
+    """The calls of which these rules say that they wait in the wrong place."""
+    found = (*nested_waits(system, distros), *stuck_waits(system, distros))
+    return frozenset(wait.call.place for wait, _ in found)
+
+
+def _verdict(wait: Wait, distros: Sequence[str]) -> Verdict:
+    return judge_wait(wait.kind, wait.call, wait.client, wait.program, wait.limited, distros)
+
+
+def is_spin(wait: Wait) -> bool:
+    return wait.kind == blocking.SPIN
