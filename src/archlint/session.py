@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 from archlint.facts.deep_stack import call_with_deep_stack
 from archlint.faults import Faults
 from archlint.finding import Place
-from archlint.report.model import Judged, Report, summarise
+from archlint.report.model import Judged, Report, Summary, summarise
 from archlint.run_cache import RunCache
 from archlint.sources import PYTHON, Sources
 
@@ -58,8 +58,18 @@ def check(request: Request) -> Report:
             if facts.lasting and not any(finding.code == "LNT003" for finding in judged.findings):
                 kept.save(judged)
     store.close()
-    summary = replace(judged.summary, elapsed_s=time.perf_counter() - started)
-    return Report(judged.findings, summary, Sources().line, judged.notices)
+    elapsed = time.perf_counter() - started
+    summary = replace(judged.summary, elapsed_s=elapsed, cpp_packages=len(workspace.cpp_packages))
+    notices = [*judged.notices, *_not_looked_at(request, workspace, summary)]
+    return Report(judged.findings, summary, Sources().line, notices)
+
+
+def _not_looked_at(request: Request, workspace: Workspace, summary: Summary) -> Iterator[str]:
+    from archlint.looked_at import idle_patterns, without_node
+
+    yield from without_node(summary)
+    if request.settings.file is not None and not _partial(request, workspace):
+        yield from idle_patterns(request.settings, workspace)
 
 
 def graph(request: Request, everything: bool = False) -> System:
@@ -93,6 +103,20 @@ def _found(request: Request) -> Workspace:
 
 def _is_input(file: SourceFile) -> bool:
     return not file.context and file.kind in ("python", "launch_python", "launch_xml", "launch_yaml")
+
+
+def _is_for_ros(workspace: Workspace) -> bool:
+    """Whether files say by their kind that this is ROS."""
+    kinds = ("package_xml", "interface", "launch_python", "launch_xml", "launch_yaml")
+    return any(file.kind in kinds for file in workspace.files)
+
+
+def _nothing_for_ros(request: Request, files: int) -> str:
+    looked = f"{files} Python file{'s' if files > 1 else ''}"
+    return (
+        f"nothing to check in {', '.join(request.paths)}: no package.xml, no launch file, "
+        f"and nothing that uses rclpy in {looked}"
+    )
 
 
 def _python(workspace: Workspace) -> list[SourceFile]:
@@ -195,8 +219,10 @@ def _judged(request: Request, workspace: Workspace, facts: FactsOfFiles) -> Judg
     from archlint.checks.registry import failure, unreadable
     from archlint.render.json import unresolved
 
-    systems = _systems(request, workspace, facts)
     known = [file for file in _python(workspace) if facts.relevant(file)]
+    if not known and not _is_for_ros(workspace):
+        raise NothingToDo(_nothing_for_ros(request, len(_python(workspace))))
+    systems = _systems(request, workspace, facts)
     loader = systems[0].world.loader if systems[0].world is not None else None
     faults = systems[0].world.faults if systems[0].world is not None else Faults()
     found = [*_problems(workspace, known, facts, faults), *merged(_rules(request.settings, systems))]

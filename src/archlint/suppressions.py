@@ -145,8 +145,11 @@ def _without(one: Unused, codes: set[str], line: str | None) -> Fix | None:
 
 
 def refusal(file: str, suppression: Suppression) -> str:
-    """What to tell about a bare ignore."""
-    return (
-        f"{file}:{suppression.line}:{suppression.column}: a bare `archlint: ignore` hides nothing; "
-        "name the rule, as in `# archlint: ignore[SRV003]`"
-    )
+    """What to tell about a bare ignore, and about words that only look like a suppression."""
+    where = f"{file}:{suppression.line}:{suppression.column}"
+    if suppression.not_understood:
+        return f"{where}: `{suppression.not_understood}` hides nothing; write it as `archlint: ignore[{_CODE}]`"
+    return f"{where}: a bare `archlint: ignore` hides nothing; name the rule, as in `# archlint: ignore[{_CODE}]`"
+
+
+_CODE = "SRV003"

@@ -13,14 +13,19 @@ if TYPE_CHECKING:
 
 def argument_notices(system: System) -> Iterator[str]:
     """Sentences on arguments that the launch file of a system does not know, and on those that it wants a value
-    for; none where a part of it could not be read."""
+    for.  Where a part of it could not be read, only on those that look like a slip of the pen."""
     launched = system.launched
-    if launched is None or launched.gaps:
+    if launched is None:
         return
+    whole = not any(launched.not_followed())
     declared = {argument.name for argument in launched.declared}
     known = declared | {use.name for use in launched.undeclared} | launched.undecided.keys()
     for name in sorted(launched.arguments.keys() - known):
-        yield f"{launched.file} has no argument '{name}'{did_you_mean(name, declared)}"
+        meant = did_you_mean(name, declared)
+        if meant or whole:
+            yield f"{launched.file} has no argument '{name}'{meant}"
+    if not whole:
+        return
     for argument in launched.declared:
         own = argument.file == launched.file and not argument.dormant  # whoever includes a file gives it values
         if own and argument.default is None and argument.name not in launched.arguments:

@@ -5,17 +5,23 @@ from __future__ import annotations
 import re
 from bisect import bisect_left
 
+from archlint.facts.comment_words import SUPPRESSION, lookalike
 from archlint.facts.model import Suppression
 from archlint.facts.positions import CommentPositions, LineTable
 
-_SUPPRESSION = re.compile(r"#\s*archlint:\s*ignore(-file)?(?![\w-])\s*(?:\[([^\]]*)\])?")
+_SUPPRESSION = re.compile(rf"#\s*{SUPPRESSION}")
 
 
 def find_suppressions(text: str, positions: CommentPositions, lines: LineTable) -> list[Suppression]:
-    """All suppressions of a file, in the order in which they stand there."""
+    """All suppressions of a file, and what only looks like one, in the order in which they stand there."""
     units: list[tuple[int, int]] | None = None
     found = []
     for offset, comment in positions.comments:
+        other = lookalike(comment)
+        if other is not None:
+            line, column = lines.place(offset + other.start())
+            end = column + other.end() - other.start()
+            found.append(Suppression(line, column, end, (line, line), [], not_understood=other[0]))
         for match in _SUPPRESSION.finditer(comment):
             if units is None:
                 units = _logical_lines(text, positions, lines)

@@ -5,11 +5,12 @@ from __future__ import annotations
 import re
 from xml.parsers import expat
 
+from archlint.facts.comment_words import SUPPRESSION, lookalike
 from archlint.facts.launch_model import DEPTH, ELEMENTS, Attribute, Element, LaunchFacts, TooLarge, failed
 from archlint.facts.model import Span, Suppression
 
 _ATTRIBUTE = re.compile(rb"""\s+([^\s=/>"']+)\s*=\s*("[^"]*"|'[^']*')""")
-_SUPPRESSION = re.compile(r"<!--\s*archlint:\s*ignore(-file)?(?![\w-])\s*(?:\[([^\]]*)\])?(?:(?!-->).)*-->")
+_SUPPRESSION = re.compile(rf"<!--\s*{SUPPRESSION}(?:(?!-->).)*-->")
 
 
 class _Entity(Exception):
@@ -144,6 +145,9 @@ def _suppressions(text: str, root: Element) -> list[Suppression]:
     starts = _element_lines(root)
     lines = text.splitlines()
     for number, line in enumerate(lines, start=1):
+        if "<!--" in line and (other := lookalike(line)):
+            span = (number, other.start() + 1, other.end() + 1, (number, number))
+            found.append(Suppression(*span, [], not_understood=other[0]))
         for match in _SUPPRESSION.finditer(line):
             codes = [code.strip() for code in (match[2] or "").split(",") if code.strip()]
             own = line[: match.start()].strip()

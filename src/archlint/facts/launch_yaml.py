@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from typing import TYPE_CHECKING
 
+from archlint.facts.comment_words import SUPPRESSION, lookalike
 from archlint.facts.launch_model import DEPTH, ELEMENTS, Attribute, Element, LaunchFacts, Scalar, failed
 from archlint.facts.model import Suppression
 from archlint.facts.safe_yaml import YamlError, YamlReader, scalar, span_of
@@ -12,7 +13,7 @@ from archlint.facts.safe_yaml import YamlError, YamlReader, scalar, span_of
 if TYPE_CHECKING:
     import yaml
 
-_SUPPRESSION = re.compile(r"#\s*archlint:\s*ignore(-file)?(?![\w-])\s*(?:\[([^\]]*)\])?")
+_SUPPRESSION = re.compile(rf"#\s*{SUPPRESSION}")
 
 
 def read_launch_yaml(text: str) -> LaunchFacts:
@@ -91,6 +92,9 @@ def suppressions_of_lines(text: str) -> list[Suppression]:
         return found
     lines = text.splitlines()
     for number, line in enumerate(lines, start=1):
+        if other := lookalike(line):
+            span = (number, other.start() + 1, other.end() + 1, (number, number))
+            found.append(Suppression(*span, [], not_understood=other[0]))
         for match in _SUPPRESSION.finditer(line):
             codes = [code.strip() for code in (match[2] or "").split(",") if code.strip()]
             covered = number

@@ -15,7 +15,7 @@ from typing import Union
 
 import msgspec
 
-FACTS_VERSION = 2
+FACTS_VERSION = 3
 """Raised whenever the shape or the meaning of the facts changes: old cache entries are then misses."""
 
 Span = tuple[int, int, int, int]
@@ -453,7 +453,8 @@ class Suppression(Base, frozen=True):
 
     ``line`` is where the comment stands; ``applies_to`` the first and last line it covers (the next
     statement for a comment on its own line, the whole statement it ends otherwise); ``codes`` as written.
-    ``scope`` is ``line`` or ``file``.  An empty ``codes`` is a refused bare ignore.
+    ``scope`` is ``line`` or ``file``.  An empty ``codes`` is a refused bare ignore, or words that only look like a
+    suppression: ``not_understood`` holds them.
     """
 
     line: int
@@ -462,6 +463,7 @@ class Suppression(Base, frozen=True):
     applies_to: tuple[int, int]
     codes: list[str]
     scope: str = "line"
+    not_understood: str = ""
 
 
 class FileProblem(Base, frozen=True):

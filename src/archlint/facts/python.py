@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import libcst
 
+from archlint.facts.comment_words import lookalike
 from archlint.facts.comments import find_suppressions
 from archlint.facts.exports import find_exports
 from archlint.facts.lower_statements import Lowering
@@ -25,7 +26,7 @@ def lower(text: str) -> Facts:
     """
     text = text.removeprefix("\ufeff")  # no column counts the byte order mark
     module = libcst.parse_module(text)
-    with_comments = SUPPRESSION_MARK in text
+    with_comments = SUPPRESSION_MARK in text or lookalike(text) is not None
     positions = CommentPositions(module) if with_comments else Positions(module)
     spans = SpanFinder(text, positions)
     lowering = Lowering(spans)

@@ -14,7 +14,8 @@ SourceLine = Callable[[str, int], "str | None"]
 
 @dataclass(frozen=True)
 class Summary:
-    """The figures of a run; ``unresolved`` counts endpoints whose name is not known, times are in seconds."""
+    """The figures of a run; ``unresolved`` counts endpoints whose name is not known, ``cpp_packages`` those whose C++
+    sources are not read, times are in seconds."""
 
     files: int
     nodes: int
@@ -24,6 +25,7 @@ class Summary:
     suppressed: int
     unresolved: int
     elapsed_s: float
+    cpp_packages: int = 0
 
     @property
     def findings(self) -> int:
@@ -77,6 +79,7 @@ def summary_line(summary: Summary) -> str:
     notes = [
         f"{summary.suppressed} suppressed" if summary.suppressed else "",
         f"{summary.unresolved} unresolved" if summary.unresolved else "",
+        f"C++ of {_count(summary.cpp_packages, 'package')} not read" if summary.cpp_packages else "",
     ]
     tail = "".join(f"; {note}" for note in notes if note)
     if not summary.findings:

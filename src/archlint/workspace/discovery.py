@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 import re
 from collections.abc import Callable, Sequence
+from dataclasses import replace
 
 from archlint.workspace.around import (
     ROOT_MARKS,
@@ -42,7 +43,8 @@ def find(
     here = os.path.abspath(working_directory or os.curdir)
     typed = list(paths) or [os.curdir]
     asked = [_absolute(path, here) for path in typed]
-    walk = Walk(here, _excluder(exclude))
+    excluder = Excluder(exclude)
+    walk = Walk(here, excluder if exclude else None)
     folders = [path for path in asked if os.path.isdir(path)]
     for name, path in zip(typed, asked, strict=True):
         if path not in folders:
@@ -54,7 +56,8 @@ def find(
         walk.add_folder(package, context=True)
     whole = [*folders, *packages, *_add_workspaces(walk, asked)]
     root = _root([path if path in folders else os.path.dirname(path) for path in asked])
-    return place(root, walk.files.values(), walk.problems.values(), whole)
+    found = place(root, walk.files.values(), walk.problems.values(), whole, walk.cpp_folders)
+    return replace(found, idle_exclusions=tuple(excluder.idle))
 
 
 def _add_workspaces(walk: Walk, asked: Sequence[str]) -> list[str]:
@@ -103,18 +106,26 @@ def _add_file(walk: Walk, typed: str, path: str) -> None:
         walk.problems[shown] = Problem(shown, 1, 1, f"cannot be read: {error.strerror}")
 
 
-def _excluder(patterns: Sequence[str]) -> Callable[[str], bool] | None:
-    if not patterns:
-        return None
+class Excluder:
+    """Says of paths whether a pattern leaves them out, and remembers which patterns ever did."""
+
+    def __init__(self, patterns: Sequence[str]) -> None:
+        self._matches = [(pattern, _matcher(pattern)) for pattern in patterns]
+        self.idle = list(dict.fromkeys(patterns))
+
+    def __call__(self, shown: str) -> bool:
+        name = shown.rpartition("/")[2]
+        hits = [pattern for pattern, matches in self._matches if matches(shown) or matches(name)]
+        for pattern in hits:
+            if pattern in self.idle:
+                self.idle.remove(pattern)
+        return bool(hits)
+
+
+def _matcher(pattern: str) -> Callable[[str], object]:
     from fnmatch import translate
 
-    matches = [re.compile(translate(pattern.removeprefix("./").rstrip("/"))).match for pattern in patterns]
-
-    def excluded(shown: str) -> bool:
-        name = shown.rpartition("/")[2]
-        return any(match(shown) or match(name) for match in matches)
-
-    return excluded
+    return re.compile(translate(pattern.removeprefix("./").rstrip("/"))).match
 
 
 def _root(folders: Sequence[str]) -> str:

@@ -17,11 +17,15 @@ _PYTHON_KINDS = ("python", "launch_python", "setup_py")
 
 
 def place(
-    root: str, files: Iterable[SourceFile], problems: Iterable[Problem], whole: Iterable[str] = ()
+    root: str,
+    files: Iterable[SourceFile],
+    problems: Iterable[Problem],
+    whole: Iterable[str] = (),
+    cpp_folders: Iterable[str] = (),
 ) -> Workspace:
     """The workspace that files make up: reads the manifests, gives each file its package and its module.
 
-    ``whole`` are the folders of which all files are there.
+    ``whole`` are the folders of which all files are there, ``cpp_folders`` those with C++ sources.
     """
     files = sorted(files, key=lambda file: file.relative)
     problems = list(problems)
@@ -42,12 +46,14 @@ def place(
         module = owner.module(file.path) if file.kind in _PYTHON_KINDS else None
         placed.append(_member(file, owner.package, module))
     known = [package for package in packages.values() if package is not None]
+    with_cpp = {_innermost(packages, folder) for folder in cpp_folders}
     return Workspace(
         root,
         tuple(placed),
         tuple(sorted(known, key=lambda package: (package.name, package.relative))),
         tuple(sorted(problems, key=lambda problem: (problem.file, problem.line, problem.column))),
         tuple(sorted(set(whole))),
+        tuple(sorted(package.name for package in known if package.root in with_cpp)),
     )
 
 

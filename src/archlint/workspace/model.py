@@ -87,6 +87,10 @@ class Workspace:
     problems: tuple[Problem, ...] = field(default=())
     whole: tuple[str, ...] = ()
     """The folders of which all files were looked for, as absolute paths."""
+    cpp_packages: tuple[str, ...] = ()
+    """Names of the packages asked for that have C++ sources, which are not read."""
+    idle_exclusions: tuple[str, ...] = ()
+    """Patterns to leave out files by that left out none."""
 
     def of_kind(self, *kinds: str) -> list[SourceFile]:
         return [file for file in self.files if file.kind in kinds]

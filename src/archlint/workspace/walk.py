@@ -13,6 +13,8 @@ from archlint.workspace.kinds import has_python_shebang, kind_of, may_be_script
 from archlint.workspace.model import Problem, SourceFile
 from archlint.workspace.pruning import is_pruned_by_content, is_pruned_by_name
 
+CPP_SUFFIXES = (".cpp", ".cc", ".cxx")
+
 CLONES_DEPTH = 2
 """How many folders below an ignored ``src`` clones are looked for: ``src/<organisation>/<repository>``."""
 
@@ -55,6 +57,8 @@ class Walk:
         self.files: dict[str, SourceFile] = {}
         """What was found, by real path."""
         self.problems: dict[str, Problem] = {}
+        self.cpp_folders: set[str] = set()
+        """Folders with C++ sources, which nothing reads, below what was asked for."""
         self._working_directory = working_directory
         self._excluded = excluded
         self._visited: set[str] = set()
@@ -132,6 +136,8 @@ class Walk:
         """Keep a file if it is of use and not left out."""
         name = entry.name
         if name.startswith(".") or (kind is None and "." in name):
+            if not folder.context and name.endswith(CPP_SUFFIXES) and not folder.ignores.ignored(entry.path):
+                self.cpp_folders.add(folder.path)
             return
         shown = folder.shown_below(name)
         if self._is_excluded(shown) or folder.ignores.ignored(entry.path):

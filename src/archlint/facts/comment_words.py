@@ -1,0 +1,21 @@
+"""The words of suppressions, for every kind of file, and the words that look like one and mean nothing."""
+
+from __future__ import annotations
+
+import re
+
+SUPPRESSION = r"archlint:\s*ignore(-file)?(?![\w-])\s*(?:\[([^\]]*)\])?"
+"""What follows the mark of a comment; the groups are ``-file`` and the codes."""
+
+_FAMILIES = "ACT|API|ARC|CBG|GRF|LCH|LNT|MSG|NME|OWN|PKG|PRM|QOS|SRV|TMO|TOP"
+"""Those whose codes no other linter has: ruff knows an EXE001, too."""
+
+_LOOKALIKE = re.compile(
+    r"archlint:\s*(?!ignore(?:-file)?(?![\w-]))(?:disable|enable|ignor|noqa|nolint|off|skip|suppress)[\w-]*"
+    rf"|\bnoqa\s*[:\[]\s*(?:[A-Z]+[0-9]+,\s*)*(?:{_FAMILIES})[0-9]{{3}}"
+)
+
+
+def lookalike(text: str) -> re.Match[str] | None:
+    """The first words that were meant as a suppression and are none: ``archlint: disable``, ``noqa: TMO001``."""
+    return _LOOKALIKE.search(text)

@@ -1,0 +1,51 @@
+"""What a run did not look at: told beside the findings, so that a run without any means something."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from fnmatch import fnmatchcase
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from archlint.config import Settings
+    from archlint.config_values import Glob
+    from archlint.report.model import Summary
+    from archlint.workspace.model import Workspace
+
+_SOMETIMES_THERE = frozenset(
+    {"build", "install", "log", "venv", ".venv", "node_modules", "site-packages", "__pycache__"}
+)
+"""Folders that a fresh checkout does not have, so that leaving them out is no mistake there."""
+
+
+def without_node(summary: Summary) -> Iterator[str]:
+    """A sentence where no node was found, on what else there was."""
+    if summary.nodes:
+        return
+    cpp = summary.cpp_packages
+    beside = f"; the C++ of {cpp} package{'s' if cpp > 1 else ''} is not read" if cpp else ""
+    yield f"no node was found in {summary.files} file{'s' if summary.files != 1 else ''}{beside}"
+
+
+def idle_patterns(settings: Settings, workspace: Workspace) -> Iterator[str]:
+    """A sentence for each pattern of the configuration that no file or package of the workspace matches."""
+    files = [file.relative for file in workspace.files]
+    for key, globs in (("launch", settings.launch), ("per-file-ignores", tuple(settings.per_file_ignores))):
+        for glob in globs:
+            if not any(map(glob.matches, files)):
+                yield _matches_nothing(settings, key, glob.pattern, "file")
+    for glob in settings.exclude:
+        if set(glob.patterns()) <= set(workspace.idle_exclusions) and not _may_come(glob):
+            yield _matches_nothing(settings, "exclude", glob.pattern, "file")
+    names = [package.name for package in workspace.packages]
+    for pattern in settings.per_package_ignores:
+        if not any(fnmatchcase(name, pattern) for name in names):
+            yield _matches_nothing(settings, "per-package-ignores", pattern, "package")
+
+
+def _matches_nothing(settings: Settings, key: str, pattern: str, what: str) -> str:
+    return f"{settings.origins.get(key, settings.file)}: no {what} here matches '{pattern}' under {key}"
+
+
+def _may_come(glob: Glob) -> bool:
+    return not _SOMETIMES_THERE.isdisjoint(glob.pattern.split("/"))
