@@ -606,3 +606,40 @@ def test_what_is_no_condition(findings, condition, what, wrap):
 )
 def test_what_is_a_condition_or_may_be_one(findings, condition):
     assert findings("LCH008", **{"launch/it.launch.py": ASKED.format(condition=condition)}) == []
+
+
+# ------------------------------------------------------------------------------------------------ NME004
+
+TWO = """\
+from launch import LaunchDescription
+from launch.actions import DeclareLaunchArgument
+from launch.conditions import IfCondition, UnlessCondition
+from launch.substitutions import LaunchConfiguration
+from launch_ros.actions import Node
+from somewhere.launch import AsBool
+
+def generate_launch_description():
+    real = IfCondition(LaunchConfiguration('real'))
+    return LaunchDescription([
+        DeclareLaunchArgument('real'),
+        Node(package='robot', executable='talker', condition={first}),
+        Node(package='robot', executable='talker', condition={second}),
+    ])
+"""
+
+
+@pytest.mark.parametrize(
+    ("first", "second", "clash"),
+    [
+        ("None", "real", True),
+        ("real", "real", True),
+        ("IfCondition(AsBool('x'))", "IfCondition(AsBool('x'))", True),
+        ("real", "UnlessCondition(LaunchConfiguration('real'))", False),
+        ("IfCondition(AsBool('x'))", "UnlessCondition(AsBool('x'))", False),
+        ("IfCondition(AsBool('x'))", "IfCondition(AsBool('y'))", False),
+        ("None", "IfCondition(AsBool('x'))", False),  # which may never hold
+    ],
+)
+def test_nodes_of_one_name_clash_where_they_run_together(findings, first, second, clash):
+    found = findings("NME004", **{"launch/it.launch.py": TWO.format(first=first, second=second)})
+    assert [one.place.line for one in found] == ([13] if clash else [])

@@ -10,7 +10,7 @@ from collections.abc import Callable, Iterable, Iterator
 from itertools import combinations
 from typing import TYPE_CHECKING
 
-from archlint.system.model import exclusive
+from archlint.system.model import exclusive, runs_along
 
 if TYPE_CHECKING:
     from archlint.system.model import Connection, Endpoint, Node, System
@@ -91,7 +91,7 @@ def meet(system: System, one: Endpoint, other: Endpoint) -> bool:
 
 def _started_alike(one: Node, other: Node) -> bool:
     """False where a launch file starts the two under different conditions: then perhaps never both."""
-    return one.alternatives <= other.alternatives or other.alternatives <= one.alternatives
+    return runs_along(one.alternatives, other.alternatives)
 
 
 def seen_together(system: System, one: Node, other: Node) -> bool:

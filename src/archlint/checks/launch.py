@@ -17,6 +17,7 @@ from archlint.program.launch.model import MISSING, NOT_INSTALLED, ParameterFileU
 from archlint.program.model import ACTION_CLIENT, ACTION_SERVER
 from archlint.system import names
 from archlint.system.instances import instantiate
+from archlint.system.model import runs_along
 
 if TYPE_CHECKING:
     from archlint.program.installs import Executable, Installs
@@ -388,7 +389,7 @@ def duplicate_node_name(system: System, options: Options) -> Iterator[Finding]:
 
 def _certainly_together(one: Node, other: Node) -> bool:
     """Whether the one always runs when the other does."""
-    return one.alternatives <= other.alternatives or other.alternatives <= one.alternatives
+    return runs_along(one.alternatives, other.alternatives)
 
 
 @rule("GRF002")

@@ -7,6 +7,7 @@ from functools import cached_property
 from typing import TYPE_CHECKING, TypeVar
 
 from archlint.program import model as program
+from archlint.program.launch.model import NOT_FOLLOWED
 
 if TYPE_CHECKING:
     from collections.abc import Iterable, Iterator
@@ -273,3 +274,12 @@ def exclusive(one: frozenset[tuple[str, int]], other: frozenset[tuple[str, int]]
     """Whether two sets of ``(branch, arm)`` name different arms of one branch."""
     arms = dict(one)
     return any(branch in arms and arms[branch] != arm for branch, arm in other)
+
+
+def runs_along(one: frozenset[tuple[str, int]], other: frozenset[tuple[str, int]]) -> bool:
+    """Whether, of two nodes in these branches, one runs whenever the other does, and the other may.
+
+    A condition that is not followed may never hold: a node under it is held only against one under the same.
+    """
+    few, more = sorted((one, other), key=len)
+    return few <= more and not any(branch.startswith(NOT_FOLLOWED) for branch, _ in more - few)

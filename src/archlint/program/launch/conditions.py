@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 from archlint.facts import model as facts
 from archlint.program import decisions
 from archlint.program.attributes import get_attribute
+from archlint.program.launch.model import NOT_FOLLOWED
 from archlint.program.launch.shapes import OPAQUE, WHERE, shape_of
 from archlint.program.launch.substitutions import (
     SUBSTITUTIONS,
@@ -167,7 +168,7 @@ def _branch(run: LaunchRun, expression: Value | None, expected: bool) -> tuple[s
         if not _OPERANDS.sub("", shape).strip():
             for name in names:
                 run.note_undecided(name, "true", "false")
-    arm = (f"({shape})", int(expected))
+    arm = (f"{NOT_FOLLOWED}{shape})", int(expected))
     if OPAQUE in shape:
         return arm
     shown = _ARGUMENT.sub(lambda found: run.shown(found[1]), _FILE.sub("", shape))

@@ -9,6 +9,9 @@ from archlint.program.model import Text
 
 Arms = frozenset[tuple[str, int]]
 
+NOT_FOLLOWED = "("
+"""What the branch of a condition starts with where it is not followed how the arguments decide it."""
+
 INSTALLED = "installed"
 NOT_INSTALLED = "not installed"
 MISSING = "missing"
