@@ -277,6 +277,92 @@ def test_a_parameter_file_with_substitutions_may_read_an_includes_argument(findi
     assert len(findings("LCH003", outer, **files)) == told
 
 
+INCLUDING = """\
+import os
+from launch import LaunchDescription
+from launch.actions import DeclareLaunchArgument, IncludeLaunchDescription
+from launch.launch_description_sources import AnyLaunchDescriptionSource
+from launch.substitutions import LaunchConfiguration, PathJoinSubstitution
+from launch_ros.substitutions import FindPackageShare
+
+def part(name):
+    return PathJoinSubstitution([FindPackageShare('robot'), 'launch', name])
+
+def generate_launch_description():
+    real = os.path.exists('/dev/robot')
+    given = {{'speed': '1.0', 'sped': '2.0', 'rate': '3.0'}}
+    {before}
+    return LaunchDescription([
+        IncludeLaunchDescription(AnyLaunchDescriptionSource(part({file})), launch_arguments={arguments}),
+    ])
+"""
+FAST = '<launch><arg name="speed" default="1"/><arg name="rate" default="1"/></launch>'
+
+
+def included(findings, arguments: str, file: str = "'fast.launch.xml'", before: str = "", **files: str):
+    outer = INCLUDING.format(file=file, arguments=arguments, before=before or "pass")
+    return findings("LCH003", **{"launch/fast.launch.xml": FAST, "launch/outer.launch.py": outer, **files})
+
+
+def test_an_include_is_told_once(findings):
+    (one,) = included(findings, "{'sped': '2.0', 'slow': '1', 'rate': '1', 'colour': 'red'}.items()")
+    assert one.message == "fast.launch.xml declares none of the launch arguments 'sped', 'slow', 'colour'"
+    assert [other.message for other in one.related] == ["'slow' is given here", "'colour' is given here"]
+    (one,) = included(findings, "{'sped': '2.0'}.items()")
+    assert one.message == "fast.launch.xml declares no launch argument 'sped'; did you mean 'speed'?"
+    assert "declares rate, speed" in (one.help or "")
+
+
+def test_an_argument_is_for_the_file_that_takes_it(findings):
+    slow = {"launch/slow.launch.xml": '<launch><arg name="sped" default="1"/></launch>'}
+    choice = "'fast.launch.xml' if real else 'slow.launch.xml'"
+    assert included(findings, "{'speed': '1', 'sped': '2'}.items()", choice, **slow) == []
+    (one,) = included(findings, "{'speed': '1', 'colour': 'red'}.items()", choice, **slow)
+    assert "fast.launch.xml and slow.launch.xml declare no launch argument 'colour'" in one.message
+
+
+@pytest.mark.parametrize(
+    ("inner", "told"),
+    [
+        ("# colour", 1),
+        ("Node(package='robot', executable='talker', name='colour')", 1),
+        ("Node(package='robot', executable='talker', parameters=[{'colour': 'red'}])", 1),
+        ("Node(package='robot', executable='talker', parameters=[{'c': LaunchConfiguration('colour')}])", 0),
+        ("OpaqueFunction(function=lambda c: [LogInfo(msg=c.launch_configurations['colour'])])", 0),
+        ("OpaqueFunction(function=lambda c: read(c, 'colour'))", 0),
+    ],
+)
+def test_only_what_reads_an_argument_takes_it(findings, inner, told):
+    text = (
+        "from launch import LaunchDescription\nfrom launch.actions import LogInfo, OpaqueFunction\n"
+        "from launch.substitutions import LaunchConfiguration\nfrom launch_ros.actions import Node\n"
+        f"def generate_launch_description():\n    return LaunchDescription([\n        {inner}\n    ])\n"
+    )
+    outer = '<include file="$(dirname)/inner.launch.py"><arg name="colour" value="red"/></include>'
+    assert len(findings("LCH003", outer, **{"launch/inner.launch.py": text})) == told
+
+
+def test_a_node_of_an_included_xml_file_may_have_an_arguments_name(findings):
+    outer = '<include file="$(dirname)/inner.launch.yaml"><arg name="talker" value="red"/></include>'
+    inner = "launch:\n- node: {pkg: robot, exec: talker, name: 'NAME'}\n"
+    (one,) = findings("LCH003", outer, **{"launch/inner.launch.yaml": inner.replace("NAME", "talker")})
+    assert one.message.startswith("inner.launch.yaml declares no launch argument 'talker'")
+    assert findings("LCH003", outer, **{"launch/inner.launch.yaml": inner.replace("NAME", "$(var talker)")}) == []
+
+
+@pytest.mark.parametrize(
+    ("value", "before"),
+    [
+        ("{'speed': LaunchConfiguration('s')}.items() if real else {}.items()", ""),
+        ("{'speed': LaunchConfiguration('s') if real else '1'}.items()", ""),
+        ("given.items()", "given = {}\n    if real:\n        given['speed'] = LaunchConfiguration('s')"),
+    ],
+)
+def test_what_one_branch_reads_is_not_read_in_the_other(findings, value, before):
+    assert included(findings, value, before=before) == []
+    assert len(included(findings, "{'speed': LaunchConfiguration('s')}.items()")) == 1
+
+
 @pytest.mark.parametrize(("condition", "told"), [("True", 1), ("os.getenv('ROS_DISTRO') == 'dashing'", 0)])
 def test_keywords_of_an_older_ros(findings, condition, told):
     text = f"""\

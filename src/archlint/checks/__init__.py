@@ -6,6 +6,7 @@ MODULES: tuple[str, ...] = (
     "callback_entities",
     "callback_waits",
     "launch",
+    "launch_arguments",
     "launch_values",
     "limitless_calls",
     "handlers",

@@ -13,7 +13,7 @@ from archlint.checks.registry import Options, finding, rule
 from archlint.checks.whole import is_whole, walk
 from archlint.facts import model as facts
 from archlint.finding import Finding, Related
-from archlint.program.launch.model import MISSING, NOT_INSTALLED, ParameterFileUse
+from archlint.program.launch.model import MISSING, NOT_INSTALLED
 from archlint.program.model import ACTION_CLIENT, ACTION_SERVER
 from archlint.system import names
 from archlint.system.instances import instantiate
@@ -21,7 +21,7 @@ from archlint.system.model import runs_along
 
 if TYPE_CHECKING:
     from archlint.program.installs import Executable, Installs
-    from archlint.program.launch.model import Included, Launched, Remap, Started, UnknownAttribute
+    from archlint.program.launch.model import Remap, Started, UnknownAttribute
     from archlint.system.launched import World
     from archlint.system.model import Node, System
 
@@ -207,86 +207,6 @@ def _implicit(full: str, name: str, namespace: str) -> bool:
         return True
     below = names.join(namespace, name) + "/"
     return full.startswith(below) and full[len(below) :] in _SERVICES
-
-
-# ------------------------------------------------------------------------------------------------- LCH003
-
-
-@rule("LCH003")
-def undeclared_launch_argument(system: System, options: Options) -> Iterator[Finding]:
-    """Launch configurations that are read and never set, and arguments that an include does not take."""
-    launched = system.launched
-    if launched is None or system.world is None:
-        return
-    told: set[str] = set()
-    judged = not launched.gaps and not _meant_to_be_included(launched)
-    for use in launched.undeclared if judged else ():
-        alone = use.file == launched.file
-        if use.conditional or (alone and system.part):
-            continue  # whoever includes it may pass it: that system tells
-        if use.name in told:
-            continue
-        told.add(use.name)
-        declared = sorted({argument.name for argument in launched.declared})
-        later = [argument.place for argument in launched.declared if argument.name == use.name]
-        yield finding(
-            "LCH003",
-            use.place,
-            f"the launch argument '{use.name}' is read before it is declared"
-            if later
-            else f"no launch argument '{use.name}' is declared, and nothing sets it" + did_you_mean(use.name, declared),
-            help="actions run in their order: put the declaration in front"
-            if later
-            else f"declare it before it is read: DeclareLaunchArgument('{use.name}', default_value=…)",
-            related=[Related(place, "it is declared here") for place in later[:1]],
-            identity=(use.file, use.name),
-        )
-    for include in launched.included:
-        yield from _unknown_arguments(system, include)
-
-
-_MANY = 3
-"""From so many undeclared names on, nobody forgot one: whoever includes the file sets them all."""
-
-
-def _meant_to_be_included(launched: Launched) -> bool:
-    """Whether a launch file evidently gets its arguments from another one that is not here."""
-    if any(argument.default is None and argument.file == launched.file for argument in launched.declared):
-        return True
-    return len({use.name for use in launched.undeclared if not use.conditional}) >= _MANY
-
-
-def _unknown_arguments(system: System, include: Included) -> Iterator[Finding]:
-    world = system.world
-    source = include.reference.source
-    if world is None or world.loader is None or source is None:
-        return
-    target = world.loader.launched_once(source)
-    if target.gaps or target.ros1 or not target.is_launch_file or _substitutes_in_parameters(target):
-        return
-    declared = sorted({argument.name for argument in target.declared})
-    files = {source, *(i.reference.source for i in target.included if i.reference.source is not None)}
-    outside = any(i.reference.source is None for i in target.included)
-    for name, place in include.arguments:
-        if name in declared or outside or any(world.loader.mentions(file, name) for file in files):
-            continue
-        listed = f"it declares {', '.join(declared[:8])}" if declared else "it declares none"
-        yield finding(
-            "LCH003",
-            place,
-            f"{posixpath.basename(source)} declares no launch argument '{name}'" + did_you_mean(name, declared),
-            help=listed,
-            identity=(source, name),
-        )
-
-
-def _substitutes_in_parameters(target: Launched) -> bool:
-    """Whether parameter files may read any configuration: an include's arguments are set for these too."""
-    return any(
-        isinstance(parameter, ParameterFileUse) and parameter.substitutions
-        for started in target.started
-        for parameter in started.parameters
-    )
 
 
 # ------------------------------------------------------------------------------------------ LCH004, LCH005

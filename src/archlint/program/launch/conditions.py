@@ -110,6 +110,7 @@ def _equality(run: LaunchRun, condition: Value, wanted: bool) -> Verdict:
     if not isinstance(name, Known):
         return Verdict(None, _branch(run, condition, True))
     text = str(name.value)
+    run.result.read.add(text)
     found = run.launch.configurations.get(text)
     if given is None:
         return Verdict((found is None) is wanted)

@@ -3,15 +3,16 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from contextlib import nullcontext
 from typing import TYPE_CHECKING
 
 from archlint.finding import Place
 from archlint.program.launch.context import Context
 from archlint.program.launch.model import Included
 from archlint.program.launch.substitutions import argument, kind_of, perform
-from archlint.program.launch.visiting import callable_value, visit, visit_items
+from archlint.program.launch.visiting import callable_value, each_alternative, visit, visit_items
 from archlint.program.store import Items
-from archlint.program.values import Instance, Known, OneOf
+from archlint.program.values import Instance, Known, OneOf, Value
 
 if TYPE_CHECKING:
     from archlint.program.launch.run import LaunchRun
@@ -37,22 +38,29 @@ def include(run: LaunchRun, entity: Instance) -> None:
     source = argument(entity, "launch_description_source")
     location = argument(source, "launch_file_path") if kind_of(source).endswith("Source") else source
     place = (source.place if isinstance(source, Instance) else None) or run.place_now
+    names = _given(run, argument(entity, "launch_arguments"))
+    path = perform(run, location)
+    for option in each_alternative(run, path) if isinstance(path, OneOf) else (path,):
+        reference = run.reference("launch", option, place)
+        run.result.included.append(Included(reference, names, place, run.file, run.is_dormant))
+        run.loader.include(run, reference, plain=not names and option is path)
+
+
+def _given(run: LaunchRun, arguments: Value | None) -> tuple[tuple[str, Place], ...]:
+    """Set the arguments of an include; their names, and where each is written."""
+    if arguments is None:
+        return ()
     names = []
-    for row in run.items(argument(entity, "launch_arguments")):
-        pair = run.items(row)
-        if len(pair) == 2:
-            name = perform(run, pair[0])
+    with run.perhaps() if isinstance(arguments, OneOf) or run.is_open(arguments) else nullcontext():
+        for row in run.items(arguments):
+            pair = run.items(row)
+            name = perform(run, pair[0]) if len(pair) == 2 else None
             if isinstance(name, Known):
                 where = run.store.get(getattr(row, "key", 0), "#place")
                 origin = pair[0].origin if isinstance(pair[0], Known) else None
                 names.append((str(name.value), where if isinstance(where, Place) else origin or run.place_now))
                 run.launch.configurations[str(name.value)] = perform(run, pair[1])
-    path = perform(run, location)
-    options = path.values if isinstance(path, OneOf) else (path,)
-    for option in options:
-        reference = run.reference("launch", option, place)
-        run.result.included.append(Included(reference, tuple(names), place, run.file, run.is_dormant))
-        run.loader.include(run, reference, plain=not names and len(options) == 1)
+    return tuple(names)
 
 
 def launch_apart(run: LaunchRun, package: str, name: str, words: Sequence[str | None]) -> None:

@@ -195,6 +195,9 @@ class Launched:
     included: list[Included] = field(default_factory=list)
     declared: list[DeclaredArgument] = field(default_factory=list)
     undeclared: list[UndeclaredUse] = field(default_factory=list)
+    read: set[str] = field(default_factory=set)
+    """The launch configurations that are read anywhere, ``reads_any`` where a name of one is not known."""
+    reads_any: bool = False
     references: list[FileReference] = field(default_factory=list)
     unknown_attributes: list[UnknownAttribute] = field(default_factory=list)
     mistakes: list[NotACondition] = field(default_factory=list)

@@ -204,6 +204,15 @@ class LaunchRun(Run):
             else:
                 self.launch.join(before, "a branch that the arguments do not decide")
 
+    @contextmanager
+    def perhaps(self) -> Iterator[None]:
+        """What is read here is read only where one of several values is the one."""
+        self.undecided += 1
+        try:
+            yield
+        finally:
+            self.undecided -= 1
+
     def _excluded(self, branch: tuple[str, int]) -> bool:
         """Whether an outer branch already says the opposite."""
         return any(name == branch[0] and arm != branch[1] for name, arm in self.current_arms)

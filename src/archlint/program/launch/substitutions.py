@@ -71,7 +71,8 @@ def perform(run: LaunchRun, value: Value | None) -> Value:
         kind = "other" if value.kind == "path" else value.kind
         return Known(str(value.value), value.via, value.origin, kind) if value.value is not None else Known("")
     if isinstance(value, OneOf):
-        return one_of(perform(run, option) for option in value.values)
+        with run.perhaps():
+            return one_of([perform(run, option) for option in value.values])
     if isinstance(value, ListValue):
         from archlint.program import containers
 
@@ -113,8 +114,10 @@ def _parts(run: LaunchRun, value: Value | None) -> list[Value]:
 def _configuration(run: LaunchRun, value: Instance) -> Value:
     name = perform(run, argument(value, "variable_name"))
     if not isinstance(name, Known):
+        run.result.reads_any = True
         return Unknown("the name of a launch configuration is not known")
     text = str(name.value)
+    run.result.read.add(text)
     found = run.launch.configurations.get(text)
     if found is not None:
         return found
@@ -122,7 +125,9 @@ def _configuration(run: LaunchRun, value: Instance) -> Value:
     if default is not None and default != Known(None):
         return perform(run, default)
     if value.place is not None:
-        run.note_undeclared(UndeclaredUse(text, value.place, run.file, run.is_conditional))
+        made = run.store.get(value.key, "#arms")
+        in_branch = isinstance(made, frozenset) and bool(made - run.code_arms)
+        run.note_undeclared(UndeclaredUse(text, value.place, run.file, run.is_conditional or in_branch))
     return Unknown(f"the launch configuration '{text}' is not set")
 
 
@@ -295,7 +300,8 @@ def _if_else(run: LaunchRun, value: Instance) -> Value:
     rows = {True: "if_value", False: "else_value"}
     if verdict is not None:
         return perform(run, argument(value, rows[verdict]))
-    return one_of(perform(run, argument(value, name)) for name in rows.values())
+    with run.perhaps():
+        return one_of([perform(run, argument(value, name)) for name in rows.values()])
 
 
 def _boolean(run: LaunchRun, value: Instance) -> Value:

@@ -1,0 +1,167 @@
+"""LCH003: launch configurations that nothing declares, and arguments that an included file does not take."""
+
+from __future__ import annotations
+
+import posixpath
+import re
+from collections.abc import Iterator, Sequence
+from itertools import groupby
+from typing import TYPE_CHECKING
+
+from archlint.checks.near import did_you_mean
+from archlint.checks.registry import Options, finding, rule
+from archlint.checks.whole import walk
+from archlint.facts import model as facts
+from archlint.facts.walk import called_name
+from archlint.finding import Finding, Related
+from archlint.program.launch.model import ParameterFileUse
+
+if TYPE_CHECKING:
+    from archlint.finding import Place
+    from archlint.program.launch.load import LaunchLoader
+    from archlint.program.launch.model import Included, Launched
+    from archlint.system.model import System
+
+
+@rule("LCH003")
+def undeclared_launch_argument(system: System, options: Options) -> Iterator[Finding]:
+    """Launch configurations that are read and never set, and arguments that an include does not take."""
+    launched = system.launched
+    if launched is None or system.world is None:
+        return
+    if not launched.gaps and not _meant_to_be_included(launched):
+        yield from _undeclared_uses(system, launched)
+    loader = system.world.loader
+    if loader is None:
+        return
+    # One include may be of one of several files, or of all of them: an argument is for the one that takes it.
+    for _, includes in groupby(launched.included, key=lambda include: include.place):
+        yield from _unknown_arguments(loader, list(includes))
+
+
+def _undeclared_uses(system: System, launched: Launched) -> Iterator[Finding]:
+    told: set[str] = set()
+    declared = sorted({argument.name for argument in launched.declared})
+    for use in launched.undeclared:
+        alone = use.file == launched.file
+        if use.conditional or (alone and system.part) or use.name in told:
+            continue  # whoever includes it may pass it: that system tells
+        told.add(use.name)
+        later = [argument.place for argument in launched.declared if argument.name == use.name]
+        yield finding(
+            "LCH003",
+            use.place,
+            f"the launch argument '{use.name}' is read before it is declared"
+            if later
+            else f"no launch argument '{use.name}' is declared, and nothing sets it" + did_you_mean(use.name, declared),
+            help="actions run in their order: put the declaration in front"
+            if later
+            else f"declare it before it is read: DeclareLaunchArgument('{use.name}', default_value=…)",
+            related=[Related(place, "it is declared here") for place in later[:1]],
+            identity=(use.file, use.name),
+        )
+
+
+_MANY = 3
+"""From so many undeclared names on, nobody forgot one: whoever includes the file sets them all."""
+
+
+def _meant_to_be_included(launched: Launched) -> bool:
+    """Whether a launch file evidently gets its arguments from another one that is not here."""
+    if any(argument.default is None and argument.file == launched.file for argument in launched.declared):
+        return True
+    return len({use.name for use in launched.undeclared if not use.conditional}) >= _MANY
+
+
+# ----------------------------------------------------------------------------------------------- includes
+
+
+def _unknown_arguments(loader: LaunchLoader, includes: Sequence[Included]) -> Iterator[Finding]:
+    """One finding an include, with all the arguments that no file of it takes."""
+    given = dict(row for include in includes for row in include.arguments)
+    sources = sorted({include.reference.source for include in includes if include.reference.source is not None})
+    targets = [loader.launched_once(source) for source in sources]
+    if not given or len(sources) < len({include.reference for include in includes}):
+        return
+    if not all(map(_is_known, targets)):
+        return
+    files = {source for target in targets for source in _files_of(target)}
+    declared = sorted({argument.name for target in targets for argument in target.declared})
+    read = {name for target in targets for name in target.read}
+    unknown = [
+        name
+        for name in given
+        if name not in declared and name not in read and not any(_may_use(loader, file, name) for file in files)
+    ]
+    if unknown:
+        yield _finding(sources, unknown, given, declared)
+
+
+def _finding(sources: list[str], unknown: list[str], given: dict[str, Place], declared: list[str]) -> Finding:
+    first, *others = unknown
+    shown = " and ".join(posixpath.basename(source) for source in sources)
+    verb = "declare" if len(sources) > 1 else "declares"
+    said = f"{verb} no launch argument '{first}'" + did_you_mean(first, declared)
+    if others:
+        said = f"{verb} none of the launch arguments " + ", ".join(f"'{name}'" for name in unknown)
+    listed = f"it declares {', '.join(declared[:8])}" if declared else "it declares none"
+    return finding(
+        "LCH003",
+        given[first],
+        f"{shown} {said}",
+        help=f"the value has no effect: declare the argument there, or leave it out; {listed}",
+        related=[Related(given[name], f"'{name}' is given here" + did_you_mean(name, declared)) for name in others],
+        identity=(*sources, *unknown),
+    )
+
+
+def _is_known(target: Launched) -> bool:
+    """Whether everything is seen that may take an argument of an included file."""
+    outside = any(include.reference.source is None for include in target.included)
+    if outside or target.gaps or target.ros1 or not target.is_launch_file or target.reads_any:
+        return False
+    return not _substitutes_in_parameters(target)
+
+
+def _files_of(target: Launched) -> set[str]:
+    return {target.file, *(i.reference.source for i in target.included if i.reference.source is not None)}
+
+
+def _substitutes_in_parameters(target: Launched) -> bool:
+    """Whether parameter files may read any configuration: an include's arguments are set for these too."""
+    return any(
+        isinstance(parameter, ParameterFileUse) and parameter.substitutions
+        for started in target.started
+        for parameter in started.parameters
+    )
+
+
+def _may_use(loader: LaunchLoader, file: str, name: str) -> bool:
+    """Whether code that the defaults pass by may read an argument: something in the file says its name that is no
+    key of a dict, and no name of a package, executable or node."""
+    found = loader.facts_at(file)
+    if found is None:
+        text = loader.tree.text(file)
+        return text is None or re.search(rf"\$\([^\n]*(?<!\w){re.escape(name)}(?!\w)", text) is not None
+    return any(_says(item, name) for item in _texts(found.body))
+
+
+def _says(text: str, name: str) -> bool:
+    return text == name or re.search(rf"\$\(.*(?<!\w){re.escape(name)}(?!\w)", text) is not None
+
+
+_NAMES_OF_NODES = frozenset({"package", "executable", "name", "namespace", "plugin", "exec_name"})
+_STARTS = frozenset(
+    {"Node", "LifecycleNode", "ComposableNode", "ComposableLifecycleNode", "ComposableNodeContainer", "ExecuteProcess"}
+)
+
+
+def _texts(body: list[facts.Stmt]) -> Iterator[str]:
+    passed: set[int] = set()
+    for item in walk(body):
+        if isinstance(item, facts.Mapping):
+            passed.update(id(key) for key in item.keys)
+        elif isinstance(item, facts.Call) and called_name(item) in _STARTS:
+            passed.update(id(one.value) for one in item.args if one.keyword in _NAMES_OF_NODES)
+        elif isinstance(item, facts.Literal) and isinstance(item.value, str) and id(item) not in passed:
+            yield item.value
