@@ -313,6 +313,13 @@ def test_an_include_is_told_once(findings):
     assert "declares rate, speed" in (one.help or "")
 
 
+def test_the_same_mistake_at_two_includes_is_one(findings):
+    include = '<include file="$(dirname)/fast.launch.xml"><arg name="colour" value="{}"/></include>'
+    outer = include.format("red") + "\n" + include.format("green")
+    (one,) = findings("LCH003", outer, **{"launch/fast.launch.xml": FAST})
+    assert [(related.place.line, related.message) for related in one.related] == [(2, "and here")]
+
+
 def test_an_argument_is_for_the_file_that_takes_it(findings):
     slow = {"launch/slow.launch.xml": '<launch><arg name="sped" default="1"/></launch>'}
     choice = "'fast.launch.xml' if real else 'slow.launch.xml'"

@@ -5,6 +5,7 @@ from __future__ import annotations
 import posixpath
 import re
 from collections.abc import Iterator, Sequence
+from dataclasses import replace
 from itertools import groupby
 from typing import TYPE_CHECKING
 
@@ -35,8 +36,13 @@ def undeclared_launch_argument(system: System, options: Options) -> Iterator[Fin
     if loader is None:
         return
     # One include may be of one of several files, or of all of them: an argument is for the one that takes it.
-    for _, includes in groupby(launched.included, key=lambda include: include.place):
-        yield from _unknown_arguments(loader, list(includes))
+    told: dict[tuple[object, ...], Finding] = {}
+    for place, includes in groupby(launched.included, key=lambda include: include.place):
+        for one in _unknown_arguments(loader, list(includes)):
+            first = told.setdefault((place.file, one.message), one)
+            if first.place != one.place:  # the same file is included with the same arguments again
+                told[place.file, one.message] = replace(first, related=(*first.related, Related(one.place, "and here")))
+    yield from told.values()
 
 
 def _undeclared_uses(system: System, launched: Launched) -> Iterator[Finding]:
