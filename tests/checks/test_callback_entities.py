@@ -103,6 +103,32 @@ class TestSignatures:
         assert codes(run(text, distro="kilted")) == []
         assert codes(run(text, distro="jazzy")) == ["EXE006"]
 
+    def test_those_of_a_class_that_fail_alike_are_one_finding(self, run: Run):
+        setup = "".join(f"self.create_timer(1.0, self.{name})\n" for name in ("first", "second", "third"))
+        setup += "self.create_service(Trigger, 'stop', self.stop)\n"
+        methods = "".join(f"def {name}(self, event):\n    pass\n\n" for name in ("first", "second", "third"))
+        methods += "def stop(self, request):\n    return Trigger.Response()\n"
+        timers, service = run(source(setup, methods))
+        assert timers.code == service.code == "EXE006"
+        assert "Robot.first takes 1 argument (event); so do 2 others of its class" in timers.message
+        assert [one.message for one in timers.related[1:]] == [
+            "Robot.second is handed over here",
+            "Robot.third is handed over here",
+        ]
+        assert "Robot.stop takes 1 argument (request)" in service.message and "so do" not in service.message
+
+    def test_methods_that_are_not_there_are_one_finding(self, run: Run):
+        setup = "self.create_timer(1.0, self.first)\nself.create_timer(2.0, self.second)\n"
+        [found] = run(source(setup, "def third(self):\n    pass\n"))
+        assert "is to be 'first', and there is no such method; nor is there 'second'" in found.message
+
+    def test_a_wrapper_that_hands_over_many(self, run: Run):
+        setup = "self.listen('left', self.on_left)\nself.listen('right', self.on_right)\n"
+        methods = "def listen(self, topic, callback):\n    self.create_subscription(Empty, topic, callback, 10)\n\n"
+        methods += "def on_left(self):\n    pass\n\ndef on_right(self):\n    pass\n"
+        [found] = run(source(setup, methods))
+        assert found.related[-1].message == "Robot.on_right, which gets there too, is defined here"
+
 
 class TestSpinning:
     TICK = "def tick(self):\n    pass\n"

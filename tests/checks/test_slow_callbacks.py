@@ -19,6 +19,10 @@ def timer(body: str) -> str:
         pytest.param("time.sleep(1.0)", ["EXE003"], id="a sleep"),
         pytest.param("time.sleep(0.01)", [], id="a moment"),
         pytest.param("[time.sleep(0.01) for _ in range(9)]", [], id="a few moments"),
+        pytest.param("for _ in range(9):\n        time.sleep(0.01)", [], id="a few moments in a loop"),
+        pytest.param("for _ in range(90):\n        time.sleep(0.01)", ["EXE003"], id="many moments in a loop"),
+        pytest.param("for byte in self.pause:\n        time.sleep(0.001)", [], id="a pause between bytes"),
+        pytest.param("for step in self.pause:\n        time.sleep(0.5)", ["EXE003"], id="a pause between steps"),
         pytest.param("time.sleep(self.pause)", ["EXE003"], id="nobody knows how long"),
         pytest.param("subprocess.run(['make'])", ["EXE003"], id="a process"),
         pytest.param("input('go on? ')", ["EXE003"], id="the keyboard"),
@@ -84,6 +88,43 @@ def test_a_service_that_sleeps_should_be_an_action(run: Run):
     [found] = run(source("self.create_service(Trigger, 'home', self.handle)\n", method))
     assert found.code == "SRV008"
     assert [r.message for r in found.related][2] == "Robot.handle calls Robot.drive here"
+
+
+@pytest.mark.parametrize(
+    ("body", "expected"),
+    [
+        pytest.param("time.sleep(0.2)", [], id="a moment"),
+        pytest.param("time.sleep(0.4)\n    time.sleep(0.5)", [], id="two moments"),
+        pytest.param("time.sleep(0.4)\n    time.sleep(0.7)", ["SRV008"], id="too many moments"),
+        pytest.param("for _ in range(3):\n        time.sleep(0.2)", [], id="a few moments in a loop"),
+        pytest.param("for _ in range(30):\n        time.sleep(0.2)", ["SRV008"], id="many moments in a loop"),
+        pytest.param("while self.moves():\n        time.sleep(0.05)", ["SRV008"], id="until something has happened"),
+        pytest.param(
+            "if request.data:\n        time.sleep(0.7)\n    else:\n        time.sleep(0.6)", [], id="one or the other"
+        ),
+    ],
+)
+def test_nobody_writes_an_action_for_a_moment(run: Run, body: str, expected: list[str]):
+    method = f"def handle(self, request, response):\n    {body}\n    return response\n"
+    method += "\ndef moves(self):\n    return read()\n"
+    assert codes(run(source("self.create_service(SetBool, 'home', self.handle)\n", method))) == expected
+
+
+def test_the_waits_of_a_function_are_one_finding(run: Run):
+    method = """
+    def tick(self):
+        time.sleep(1.0)
+        time.sleep(2.0)
+        self.make()
+
+    def make(self):
+        subprocess.run(['make'])
+    """
+    first, second = run(source(TIMER, method))
+    assert first.code == second.code == "EXE003"
+    assert "sleeps for 1 s, as does another line of Robot.tick" in first.message
+    assert first.related[-1].message == "here it sleeps for 2 s"
+    assert "waits for a process in subprocess.run()" in second.message
 
 
 @pytest.mark.parametrize(("seconds", "expected"), [("0.2", []), ("3.0", ["SRV008"])])

@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 from archlint.checks.blocking import in_distros
 from archlint.checks.reach import node_name, one_for_each_place
 from archlint.checks.registry import Options, finding, rule
 from archlint.facts import model as facts
-from archlint.finding import Finding, Related, Severity
+from archlint.finding import Finding, Place, Related, Severity
 from archlint.workspace.test_code import is_test_file
 
 if TYPE_CHECKING:
@@ -42,48 +42,111 @@ _WHAT = {
 
 @rule("EXE006")
 def callback_signature(system: System, options: Options) -> Iterator[Finding]:
-    """Callbacks that fail as soon as they are called."""
+    """Callbacks that fail as soon as they are called; those of a class that fail alike are one finding."""
+    alike: dict[tuple[object, ...], dict[tuple[Place, Place], _Wrong]] = {}
+    for program in system.programs:
+        for callback in program.callbacks:
+            place = callback.registered
+            if callback.role not in _PASSED or place is None or is_test_file(place.file) or is_test_file(program.file):
+                continue
+            wrong = _wrong(callback, options.distros)
+            if wrong is not None:
+                alike.setdefault(wrong.alike, {}).setdefault((place, callback.place), wrong)
     yield from one_for_each_place(
-        found
-        for program in system.programs
-        for callback in program.callbacks
-        if callback.role in _PASSED and callback.registered is not None
-        if not is_test_file(callback.registered.file) and not is_test_file(program.file)
-        for found in _wrong(system, callback, options.distros)
+        _finding(system, [found[places] for places in sorted(found)], options.distros) for found in alike.values()
     )
 
 
-def _wrong(system: System, callback: Callback, distros: Sequence[str]) -> Iterator[Finding]:
-    assert callback.registered is not None
-    what = _WHAT.get(callback.role, f"the {callback.role} callback")
+@dataclass(frozen=True)
+class _Wrong:
+    """A callback that cannot be called: ``takes`` says what it takes, None where there is no such method; in
+    ``distros`` only, where these are not all."""
+
+    callback: Callback
+    takes: str | None
+    distros: tuple[str, ...] = ()
+    arguments: int = 0
+
+    @property
+    def alike(self) -> tuple[object, ...]:
+        """What those have in common that have one cause: they are put right in one and the same way."""
+        node, registered = self.callback.node, self.callback.registered
+        owner = (node.place if node is not None else None, registered.file if registered is not None else "")
+        if self.takes is None:
+            return (*owner, "missing")
+        return (*owner, self.callback.role, self.distros, self.arguments)
+
+
+def _wrong(callback: Callback, distros: Sequence[str]) -> _Wrong | None:
     if callback.missing is not None:
-        yield finding(
-            "EXE006",
-            callback.registered,
-            f"{what} is to be '{callback.missing}', and there is no such method",
-            help="define it, or name the one that is meant",
-            node=node_name(system, callback.node),
-            identity=(callback.role, callback.missing),
-        )
-        return
+        return _Wrong(callback, None)
     function = callback.function
     if function is None or (isinstance(function, facts.Function) and function.decorators and not _plain(function)):
-        return
-    wrong = [distro for distro in distros if not _fits(function, callback, distro)]
-    if not wrong:
-        return
-    passed = _PASSED[callback.role]
-    where = f" {in_distros(wrong)}" if set(wrong) != set(distros) else ""
-    found = finding(
+        return None
+    wrong = tuple(distro for distro in distros if not _fits(function, callback, distro))
+    return (
+        _Wrong(callback, _takes(function, callback), wrong, len(function.params) - callback.bound_arguments)
+        if wrong
+        else None
+    )
+
+
+def _finding(system: System, wrongs: Sequence[_Wrong], distros: Sequence[str]) -> Finding:
+    first, *others = wrongs
+    return _missing(system, first, others) if first.takes is None else _misfit(system, first, others, distros)
+
+
+def _missing(system: System, first: _Wrong, others: Sequence[_Wrong]) -> Finding:
+    callback = first.callback
+    assert callback.registered is not None
+    names = sorted({repr(one.callback.missing) for one in others} - {repr(callback.missing)})
+    nor = f"; nor is there {' or '.join(names)}" if names else ""
+    return finding(
         "EXE006",
         callback.registered,
-        f"{what} is called with {_and(passed)}{where}, and {callback.name} {_takes(function, callback)}",
-        help="rclpy passes " + _and(passed) + _more(callback.role, distros),
-        related=[Related(callback.place, f"{callback.name} is defined here")],
+        f"{_what(callback)} is to be '{callback.missing}', and there is no such method{nor}",
+        help="define it, or name the one that is meant",
+        related=[Related(_place(one), f"'{one.callback.missing}' is handed over here") for one in others],
+        node=node_name(system, callback.node),
+        identity=(callback.role, callback.missing or ""),
+    )
+
+
+def _misfit(system: System, first: _Wrong, others: Sequence[_Wrong], distros: Sequence[str]) -> Finding:
+    callback, passed = first.callback, _and(_PASSED[first.callback.role])
+    some = set(first.distros) != set(distros)
+    where = f" {in_distros(first.distros)}" if some else ""
+    names = list(dict.fromkeys(one.callback.name for one in others if one.callback.name != callback.name))
+    so = f"; so does {names[0]}" if len(names) == 1 else f"; so do {len(names)} others of its class" if names else ""
+    found = finding(
+        "EXE006",
+        _place(first),
+        f"{_what(callback)} is called with {passed}{where}, and {callback.name} {first.takes}{so}",
+        help=f"rclpy passes {passed}" + _more(callback.role, distros),
+        related=[
+            Related(callback.place, f"{callback.name} is defined here"),
+            *(_further(first, one) for one in others),
+        ],
         node=node_name(system, callback.node),
         identity=(callback.role, callback.name),
     )
-    yield found if not where else replace(found, severity=Severity.WARNING)
+    return replace(found, severity=Severity.WARNING) if some else found
+
+
+def _further(first: _Wrong, other: _Wrong) -> Related:
+    """A wrapper hands over several callbacks in one line: then their definitions tell more."""
+    if _place(first) == _place(other):
+        return Related(other.callback.place, f"{other.callback.name}, which gets there too, is defined here")
+    return Related(_place(other), f"{other.callback.name} is handed over here")
+
+
+def _what(callback: Callback) -> str:
+    return _WHAT.get(callback.role, f"the {callback.role} callback")
+
+
+def _place(wrong: _Wrong) -> Place:
+    assert wrong.callback.registered is not None
+    return wrong.callback.registered
 
 
 def _plain(function: facts.Function) -> bool:

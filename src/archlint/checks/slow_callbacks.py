@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING
 
@@ -12,6 +13,7 @@ from archlint.checks.reach import argument, calls_of, endpoint_words, judged_cal
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.sleeps import Stay, longest, stay_of
 from archlint.facts import model as facts
+from archlint.facts.walk import called_name
 from archlint.finding import Finding, Related
 from archlint.program.interest import names_in
 from archlint.program.values import Known, alternatives
@@ -24,7 +26,9 @@ if TYPE_CHECKING:
 MOMENT = 0.1
 """Seconds of a sleep that are not worth a word, unless a loop adds them up."""
 LONG = 1.0
-"""Seconds of a sleep that a caller notices, where nobody else does."""
+"""Seconds that a service handler may sleep, all in all: nobody writes an action for less."""
+TINY = 0.01
+"""Seconds of a pause between the items of something."""
 DISCOVERY = 1.0
 """Seconds that a callback may look for a server."""
 
@@ -38,57 +42,95 @@ _LISTENER = "tf2_ros.transform_listener.TransformListener"
 # ------------------------------------------------------------------------------------------ EXE003, SRV008
 
 
+_Row = tuple["Program", "ApiCall", Stay]
+
+
 @rule("EXE003")
 def slow_callback(system: System, options: Options) -> Iterator[Finding]:
-    """Sleeps and waits for the world outside that callbacks reach."""
-    yield from one_for_each_place(
-        _slow(system, program, call, stay)
-        for program, call, stay in _stays(system)
-        if not (call.context.role == "service" and stay.kind == "sleep")
-    )
+    """Sleeps and waits for the world outside that callbacks reach: one finding for the function that holds them."""
+    functions: dict[tuple[str, str], dict[Place, _Row]] = {}
+    for program, call, stay in _stays(system):
+        if call.context.role == "service" and stay.kind == "sleep":
+            continue  # SRV008 has a bound of its own for these
+        rows = functions.setdefault((call.file, call.function), {})
+        known = rows.get(call.place)
+        if known is None or len(call.chain) < len(known[1].chain):
+            rows[call.place] = (program, call, stay)
+    yield from one_for_each_place(_slow(system, [rows[place] for place in sorted(rows)]) for rows in functions.values())
 
 
 @rule("SRV008")
 def long_running_service(system: System, options: Options) -> Iterator[Finding]:
     """Service handlers that sleep, once for long or again and again; one finding a handler."""
     handlers: dict[tuple[Program, Place], list[tuple[ApiCall, Stay]]] = {}
-    for program, call, stay in _stays(system):
-        if call.context.role == "service" and stay.kind == "sleep":
+    for program, call in judged_calls(system):
+        stay = stay_of(call) if call.context.role == "service" else None
+        if stay is not None and stay.kind == "sleep" and not _around_future(call):
             handlers.setdefault((program, call.context.place), []).append((call, stay))
     yield from one_for_each_place(
         _long_service(system, program, sorted(sleeps, key=lambda one: one[0].place))
         for (program, _), sleeps in handlers.items()
+        if _in_all(sleeps) >= LONG
     )
 
 
-def _stays(system: System) -> Iterator[tuple[Program, ApiCall, Stay]]:
+def _in_all(sleeps: Sequence[tuple[ApiCall, Stay]]) -> float:
+    """Seconds that a handler sleeps for certain, each way through its branches by itself; what nobody knows has no
+    end."""
+    arms: dict[tuple[tuple[str, int], ...], dict[Place, float]] = {}
+    for call, stay in sleeps:
+        arms.setdefault(call.arms, {})[call.place] = _in_loops(call, stay)
+    always = sum(arms.pop((), {}).values())
+    return always + max((sum(found.values()) for found in arms.values()), default=0.0)
+
+
+def _in_loops(call: ApiCall, stay: Stay) -> float:
+    """How long a sleep takes with the loops around it; what nobody knows has no end."""
+    if stay.seconds is None:
+        return math.inf
+    # The loops of callers are places only: how often they go round is not looked at.
+    times = [_times(loop) for loop in call.loops] + [math.inf] * (len(call.rounds) - len(call.loops))
+    return stay.seconds * math.prod(times) if stay.seconds > 0 else 0.0
+
+
+def _times(loop: facts.While | facts.For) -> float:
+    """How often a loop goes round at most."""
+    if isinstance(loop, facts.While):
+        return math.inf
+    if isinstance(loop.iterable, facts.Sequence):
+        return len(loop.iterable.elements)
+    given = (
+        loop.iterable.args if isinstance(loop.iterable, facts.Call) and called_name(loop.iterable) == "range" else []
+    )
+    bounds = [one.value.value for one in given if isinstance(one.value, facts.Literal)]
+    numbers = [bound for bound in bounds if isinstance(bound, int)]
+    return len(range(*numbers)) if given and len(numbers) == len(given) else math.inf
+
+
+def _stays(system: System) -> Iterator[_Row]:
     for program, call in judged_calls(system):
         stay = stay_of(call) if runs_in_executor(call.context) else None
-        if stay is None or _trifle(call) or not _is_long(call, stay):
+        if stay is None or _trifle(call) or not _is_long(call, stay) or _harmless(call.context, program):
             continue
-        if not _harmless(call.context, program) or _keeps_the_caller(call, stay):
-            yield program, call, stay
-
-
-def _keeps_the_caller(call: ApiCall, stay: Stay) -> bool:
-    """Whether a handler sleeps so long that its caller suffers, however many threads there are."""
-    if call.context.role != "service" or stay.kind != "sleep":
-        return False
-    return call.looped or stay.seconds is None or stay.seconds >= LONG
+        yield program, call, stay
 
 
 def _is_long(call: ApiCall, stay: Stay) -> bool:
     if stay.kind == "discovery":
         return stay.seconds is not None and stay.seconds > DISCOVERY
-    if any(isinstance(loop, facts.While) and "done" in names_in(loop.test) for loop in call.loops):
-        return False  # a loop around a future: that wait is what is wrong, not its pace
+    if _around_future(call):
+        return False
     if stay.kind != "sleep" or stay.seconds is None:
         return True
-    period = _period(call.context)
-    # A loop makes a long sleep of short ones; how long, nobody knows.
-    return (
-        stay.seconds >= MOMENT or (call.looped and stay.seconds > 0) or (period is not None and stay.seconds > period)
-    )
+    period, seconds = _period(call.context), _in_loops(call, stay)
+    if math.isinf(seconds) and stay.seconds <= TINY and not any(isinstance(loop, facts.While) for loop in call.loops):
+        seconds = stay.seconds  # a pause between the bytes or lines of something: it takes many to make it long
+    return seconds >= MOMENT or (period is not None and seconds > period)
+
+
+def _around_future(call: ApiCall) -> bool:
+    """A loop around a future: that wait is what is wrong, not its pace."""
+    return any(isinstance(loop, facts.While) and "done" in names_in(loop.test) for loop in call.loops)
 
 
 def _trifle(call: ApiCall) -> bool:
@@ -118,28 +160,35 @@ def _harmless(callback: Callback, program: Program) -> bool:
     return not others
 
 
-def _slow(system: System, program: Program, call: ApiCall, stay: Stay) -> Finding:
+def _slow(system: System, rows: Sequence[_Row]) -> Finding:
+    (program, call, stay), *others = rows
     callback = call.context
     period = _period(callback)
     if stay.kind == "sleep" and stay.seconds is not None and period is not None and stay.seconds > period:
         end = f", longer than its period of {period:g} s"
     else:
         end = " each time round a loop" if stay.kind == "sleep" and call.looped else ""
+    if others:
+        end += f", as {'does another line' if len(others) == 1 else f'do {len(others)} more lines'} of {call.function}"
     return finding(
         "EXE003",
         call.place,
         f"{callback_words(callback)} {stay.words}{end}: {_meanwhile(callback, program)}",
-        help="let a timer go on later, instead of sleeping"
-        if stay.kind == "sleep"
-        else "look once, without waiting, and try again from a timer"
-        if stay.kind == "discovery"
-        else "subscribe, and go on in the callback"
-        if stay.kind == "message"
-        else "do it in a thread (or a ThreadPoolExecutor) of your own",
-        related=tuple(related_to(call, program)),
+        help=_INSTEAD.get(stay.kind, "do it in a thread (or a ThreadPoolExecutor) of your own"),
+        related=(
+            *related_to(call, program),
+            *(Related(other.place, f"here it {words.words}") for _, other, words in others),
+        ),
         node=node_name(system, callback.node),
         identity=(callback.name, call.api),
     )
+
+
+_INSTEAD = {
+    "sleep": "let a timer go on later, instead of sleeping",
+    "discovery": "look once, without waiting, and try again from a timer",
+    "message": "subscribe, and go on in the callback",
+}
 
 
 def _meanwhile(callback: Callback, program: Program) -> str:
@@ -156,11 +205,14 @@ def _long_service(system: System, program: Program, sleeps: Sequence[tuple[ApiCa
     callback = call.context
     further = {other.place: Related(other.place, f"then it {words.words}") for other, words in others}
     further.pop(call.place, None)
-    again = " each time round a loop" if call.looped else ""
+    words, total = stay.words, _in_all(sleeps)
+    if further and not math.isinf(total):
+        words = f"sleeps for {total:.3g} s in all"
+    again = " each time round a loop" if call.looped and math.isinf(total) else ""
     return finding(
         "SRV008",
         call.place,
-        f"the handler of {endpoint_words(callback.creation)} {stay.words}{again}: the caller waits without "
+        f"the handler of {endpoint_words(callback.creation)} {words}{again}: the caller waits without "
         "knowing for how long, and cannot cancel",
         help="what takes its time is an action: it has feedback, a result and cancelling",
         related=(*related_to(call, program), *further.values()),
