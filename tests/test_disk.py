@@ -41,7 +41,7 @@ def test_a_fix_looks_for_names_beside_a_pipe_and_an_endless_link(tmp_path: Path)
     (tmp_path / "zero.py").symlink_to("/dev/zero")
     (tmp_path / "other.py").write_text("taken = 1\n")
     (tmp_path / "node.py").write_text("x = 1\n")
-    around = Surroundings(())
+    around = Surroundings((), [str(path) for path in tmp_path.glob("*.py")])
     source = around.source(str(tmp_path / "node.py"))
     assert isinstance(source, Source)
 
@@ -53,10 +53,10 @@ def test_a_fix_looks_for_names_beside_a_pipe_and_an_endless_link(tmp_path: Path)
 def test_a_link_that_waits_under_the_temporary_name_is_not_written_through(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ):
-    monkeypatch.setattr(disk.secrets, "token_hex", lambda size: "guessed")
+    monkeypatch.setattr(disk.os, "urandom", lambda size: b"known")
     victim = tmp_path / "victim"
     victim.write_text("precious")
-    (tmp_path / ".out.json.guessed.tmp").symlink_to(victim)
+    (tmp_path / ".out.json.6b6e6f776e.tmp").symlink_to(victim)
 
     with pytest.raises(FileExistsError):
         replace_file(tmp_path / "out.json", b"new")

@@ -353,6 +353,81 @@ def test_a_cache_that_cannot_be_written_is_no_error():
     assert len(run(cached=True).findings) == 1
 
 
+def test_entries_that_came_with_the_repository_are_not_believed():
+    from archlint import __version__
+    from archlint.facts.files import _salt
+    from archlint.facts.store import Store, digest_of
+
+    file = write("a.py")
+    age()
+    theirs = Store(".archlint_cache", __version__, b"t" * 32)
+    theirs.put(digest_of(file.read_bytes(), _salt()), b"-")  # as if the file held no word that matters
+    theirs.close()
+    assert places(run(cached=True)) == [("OWN001", "a.py", 9)]
+    assert places(run(cached=True)) == [("OWN001", "a.py", 9)]
+
+
+def test_without_a_key_nothing_is_kept(monkeypatch: pytest.MonkeyPatch):
+    monkeypatch.setenv("XDG_CONFIG_HOME", "/dev/null/nowhere")
+    write("a.py")
+    assert places(run(cached=True)) == [("OWN001", "a.py", 9)]
+    assert not Path(".archlint_cache").exists()
+
+
+@pytest.fixture
+def launched_with_ignored_parameters() -> Path:
+    """A launch file that loads a parameter file which git ignores, and another that is not there."""
+    rule("LCH004")(missing_files)
+    write(".git/HEAD")
+    write(".gitignore", "local.yaml")
+    write("p/package.xml", PACKAGE.format(name="p"))
+    write("p/CMakeLists.txt", "install(DIRECTORY config launch DESTINATION share/${PROJECT_NAME})")
+    write("p/launch/a.launch.xml", LAUNCH)
+    file = write("p/config/local.yaml", "/**:\n  ros__parameters:\n    rate: 1\n")
+    age()
+    return file
+
+
+LAUNCH = """\
+<launch>
+  <node pkg="p" exec="e" name="n"><param from="$(find-pkg-share p)/config/local.yaml"/></node>
+  <node pkg="p" exec="e" name="m"><param from="$(find-pkg-share p)/config/other.yaml"/></node>
+</launch>
+"""
+
+
+def missing_files(system, options: Options):
+    for launched in system.world.launched:
+        for one in launched.references:
+            rows = system.world.parameters_of(one.source).sections if one.source else ()
+            yield finding("LCH004", one.place, f"{one.written}: {one.status}, {rows}")
+
+
+@pytest.mark.parametrize(
+    "change",
+    [
+        lambda file: file.unlink(),
+        lambda file: file.write_text(file.read_text().replace("1", "2")),
+        lambda file: (file.parent / "other.yaml").write_text(file.read_text()),
+    ],
+    ids=["deleted", "edited", "one that was missing"],
+)
+def test_a_change_of_a_file_that_git_ignores_is_seen(launched_with_ignored_parameters: Path, change):
+    write(".gitignore", "local.yaml\nother.yaml")
+    first = summary_without_time(run(cached=True))
+    assert summary_without_time(run(cached=True)) == first
+    change(launched_with_ignored_parameters)
+    fresh = summary_without_time(run())
+    assert fresh != first
+    assert summary_without_time(run(cached=True)) == fresh
+
+
+def test_a_run_that_read_ignored_files_is_answered_from_the_cache(launched_with_ignored_parameters: Path, request):
+    first = summary_without_time(run(cached=True))
+    request.getfixturevalue("no_linking")
+    assert summary_without_time(run(cached=True)) == first
+
+
 def test_the_cache_lies_beside_the_configuration_and_git_does_not_see_it():
     write("src/a.py")
     write("archlint.toml", "")

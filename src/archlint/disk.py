@@ -5,7 +5,6 @@ from __future__ import annotations
 import contextlib
 import errno
 import os
-import secrets
 import stat
 from pathlib import Path
 
@@ -37,7 +36,7 @@ def replace_file(target: Path, data: bytes, like: os.stat_result | None = None) 
     It is written aside first, to a name that nobody can know before, and never through a link.  ``target`` itself
     should be no link.  Raises ``OSError``.
     """
-    temporary = target.with_name(f".{target.name[:200]}.{secrets.token_hex(8)}.tmp")
+    temporary = target.with_name(f".{target.name[:200]}.{os.urandom(8).hex()}.tmp")
     flags = os.O_WRONLY | os.O_CREAT | os.O_EXCL | _flag("O_NOFOLLOW") | _flag("O_CLOEXEC") | _flag("O_BINARY")
     descriptor = os.open(temporary, flags, 0o666)
     try:

@@ -22,15 +22,19 @@ if TYPE_CHECKING:
     from archlint.facts.store import NullStore, Store
     from archlint.session import Request
     from archlint.workspace.model import SourceFile, Workspace
+    from archlint.workspace.tree import SourceTree
 
 
 class RunCache:
     """The record of one request over one state of a workspace."""
 
-    def __init__(self, store: Store | NullStore, request: Request, workspace: Workspace) -> None:
+    def __init__(
+        self, store: Store | NullStore, request: Request, workspace: Workspace, tree: SourceTree
+    ) -> None:
         self._store = store
         self._request = request
         self._workspace = workspace
+        self._tree = tree
         self._key: str | None = None
 
     def load(self) -> Judged | None:
@@ -59,6 +63,7 @@ class RunCache:
             ],
             "summary": vars(judged.summary),
             "notices": judged.notices,
+            "asked": self._asked(),
         }
         self._store.put_run(self._key, json.dumps(record).encode())
 
@@ -68,12 +73,21 @@ class RunCache:
             return None
         try:
             record = json.loads(payload)
+            if any(self._tree.answer(question, path) != answer for question, path, answer in record["asked"]):
+                return None
             findings = [_finding(entry) for entry in record["findings"]]
             return Judged(
                 findings, Summary(**record["summary"]), [str(notice) for notice in record["notices"]]
             )
         except (ValueError, KeyError, TypeError, AttributeError, RecursionError):
             return None
+
+    def _asked(self) -> list[tuple[str, str, str | None]]:
+        """What was asked of the disk beside the files that the key is made of: a parameter file that git ignores,
+        a file that is not there."""
+        known = {file.relative for file in self._workspace.files}
+        rows = [(question, path, answer) for (question, path), answer in self._tree.asked.items()]
+        return [row for row in sorted(rows, key=lambda row: row[:2]) if row[0] == "listing" or row[1] not in known]
 
     def _known(self, file: SourceFile) -> str | None:
         """The digest of a file's content; of Python only a known one, for compiling hashes it anyway."""

@@ -14,6 +14,7 @@ from archlint.finding import Place
 from archlint.report.model import Judged, Report, Summary, summarise
 from archlint.run_cache import RunCache
 from archlint.sources import PYTHON, Sources
+from archlint.workspace.tree import SourceTree
 
 if TYPE_CHECKING:
     from archlint.config import Settings
@@ -48,13 +49,14 @@ def check(request: Request) -> Report:
     started = time.perf_counter()
     workspace = _found(request)
     store = _store(request)
-    kept = RunCache(store, request, workspace)
+    tree = SourceTree(Path.cwd(), Path(workspace.root))
+    kept = RunCache(store, request, workspace, tree)
     judged = kept.load()
     if judged is None:
         facts = _compiled(request, workspace, store)
         judged = kept.load_again(facts)
         if judged is None:
-            judged = call_with_deep_stack(lambda: _judged(request, workspace, facts))
+            judged = call_with_deep_stack(lambda: _judged(request, workspace, facts, tree))
             if facts.lasting and not any(finding.code == "LNT003" for finding in judged.findings):
                 kept.save(judged)
     store.close()
@@ -82,7 +84,8 @@ def graph(request: Request, everything: bool = False) -> System:
     workspace = _found(request)
     store = _store(request)
     facts = _compiled(request, workspace, store)
-    system = call_with_deep_stack(lambda: _systems(request, workspace, facts))[0]
+    tree = SourceTree(Path.cwd(), Path(workspace.root))
+    system = call_with_deep_stack(lambda: _systems(request, workspace, facts, tree))[0]
     store.close()
     system = _asked_for(request, system, workspace)
     return with_implicit(system, request.settings.distro) if everything else system
@@ -125,9 +128,11 @@ def _python(workspace: Workspace) -> list[SourceFile]:
 
 def _store(request: Request) -> Store | NullStore:
     from archlint import __version__
+    from archlint.facts.secret import user_key
     from archlint.facts.store import NullStore, Store
 
-    return Store(request.settings.cache_folder, __version__) if request.cached else NullStore()
+    key = user_key(request.paths) if request.cached else None
+    return NullStore() if key is None else Store(request.settings.cache_folder, __version__, key)
 
 
 def _compiled(request: Request, workspace: Workspace, store: Store | NullStore) -> FactsOfFiles:
@@ -138,7 +143,7 @@ def _compiled(request: Request, workspace: Workspace, store: Store | NullStore) 
     return facts
 
 
-def _systems(request: Request, workspace: Workspace, facts: FactsOfFiles) -> list[System]:
+def _systems(request: Request, workspace: Workspace, facts: FactsOfFiles, tree: SourceTree) -> list[System]:
     """Link and load."""
     from archlint.program.entry_points import entry_points, read_installs
     from archlint.program.interface_table import InterfaceTable
@@ -147,9 +152,7 @@ def _systems(request: Request, workspace: Workspace, facts: FactsOfFiles) -> lis
     from archlint.system.instances import assemble
     from archlint.system.launched import World
     from archlint.system.launches import launch_systems
-    from archlint.workspace.tree import SourceTree
 
-    tree = SourceTree(Path.cwd(), Path(workspace.root))
     faults = Faults()
     installs = read_installs(workspace.packages, workspace.files, facts.facts_of, tree, faults)
     words = {name: one.words for name, one in installs.items()}
@@ -211,7 +214,7 @@ def _asked_for(request: Request, system: System, workspace: Workspace) -> System
     return only(system, {file.relative for file in workspace.files if file.context})
 
 
-def _judged(request: Request, workspace: Workspace, facts: FactsOfFiles) -> Judged:
+def _judged(request: Request, workspace: Workspace, facts: FactsOfFiles, tree: SourceTree) -> Judged:
     from archlint import suppressions
     from archlint.checks.folding import folded
     from archlint.checks.launch_notices import argument_notices
@@ -222,7 +225,7 @@ def _judged(request: Request, workspace: Workspace, facts: FactsOfFiles) -> Judg
     known = [file for file in _python(workspace) if facts.relevant(file)]
     if not known and not _is_for_ros(workspace):
         raise NothingToDo(_nothing_for_ros(request, len(_python(workspace))))
-    systems = _systems(request, workspace, facts)
+    systems = _systems(request, workspace, facts, tree)
     loader = systems[0].world.loader if systems[0].world is not None else None
     faults = systems[0].world.faults if systems[0].world is not None else Faults()
     found = [*_problems(workspace, known, facts, faults), *merged(_rules(request.settings, systems))]
@@ -234,7 +237,7 @@ def _judged(request: Request, workspace: Workspace, facts: FactsOfFiles) -> Judg
     outcome = suppressions.apply(_wanted(found, request.settings, workspace), by_file)
     stale = suppressions.stale(outcome.unused, _ran(request, systems), Sources().line)
     kept = [*outcome.kept, *suppressions.apply(_wanted(stale, request.settings, workspace), by_file).kept]
-    whole = folded(dict.fromkeys(_with_fixes(kept, request)))
+    whole = folded(dict.fromkeys(_with_fixes(kept, request, workspace)))
     findings = sorted(whole, key=lambda finding: finding.sort_key)
     shown = [_asked_for(request, systems[0], workspace)]
     summary = summarise(
@@ -288,7 +291,7 @@ def _ran(request: Request, systems: Sequence[System]) -> frozenset[str]:
     return frozenset(code for code in selection.codes if selection.runs(code, closed))
 
 
-def _with_fixes(findings: Sequence[Finding], request: Request) -> Sequence[Finding]:
+def _with_fixes(findings: Sequence[Finding], request: Request, workspace: Workspace) -> Sequence[Finding]:
     """The findings with their fixes; one more for each fix that cannot be made by a fault of ours."""
     from archlint.checks.registry import failure
     from archlint.rulebook import rules
@@ -298,7 +301,8 @@ def _with_fixes(findings: Sequence[Finding], request: Request) -> Sequence[Findi
     from archlint.fixes import Surroundings, attach
 
     faults = Faults()
-    fixed = attach(findings, Surroundings(request.settings.distros), faults)
+    files = [file.path for file in _python(workspace)]
+    fixed = attach(findings, Surroundings(request.settings.distros, files), faults)
     return [*fixed, *map(failure, faults.found())]
 
 

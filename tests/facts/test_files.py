@@ -33,7 +33,7 @@ def source_file(path: Path, text: str, age: int = 3600) -> SourceFile:
 
 @pytest.fixture
 def cache(tmp_path):
-    return lambda: Store(str(tmp_path / "cache"), "1")
+    return lambda: Store(str(tmp_path / "cache"), "1", b"k" * 32)
 
 
 def facts_of(files, store):

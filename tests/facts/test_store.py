@@ -22,6 +22,7 @@ OLD: Stamp = (time.time_ns() - 200 * DAY * 10**9, 0, 12, 7)
 DIGEST = digest_of(b"import rclpy")
 OTHER = digest_of(b"import rospy")
 RUN = "0" * 64
+KEY = b"k" * 32
 
 
 @pytest.fixture
@@ -30,7 +31,7 @@ def root(tmp_path: Path) -> Path:
 
 
 def opened(root: Path) -> Store:
-    return Store(str(root), "1.0")
+    return Store(str(root), "1.0", KEY)
 
 
 def filled(root: Path) -> None:
@@ -92,8 +93,8 @@ def test_the_digest_depends_on_content_and_purpose():
 
 def test_versions_do_not_share_entries(root):
     filled(root)
-    assert Store(str(root), "1.1").get(DIGEST) is None
-    assert Store(str(root), "1.1").lookup("/ws/node.py", OLD) is None
+    assert Store(str(root), "1.1", KEY).get(DIGEST) is None
+    assert Store(str(root), "1.1", KEY).lookup("/ws/node.py", OLD) is None
 
 
 def test_no_cache_keeps_nothing():
@@ -248,11 +249,11 @@ def test_damage_is_a_miss_never_a_wrong_answer(root):
 
 
 def write_index(root: Path, content: object) -> None:
-    """An index as somebody else would write it, with a checksum that is right."""
+    """An index as somebody else would write it, if he knew the key."""
     filled(root)
     index = Path(opened(root).folder) / "index.json"
     data = content if isinstance(content, bytes) else json.dumps(content).encode()
-    index.write_bytes(store_module._checksum(data) + b"\n" + data)
+    index.write_bytes(opened(root)._signature("index.json", data) + b"\n" + data)
 
 
 @pytest.mark.parametrize(
@@ -387,7 +388,7 @@ def test_entries_of_old_versions_go_too_and_nothing_that_is_not_ours(root, monke
             path.touch()
 
     days_ago(monkeypatch, root, 31, plant)
-    newer = Store(str(root), "2.0")
+    newer = Store(str(root), "2.0", KEY)
     newer.remember("/ws/node.py", OLD, DIGEST)
     newer.close()
     assert sorted(path for path in files_in(root) if folder in path.parents) == sorted(foreign[1:])
@@ -419,7 +420,7 @@ from archlint.facts.store import Store, digest_of
 
 root, me = sys.argv[1:]
 for round in range(30):
-    store = Store(root, "1.0")
+    store = Store(root, "1.0", b"k" * 32)
     for number in range(20):
         shared = digest_of(b"shared %d" % number)
         payload = b"payload of %d " % number * 2_000

@@ -132,8 +132,19 @@ class FactsOfFiles:
         payload = self._payloads.get(file.path)
         if payload is None or payload.startswith(_IRRELEVANT):
             payload = self._ahead.get(file.path) or self._on_demand([file]).get(file.path)
-        self._facts[file.path] = None if payload is None else self._decoded(payload)
+        facts = None if payload is None else self._decoded(payload)
+        self._facts[file.path] = self._compiled_anew(file) if payload is not None and facts is None else facts
         return self._facts[file.path]
+
+    def _compiled_anew(self, file: SourceFile) -> Facts | None:
+        """The facts of a file whose entry in the cache says nothing."""
+        from archlint.facts.compile import compile_sources
+
+        data = gate.read_bytes(file.path)
+        if isinstance(data, gate.Refusal):
+            return None
+        [result] = compile_sources([data], self._jobs)
+        return self._decoded(result.payload)
 
     # --------------------------------------------------------------------------------------------- inside
 

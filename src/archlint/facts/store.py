@@ -1,8 +1,9 @@
 """The cache: facts by content, and the results of whole runs by all that they depend on.
 
 A folder may come with a repository that somebody else wrote, so what is in it is only ever data: each entry
-carries a checksum, whatever is damaged or not what it should be is a miss, no name from the cache becomes a
-path unchecked, and no link out of the folder is followed to write or to delete.  Every file is written aside and
+is signed with the user's own key (:mod:`archlint.facts.secret`), whatever is damaged or not what it should be is a
+miss, no name from the cache becomes a path unchecked, and no link out of the folder is followed to write or to
+delete.  Every file is written aside and
 put in place at once, so that runs may go on at the same time.
 """
 
@@ -17,6 +18,7 @@ import stat
 import sys
 import time
 from collections.abc import Iterator
+from hmac import compare_digest
 
 FOLDER = ".archlint_cache"
 INDEX = "index.json"
@@ -55,14 +57,15 @@ class Store:
     ``root`` is made when there is something to keep.
     """
 
-    def __init__(self, root: str, version: str) -> None:
+    def __init__(self, root: str, version: str, key: bytes) -> None:
         # Facts depend on the Python that judged the source, too: newer ones accept more.
         self.root = root
+        self._secret = key
         self.folder = os.path.join(root, f"{version}-{sys.version_info[0]}.{sys.version_info[1]}")
         self._opened = time.time_ns()
         self._today = self._opened // (_DAY * 10**9)
         inner = (os.path.join(self.folder, kind) for kind in ("facts", "runs"))
-        self._usable = not any(map(os.path.islink, (self.folder, *inner)))
+        self._usable = not any(map(os.path.islink, (root, self.folder, *inner)))
         self._made: set[str] = set()
         self._index, self._swept = _read_index(self._read(INDEX))
         self._changed = False
@@ -126,8 +129,14 @@ class Store:
         data = _read_file(os.path.join(self.folder, name)) if self._usable else None
         if data is None:
             return None
-        checksum, _, payload = data.partition(b"\n")
-        return payload if checksum == _checksum(payload) else None
+        signature, _, payload = data.partition(b"\n")
+        return payload if compare_digest(signature, self._signature(name, payload)) else None
+
+    def _signature(self, name: str, payload: bytes) -> bytes:
+        """What only this user can make: for this payload, under this name, of this version."""
+        place = f"{os.path.basename(self.folder)}/{name.replace(os.sep, '/')}".encode()
+        made = hashlib.blake2b(place + b"\0" + payload, key=self._secret, digest_size=16)
+        return made.hexdigest().encode()
 
     def _write(self, name: str, payload: bytes) -> None:
         if not self._usable:
@@ -137,7 +146,7 @@ class Store:
         try:
             self._make(os.path.dirname(path))
             with open(temporary, "xb") as stream:
-                stream.write(_checksum(payload) + b"\n" + payload)
+                stream.write(self._signature(name, payload) + b"\n" + payload)
             os.replace(temporary, path)
         except OSError:
             self._usable = False  # no permission, no room: as good as no cache
@@ -185,10 +194,6 @@ def _read_index(data: bytes | None) -> tuple[dict[str, _Row], int]:
     except (ValueError, TypeError, KeyError, AttributeError, RecursionError):
         return {}, 0
     return rows, swept
-
-
-def _checksum(payload: bytes) -> bytes:
-    return hashlib.sha256(payload).hexdigest()[:32].encode()
 
 
 def _read_file(path: str) -> bytes | None:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -29,11 +29,12 @@ BUILDERS: dict[str, Builder] = {
 
 
 class Surroundings:
-    """What a fix may need beside its finding: the texts of files, each read once, and ``distros``, the ROS
-    distributions that the code is for."""
+    """What a fix may need beside its finding: the texts of files, each read once, ``distros``, the ROS
+    distributions that the code is for, and ``files``, the Python files of the workspace."""
 
-    def __init__(self, distros: tuple[str, ...]) -> None:
+    def __init__(self, distros: tuple[str, ...], files: Sequence[str] = ()) -> None:
         self.distros: tuple[str, ...] = distros
+        self._files = files
         self._sources: dict[str, Source | None] = {}
         self._findings: dict[tuple[str, str], list[Finding]] = {}
         self._texts: dict[Path, dict[str, str]] = {}
@@ -60,8 +61,8 @@ class Surroundings:
         file = Path(source.file).resolve()
         root = next((folder for folder in file.parents if (folder / "package.xml").is_file()), file.parent)
         if root not in self._texts:
-            files = sorted(root.rglob("*.py"))[:_MOST_FILES]
-            found = ((str(one), read(str(one))) for one in files)
+            inside = sorted({path for path in (Path(one).resolve() for one in self._files) if root in path.parents})
+            found = ((str(one), read(str(one))) for one in inside[:_MOST_FILES])
             self._texts[root] = {name: one.text for name, one in found if one is not None}
         taken = (name for other in self._sources.values() if other not in (None, source) for name in other.taken)
         return "\n".join((*(t for name, t in self._texts[root].items() if name != str(file)), *sorted(taken)))

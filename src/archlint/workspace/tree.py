@@ -2,12 +2,16 @@
 
 from __future__ import annotations
 
+import errno
+import hashlib
 import os
 import posixpath
 import re
 from collections.abc import Iterable
 from pathlib import Path
 from typing import TYPE_CHECKING
+
+from archlint.disk import read_regular
 
 if TYPE_CHECKING:
     from archlint.workspace.model import SourceFile
@@ -26,11 +30,10 @@ class SourceTree:
         self.base = base
         self._within = os.path.realpath(within or base)
         self._listed: dict[str, list[str]] = {}
-        self.asked: dict[str, None] = {}
-        """Every path that an answer depended on, for whoever caches answers."""
+        self.asked: dict[tuple[str, str], str | None] = {}
+        """Every answer that was given, by question and path, for whoever keeps what follows from them."""
 
     def _real(self, path: str) -> Path | None:
-        self.asked.setdefault(path)
         if "\0" in path:
             return None
         real = os.path.realpath(self.base / path)
@@ -38,38 +41,63 @@ class SourceTree:
         return Path(real) if inside else None
 
     def is_file(self, path: str) -> bool:
-        real = self._real(path)
-        return real is not None and real.is_file()
+        return self._kind(path) == "file"
 
     def is_folder(self, path: str) -> bool:
+        return self._kind(path) == "folder"
+
+    def _kind(self, path: str) -> str | None:
         real = self._real(path)
-        return real is not None and real.is_dir()
+        kind = None
+        if real is not None:
+            kind = "file" if real.is_file() else "folder" if real.is_dir() else None
+        self.asked.setdefault(("kind", path), kind)
+        return kind
 
     def text(self, path: str) -> str | None:
         """A regular file's text; None where there is none, it is too large, or it cannot be decoded: XML by the
         encoding that it names, all else as UTF-8."""
-        real = self._real(path)
         try:
-            if real is None or not real.is_file() or real.stat().st_size > TEXT_LIMIT:
-                return None
-            return _decoded(real.read_bytes())
+            data = self._content(path)
+            return None if data is None else _decoded(data)
         except (OSError, UnicodeDecodeError):
             return None
 
     def unreadable(self, path: str) -> str | None:
         """Why a file that is there has no :meth:`text`; None where it has one, or is not there."""
-        real = self._real(path)
         try:
-            if real is None or not real.is_file():
-                return None
-            if real.stat().st_size > TEXT_LIMIT:
-                return f"the file is too large to analyse: the limit is {TEXT_LIMIT // 1000} kB"
-            _decoded(real.read_bytes())
+            data = self._content(path)
+            if data is not None:
+                _decoded(data)
         except OSError as error:
+            if error.errno == errno.EFBIG:
+                return f"the file is too large to analyse: the limit is {TEXT_LIMIT // 1000} kB"
             return f"cannot read this file: {error.strerror or error}"
         except UnicodeDecodeError as error:
             return f"byte 0x{error.object[error.start]:02x} is no {error.encoding}: save the file as UTF-8"
         return None
+
+    def _content(self, path: str) -> bytes | None:
+        """The bytes of a regular file; None where there is none.  Raises ``OSError``."""
+        real = self._real(path)
+        try:
+            data = None if real is None or not real.is_file() else read_regular(real, TEXT_LIMIT)
+        except OSError as error:
+            self.asked.setdefault(("content", path), f"error {error.errno}")
+            raise
+        self.asked.setdefault(("content", path), None if data is None else hashlib.sha256(data).hexdigest())
+        return data
+
+    def answer(self, question: str, path: str) -> str | None:
+        """What :attr:`asked` would hold if the question were asked now, for the first time."""
+        fresh = SourceTree(self.base, Path(self._within))
+        if question == "content":
+            fresh.text(path)
+        elif question == "listing":
+            fresh.files_below(path)
+        else:
+            fresh.is_file(path)
+        return fresh.asked.get((question, path))
 
     def same_file(self, path: str, files: Iterable[SourceFile]) -> SourceFile | None:
         """The file that a path leads to through symbolic links; None where that is none of ``files``."""
@@ -87,7 +115,9 @@ class SourceTree:
         """All files below a folder, sorted; links to folders are not followed."""
         folder = posixpath.normpath(folder)
         if folder not in self._listed:
-            self._listed[folder] = self._list(folder)
+            found = self._listed[folder] = self._list(folder)
+            listing = "\n".join(found).encode("utf-8", "surrogateescape")
+            self.asked.setdefault(("listing", folder), hashlib.sha256(listing).hexdigest())
         return self._listed[folder]
 
     def _list(self, folder: str) -> list[str]:
