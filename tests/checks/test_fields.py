@@ -106,6 +106,9 @@ def node(**lines: str) -> str:
         {"on_path": loop("pose in sorted(path.poses, key=id)", "pose.header.stamp.secs") + HERE},
         {"on_path": "built = []; built.append(PoseStamped()); path.poses = built; print(path.poses[0].x)  # here"},
         {"on_path": "print(Path(poses=[PoseStamped()]).poses[0].x)  # here"},
+        # A helper that one type too many is handed to.
+        {"on_scan": "self.describe(scan)", "on_battery": "self.describe(battery)",
+         "helper": "print(message.voltage)  # here"},
         # Constants.
         {"on_scan": "print(BatteryState.POWER_SUPPLY_STATUS_FUL)  # here"},
         {"on_scan": "print(BatteryState().POWER_SUPPLY_STATUS_FUL)  # here"},
@@ -143,7 +146,7 @@ def test_a_field_that_is_not_there(judge: Judge, lines: dict[str, str]):
         {"on_path": loop("number in range(len(path.poses))", "path.poses[number].pose.orientation.w")},
         {"on_scan": "print(scan.ranges[0].anything, [value.anything for value in scan.ranges])"},
         # A helper that several types of message are handed to.
-        {"on_scan": "self.describe(scan)", "on_battery": "self.describe(battery)",
+        {"on_scan": "if self.latest: self.describe(scan)", "on_battery": "self.describe(battery)",
          "helper": "print(message.voltage)"},
         {"on_scan": "self.describe(scan)",
          "helper": "print(message.voltage if isinstance(message, BatteryState) else 0)"},
@@ -206,6 +209,158 @@ def test_an_attribute_that_may_fail_on_purpose(judge: Judge, errors: str, found:
         node.create_subscription(LaserScan, 'scan', on_scan, 10)
         rclpy.spin(node)
         """,
+    )
+
+
+@pytest.mark.parametrize(
+    ("handler", "found"),
+    [
+        ("node.get_logger().error('no scan')", "  # here"),
+        ("node.get_logger().error('no scan'); return", "  # here"),
+        ("print('no scan')", "  # here"),
+        ("traceback.print_exc(); raise", "  # here"),
+        ("raise", "  # here"),
+        ("pass", ""),
+        ("return", ""),
+        ("node.get_logger().error(f'no scan of {node}')", "  # here"),
+        ("node.get_logger().error('no scan: ' + str(node))", "  # here"),
+        ("print(scan.ranges)", ""),
+        ("node.is_old = True", ""),
+        ("node.get_logger().warn('an old driver'); use(scan.ranges)", ""),
+    ],
+)
+def test_a_handler_for_all_errors_that_only_says_so(judge: Judge, handler: str, found: str):
+    judge(
+        "MSG001",
+        f"""
+        import traceback
+
+        import rclpy
+        from sensor_msgs.msg import LaserScan
+
+
+        def on_scan(scan):
+            try:
+                print(scan.segments){found}
+            except Exception:
+                {handler}
+
+
+        rclpy.init()
+        node = rclpy.create_node('reader')
+        node.create_subscription(LaserScan, 'scan', on_scan, 10)
+        rclpy.spin(node)
+        """,
+    )
+
+
+SHARED = """
+    import sys
+    from functools import partial
+
+    import rclpy
+    from rclpy.node import Node
+    from rosidl_runtime_py.utilities import get_message
+    from sensor_msgs.msg import Imu, LaserScan
+
+
+    class Recorder(Node):
+        def __init__(self):
+            super().__init__('recorder')
+            self.mode = self.declare_parameter('mode', 'scan').value
+            self.handlers = {{'scan': self.on_scan, 'imu': self.on_imu}}
+            {set_up}
+
+        def on_any(self, message):
+            {on_any}
+
+        def on_named(self, name, message):
+            self.handlers[name](message)
+
+        def on_scan(self, message):
+            print(message.ranges){on_scan}
+
+        def on_imu(self, message):
+            print(message.orientation){on_imu}
+
+
+    def main():
+        rclpy.init()
+        rclpy.spin(Recorder())
+
+
+    if __name__ == '__main__':
+        main()
+"""
+BOTH = (
+    "self.create_subscription(LaserScan, 'scan', self.on_any, 10)",
+    "self.create_subscription(Imu, 'imu', self.on_any, 10)",
+)
+
+
+def shared(*set_up: str, on_any: str = "pass", on_scan: str = "", on_imu: str = "") -> str:
+    lines = "\n            ".join(set_up)
+    return SHARED.format(set_up=lines, on_any=on_any.replace("\n", "\n            "), on_scan=on_scan, on_imu=on_imu)
+
+
+def test_a_callback_of_two_subscriptions_of_which_one_lacks_the_field(judge: Judge):
+    [found] = judge("MSG001", shared(*BOTH, on_any="print(message.ranges)  # here\nprint(message.angle_min)"))
+    assert found.message == (
+        "sensor_msgs/msg/Imu has no field 'ranges', and the topic 'imu' delivers such messages to this code"
+    )
+    assert [(one.place.line, one.message) for one in found.related] == [
+        (16, "this delivers sensor_msgs/msg/Imu"),
+        (15, "what this delivers has the field"),
+    ]
+
+
+@pytest.mark.parametrize(
+    "on_any",
+    [
+        "print(message.header)",
+        "if isinstance(message, LaserScan):\n    print(message.ranges)",
+        "if not isinstance(message, LaserScan):\n    return\nprint(message.ranges)",
+        "if type(message).__name__ == 'LaserScan':\n    print(message.ranges)",
+        "if type(message).__name__ != 'LaserScan':\n    return\nprint(message.ranges)",
+        "if hasattr(message, 'ranges'):\n    print(message.ranges)",
+        "if self.mode == 'scan':\n    print(message.ranges)",
+        "print(message.ranges if self.mode == 'scan' else message.orientation)",
+        "self.mode == 'scan' and print(message.ranges)",
+        "print(getattr(message, 'ranges', None))",
+        "try:\n    print(message.ranges)\nexcept AttributeError:\n    print(message.orientation)",
+    ],
+)
+def test_a_callback_of_two_subscriptions_that_tells_them_apart(judge: Judge, on_any: str):
+    judge("MSG001", shared(*BOTH, on_any=on_any))
+
+
+@pytest.mark.parametrize(
+    "set_up",
+    [
+        ("for name, kind in (('scan', LaserScan), ('imu', Imu)):",
+         "    self.create_subscription(kind, name, partial(self.on_named, name), 10)"),
+        ("for name in sys.argv:",
+         "    self.create_subscription({'scan': LaserScan, 'imu': Imu}[name], name, self.handlers[name], 10)"),
+        ("for name in sys.argv:",
+         "    kind = LaserScan if name == 'scan' else get_message(name)",
+         "    self.create_subscription(kind, name, self.handlers[name], 10)"),
+        ("self.create_subscription(LaserScan, 'scan', partial(self.on_named, sys.argv[1]), 10)",),
+        ("self.create_subscription(LaserScan, 'scan', lambda message: self.handlers[sys.argv[1]](message), 10)",),
+    ],
+    ids=["partial", "one of several", "a type that is not known", "chosen later", "chosen in a lambda"],
+)  # fmt: skip
+def test_callbacks_that_live_in_a_dictionary(judge: Judge, set_up: tuple[str, ...]):
+    judge("MSG001", shared(*set_up))
+
+
+def test_a_lambda_that_means_the_last_callback_of_a_loop(judge: Judge):
+    judge(
+        "MSG001",
+        shared(
+            "for name, kind in (('scan', LaserScan), ('imu', Imu)):",
+            "    self.create_subscription(kind, name, lambda message: self.handlers[name](message), 10)",
+            on_imu="  # here",
+        ),
     )
 
 

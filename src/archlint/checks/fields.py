@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
+from archlint.checks.names import WORDS
 from archlint.checks.near import did_you_mean
 from archlint.checks.registry import Options, finding, rule
+from archlint.finding import Related
 
 if TYPE_CHECKING:
     from archlint.finding import Finding, Place
@@ -27,9 +30,35 @@ def unknown_field(system: System, options: Options) -> Iterator[Finding]:
     for program in system.programs:
         for use in program.field_uses:
             uses.setdefault(use.place, []).append(use)
+    told: set[Place] = set()
     for place in sorted(uses):
-        if all(use.exists is False for use in uses[place]):
-            yield _unknown_field(min(uses[place], key=lambda use: (use.type, use.part)))
+        missing = sorted((use for use in uses[place] if use.exists is False), key=lambda use: (use.type, use.part))
+        if len(missing) == len(uses[place]):
+            yield _unknown_field(missing[0])
+            continue
+        certain = [use for use in missing if use.delivered is not None and use.delivered.place not in told]
+        if certain:  # once for each that delivers: the first use ends the callback
+            told.update(use.delivered.place for use in certain if use.delivered is not None)
+            yield _of_one_type(certain[0], uses[place])
+
+
+def _of_one_type(use: FieldUse, others: Sequence[FieldUse]) -> Finding:
+    """The finding for a callback that several subscriptions or the like share, of which not all messages have the
+    field."""
+    found = _unknown_field(use)
+    assert use.delivered is not None
+    having = sorted({one.delivered.place for one in others if one.exists and one.delivered is not None})
+    word, name = WORDS.get(use.delivered.kind, ""), use.delivered.name.text
+    by = f"a {word}" if name is None else f"the {word} '{name}'"
+    return replace(
+        found,
+        message=f"{found.message}, and {by} delivers such messages to this code",
+        help="give each type a callback of its own, or ask isinstance() before",
+        related=(
+            Related(use.delivered.place, f"this delivers {use.delivered.type}"),
+            *(Related(place, "what this delivers has the field") for place in having if place != use.delivered.place),
+        ),
+    )
 
 
 def _unknown_field(use: FieldUse) -> Finding:

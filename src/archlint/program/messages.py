@@ -7,6 +7,7 @@ there for an attribute that is missing.
 from __future__ import annotations
 
 import re
+from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 from archlint.facts import model as facts
@@ -48,6 +49,8 @@ def nested(run: Run, value: MessageValue, name: str) -> MessageValue | EachValue
         inner = MessageValue(kind.name, "", run.store.new_key())
         if value.key in run.made_in:
             run.made_in[inner.key] = run.made_in[value.key]
+        if value.key in run.delivered:
+            run.delivered[inner.key] = run.delivered[value.key]
         made = run.fields[(value.key, name)] = EachValue(inner) if kind.array else inner
     return made
 
@@ -60,7 +63,8 @@ def note_use(run: Run, value: Value, name: str, span: Span, access: str) -> None
         return
     if name.startswith("_") or name in _OF_EVERY_MESSAGE:
         return
-    key = (run.activation.module.path, span, message.type, message.part)
+    delivered = _delivered(run, message)
+    key = (run.activation.module.path, span, message.type, message.part, id(delivered))
     if key in run.field_uses:
         return
     known = None if _may_be_told_apart(run, message) else run.interfaces.has(message.type, message.part, name)
@@ -77,8 +81,24 @@ def note_use(run: Run, value: Value, name: str, span: Span, access: str) -> None
             known,
             fields,
             run.context.node,
+            delivered,
         )
     )
+
+
+def deliver(run: Run, arguments: Sequence[Value], creation: model.Creation) -> None:
+    """Note which subscription, server or client calls a callback with these messages."""
+    for value in arguments:
+        if isinstance(value, MessageValue):
+            run.delivered[value.key] = creation
+
+
+def _delivered(run: Run, message: MessageValue) -> model.Creation | None:
+    """What calls with a message, if nothing stands in front of this use of it that may have asked for its type."""
+    from archlint.program.api.entities import guarded
+
+    creation = run.delivered.get(message.key)
+    return None if creation is None or run.arms or guarded(run) else creation
 
 
 def note_constant(run: Run, path: str, name: str, span: Span) -> None:
@@ -106,7 +126,8 @@ def _may_be_told_apart(run: Run, message: MessageValue) -> bool:
     """Whether a helper that is handed messages of several types is in a branch that may be for another type."""
     activation = run.activation
     handed_over = len(run.activations) > _CALLBACK and run.made_in.get(message.key) is not activation
-    return handed_over and len(run.arms) > activation.arms
+    chosen = any(branch.endswith("?") for branch, _ in run.arms)  # one of several functions was called with it
+    return handed_over and (chosen or len(run.arms) > activation.arms)
 
 
 def note_made(run: Run, message: MessageValue, expression: facts.Call | None) -> None:

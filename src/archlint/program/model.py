@@ -351,6 +351,8 @@ class FieldUse:
     exists: bool | None
     fields: tuple[str, ...] = ()
     node: Blueprint | None = None
+    delivered: Creation | None = None
+    """What calls with the message, where this use of it certainly is reached whatever its type."""
 
 
 @dataclass(frozen=True)

@@ -174,6 +174,8 @@ class Run:
         """Messages that fields of messages hold, where nothing was assigned to them."""
         self.made_in: dict[int, Activation] = {}
         """Which call of a function made a message, by its key."""
+        self.delivered: dict[int, model.Creation] = {}
+        """Which subscription, server or client calls its callback with a message, by its key."""
         self.field_uses: set[tuple[Any, ...]] = set()
         self.creations: dict[tuple[Any, ...], model.Creation] = {}
         self.calls: dict[tuple[Any, ...], model.ApiCall] = {}

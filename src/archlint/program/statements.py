@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
 from archlint.facts import model as facts
-from archlint.program import calls, containers, decisions, definitions, escapes, expressions, messages
+from archlint.program import calls, caught, containers, decisions, definitions, escapes, expressions, messages
 from archlint.program.augmented import augmented, forget_counters
 from archlint.program.run import UNROLL, Run, Status
 from archlint.program.store import Items, Layer
@@ -228,12 +227,9 @@ def _with(run: Run, s: facts.With) -> Status:
     return run.execute(s.body)
 
 
-_IMPORT_ERRORS = {"ImportError", "ModuleNotFoundError"}
-
-
 def _try(run: Run, s: facts.Try) -> Status:
     activation = run.activation
-    forgiving = any(_may_catch_attribute_error(handler.type) for handler in s.handlers)
+    forgiving = any(caught.may_expect_missing_attribute(handler) for handler in s.handlers)
     activation.tries += 1
     activation.forgiving += forgiving
     try:
@@ -246,7 +242,7 @@ def _try(run: Run, s: facts.Try) -> Status:
     results: list[tuple[Status, Layer]] = [(status, {})]
     key = run.key_of(s.span)
     for arm, handler in enumerate(s.handlers, start=1):
-        if status is None and (_cannot_raise(s.body) or _is_import_error(handler.type)):
+        if status is None and (_cannot_raise(s.body) or caught.is_import_error(handler.type)):
             continue
         with run.arm(key, arm) as taken:
             if handler.name is not None:
@@ -268,25 +264,6 @@ def _cannot_raise(body: list[facts.Stmt]) -> bool:
         and all(isinstance(target, facts.Name) for target in statement.targets)
         for statement in body
     )
-
-
-_OTHER_ERROR = re.compile(r"(?!Attribute)\w+(Error|Exception|Warning|Interrupt|Timeout)$")
-"""A class whose name says what else went wrong."""
-
-
-def _may_catch_attribute_error(expression: facts.Expr | None) -> bool:
-    if isinstance(expression, facts.Sequence):
-        return any(_may_catch_attribute_error(element) for element in expression.elements)
-    name = expression.id if isinstance(expression, facts.Name) else getattr(expression, "attr", "")
-    return _OTHER_ERROR.match(name) is None or name == "BaseException"
-
-
-def _is_import_error(expression: facts.Expr | None) -> bool:
-    if isinstance(expression, facts.Name):
-        return expression.id in _IMPORT_ERRORS
-    if isinstance(expression, facts.Sequence):
-        return bool(expression.elements) and all(_is_import_error(e) for e in expression.elements)
-    return False
 
 
 def _match(run: Run, s: facts.Match) -> Status:

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 from archlint.facts import model as facts
 from archlint.finding import Place
-from archlint.program import model
+from archlint.program import messages, model
 from archlint.program.api import rclpy_names
 from archlint.program.values import (
     ApiMethod,
@@ -90,6 +90,8 @@ def register(
             from archlint.program.run import Pending
 
             given = arguments if arguments is not None else default_arguments(run, role, creation, call)
+            if creation is not None and not _is_one_of_several(value, creation):
+                messages.deliver(run, given, creation)
             run.pending.append(Pending(callback, option, given, run.lineage))
         elif isinstance(option, (Partial, ApiMethod)):
             from archlint.program import escapes
@@ -97,6 +99,13 @@ def register(
             escapes.escape(run, (option,), "a callback takes it along that is not followed", call.expression)
         made = made or callback
     return made
+
+
+def _is_one_of_several(value: Value, creation: model.Creation) -> bool:
+    """Whether it is not known which of several callables, names or types the create call is given: they may belong
+    together in pairs."""
+    callables = [option for option in alternatives(value) if not isinstance(option, Known)]
+    return len(callables) > 1 or any(branch.endswith("|") for branch, _ in creation.arms)
 
 
 def hand_out(run: Run, values: Iterable[Value]) -> None:
@@ -164,7 +173,7 @@ def _receiver(value: Value) -> int:
 
 def default_arguments(run: Run, role: str, creation: model.Creation | None, call: ApiUse) -> tuple[Value, ...]:
     """What rclpy calls a callback of this role with."""
-    type_ = creation.type if creation is not None else None
+    type_ = creation.type if creation is not None and not _may_be_another_type(call) else None
 
     def message(part: str) -> Value:
         if type_ is None:
@@ -189,6 +198,15 @@ def default_arguments(run: Run, role: str, creation: model.Creation | None, call
     if role in ("parameter", "event", "filter"):
         return (Unknown("what rclpy passes to the callback"),)
     return ()
+
+
+def _may_be_another_type(call: ApiUse) -> bool:
+    """Whether the create call is given one of several types, not all of which are known: the callback may be for
+    those alone."""
+    from archlint.program.api.entities import types_of
+
+    types = types_of(call)
+    return len(types) > 1 and any(type_ is None for type_, _ in types)
 
 
 def _feedback(run: Run, call: ApiUse) -> Value:

@@ -15,6 +15,7 @@ from archlint.program.api.effects import ApiUse, argument_places
 from archlint.program.api.tables import Api
 from archlint.program.texts import text_of_value
 from archlint.program.values import (
+    NONE,
     ClassValue,
     EntityValue,
     External,
@@ -69,7 +70,7 @@ def endpoint(run: Run, call: ApiUse) -> Value:
         return Unknown("a create call on something that is no node")
     missing = "passed by * or **" if call.open else "no name is given"
     names = _names(run, call, missing)
-    types = _types(call)
+    types = types_of(call)
     made = []
     profiles_ = profiles.resolve_all(run, call.get(api.qos), api.default_qos, call)
     rows = [(n, t, q) for n in names for t in types for q in profiles_][:COMBINATIONS]
@@ -91,16 +92,18 @@ def _names(run: Run, call: ApiUse, missing: str) -> list[model.Text]:
     return [text_of_value(plain_text(run, option), missing) for option in alternatives(value)]
 
 
-def _types(call: ApiUse) -> list[tuple[str | None, str | None]]:
+def types_of(call: ApiUse) -> list[tuple[str | None, str | None]]:
     api = call.api
     if api.fixed_type is not None:
         return [(api.fixed_type, None)]
     value = call.get(api.type)
     if value is None and call.open:
         return [(None, "passed by * or **")]
-    found = [type_of_value(option) for option in (alternatives(value) if value is not None else (None,))]
+    options = [option for option in alternatives(value) if option != NONE] if value is not None else []
+    found = [type_of_value(option) for option in options or (value,)]
     known = [row for row in found if row[0] is not None]
-    return known or found[:1]
+    # What is not known is one more type: nothing that holds for the known ones is certain then.
+    return known + [row for row in found if row[0] is None][:1]
 
 
 def _create(
@@ -144,7 +147,7 @@ def _create(
         run.chain(),
         run.context,
         function=run.activation.qualified,
-        guarded=_guarded(run),
+        guarded=guarded(run),
         name_place=places.get(call.api.name or ""),
         raw=call.get("raw") == Known(True),
         stored=_stored(run, call),
@@ -162,7 +165,7 @@ def _chosen_by(type_: Value | None) -> str | None:
     return ",".join(sorted(via(*alternatives(type_)))) or None if type_ is not None else None
 
 
-def _guarded(run: Run) -> bool:
+def guarded(run: Run) -> bool:
     """Whether a function on the way holds what runs now in an ``if``, or may return before."""
     return any(_may_pass_by(one.body, one.statement) for one in run.activations)
 
@@ -262,7 +265,7 @@ def timer(run: Run, call: ApiUse) -> Value:
                 period=period,
                 period_parameter=parameter,
                 function=run.activation.qualified,
-                guarded=_guarded(run),
+                guarded=guarded(run),
                 stored=_stored(run, call),
                 key=len(run.creations),
             )
