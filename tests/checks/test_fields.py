@@ -158,6 +158,43 @@ def test_what_may_be_there(judge: Judge, lines: dict[str, str]):
     judge("MSG001", node(**lines))
 
 
+def test_a_helper_that_waits_for_all_kinds_of_answers(judge: Judge):
+    judge(
+        "MSG001",
+        """
+        import rclpy
+        from nav2_msgs.action import Spin
+        from rclpy.action import ActionClient
+        from rclpy.node import Node
+        from std_srvs.srv import Trigger
+
+
+        def answer_of(future):
+            return future.result()
+
+
+        def main():
+            rclpy.init()
+            node = Node('turner')
+            action, client = ActionClient(node, Spin, 'spin'), node.create_client(Trigger, 'stop')
+
+            def send(angle):
+                return answer_of(action.send_goal_async(Spin.Goal(target_yaw=angle)))
+
+            print(answer_of(client.call_async(Trigger.Request())).success)
+            first = send(0.5)
+            print(first.accepted, answer_of(first.get_result_async()).result.total_elapsed_time)
+            second = send(1.5)
+            print(second.accepted, answer_of(second.get_result_async()).result.total_elapsed_time)
+            print(answer_of(client.call_async(Trigger.Request())).succes)  # here
+
+
+        if __name__ == '__main__':
+            main()
+        """,
+    )
+
+
 def test_what_was_probably_meant(judge: Judge):
     [found] = judge("MSG001", node(on_scan="print(scan.temperature)  # here"))
     assert found.message == "sensor_msgs/msg/LaserScan has no field 'temperature'"

@@ -213,9 +213,9 @@ def bind_arguments(
 
 
 def _argument_key(value: Value) -> object:
-    """What tells one argument from another: constants by value, objects by identity."""
-    if isinstance(value, (Known, Unknown, External, Builtin)):
-        return value
+    """What tells one argument from another: constants by value, objects by identity, futures by what they are of."""
+    if isinstance(value, FutureValue):
+        return (value, value.place, None if value.result is None else _argument_key(value.result))
     if isinstance(value, OneOf):
         return tuple(map(_argument_key, value.values))
     if isinstance(value, BoundMethod):
@@ -223,7 +223,7 @@ def _argument_key(value: Value) -> object:
     if isinstance(value, FunctionValue):
         return ("function", id(value.ir), value.scope.key)
     key = getattr(value, "key", None)
-    return (type(value).__name__, key)
+    return value if key is None else (type(value).__name__, key)
 
 
 def call_function(
