@@ -94,6 +94,44 @@ class TestHardcodedName:
             ),
         )
 
+    @pytest.mark.parametrize(
+        "name",
+        [
+            "options.topic",
+            "Settings().topic",
+            "Settings().other",
+            "getattr(node, 'topic', '/words')",
+            "getattr(json.load(sys.stdin), 'topic', '/words')",
+            "os.environ.get('TOPIC', '/words')",
+            "{**json.load(sys.stdin)}.get('topic', '/words')",
+        ],
+    )
+    def test_the_default_of_a_setting_is_for_the_user_to_change(self, judge: Judge, name: str):
+        source = """
+            import argparse, json, os, sys
+            from dataclasses import dataclass, field
+
+            import rclpy
+            from std_msgs.msg import String
+
+
+            @dataclass
+            class Settings:
+                topic: str = '/words'
+                other: str = field(default='/words')
+
+
+            parser = argparse.ArgumentParser()
+            parser.add_argument('--topic', default='/words')
+            options = parser.parse_args()
+            rclpy.init()
+            node = rclpy.create_node('script')
+            node.create_publisher(String, {name}, 10){mark}
+        """
+
+        judge("NME001", source.replace("{name}", name).replace("{mark}", ""))
+        judge("NME001", source.replace("{name}", "Settings('/words').topic").replace("{mark}", "  # here"))
+
     def test_a_name_that_is_passed_on_is_found_where_it_is_written(self, judge: Judge):
         [found] = judge(
             "NME001",

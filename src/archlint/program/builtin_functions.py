@@ -30,6 +30,7 @@ from archlint.program.values import (
     Unknown,
     Value,
     alternatives,
+    as_default,
     one_of,
     reason,
     via,
@@ -321,9 +322,9 @@ def _getattr(run: Run, args: Arguments, keywords: Keywords, e: object) -> Value:
             if isinstance(value, External) and name.via:
                 value = External(value.path, value.via | name.via)
             missing = _is_missing(value)
-            found.append(args[2] if missing and len(args) > 2 else value)
+            found.append(as_default(args[2]) if missing and len(args) > 2 else value)
             if isinstance(value, Unknown) and not missing and len(args) > 2:
-                found.append(args[2])
+                found.append(as_default(args[2]))
         else:
             found.append(Unknown(reason(name)))
     return one_of(found)

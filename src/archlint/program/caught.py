@@ -10,7 +10,10 @@ _IMPORT_ERRORS = {"ImportError", "ModuleNotFoundError"}
 _OTHER_ERROR = re.compile(r"(?!Attribute)\w+(Error|Exception|Warning|Interrupt|Timeout)$")
 """A class whose name says what else went wrong."""
 _FOR_ALL = frozenset({"Exception", "BaseException"})
-_TELLS = frozenset(["debug", "info", "warn", "warning", "error", "fatal", "critical", "exception", "print", "print_exc"])
+_TELLS = frozenset({"debug", "info", "warn", "warning", "error", "fatal", "critical", "exception"}) | {
+    "print",
+    "print_exc",
+}
 """What is called to say that something went wrong: methods of loggers, and functions."""
 
 

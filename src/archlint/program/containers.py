@@ -23,6 +23,7 @@ from archlint.program.values import (
     Unknown,
     Value,
     alternatives,
+    as_default,
     one_of,
     reason,
     via,
@@ -228,7 +229,7 @@ def get_entry(run: Run, container: DictValue, index: Value, default: Value | Non
             return with_via(found[1], via(index))
         if entries.open:
             why = Unknown("the dict has entries that are not known")
-            return why if default is None else one_of((default, why))
+            return why if default is None else one_of((as_default(default), why))
         if default is None:
             return _made_entry(run, container, index)
         return default

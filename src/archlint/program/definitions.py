@@ -22,6 +22,7 @@ from archlint.program.values import (
     Unknown,
     Value,
     alternatives,
+    as_default,
     one_of,
 )
 
@@ -35,7 +36,7 @@ def define_function(run: Run, s: facts.Function) -> Value:
     defaults = []
     for param in s.params:
         if param.default is not None:
-            defaults.append((param.name, _as_default(run.evaluate(param.default))))
+            defaults.append((param.name, as_default(run.evaluate(param.default))))
     owner_scope = activation.scope
     prefix = "" if owner_scope.kind == "module" else owner_scope.qualified + "."
     names: set[str] = set()
@@ -76,12 +77,6 @@ def _read_decorator(run: Run, s: facts.Function, decorator: facts.Expr, names: s
         names.add(_KNOWN_DECORATORS[path])
     elif isinstance(value, (FunctionValue, Partial, ClassValue)):
         foreign.append(value)
-
-
-def _as_default(value: Value) -> Value:
-    if isinstance(value, Known):
-        return Known(value.value, value.via, value.origin, "argument_default")
-    return value
 
 
 def define_lambda(run: Run, e: facts.Lambda) -> Value:
@@ -289,6 +284,7 @@ def _fill_dataclass(
             value = run.store.get(base.key, name)
             if isinstance(value, Instance) and value.note == "dataclasses.field":
                 value = _field_default(run, value)
+            value = as_default(value) if isinstance(value, Value) else value
         if isinstance(value, Value):
             escapes.kept(run, made.key, (value,), name)
         run.store.set(made.key, name, value if isinstance(value, Value) else Unknown(f"the field '{name}' is not set"))

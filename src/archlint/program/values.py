@@ -286,6 +286,13 @@ TRUE = Known(True)
 FALSE = Known(False)
 
 
+def as_default(value: Value) -> Value:
+    """A text that stands in for what somebody else may say: the default of an argument, an option, a setting."""
+    if isinstance(value, Known):
+        return Known(value.value, value.via, value.origin, "argument_default")
+    return OneOf(tuple(map(as_default, value.values))) if isinstance(value, OneOf) else value
+
+
 def alternatives(value: Value) -> tuple[Value, ...]:
     return value.values if isinstance(value, OneOf) else (value,)
 

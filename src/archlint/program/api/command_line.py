@@ -22,6 +22,7 @@ from archlint.program.values import (
     ListValue,
     Unknown,
     Value,
+    as_default,
     one_of,
     reason,
 )
@@ -129,7 +130,7 @@ def add_argument(
     if name is not None:
         what = Unknown(f"the command-line argument '{name}'")
         default = keywords.get("default") or _default_of_action(keywords.get("action"))
-        value: Value = what if default is None else one_of((default, what))
+        value: Value = what if default is None else one_of((as_default(default), what))
         run.store.set(receiver.key, ("#argument", name), value)
         run.store.set(receiver.key, ("#option", name), Option(names, keywords))
     return NONE
@@ -271,11 +272,8 @@ def _value(run: Run, option: Option, found: dict[str, Any], name: str, words: li
 
     if name not in found:
         default = option.keywords.get("default") or _default_of_action(option.keywords.get("action")) or NONE
-        return (
-            _converted(run, option, default)
-            if isinstance(default, Known) and isinstance(default.value, str)
-            else default
-        )
+        text = isinstance(default, Known) and isinstance(default.value, str)
+        return as_default(_converted(run, option, default) if text else default)
     given = found[name]
     if given == _CONST:
         return option.keywords.get("const", NONE)

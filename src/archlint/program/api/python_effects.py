@@ -22,6 +22,7 @@ from archlint.program.values import (
     Unknown,
     Value,
     alternatives,
+    as_default,
     one_of,
     reason,
     via,
@@ -68,7 +69,7 @@ def environment(run: Run, call: ApiUse) -> Value:
         return Known(ENVIRONMENT[str(key.value)])
     name = f"the environment variable {key.value!s}" if isinstance(key, Known) else "an environment variable"
     default = call.get("default")
-    return Unknown(name) if default is None else one_of((default, Unknown(name)))
+    return Unknown(name) if default is None else one_of((as_default(default), Unknown(name)))
 
 
 Method = Callable[["Run", Value, list[Value], dict[str, Value], "facts.Call | None"], Value]
