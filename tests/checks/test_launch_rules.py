@@ -736,3 +736,52 @@ def generate_launch_description():
 def test_nodes_of_one_name_clash_where_they_run_together(findings, first, second, clash):
     found = findings("NME004", **{"launch/it.launch.py": TWO.format(first=first, second=second)})
     assert [one.place.line for one in found] == ([13] if clash else [])
+
+
+def test_one_entry_of_a_list_that_nobody_reads(findings):
+    text = TALKER.replace(
+        "self.declare_parameter('rate', 1.0)",
+        "self.declare_parameters('', [\n            ('rate', 1.0),\n            ('name', 'a'),\n        ])\n"
+        "        self.declare_parameters('arm', [('speed', 1.0), ('reach', 2.0)])\n"
+        "        self.get_parameter('name'), self.get_parameter('arm.reach')",
+    )
+    found = findings("PRM006", **{"robot/talker.py": text})
+    assert [(one.place.line, one.message) for one in found] == [
+        (9, "parameter 'rate' is declared and never read"),
+        (12, "parameter 'arm.speed' is declared and never read"),
+    ]
+
+
+HELPER = """
+    def p(self, name):
+        return self.get_parameter(name).value
+
+    def again(self, name='rat'):
+        return self.p(name)
+
+def of(node, name):
+    return node.get_parameter(name).get_parameter_value().double_value
+
+NAME = 'constant'
+"""
+
+
+@pytest.mark.parametrize(
+    ("lines", "told"),
+    [
+        (["self.p('rate')", "self.p('rat')", "self.p('speed')", "self.p(name='a')"], {2: "rat", 3: "speed", 4: "a"}),
+        (["self.rate, self.kind = of(self, 'rate'), of(self, 'kind')"], {1: "kind"}),
+        (["self.p('on_start')", "self.create_timer(1.0, lambda: self.p('on_timer'))"], {1: "on_start", 2: "on_timer"}),
+        (["self.all = [self.p(n) for n in ('rate', 'one', 'two')]"], {1: "one"}),
+        (["if self.has_parameter('rat'):", "    self.p('rat')"], {}),
+        (["try:", "    self.p('rat')", "except Exception:", "    pass"], {}),
+        (["self.p(NAME)", "self.get_parameter(NAME)"], {1: "constant", 2: "constant"}),
+        (["self.p(input())"], {}),
+    ],
+)
+def test_names_that_a_helper_reads(findings, lines, told):
+    body = "".join(f"        {line}\n" for line in lines)
+    text = TALKER.replace("        self.create_publisher", body + "        self.create_publisher")
+    text = text.replace("\ndef main", HELPER + "\ndef main")
+    found = findings("PRM003", **{"robot/talker.py": text})
+    assert {one.place.line - 8: one.identity[1] for one in reversed(found)} == told

@@ -15,6 +15,7 @@ MODULES: tuple[str, ...] = (
     "nested_services",
     "ownership",
     "packages",
+    "parameter_reads",
     "parameters",
     "polling",
     "service_cycles",

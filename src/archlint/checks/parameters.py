@@ -1,22 +1,20 @@
-"""PRM002 to PRM008: parameters that are declared, read and set, and how these fit together."""
+"""PRM002, PRM004, PRM005 and PRM008: parameters that are declared and set, and how these fit together."""
 
 from __future__ import annotations
 
-import posixpath
 from collections.abc import Iterable, Iterator
 from typing import TYPE_CHECKING
 
 from archlint.checks.near import did_you_mean
 from archlint.checks.registry import Options, finding, rule
-from archlint.checks.whole import declares_all, enclosing_function, facts_at, in_sight, walk
+from archlint.checks.whole import declares_all, enclosing_function, in_sight, walk
 from archlint.facts import model as facts
 from archlint.finding import Finding, Place, Related
 from archlint.program.launch.model import ParameterFileUse, Started
-from archlint.program.values import Known
 from archlint.system.overrides import NOT_KNOWN, Setting, applied, key_matches
 
 if TYPE_CHECKING:
-    from archlint.program.model import ApiCall, Blueprint, ParameterDeclaration
+    from archlint.program.model import Blueprint, ParameterDeclaration
     from archlint.system.launched import World
     from archlint.system.model import Node, System
 
@@ -24,11 +22,11 @@ _ALWAYS = frozenset({"use_sim_time", "start_type_description_service"})
 """Parameters that rclpy declares for every node."""
 
 
-def _always(name: str) -> bool:
+def always_declared(name: str) -> bool:
     return name in _ALWAYS or name.startswith("qos_overrides.")
 
 
-def _declared(node: Node) -> dict[str, list[ParameterDeclaration]] | None:
+def declared_by(node: Node) -> dict[str, list[ParameterDeclaration]] | None:
     """The declarations of a node by name; None where not all of them can be known."""
     found: dict[str, list[ParameterDeclaration]] = {}
     for blueprint in node.blueprints:
@@ -42,7 +40,7 @@ def _declared(node: Node) -> dict[str, list[ParameterDeclaration]] | None:
     return found
 
 
-def _followed(node: Node) -> bool:
+def followed(node: Node) -> bool:
     """Whether no code from elsewhere has the node, which may declare, read and set what it likes, and what is known
     of it fits what the launch file says."""
     return node.doubt is None and all(in_sight(blueprint) for blueprint in node.blueprints)
@@ -130,45 +128,6 @@ def _set_nodes(system: System) -> Iterator[tuple[Node, list[Setting]]]:
             yield node, applied(node.started, full, world.parameters_of)
 
 
-# ------------------------------------------------------------------------------------------------- PRM003
-
-_READS = {"rclpy.node.Node.get_parameter": "name", "rclpy.node.Node.get_parameters": "names"}
-
-
-@rule("PRM003")
-def undeclared_parameter(system: System, options: Options) -> Iterator[Finding]:
-    """Parameters that are read and never declared."""
-    for node in system.nodes:
-        declared = _declared(node)
-        if node.blueprint is None or declared is None or node.program is None:
-            continue
-        if not declares_all(system.world, node.blueprint) or not _followed(node):
-            continue
-        calls = [call for call in node.program.calls if call.node is node.blueprint]
-        guarded = {_name_of(call) for call in calls if call.api.endswith(".has_parameter")}
-        for call in calls:
-            name = _name_of(call)
-            if call.api != "rclpy.node.Node.get_parameter" or name is None or _always(name):
-                continue
-            if name in declared or name in guarded or call.in_try or node.program.exhausted:
-                continue
-            yield finding(
-                "PRM003",
-                call.place,
-                f"parameter '{name}' is read and {node.blueprint.class_name} never declares it"
-                + did_you_mean(name, declared),
-                help=f"declare it first, with a default: self.declare_parameter('{name}', …)",
-                node=node.name,
-                identity=(node.blueprint.class_name, name),
-            )
-
-
-def _name_of(call: ApiCall) -> str | None:
-    value = call.arguments.get("name")
-    known = isinstance(value, Known) and isinstance(value.value, str) and not value.via
-    return str(value.value) if known and isinstance(value, Known) else None
-
-
 # ------------------------------------------------------------------------------------------------- PRM004
 
 
@@ -178,14 +137,14 @@ def unknown_parameter_override(system: System, options: Options) -> Iterator[Fin
     every: dict[tuple[str, str], set[str] | None] = {}
     said: set[tuple[str | None, Place, str]] = set()
     for node, settings in _set_nodes(system):
-        declared = _declared(node)
+        declared = declared_by(node)
         assert node.blueprint is not None
-        if declared is None or not declares_all(system.world, node.blueprint) or not _followed(node):
+        if declared is None or not declares_all(system.world, node.blueprint) or not followed(node):
             continue
         siblings = [other for other in system.entries if other.started is node.started and other is not node]
-        others = [_declared(other) for other in siblings]
+        others = [declared_by(other) for other in siblings]
         for setting in settings:
-            if setting.name in declared or _always(setting.name) or setting.shared:
+            if setting.name in declared or always_declared(setting.name) or setting.shared:
                 continue
             if any(names is None or setting.name in names for names in others):
                 continue
@@ -225,7 +184,7 @@ def _every_declared(system: System, file: str, key: str) -> set[str] | None:
         for node in other.nodes:
             if not shared and not key_matches(key, node.name):
                 continue
-            declared = None if node.external else _declared(node)
+            declared = None if node.external else declared_by(node)
             if declared is None:
                 return None
             found |= set(declared)
@@ -281,7 +240,7 @@ def _may_hold_more_nodes(world: World, file: str) -> bool:
     """Whether a process gets the file whose source is not here, or whose nodes are in other hands: nav2's servers
     make the nodes of their costmaps."""
     return any(
-        (node.external or not _followed(node)) and node.started is not None and file in _files_of_process(node.started)
+        (node.external or not followed(node)) and node.started is not None and file in _files_of_process(node.started)
         for system in world.systems
         for node in system.nodes
     )
@@ -309,88 +268,7 @@ def _names_of_nodes(world: World, file: str) -> set[str] | None:
     return found or None
 
 
-# ------------------------------------------------------------------------------------------ PRM006, PRM008
-
-
-@rule("PRM006")
-def unused_parameter(system: System, options: Options) -> Iterator[Finding]:
-    """Parameters that are declared and never read."""
-    if system.launched is not None or system.world is None:
-        return
-    for node in system.nodes:
-        blueprint = node.blueprint
-        if blueprint is None or node.program is None or blueprint.test or not _followed(node):
-            continue
-        if any(callback.role == "parameter" for callback in node.program.callbacks):
-            continue
-        calls = [call for b in node.program.nodes for call in node.program.calls if call.node is b]
-        reads = {_name_of(call) for call in calls if call.api.startswith("rclpy.node.Node.get_parameter")}
-        if None in reads or any(call.api in ("rclpy.node.Node.get_parameters",) for call in calls):
-            continue
-        for declaration in blueprint.parameters:
-            name = declaration.name.text
-            if name is None or declaration.name.resolution != "exact" or name in reads:
-                continue
-            if _mentioned(system.world, declaration, name) or _elsewhere(system.world, node, declaration, name):
-                continue
-            yield finding(
-                "PRM006",
-                declaration.place,
-                f"parameter '{name}' is declared and never read",
-                help="read it with get_parameter, or remove it: whoever sets it expects something to change",
-                node=node.name,
-                identity=(blueprint.class_name, name),
-            )
-
-
-def _mentioned(world: World, declaration: ParameterDeclaration, name: str) -> bool:
-    """Whether the name stands anywhere else in the file, or the declaration's own result is used."""
-    found = facts_at(world, declaration.place.file)
-    if found is None:
-        return True
-    literals = 0
-    discarded = False
-    for item in walk(found.body):
-        literals += isinstance(item, facts.Literal) and item.value == name
-        if isinstance(item, facts.Expression) and isinstance(item.value, facts.Call):
-            here = item.value.span[:2] == (declaration.place.line, declaration.place.column)
-            discarded = discarded or (here and _plainly_declared(item.value, name))
-        if isinstance(item, facts.Attribute) and item.attr in ("get_parameters_by_prefix", "get_parameters"):
-            return True
-    return literals != 1 or not discarded
-
-
-def _plainly_declared(call: facts.Call, name: str) -> bool:
-    """Whether the call itself spells the name, as no loop does, and its default is no value of the running
-    node: such a one is declared for others to see."""
-    given = [argument.value for argument in call.args]
-    spelled = any(isinstance(value, facts.Literal) and value.value == name for value in given)
-    return spelled and not any(_of_the_running_node(value) for value in given[1:2])
-
-
-def _of_the_running_node(value: facts.Expr) -> bool:
-    if isinstance(value, facts.Attribute):
-        return isinstance(value.value, facts.Name) and value.value.id == "self"
-    return isinstance(value, facts.Name)
-
-
-def _elsewhere(world: World, node: Node, declaration: ParameterDeclaration, name: str) -> bool:
-    """Whether a file that knows this one, or that this one knows, speaks of the parameter: a subclass or a
-    helper may read it."""
-    loader = world.loader
-    if loader is None or node.package is None:
-        return loader is None
-    here = declaration.place.file
-    return any(
-        path != here
-        and loader.mentions(path, name)
-        and (loader.mentions(path, _stem(here)) or loader.mentions(here, _stem(path)))
-        for path in loader.python_files_of(node.package)
-    )
-
-
-def _stem(path: str) -> str:
-    return posixpath.splitext(posixpath.basename(path))[0]
+# ------------------------------------------------------------------------------------------------- PRM008
 
 
 @rule("PRM008")

@@ -225,6 +225,7 @@ class ApiCall:
     conditional: bool = False
     awaited: bool = False
     in_try: bool = False
+    """Whether a ``try`` is around it, here or in a caller."""
     rounds: tuple[Place, ...] = ()
     """The loops that go round it, also those of its callers, outermost first."""
     arms: tuple[tuple[str, int], ...] = ()

@@ -194,6 +194,8 @@ def record(run: Run, api: Api, receiver: Value | None, bound: dict[str, Value], 
     key: tuple[object, ...] = (api.path, place, id(run.context))
     if api.path == "rclpy.publisher.Publisher.publish" and len(on) == 1:
         key = (*key, id(on[0]))  # what is published where, for each publisher that a loop or a helper serves
+    if api.path in parameters.BY_NAME:
+        key = (*key, bound.get("name"))  # what a helper reads, for each name that it is given
     known = run.calls.get(key)
     if known is not None:
         if known.creation is None and len(on) == 1:
@@ -224,7 +226,7 @@ def record(run: Run, api: Api, receiver: Value | None, bound: dict[str, Value], 
         activation.body,
         bool(run.arms),
         False,
-        activation.tries > 0,
+        any(one.tries for one in run.activations),
         run.rounds(),
         tuple(run.arms),
     )

@@ -33,6 +33,9 @@ if TYPE_CHECKING:
 
 _PARAMETER = External("rclpy.parameter.Parameter")
 
+BY_NAME = frozenset(f"rclpy.node.Node.{name}" for name in ("get_parameter", "get_parameter_or", "has_parameter"))
+"""Calls that name one parameter."""
+
 _TYPES: dict[type, str] = {bool: "bool", int: "integer", float: "double", str: "string"}
 _TYPE_NAMES = {
     "BOOL": "bool",
@@ -232,14 +235,26 @@ def declare_parameters(run: Run, call: ApiUse) -> Value:
         if parts is None or not parts.values:
             continue
         name = parts.values[0]
+        place = _entry_place(run, call, name)
         if isinstance(namespace, Known) and namespace.value:
             name = one_of(join_texts((namespace, Known("."), option)) for option in alternatives(name))
         elif namespace is not None and not isinstance(namespace, Known):
             name = Unknown("the namespace of the parameters is not known")
         default, descriptor = [*parts.values[1:3], None, None][:2]
         ignore = call.get("ignore_override") == TRUE
-        made.append(declare_one(run, call, name, default, ignore, descriptor=descriptor))
+        made.append(declare_one(run, call, name, default, ignore, place, descriptor))
     return containers.new_list(run, made, "list", rows.open)
+
+
+def _entry_place(run: Run, call: ApiUse, name: Value) -> Place | None:
+    """Where the call spells the name of one of the parameters that it declares; None where something else does."""
+    origin = name.origin if isinstance(name, Known) else None
+    if origin is None or call.expression is None:
+        return None
+    whole = run.place(call.expression.span)
+    starts = (whole.line, whole.column) <= (origin.line, origin.column)
+    ends = (origin.end_line, origin.end_column) <= (whole.end_line, whole.end_column)
+    return origin if origin.file == whole.file and starts and ends else None
 
 
 def read(run: Run, call: ApiUse, name: Value) -> Value:

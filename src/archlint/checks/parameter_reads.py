@@ -1,0 +1,190 @@
+"""PRM003 and PRM006: parameters that are read and never declared, and that are declared and never read."""
+
+from __future__ import annotations
+
+import posixpath
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from archlint.checks.near import did_you_mean
+from archlint.checks.parameters import always_declared, declared_by, followed
+from archlint.checks.registry import Options, finding, rule
+from archlint.checks.whole import declares_all, enclosing_function, facts_at, walk
+from archlint.facts import model as facts
+from archlint.finding import Finding, Place, Related
+from archlint.program.values import Known
+
+if TYPE_CHECKING:
+    from archlint.program.model import ApiCall, ParameterDeclaration
+    from archlint.system.launched import World
+    from archlint.system.model import Node, System
+
+
+# ------------------------------------------------------------------------------------------------- PRM003
+
+
+@rule("PRM003")
+def undeclared_parameter(system: System, options: Options) -> Iterator[Finding]:
+    """Parameters that are read and never declared."""
+    for node in system.nodes:
+        declared = declared_by(node)
+        if node.blueprint is None or declared is None or node.program is None or node.program.exhausted:
+            continue
+        if not declares_all(system.world, node.blueprint) or not followed(node):
+            continue
+        calls = [call for call in node.program.calls if call.node is node.blueprint]
+        guarded = {_name_of(call) for call in calls if call.api.endswith(".has_parameter")}
+        for call in calls:
+            name = _name_of(call)
+            if call.api != "rclpy.node.Node.get_parameter" or name is None or always_declared(name):
+                continue
+            if name not in declared and name not in guarded and not call.in_try:
+                yield _undeclared(system.world, node, call, name, declared)
+
+
+def _undeclared(
+    world: World | None, node: Node, call: ApiCall, name: str, declared: dict[str, list[ParameterDeclaration]]
+) -> Finding:
+    assert node.blueprint is not None
+    place = _where_named(world, call)
+    return finding(
+        "PRM003",
+        place,
+        f"parameter '{name}' is read and {node.blueprint.class_name} never declares it" + did_you_mean(name, declared),
+        help=f"declare it first, with a default: self.declare_parameter('{name}', …)",
+        related=[Related(call.place, "it is read here")] if place != call.place else [],
+        node=node.name,
+        identity=(node.blueprint.class_name, name),
+    )
+
+
+def _where_named(world: World | None, call: ApiCall) -> Place:
+    """The read itself, or the call of the helper that does it, whichever says the name."""
+    value = call.arguments.get("name")
+    origin = value.origin if isinstance(value, Known) else None
+    if origin is not None and not _encloses(call.place, origin):
+        for frame in reversed(call.chain):
+            if _encloses(frame.place, origin):
+                return frame.place
+    return call.chain[-1].place if call.chain and _is_passed_on(world, call) else call.place
+
+
+def _is_passed_on(world: World | None, call: ApiCall) -> bool:
+    """Whether the name that is read is a parameter of the function that reads it."""
+    function = None if world is None else enclosing_function(world, call.place)
+    given = call.expression.args[0].value if call.expression is not None and call.expression.args else None
+    if function is None or not isinstance(given, facts.Name):
+        return False
+    return given.id in {param.name for param in function.params}
+
+
+def _encloses(outer: Place, inner: Place) -> bool:
+    starts = (outer.line, outer.column) <= (inner.line, inner.column)
+    ends = (inner.end_line, inner.end_column) <= (outer.end_line, outer.end_column)
+    return outer.file == inner.file and starts and ends
+
+
+def _name_of(call: ApiCall) -> str | None:
+    value = call.arguments.get("name")
+    known = isinstance(value, Known) and isinstance(value.value, str) and not value.via
+    return str(value.value) if known and isinstance(value, Known) else None
+
+
+# ------------------------------------------------------------------------------------------------- PRM006
+
+
+@rule("PRM006")
+def unused_parameter(system: System, options: Options) -> Iterator[Finding]:
+    """Parameters that are declared and never read."""
+    if system.launched is not None or system.world is None:
+        return
+    for node in system.nodes:
+        blueprint = node.blueprint
+        if blueprint is None or node.program is None or blueprint.test or not followed(node):
+            continue
+        if any(callback.role == "parameter" for callback in node.program.callbacks):
+            continue
+        calls = [call for b in node.program.nodes for call in node.program.calls if call.node is b]
+        reads = {_name_of(call) for call in calls if call.api.startswith("rclpy.node.Node.get_parameter")}
+        if None in reads or any(call.api in ("rclpy.node.Node.get_parameters",) for call in calls):
+            continue
+        for declaration in blueprint.parameters:
+            name = declaration.name.text
+            if name is None or declaration.name.resolution != "exact" or name in reads:
+                continue
+            if _mentioned(system.world, declaration, name) or _elsewhere(system.world, node, declaration, name):
+                continue
+            yield finding(
+                "PRM006",
+                declaration.place,
+                f"parameter '{name}' is declared and never read",
+                help="read it with get_parameter, or remove it: whoever sets it expects something to change",
+                node=node.name,
+                identity=(blueprint.class_name, name),
+            )
+
+
+def _mentioned(world: World, declaration: ParameterDeclaration, name: str) -> bool:
+    """Whether the name stands anywhere else in the file, or the declaration's own result is used."""
+    found = facts_at(world, declaration.place.file)
+    if found is None:
+        return True
+    texts: list[object] = []
+    spelled: str | None = None
+    for item in walk(found.body):
+        if isinstance(item, facts.Literal):
+            texts.append(item.value)
+        if isinstance(item, facts.Expression) and isinstance(item.value, facts.Call):
+            spelled = spelled or _plainly_declared(item.value, declaration, name)
+        if isinstance(item, facts.Attribute) and item.attr in ("get_parameters_by_prefix", "get_parameters"):
+            return True
+    return spelled is None or sum(text in (name, spelled) for text in texts) != 1
+
+
+def _plainly_declared(call: facts.Call, declaration: ParameterDeclaration, name: str) -> str | None:
+    """The name as a call itself spells it, which no loop does; None where another call declares it, or where its
+    default is a value of the running node: such a one is declared for others to see."""
+    for at, given in _rows(call):
+        here = at[:2] == (declaration.place.line, declaration.place.column)
+        text = given[0].value if here and given and isinstance(given[0], facts.Literal) else None
+        of_prefix = isinstance(text, str) and text and name.endswith(f".{text}")
+        if (text == name or of_prefix) and not any(_of_the_running_node(value) for value in given[1:2]):
+            return str(text)
+    return None
+
+
+def _rows(call: facts.Call) -> Iterator[tuple[facts.Span, list[facts.Expr]]]:
+    """What a call declares, each with its place, its name and its default: one parameter, or the entries of its
+    list."""
+    names_first = sorted(call.args, key=lambda argument: argument.keyword not in (None, "name"))
+    yield call.span, [argument.value for argument in names_first]
+    for argument in call.args:
+        if isinstance(argument.value, facts.Sequence):
+            for row in argument.value.elements:
+                if isinstance(row, facts.Sequence) and row.elements and isinstance(row.elements[0], facts.Literal):
+                    yield row.elements[0].span, row.elements
+
+
+def _of_the_running_node(value: facts.Expr) -> bool:
+    if isinstance(value, facts.Attribute):
+        return isinstance(value.value, facts.Name) and value.value.id == "self"
+    return isinstance(value, facts.Name)
+
+
+def _elsewhere(world: World, node: Node, declaration: ParameterDeclaration, name: str) -> bool:
+    """Whether a file that knows this one, or that this one knows, speaks of the parameter: a subclass or a
+    helper may read it."""
+    loader = world.loader
+    if loader is None or node.package is None:
+        return loader is None
+    here = declaration.place.file
+    return any(
+        path != here
+        and loader.mentions(path, name)
+        and (loader.mentions(path, _stem(here)) or loader.mentions(here, _stem(path)))
+        for path in loader.python_files_of(node.package)
+    )
+
+
+def _stem(path: str) -> str:
+    return posixpath.splitext(posixpath.basename(path))[0]
