@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from fnmatch import fnmatchcase
 from typing import TYPE_CHECKING
 
@@ -25,6 +25,17 @@ def without_node(summary: Summary) -> Iterator[str]:
     cpp = summary.cpp_packages
     beside = f"; the C++ of {cpp} package{'s' if cpp > 1 else ''} is not read" if cpp else ""
     yield f"no node was found in {summary.files} file{'s' if summary.files != 1 else ''}{beside}"
+
+
+def for_ros1(python: Sequence[str], launch: Sequence[str]) -> Iterator[str]:
+    """One sentence on the files that are for ROS 1."""
+    if len(python) + len(launch) == 1:
+        yield f"{[*python, *launch][0]} is for ROS 1 and passed over"
+        return
+    counts = [(len(launch), "launch file"), (len(python), "Python file")]
+    what = " and ".join(f"{count} {kind}{'s' if count > 1 else ''}" for count, kind in counts if count)
+    if what:
+        yield f"{what} are for ROS 1 and passed over"
 
 
 def idle_patterns(settings: Settings, workspace: Workspace) -> Iterator[str]:

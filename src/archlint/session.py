@@ -114,6 +114,13 @@ def _is_for_ros(workspace: Workspace) -> bool:
     return any(file.kind in kinds for file in workspace.files)
 
 
+def _passed_over(workspace: Workspace, facts: FactsOfFiles, loader: LaunchLoader | None) -> Iterator[str]:
+    from archlint.looked_at import for_ros1
+
+    python = [file.relative for file in _python(workspace) if not file.context and facts.is_ros1(file)]
+    yield from for_ros1(python, loader.ros1_files() if loader is not None else [])
+
+
 def _nothing_for_ros(request: Request, files: int) -> str:
     looked = f"{files} Python file{'s' if files > 1 else ''}"
     return (
@@ -162,7 +169,8 @@ def _systems(request: Request, workspace: Workspace, facts: FactsOfFiles, tree: 
     entries = entry_points(installs, workspace.files)
     programs = linker.run_all(entries)
     [opened] = assemble(programs, workspace, request.settings)
-    loader = LaunchLoader(workspace.files, facts.facts_of, installs, tree, facts.relevant, faults)
+    old = frozenset(package.name for package in workspace.packages if package.ros1)
+    loader = LaunchLoader(workspace.files, facts.facts_of, installs, tree, facts.relevant, faults, old)
     if request.launch is not None and not loader.is_launch_file(request.launch):
         raise NothingToDo(_no_launch_file(request, loader))
     systems = launch_systems(
@@ -184,8 +192,8 @@ def _systems(request: Request, workspace: Workspace, facts: FactsOfFiles, tree: 
         configured=request.settings.launch,
     )
     if not systems:  # only where one launch file was asked for: the open system is always there
-        old = loader.frontend(request.launch or "").ros1
-        raise NothingToDo(f"{request.launch} {'is for ROS 1' if old else 'starts nothing that can be read'}")
+        ros1 = loader.frontend(request.launch or "").ros1
+        raise NothingToDo(f"{request.launch} {'is for ROS 1' if ros1 else 'starts nothing that can be read'}")
     return systems
 
 
@@ -249,7 +257,7 @@ def _judged(request: Request, workspace: Workspace, facts: FactsOfFiles, tree: S
         elapsed_s=0.0,
     )
     refused = [suppressions.refusal(file, suppression) for file, suppression in outcome.refused]
-    notices = loader.notices() if loader is not None else []
+    notices = [*_passed_over(workspace, facts, loader)]
     if request.launch is not None:
         notices.extend(argument_notices(systems[0]))
     return Judged(findings, summary, [*refused, *notices, *_idle(request.settings, systems)])
@@ -319,8 +327,9 @@ def _problems(
         found = facts.facts_of(file)
         for fault in () if found is None else found.problems:
             yield unreadable(file.relative, fault.line, fault.column, fault.message)
+    old = {package.name for package in workspace.packages if package.ros1}
     for file in workspace.files:
-        if file.kind == "interface" and not file.context:
+        if file.kind == "interface" and not file.context and file.package not in old:
             with faults.apart("reading this interface", Place(file.relative, 1, 1, 1, 1)):
                 for line, column, message in interface_problems(file.path):
                     yield unreadable(file.relative, line, column, message)

@@ -260,3 +260,31 @@ def test_no_real_module_is_refused():
         source = read_source(str(library / name))
         assert isinstance(source, gate.SourceText), name
         assert compile_refusal(source.text) is None, name
+
+
+@pytest.mark.parametrize(
+    "source",
+    [
+        "import rospy",
+        "import sys, rospy",
+        "from dynamic_reconfigure.server import Server",
+        "try:\n    import actionlib\nexcept ImportError:\n    pass",
+        "print 'old'\nfrom rospy.numpy_msg import numpy_msg",
+    ],
+)
+def test_what_imports_only_ros_1_is_for_ros_1(source):
+    assert gate.is_ros1(source.encode())
+
+
+@pytest.mark.parametrize(
+    "source",
+    [
+        "try:\n    import rclpy\nexcept ImportError:\n    import rospy",
+        "from actionlib_msgs.msg import GoalStatus",
+        "# import rospy",
+        "x = 'rospy'",
+        "from rospy_message_converter import message_converter",
+    ],
+)
+def test_what_is_for_both_or_only_sounds_like_it_is_not(source):
+    assert not gate.is_ros1(source.encode())

@@ -16,6 +16,9 @@ if TYPE_CHECKING:
 _IRRELEVANT = b"-"
 """How the entry of a file begins that the screen left out; the modules that it imports follow, a line each."""
 
+_ROS1 = b"-1"
+"""The same of a file for ROS 1."""
+
 _IMPORT = re.compile(
     rb"^[ \t]*(?:from[ \t]+(\.*[\w.]*)[ \t]+import[ \t]*(\([^)]*\)|[^\n#]*)|import[ \t]+([^\n#]+))", re.MULTILINE
 )
@@ -75,7 +78,7 @@ class FactsOfFiles:
     def _widen(self, files: Sequence[SourceFile]) -> None:
         """Take back what the screen left out but imports a module that it kept: a class derived from a node
         class elsewhere, or a caller of a helper, may hold none of the words itself."""
-        left = [file for file in files if not self.relevant(file)]
+        left = [file for file in files if not self.relevant(file) and not self.is_ros1(file)]
         kept = _names_of(file for file in files if self.relevant(file))
         while True:
             found = [file for file in left if not kept.isdisjoint(self._imports(file))]
@@ -125,6 +128,10 @@ class FactsOfFiles:
         """Whether the screen kept a file."""
         return not self._payloads.get(file.path, _IRRELEVANT).startswith(_IRRELEVANT)
 
+    def is_ros1(self, file: SourceFile) -> bool:
+        """Whether a file is a program or module for ROS 1."""
+        return self._payloads.get(file.path, b"").startswith(_ROS1)
+
     def facts_of(self, file: SourceFile) -> Facts | None:
         """The facts of a file; one that the screen left out is compiled now.  None for what is no Python."""
         if file.path in self._facts:
@@ -167,8 +174,9 @@ class FactsOfFiles:
         if payload is not None:
             self._keep(file, digest, payload)
             return None
-        if not gate.relevant(data) and b"\0" not in data:
-            payload = b"\n".join((_IRRELEVANT, *_imported(data)))
+        old = gate.is_ros1(data)
+        if old or (not gate.relevant(data) and b"\0" not in data):
+            payload = b"\n".join((_ROS1 if old else _IRRELEVANT, *_imported(data)))
             self._cache.put(digest, payload)
             self._keep(file, digest, payload)
             return None

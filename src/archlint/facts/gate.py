@@ -70,6 +70,22 @@ def relevant(data: bytes) -> bool:
     return any(word in data for word in WORDS)
 
 
+_ROS1_WORDS = (b"rospy", b"roslib", b"actionlib", b"dynamic_reconfigure")
+_ROS1_IMPORT = re.compile(
+    rb"^[ \t]*(?:from[ \t]+(?:rospy|roslib|actionlib|dynamic_reconfigure)\b|"
+    rb"import[ \t]+[^\n#]*\b(?:rospy|roslib|actionlib|dynamic_reconfigure)\b)",
+    re.MULTILINE,
+)
+_ROS2_WORD = re.compile(rb"\brclpy\b")
+
+
+def is_ros1(data: bytes) -> bool:
+    """Whether a file imports what only ROS 1 has, and speaks of rclpy nowhere."""
+    if not any(word in data for word in _ROS1_WORDS):
+        return False
+    return _ROS1_IMPORT.search(data) is not None and _ROS2_WORD.search(data) is None
+
+
 def read_bytes(path: str, limit: int = MAX_BYTES) -> bytes | Refusal:
     """The bytes of a regular file of bearable size."""
     try:

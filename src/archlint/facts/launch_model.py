@@ -50,6 +50,8 @@ class LaunchFacts:
 
     root: Element | None = None
     ros1: bool = False
+    """Whether it is for ROS 1; where nothing in it decides that, its package does."""
+    decided: bool = True
     problems: tuple[FileProblem, ...] = ()
     suppressions: tuple[Suppression, ...] = field(default=())
 

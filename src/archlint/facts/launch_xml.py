@@ -106,27 +106,32 @@ def read_launch_xml(text: str) -> LaunchFacts:
     root = reader.root
     if root is None or root.tag != "launch":
         return LaunchFacts()
-    return LaunchFacts(root, is_ros1(root), suppressions=tuple(_suppressions(text, root)))
+    return LaunchFacts(root, *is_ros1(root), suppressions=tuple(_suppressions(text, root)))
 
 
 _ROS1_TAGS = frozenset({"rosparam", "machine", "test", "master", "nodelet"})
 _ROS2_TAGS = frozenset(
     {"let", "set_parameter", "push_ros_namespace", "push-ros-namespace", "node_container", "executable"}
 )
+_ROS1_ATTRIBUTES = frozenset({"pass_all_args", "clear_params"})
+_ROS1_HABITS = frozenset({("arg", "doc"), ("include", "ns"), ("group", "ns"), ("node", "ns")})
+"""Attributes of ROS 1 that people write for ROS 2, too, by mistake: they decide only where nothing else does."""
 _ROS1_TEXT = re.compile(r"\$\((?:find|arg|optenv) ")
-_ROS2_TEXT = re.compile(r"\$\((?:find-pkg-share|find-pkg-prefix|var|exec-in-pkg|dirname|command) ?")
+_ROS2_TEXT = re.compile(r"\$\((?:find-pkg-share|find-pkg-prefix|var|exec-in-pkg|command) ?")
 
 
-def is_ros1(root: Element) -> bool:
-    """Whether a launch file is one of ROS 1; what is said in both ways is ROS 2."""
-    one = two = 0
+def is_ros1(root: Element) -> tuple[bool, bool]:
+    """Whether a launch file is one of ROS 1, and whether that is decided: what both have says nothing, and what is
+    said in both ways is ROS 2."""
+    one = two = habits = 0
     stack = [root]
     while stack:
         element = stack.pop()
         stack.extend(element.children)
         names = element.attributes
-        one += element.tag in _ROS1_TAGS
+        one += element.tag in _ROS1_TAGS or bool(_ROS1_ATTRIBUTES & names.keys())
         two += element.tag in _ROS2_TAGS
+        habits += any((element.tag, name) in _ROS1_HABITS for name in names)
         if element.tag == "node":
             one += "type" in names and not {"exec", "executable"} & set(names)
             two += "exec" in names or "executable" in names
@@ -134,7 +139,7 @@ def is_ros1(root: Element) -> bool:
             value = str(attribute.value)
             one += bool(_ROS1_TEXT.search(value))
             two += bool(_ROS2_TEXT.search(value))
-    return one > two
+    return one > two or (one == two == 0 and habits > 0), one + two > 0
 
 
 def _suppressions(text: str, root: Element) -> list[Suppression]:

@@ -15,7 +15,7 @@ from typing import Union
 
 import msgspec
 
-FACTS_VERSION = 3
+FACTS_VERSION = 4
 """Raised whenever the shape or the meaning of the facts changes: old cache entries are then misses."""
 
 Span = tuple[int, int, int, int]

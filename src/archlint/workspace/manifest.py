@@ -72,6 +72,9 @@ class _Reader:
         self.text = []
 
 
+    def needs(self, name: str) -> bool:
+        return any(one.name == name and condition_holds(one.condition) for one in self.dependencies)
+
     def holds(self) -> bool:
         return condition_holds(self.attributes.get("condition"))
 
@@ -110,6 +113,7 @@ def read_manifest(file: SourceFile, data: bytes, root: str, relative: str) -> Pa
         file,
         reader.name_line,
         reader.format,
+        reader.build_type in ("", "catkin") and reader.needs("catkin"),
     )
 
 

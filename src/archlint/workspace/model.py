@@ -70,6 +70,8 @@ class Package:
     manifest: SourceFile
     name_line: int = 1
     format: int = 1
+    ros1: bool = False
+    """Whether it is built by catkin alone, the build system of ROS 1."""
 
     def runtime_dependencies(self) -> frozenset[str]:
         """Names this package needs to run, or to build and run (``depend``)."""

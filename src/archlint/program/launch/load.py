@@ -5,6 +5,7 @@ from __future__ import annotations
 import posixpath
 import re
 from collections.abc import Callable, Mapping, Sequence
+from dataclasses import replace
 from typing import TYPE_CHECKING, Protocol
 
 from archlint.facts import model as facts
@@ -67,12 +68,14 @@ class LaunchLoader:
         tree: Tree,
         relevant: Callable[[SourceFile], bool] = lambda file: True,
         faults: Faults | None = None,
+        ros1_packages: frozenset[str] = frozenset(),
     ) -> None:
         self._files = files
         self._facts_of = facts_of
         self.installs = installs
         self.tree = tree
         self.relevant = relevant
+        self.ros1_packages = ros1_packages
         self._by_path = {file.relative: file for file in files}
         self._frontend_facts: dict[str, LaunchFacts] = {}
         self._parameter_facts: dict[str, ParameterFacts] = {}
@@ -178,14 +181,10 @@ class LaunchLoader:
         broken = {(path, p.line, p.column, p.message) for path, problems in rows for p in problems}
         return sorted(broken | self._endless)
 
-    def notices(self) -> list[str]:
-        """What is to be said beside the findings: how many files are ROS 1's."""
+    def ros1_files(self) -> list[str]:
+        """The launch files that were asked for and are for ROS 1."""
         context = {file.relative for file in self._files if file.context}
-        old = sorted(path for path, one in self._frontend_facts.items() if one.ros1 and path not in context)
-        if not old:
-            return []
-        what = f"{len(old)} launch files are" if len(old) > 1 else f"{old[0]} is"
-        return [f"{what} for ROS 1 and passed over"]
+        return sorted(path for path, one in self._frontend_facts.items() if one.ros1 and path not in context)
 
     def suppressions(self) -> dict[str, list[facts.Suppression]]:
         """What XML, YAML and parameter files suppress in place."""
@@ -211,6 +210,9 @@ class LaunchLoader:
             if text is not None:
                 with self.faults.apart("reading this launch file", Place(path, 1, 1, 1, 1)):
                     found = _read(path, text)
+            package = self.package_of(path) if found.root is not None and not found.decided else None
+            if package is not None:
+                found = replace(found, ros1=package in self.ros1_packages)
             self._frontend_facts[path] = found
         return self._frontend_facts[path]
 

@@ -1,0 +1,93 @@
+"""ROS 1 beside ROS 2 in one workspace: passed over with one word, and without a finding."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from archlint.config import load
+from archlint.report.model import Report
+from archlint.session import Request, check
+
+MANIFEST = "<package format='3'><name>{name}</name><version>0.0.0</version>{more}</package>"
+CATKIN = "<buildtool_depend>catkin</buildtool_depend><depend>rospy</depend>"
+AMENT = "<exec_depend>rclpy</exec_depend><export><build_type>ament_cmake</build_type></export>"
+EITHER = (
+    "<buildtool_depend condition='$ROS_VERSION == 1'>catkin</buildtool_depend>"
+    "<export><build_type condition='$ROS_VERSION == 1'>catkin</build_type>"
+    "<build_type condition='$ROS_VERSION == 2'>ament_cmake</build_type></export>"
+)
+OLD_NODE = """\
+import rospy
+import tf2_ros
+from std_msgs.msg import Strin
+def on(message):
+    print message.seq
+"""
+
+
+@pytest.fixture
+def run(tmp_path: Path, monkeypatch: pytest.MonkeyPatch):
+    monkeypatch.chdir(tmp_path)
+
+    def go(more: str, **files: str) -> Report:
+        for name, text in {"package.xml": MANIFEST.format(name="robot", more=more), **files}.items():
+            path = tmp_path / name
+            path.parent.mkdir(parents=True, exist_ok=True)
+            path.write_text(text, encoding="utf-8")
+        return check(Request((".",), load(tmp_path), cached=False, jobs=1))
+
+    return go
+
+
+def said(report: Report) -> tuple[list[str], list[str]]:
+    """The codes of the findings, and what is said of ROS 1."""
+    return [finding.code for finding in report.findings], [n for n in report.notices if "ROS 1" in n]
+
+
+def test_nodes_for_ros_1_get_no_findings(run):
+    report = run(CATKIN, **{"scripts/one.py": OLD_NODE, "scripts/two.py": "import actionlib\nimport tf2_ros\n"})
+    assert said(report) == ([], ["2 Python files are for ROS 1 and passed over"])
+
+
+def test_one_sentence_for_all_of_it(run):
+    launch = '<launch><node pkg="robot" type="one.py" name="one"/></launch>'
+    report = run(CATKIN, **{"scripts/one.py": OLD_NODE, "launch/one.launch": launch, "launch/two.launch": launch})
+    assert said(report) == ([], ["2 launch files and 1 Python file are for ROS 1 and passed over"])
+
+
+def test_an_interface_for_ros_1_is_not_held_against_ros_2(run):
+    files = {"msg/Old.msg": "float64[] Values\n", "scripts/one.py": "import rospy\n"}
+    assert said(run(CATKIN, **files))[0] == []
+    assert said(run(AMENT, **files))[0] == ["LNT002"]
+
+
+BOTH = '<launch><arg name="x" default="1"/><include file="$(dirname)/gone.launch"/></launch>'
+
+
+@pytest.mark.parametrize(
+    ("launch", "more", "old"),
+    [
+        (BOTH, CATKIN, True),
+        (BOTH, AMENT, False),
+        (BOTH, EITHER, False),
+        ('<launch><arg name="x" doc="what it is"/></launch>', CATKIN, True),
+        ('<launch><arg name="x" doc="what it is"/></launch>', AMENT, False),
+        ('<launch><include file="$(dirname)/a.launch" pass_all_args="true"/></launch>', AMENT, True),
+        ('<launch><group ns="a" clear_params="true"/></launch>', AMENT, True),
+        ('<launch><node pkg="robot" exec="one" ns="a"/></launch>', CATKIN, False),
+        ('<launch><include file="$(find-pkg-share robot)/a.launch" ns="a"/></launch>', CATKIN, False),
+    ],
+)
+def test_a_launch_file_that_both_could_read_is_its_packages(run, launch, more, old):
+    _, notices = said(run(more, **{"launch/it.launch": launch}))
+    assert notices == (["launch/it.launch is for ROS 1 and passed over"] if old else [])
+
+
+def test_without_a_package_the_habits_of_ros_1_decide(run, tmp_path):
+    files = {"old.launch": '<launch><arg name="x" doc="y"/></launch>', "new.launch": '<launch><arg name="x"/></launch>'}
+    run(AMENT, **files)
+    (tmp_path / "package.xml").unlink()
+    report = check(Request((".",), load(tmp_path), cached=False, jobs=1))
+    assert said(report)[1] == ["old.launch is for ROS 1 and passed over"]
