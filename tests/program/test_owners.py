@@ -212,6 +212,265 @@ def test_a_constructor_that_is_called_by_way_of_its_class(owners, arguments):
     assert owners(source) == {"/robot": ["/pose"]}
 
 
+# ------------------------------------------------------------------------------------- how it is followed
+
+PARTS = """\
+class Camera(Plugin):
+    def __init__(self, node):
+        self.pub = node.create_publisher(String, "camera", 10)
+
+class Lidar(Plugin):
+    def __init__(self, node):
+        self.pub = node.create_publisher(String, "lidar", 10)
+"""
+ROBOT = """\
+class Robot(Node):
+    def __init__(self):
+        super().__init__("robot")
+        self.parts = [cls(self) for cls in {classes}]
+"""
+
+
+@pytest.mark.parametrize(
+    ("plugin", "parts", "classes"),
+    [
+        pytest.param("pass", PARTS, "Plugin.__subclasses__()", id="subclasses"),
+        pytest.param(
+            """\
+    known = []
+    def __init_subclass__(cls, **options):
+        super().__init_subclass__(**options)
+        Plugin.known.append(cls)
+""",
+            PARTS,
+            "Plugin.known",
+            id="__init_subclass__",
+        ),
+        pytest.param(
+            """\
+    known = {}
+    @classmethod
+    def register(cls, name):
+        def keep(part):
+            cls.known[name] = part
+            return part
+        return keep
+""",
+            PARTS.replace("class Camera", '@Plugin.register("c")\nclass Camera').replace(
+                "class Lidar", '@Plugin.register("l")\nclass Lidar'
+            ),
+            "Plugin.known.values()",
+            id="a decorator with a name",
+        ),
+        pytest.param(
+            """\
+    known = []
+
+def plugin(part):
+    Plugin.known.append(part)
+    return part
+""",
+            PARTS.replace("class", "@plugin\nclass"),
+            "Plugin.known",
+            id="a decorator",
+        ),
+        pytest.param("pass", PARTS + 'KNOWN = {"c": Camera, "l": Lidar}\n', "KNOWN.values()", id="a dictionary"),
+        pytest.param("pass", PARTS + 'KNOWN = {"c": Camera, "l": Lidar}\n', "[KNOWN[input()]]", id="one of them"),
+    ],
+)
+def test_classes_that_a_registry_holds(owners, plugin, parts, classes):
+    body = plugin if plugin.startswith(" ") else f"    {plugin}\n"
+    source = "class Plugin:\n" + body + parts + ROBOT.format(classes=classes)
+    assert owners(source) == {"/robot": ["/camera", "/lidar"]}
+
+
+def test_subclasses_are_those_that_a_program_imports(owners):
+    run = "if __name__ == '__main__':\n    Robot()\n"
+    found = owners(
+        base="class Plugin:\n    pass\n",
+        camera="from base import Plugin\n" + PARTS.partition("\n\n")[0],
+        lidar="from base import Plugin\nclass Lidar" + PARTS.partition("class Lidar")[2],
+        front="import camera\nfrom base import Plugin\n" + ROBOT.format(classes="Plugin.__subclasses__()") + run,
+        rear="import lidar\nfrom base import Plugin\n"
+        + ROBOT.format(classes="Plugin.__subclasses__()").replace('"robot"', '"rear"')
+        + run,
+    )
+    assert found == {"/robot": ["/camera"], "/rear": ["/lidar"]}
+
+
+@pytest.mark.parametrize(
+    "handed",
+    ["helper.node = self", "Helper.node = self", "setattr(helper, 'node', self)", "helper.__dict__['node'] = self"],
+)
+def test_a_node_that_is_set_from_outside(owners, handed):
+    source = f"""\
+    class Helper:
+        node = None
+
+        def start(self):
+            self.out = self.node.create_publisher(String, "chatter", 10)
+
+    class Talker(Node):
+        def __init__(self):
+            super().__init__("talker")
+            helper = Helper()
+            {handed}
+            helper.start()
+    """
+    assert owners(source) == {"/talker": ["/chatter"]}
+
+
+SINGLETONS = {
+    "decorator": """\
+def singleton(cls):
+    made = {}
+    def get(*arguments):
+        if cls not in made:
+            made[cls] = cls(*arguments)
+        return made[cls]
+    return get
+
+@singleton
+class Helper:
+    def __init__(self, node):
+        self.node = node
+""",
+    "new": """\
+class Helper:
+    one = None
+    def __new__(cls, node=None):
+        if cls.one is None:
+            cls.one = super().__new__(cls)
+            cls.one.node = node
+        return cls.one
+""",
+    "object": """\
+class Helper:
+    one = None
+    def __new__(cls, *arguments):
+        if not cls.one:
+            cls.one = object.__new__(cls)
+        return cls.one
+    def __init__(self, node=None):
+        if node is not None:
+            self.node = node
+""",
+}
+
+
+@pytest.mark.parametrize("form", SINGLETONS)
+def test_the_one_object_of_a_class(owners, form):
+    more = """\
+    def start(self):
+        self.out = self.node.create_publisher(String, "chatter", 10)
+
+def work():
+    Helper().start()
+
+class Talker(Node):
+    def __init__(self):
+        super().__init__("talker")
+        Helper(self)
+        work()
+"""
+    assert owners(SINGLETONS[form] + more) == {"/talker": ["/chatter"]}
+
+
+LOADER = """\
+import importlib
+
+class Talker(Node):
+    def __init__(self):
+        super().__init__("talker")
+        importlib.import_module(input()).make(self)
+"""
+
+
+@pytest.mark.parametrize(
+    "part",
+    [
+        "    def __init__(self, talker: Talker):\n        talker.create_publisher(String, 'chatter', 10)\n",
+        "    def __init__(self, talker: 'Talker'):\n        talker.create_publisher(String, 'chatter', 10)\n",
+        "    def __init__(self, talker: Talker | None):\n        talker.create_publisher(String, 'chatter', 10)\n",
+        "    talker: Talker\n    def start(self):\n        self.talker.create_publisher(String, 'chatter', 10)\n",
+        "    def __init__(self, owner):\n        self.talker: Talker = owner\n"
+        "        self.talker.create_publisher(String, 'chatter', 10)\n",
+    ],
+)
+def test_an_annotation_tells_the_node(owners, part):
+    [entry] = owners.entries(LOADER, part="from node import Talker\n\nclass Part:\n" + part)
+    assert (entry["name"], _names(entry)) == ("/talker", ["/chatter"])
+    assert entry["publishers"][0]["conditional"]  # nothing shows that the part is ever made
+
+
+def test_an_annotation_tells_what_holds_the_node(owners):
+    connector = """\
+    class Connector:
+        def __init__(self):
+            self._node = rclpy.create_node("connector")
+
+        @property
+        def node(self):
+            return self._node
+
+    if __name__ == "__main__":
+        Connector()
+    """
+    tool = """\
+    from framework import Tool
+    from node import Connector
+
+    class Mover(Tool):
+        connector: Connector
+
+        def run(self):
+            self.connector.node.create_client(Trigger, "move")
+    """
+    assert owners(connector, tool=tool) == {"/connector": ["/move"]}
+
+
+def test_an_annotation_that_may_mean_several_nodes_tells_none(owners):
+    source = """\
+    class Base(Node):
+        pass
+
+    class Left(Base):
+        def __init__(self):
+            super().__init__("left")
+
+    class Right(Base):
+        def __init__(self):
+            super().__init__("right")
+
+    class Part:
+        def __init__(self, node: Base, other: Node):
+            node.create_publisher(String, "chatter", 10)
+            other.create_publisher(String, "whisper", 10)
+    """
+    assert [names for name, names in owners(source).items() if name.startswith("/")] == [[], []]
+
+
+def test_a_node_whose_helper_is_not_followed_is_not_complete(owners):
+    used = """\
+    import parts
+
+    class Talker(Node):
+        def __init__(self):
+            super().__init__("talker")
+            self.names = ["Helper"]
+
+        def load(self):
+            return parts.Helper
+    """
+    other = """\
+    class Quiet(Node):
+        def __init__(self):
+            super().__init__("quiet")
+    """
+    entries = {_shown(one): one["complete"] for one in owners.entries(used, other, parts=HELPER)}
+    assert entries == {"/talker": False, "/quiet": True, "(Helper)": True}
+
+
 # --------------------------------------------------------------------------------------- how it is shown
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from archlint.facts import model as facts
-from archlint.program import escapes, messages
+from archlint.program import escapes, hints, messages
 from archlint.program.api import command_line, profiles, rclpy_names
 from archlint.program.values import (
     NONE,
@@ -85,7 +85,7 @@ def get_attribute(run: Run, value: Value, name: str, expression: facts.Attribute
     if isinstance(value, Unknown) and name in rclpy_names.NODE_METHODS:
         return ApiMethod(f"rclpy.node.Node.{name}", value)
     if isinstance(value, Unknown):
-        return Unknown(value.reason, value.parameter)
+        return Unknown(value.reason, value.parameter, hints.attribute_of(run, value, name))
     if isinstance(value, Builtin):
         return Builtin(f"{value.name}.{name}")
     return Unknown(f"the attribute '{name}' of a value that is not followed")
@@ -152,6 +152,9 @@ def _of_instance(run: Run, value: Instance, name: str) -> Value:
         return value.cls
     if name == "__dict__":
         return AttributesValue(value)
+    only_annotated = hints.declared(run, value.cls, name)
+    if only_annotated is not None:
+        return only_annotated
     if isinstance(owner, External):
         return _inherited(run, value, rclpy_names.canonical(owner.path), name)
     if isinstance(owner, Unknown):
@@ -268,6 +271,10 @@ def _of_class(run: Run, value: ClassValue, name: str) -> Value:
         return containers.new_dict(run, {k: v for k, v in entries.items() if k is not None})
     if name == "__mro__":
         return Unknown("the bases of a class")
+    if name == "__subclasses__":
+        from archlint.program import registries
+
+        return registries.subclasses(run, value)
     if isinstance(owner, External):
         return External(f"{owner.path}.{name}")
     if isinstance(owner, Unknown):
@@ -286,6 +293,8 @@ def _of_super(run: Run, value: SuperValue, name: str) -> Value:
         found, owner = class_lookup(run, cls, name, after=value.owner)
     if found is not None:
         return bind(run, found, instance, cls)
+    if name == "__new__":
+        return Builtin("object.__new__")
     if isinstance(owner, External):
         path = rclpy_names.canonical(owner.path)
         return _inherited(run, instance, path, name) if name != "__init__" else ApiMethod(f"{path}.__init__", instance)

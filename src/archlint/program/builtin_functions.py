@@ -462,12 +462,19 @@ def _same(run: Run, args: Arguments, keywords: Keywords, e: object) -> Value:
     return _first(args)
 
 
+def _object_new(run: Run, args: Arguments, keywords: Keywords, e: object) -> Value:
+    from archlint.program.definitions import allocate
+
+    return allocate(run, args[0]) if args and isinstance(args[0], ClassValue) else Unknown("an object")
+
+
 def _object_setattr(run: Run, args: Arguments, keywords: Keywords, e: object) -> Value:
     """``object.__setattr__(self, 'x', value)``: how frozen dataclasses fill themselves."""
     return _setattr(run, args, keywords, e)
 
 
 BUILTINS: dict[str, Callable[..., Value]] = {
+    "object.__new__": _object_new,
     "object.__setattr__": _object_setattr,
     "print": _nothing,
     "str": _str,

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 from archlint.facts import model as facts
 from archlint.finding import Place
-from archlint.program import escapes
+from archlint.program import escapes, hints
 from archlint.program.api import effects
 from archlint.program.attributes import get_attribute
 from archlint.program.bindings import bound_names
@@ -208,7 +208,8 @@ def bind_arguments(
         elif param.name in defaults:
             bound[param.name] = defaults[param.name]
         else:
-            bound[param.name] = Unknown(f"nothing in the workspace passes '{param.name}'", name=param.name)
+            meant = hints.class_named(run, function.scope, param.annotation)
+            bound[param.name] = Unknown(f"nothing in the workspace passes '{param.name}'", None, meant, param.name)
     return bound
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from archlint.facts import model as facts
-from archlint.program import escapes
+from archlint.program import escapes, hints
 from archlint.program.api import effects, rclpy_names
 from archlint.program.attributes import bind, class_lookup, get_attribute
 from archlint.program.values import (
@@ -89,6 +89,7 @@ def define_lambda(run: Run, e: facts.Lambda) -> Value:
 
 
 def define_class(run: Run, s: facts.Class) -> Value:
+    from archlint.program import registries
     from archlint.program.run import Activation
 
     activation = run.activation
@@ -104,6 +105,7 @@ def define_class(run: Run, s: facts.Class) -> Value:
         value = run.evaluate(decorator.func if isinstance(decorator, facts.Call) else decorator)
         if isinstance(value, External):
             decorators.add(value.path)
+    registering = registries.decorators_of(run, s)
     prefix = "" if activation.scope.kind == "module" else activation.scope.qualified + "."
     key = run.store.new_key()
     scope = Scope(key, activation.scope, activation.module, "class", prefix + s.name)
@@ -117,7 +119,7 @@ def define_class(run: Run, s: facts.Class) -> Value:
     _own_functions(run, cls)
     if rclpy_names.ENUM_BASES & set(cls.external_bases()):
         _make_members(run, cls)
-    return cls
+    return registries.announce(run, s, cls, registering)
 
 
 def _single_base(value: Value) -> Value:
@@ -223,10 +225,7 @@ def instantiate(
     """Make an object of a class of the workspace."""
     if run.store.get(cls.key, "#members"):
         return _enum_member(run, cls, args)
-    place = run.place(expression.span) if expression is not None and run.activations else None
-    made = Instance(cls, run.store.new_key(), place)
-    run.instances[made.key] = made
-    effects.adopt(run, made)
+    made = _given_by_new(run, cls, args, keywords, expression) or allocate(run, cls, expression)
     if not open_arguments and any(path.startswith("launch") for path in cls.external_bases()):
         named = sorted(keywords.items(), key=lambda row: row[0])
         rows = [*((str(number), value) for number, value in enumerate(args)), *named]
@@ -240,6 +239,27 @@ def instantiate(
     elif any("dataclass" in name for name in _decorators(cls)) or "typing.NamedTuple" in cls.external_bases():
         _fill_dataclass(run, made, cls, args, keywords, open_arguments)
     return made
+
+
+def allocate(run: Run, cls: ClassValue, expression: facts.Call | None = None) -> Instance:
+    """An object of a class, before its ``__init__``."""
+    place = run.place(expression.span) if expression is not None and run.activations else None
+    made = Instance(cls, run.store.new_key(), place)
+    run.instances[made.key] = made
+    effects.adopt(run, made)
+    return made
+
+
+def _given_by_new(
+    run: Run, cls: ClassValue, args: list[Value], keywords: dict[str, Value], expression: facts.Call | None
+) -> Instance | None:
+    """The object that a ``__new__`` of ours gives: of a class with one object only, the one that there is."""
+    new, _ = class_lookup(run, cls, "__new__")
+    if not isinstance(new, FunctionValue):
+        return None
+    given = run.call(new, [cls, *args], keywords, expression)
+    objects = [one for one in alternatives(given) if isinstance(one, Instance) and one.cls is cls]
+    return min(objects, key=lambda one: one.key, default=None)
 
 
 def _decorators(cls: ClassValue) -> set[str]:
@@ -287,7 +307,9 @@ def _fill_dataclass(
             value = as_default(value) if isinstance(value, Value) else value
         if isinstance(value, Value):
             escapes.kept(run, made.key, (value,), name)
-        run.store.set(made.key, name, value if isinstance(value, Value) else Unknown(f"the field '{name}' is not set"))
+        if not isinstance(value, Value):
+            value = hints.declared(run, cls, name) or Unknown(f"the field '{name}' is not set")
+        run.store.set(made.key, name, value)
     if "typing.NamedTuple" in cls.external_bases():
         run.store.set(made.key, "#fields", tuple(fields))
     after = get_attribute(run, made, "__post_init__")

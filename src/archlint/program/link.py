@@ -17,10 +17,10 @@ from archlint.faults import Faults
 from archlint.finding import Place
 from archlint.program import calls, definitions, escapes, model
 from archlint.program.api import command_line, nodes
-from archlint.program.helpers import settle_helpers
+from archlint.program.helpers import Holders, note_holders, note_unfollowed, prune_uncalled, settle_helpers
 from archlint.program.interest import interesting, names_in
 from archlint.program.modules import Module, ModuleIndex
-from archlint.program.roots import NOT_PASSED, enter_root, finish, run_callbacks, run_pending
+from archlint.program.roots import enter_root, finish, run_callbacks, run_pending
 from archlint.program.run import TEST_STEPS, Activation, Run
 from archlint.program.store import Store
 from archlint.program.values import (
@@ -81,6 +81,7 @@ class Linker:
     ) -> None:
         self.index = ModuleIndex(files, facts_of)
         self.files = sorted(files, key=lambda file: file.relative)
+        self._shown = {file.relative: file for file in self.files}
         look_below(_common_folder([file.relative for file in self.files]))
         self.relevant = relevant
         self.interfaces = interfaces
@@ -92,6 +93,9 @@ class Linker:
         self.ran: set[int] = set()
         self.made: set[int] = set()
         """Classes of which an object was made, and their bases."""
+        self.holders: Holders = {}
+        """The nodes that objects of a class were seen to hold in an attribute."""
+        self._settled = False
 
     # ----------------------------------------------------------------------------------------- programs
 
@@ -111,8 +115,10 @@ class Linker:
                 if _main_guard(module) or module.state == "new":
                     self.run_script(module)
             self._sweep(chosen, test)
-        _prune(self.programs)
-        settle_helpers(self.programs)
+        prune_uncalled(self.programs)
+        settle_helpers(self.programs, self.holders)
+        note_unfollowed(self.programs, self._names_in_file)
+        self._settled = True
         return [p for p in self.programs if p.nodes or p.calls or p.callbacks or p.unknown_interfaces or p.field_uses]
 
     def _is_started(self, module: Module, started: dict[str, set[str]]) -> bool:
@@ -198,7 +204,15 @@ class Linker:
             elif ran_before:
                 _run_block(run, module, module.facts)
             _make_handed_out(run)
+        if self._settled:
+            settle_helpers([run.program], {})
+            note_unfollowed([run.program], self._names_in_file)
         return run.program
+
+    def _names_in_file(self, file: str) -> frozenset[str]:
+        """All names that a file, by its shown path, uses."""
+        module = self.index.module(self._shown[file]) if file in self._shown else None
+        return frozenset() if module is None else names_in(module.facts)
 
     def _dotted(self, run: Run, module: Module, name: str) -> Value | None:
         from archlint.program.attributes import get_attribute
@@ -302,36 +316,6 @@ def _common_folder(paths: Sequence[str]) -> str:
     return "/".join(first[:shared])
 
 
-def _prune(programs: list[model.Program]) -> None:
-    """Drop what a method would create if anybody called it, where others show what it creates when called.
-
-    A wrapper that every node inherits and few call is tried on each of them; it is kept where nothing better is
-    known of its create call, and then once.
-    """
-    sites: dict[Place, list[model.Creation]] = {}
-    for program in programs:
-        for node in program.nodes:
-            for creation in node.creations:
-                sites.setdefault(creation.place, []).append(creation)
-    dropped: set[int] = set()
-    for creations in sites.values():
-        uncalled = [creation for creation in creations if _is_uncalled(creation)]
-        kept = uncalled[:1] if len(uncalled) == len(creations) else []
-        dropped.update(id(creation) for creation in uncalled if creation not in kept)
-    for program in programs:
-        for node in program.nodes:
-            node.creations = [creation for creation in node.creations if id(creation) not in dropped]
-
-
-def _is_uncalled(creation: model.Creation) -> bool:
-    return (
-        creation.context is not None
-        and creation.context.role == "method"
-        and creation.name.text is None
-        and (creation.name.reason or "").startswith(NOT_PASSED)
-    )
-
-
 class _Program:
     """One program on a layer of its own: its callbacks run when the block ends, then the layer goes.
 
@@ -361,7 +345,7 @@ class _Program:
             run.note_fault(self._what, raised, self.place)
         finally:
             run.activations.clear()
-            run.store.cut(self.depth)
+            note_holders(self.linker.holders, run, run.store.cut(self.depth))
         self._finish()
         return isinstance(error, Exception)
 

@@ -239,6 +239,10 @@ class ApiCall:
         return bool(self.rounds)
 
 
+ClassKey = tuple["Place", str]
+"""Where a class is written, and its qualified name."""
+
+
 @dataclass(eq=False)
 class Blueprint:
     """A node as one program makes it, before a launch file renames or remaps anything.
@@ -256,6 +260,11 @@ class Blueprint:
     package: str | None
     lifecycle: bool = False
     held: bool = False
+    classes: tuple[ClassKey, ...] = ()
+    """Its class and the bases of that which are of this workspace."""
+    annotated: tuple[ClassKey, str] | None = None
+    """What annotations tell of a node that nothing here hands in: its class, or the class of what holds it and the
+    attribute there."""
     creations: list[Creation] = field(default_factory=list)
     parameters: list[ParameterDeclaration] = field(default_factory=list)
     callbacks: list[Callback] = field(default_factory=list)

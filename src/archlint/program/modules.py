@@ -6,11 +6,12 @@ the folder it lies in.  Both are looked up by the dotted names that the find flo
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
 
-from archlint.facts.model import Facts
+from archlint.facts.model import Class, Facts, Function, Import, ImportFrom, Stmt
+from archlint.facts.walk import statements_of
 
 if TYPE_CHECKING:
     from archlint.program.values import Scope
@@ -52,6 +53,7 @@ class ModuleIndex:
         self._by_name: dict[str, list[SourceFile]] = {}
         self._by_path: dict[str, SourceFile] = {}
         self._by_tail: dict[str, list[SourceFile]] = {}
+        self._imported: dict[str, frozenset[str]] = {}
         for file in files:
             if file.kind not in ("python", "launch_python", "setup_py"):
                 continue
@@ -80,6 +82,32 @@ class ModuleIndex:
             return self._relative(importer, name, level)
         file = self._absolute(importer, name)
         return None if file is None else self.module(file)
+
+    def imported_by(self, module: Module) -> frozenset[str]:
+        """The shown paths of a module and of all that its imports lead to, wherever they stand in it."""
+        if module.path not in self._imported:
+            seen = {module.path: module}
+            waiting = [module]
+            for one in waiting:
+                for below in self._imports_of(one):
+                    if below.path not in seen:
+                        seen[below.path] = below
+                        waiting.append(below)
+            self._imported[module.path] = frozenset(seen)
+        return self._imported[module.path]
+
+    def _imports_of(self, module: Module) -> Iterator[Module]:
+        for part in _imports(module.facts.body):
+            if isinstance(part, Import):
+                names = [".".join(part.module.split(".")[:end]) for end in range(1, part.module.count(".") + 2)]
+                level = 0
+            else:
+                names = [part.module, *(f"{part.module}.{name}".lstrip(".") for name, _ in part.names)]
+                level = part.level
+            for name in names:
+                found = self.find(module, name, level) if name or level else None
+                if found is not None:
+                    yield found
 
     def absolute_name(self, importer: Module, name: str, level: int) -> str:
         """The dotted name that a relative import stands for."""
@@ -125,6 +153,15 @@ class ModuleIndex:
             and file.path.replace("\\", "/").removesuffix("/__init__.py").removesuffix(".py").endswith(tail)
         ]
         return _nearest(importer, found) if found else None
+
+
+def _imports(body: Sequence[Stmt]) -> Iterator[Import | ImportFrom]:
+    """The imports of a module, those inside functions and classes included."""
+    for statement in statements_of(body):
+        if isinstance(statement, (Import, ImportFrom)):
+            yield statement
+        elif isinstance(statement, (Function, Class)):
+            yield from _imports(statement.body)
 
 
 def _nearest(importer: Module, files: list[SourceFile]) -> SourceFile:

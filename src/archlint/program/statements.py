@@ -6,7 +6,7 @@ from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
 from archlint.facts import model as facts
-from archlint.program import calls, caught, containers, decisions, definitions, escapes, expressions, messages
+from archlint.program import calls, caught, containers, decisions, definitions, escapes, expressions, hints, messages
 from archlint.program.augmented import augmented, forget_counters
 from archlint.program.run import UNROLL, Run, Status
 from archlint.program.store import Items, Layer
@@ -82,7 +82,7 @@ def _assign(run: Run, s: facts.Assign) -> Status:
 
 def _annotated(run: Run, s: facts.Annotated) -> Status:
     if s.value is not None:
-        assign(run, s.target, run.evaluate(s.value))
+        assign(run, s.target, hints.annotated(run, run.evaluate(s.value), s.annotation))
     elif run.activation.scope.kind == "class" and isinstance(s.target, facts.Name):
         pass  # a dataclass field without a default; its value comes from the constructor
     return None

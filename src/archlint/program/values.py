@@ -63,7 +63,7 @@ class Unknown(Value):
     reason: str
     parameter: str | None = None
     annotation: Value | None = field(default=None, compare=False)
-    """The annotation of the parameter it came in by, if any."""
+    """What annotations tell of it: a class of ours, or an attribute of one."""
     name: str | None = field(default=None, compare=False)
     """The name of the variable it came in by."""
 
@@ -239,6 +239,14 @@ class FutureValue(Value):
     api: str
     place: Place | None = field(default=None, compare=False)
     result: Value | None = field(default=None, compare=False)
+
+
+@dataclass(frozen=True, slots=True)
+class AttributeOf(Value):
+    """An attribute of an object of which only the class is known."""
+
+    cls: ClassValue
+    name: str
 
 
 @dataclass(frozen=True, slots=True)

@@ -10,6 +10,7 @@ from archlint.program.api import rclpy_names
 from archlint.program.texts import text_of_value
 from archlint.program.values import (
     TRUE,
+    AttributeOf,
     ClassValue,
     External,
     FunctionValue,
@@ -79,8 +80,18 @@ def blueprint_of_instance(run: Run, instance: Instance) -> model.Blueprint:
     blueprint.made_at = instance.place
     blueprint.lifecycle = is_lifecycle_class(cls)
     blueprint.held = not _may_be_node_class(cls)
+    blueprint.classes = class_keys(cls)
     run.blueprints[instance.key] = blueprint
     return blueprint
+
+
+def class_keys(cls: ClassValue) -> tuple[model.ClassKey, ...]:
+    """A class and the bases of it that are of this workspace."""
+    return tuple(
+        (Place(base.scope.module.path, *base.ir.name_span), base.qualified)
+        for base in cls.mro
+        if isinstance(base, ClassValue)
+    )
 
 
 def _met_again(run: Run, same: tuple[Place, Place | None, str]) -> model.Blueprint | None:
@@ -161,8 +172,15 @@ def nodes_of(run: Run, value: Value | None, *, plausible: bool = True) -> list[m
             return []
         return [held_blueprint(run)] if plausible else []
     if isinstance(value, (Unknown, External)) and plausible:
-        return [held_blueprint(run)]
+        return [held_blueprint(run, annotated=_annotated(value))]
     return []
+
+
+def _annotated(value: Value) -> tuple[model.ClassKey, str] | None:
+    meant = value.annotation if isinstance(value, Unknown) else None
+    if isinstance(meant, AttributeOf):
+        return class_keys(meant.cls)[0], meant.name
+    return (class_keys(meant)[0], "") if isinstance(meant, ClassValue) else None
 
 
 def _holder(run: Run, instance: Instance | None = None) -> tuple[str, Place, str | None]:
@@ -191,15 +209,18 @@ def _holder(run: Run, instance: Instance | None = None) -> tuple[str, Place, str
     return activation.qualified, Place(activation.module.path, 1, 1, 1, 1), activation.module.file.package
 
 
-def held_blueprint(run: Run, instance: Instance | None = None) -> model.Blueprint:
+def held_blueprint(
+    run: Run, instance: Instance | None = None, annotated: tuple[model.ClassKey, str] | None = None
+) -> model.Blueprint:
     """The blueprint of a node that a helper is handed by nobody in the workspace."""
     name, place, package = _holder(run, instance)
-    key = f"{place.file}:{place.line}#held"
+    key = f"{place.file}:{place.line}#held" + (f" {annotated}" if annotated is not None else "")
     known = run.nodes.get(key)
     if known is not None:
         return known
     blueprint = new_blueprint(run, name, place, key, package)
     blueprint.held = True
+    blueprint.annotated = annotated
     blueprint.name = model.Text(None, "unknown", reason="nothing in the workspace hands a node in")
     # Like every node that no launch file puts elsewhere, it is in the root namespace.
     return blueprint
