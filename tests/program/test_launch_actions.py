@@ -774,3 +774,31 @@ def test_what_is_in_both_lists_runs_always(launches):
     before = ONE_OR_OTHER + f"both = {node('both')}\nchosen = [both, one] if real else [both, other]"
     conditional = {s.name.text: bool(s.arms) for s in launches.python("chosen", before=before).started}
     assert conditional == {"both": False, "one": True, "other": True}
+
+
+def test_each_entry_of_a_yaml_list_has_its_own_place(launches):
+    launched = launches.yaml(
+        "launch:\n"
+        "- include:\n"
+        "    file: $(find-pkg-share robot)/launch/other.launch.yaml\n"
+        "    arg:\n"
+        "    - {name: a, value: '1'}\n"
+        "    - name: b\n"
+        "      value: '2'\n"
+        "- node:\n"
+        "    pkg: robot\n"
+        "    exec: talker\n"
+        "    remap:\n"
+        "    - from: x\n"
+        "      to: y\n"
+        "    - {from: v, to: w}\n"
+        "    param:\n"
+        "    - {name: rate, value: 1.0}\n"
+        "    -\n"
+        "      name: speed\n"
+        "      value: 2.0\n"
+    )
+    (included,), (started,) = launched.included, launched.started
+    assert [(name, place.line, place.column) for name, place in included.arguments] == [("a", 5, 8), ("b", 6, 7)]
+    assert [remap.place.line for remap in started.remaps] == [12, 14]
+    assert [parameter.place.line for parameter in started.parameters] == [16, 18]

@@ -74,10 +74,17 @@ def _element(reader: YamlReader, tag: str, key: yaml.Node, node: yaml.Node, dept
                 children.extend(_children(reader, value, depth + 1))
             else:
                 for item in items:
-                    children.append(_element(reader, name, name_node, item, depth + 1))
+                    children.append(_element(reader, name, _first_key(item) or name_node, item, depth + 1))
         else:
             children.append(_element(reader, name, name_node, value, depth + 1))
     return Element(tag, attributes, tuple(children), span_of(key))
+
+
+def _first_key(item: yaml.Node) -> yaml.Node | None:
+    """Where one entry of a list starts: at its first key."""
+    import yaml
+
+    return item.value[0][0] if isinstance(item, yaml.MappingNode) and item.value else None
 
 
 def _scalar(node: yaml.ScalarNode) -> Scalar:
