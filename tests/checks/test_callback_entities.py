@@ -42,6 +42,50 @@ class TestEntitiesOfCallbacks:
         method = f"def tick(self):\n    {body}\n\ndef note(self):\n    print('later')\n"
         assert "EXE005" not in codes(run(source("self.later = None\n" + TIMER, method)))
 
+    @pytest.mark.parametrize(
+        ("body", "expected"),
+        [
+            pytest.param("if request.data:\n        {make}", ["EXE005"], id="each time the request says so"),
+            pytest.param("wanted = request.data\n    if not wanted:\n        return response\n    {make}", ["EXE005"],
+                         id="unless the request says no"),
+            pytest.param("if request.data:\n        print()\n    else:\n        {make}", ["EXE005"], id="other arm"),
+            pytest.param("if request.data and self.later is None:\n        {make}", [], id="not there yet"),
+            pytest.param("if request.data and not there():\n        {make}", [], id="a function may know"),
+            pytest.param("if self.later is None:\n        return response\n    if request.data:\n        {make}", [],
+                         id="a state and the request"),
+            pytest.param("if request.data:\n        {make}\n    else:\n        self.later.cancel()", [],
+                         id="taken away when the request says so"),
+            pytest.param("if request.data:\n        self.start(request.data)", [], id="a helper"),
+        ],
+    )  # fmt: skip
+    def test_what_a_request_decides_happens_again_and_again(self, run: Run, body: str, expected: list[str]):
+        make = "self.later = self.create_timer(1.0, self.note)"
+        methods = f"def handle(self, request, response):\n    {body.format(make=make)}\n    return response\n\n"
+        methods += "def note(self):\n    print('later')\n\n"
+        methods += f"def start(self, now):\n    if now:\n        {make}\n"
+        setup = "self.later = None\nself.create_service(SetBool, 'start', self.handle)\n"
+        text = source(setup, methods) + "\nfrom somewhere import there\n"
+        assert [code for code in codes(run(text)) if code == "EXE005"] == expected
+
+    def test_another_callback_takes_it_away(self, run: Run):
+        setup = "self.later = None\n"
+        setup += "".join(f"self.create_service(SetBool, '{name}', self.{name})\n" for name in ("stop", "start"))
+        methods = """
+        def stop(self, request, response):
+            self.later.cancel()
+            return response
+
+        def start(self, request, response):
+            if request.data:
+                self.later = self.create_timer(1.0, self.note)
+            return response
+
+        def note(self):
+            print('later')
+        """
+        assert codes(run(source(setup, methods))) == []
+        assert codes(run(source(setup, methods.replace("self.later.cancel()", "pass")))) == ["EXE005"]
+
     def test_a_timer_that_runs_once_may_set_things_up(self, run: Run):
         method = """
         def tick(self):

@@ -46,8 +46,7 @@ def _each_time(creation: Creation, callback: Callback, program: Program, ended: 
         and runs_in_executor(callback)
         and not is_test_file(creation.place.file)
         and creation.api not in _PASSING
-        and not creation.conditional
-        and not creation.guarded
+        and (creation.guard == "arguments" or not (creation.conditional or creation.guard))
         and not creation.destroyed
         and id(creation) not in ended
         # A name that data decides is another endpoint each time.
@@ -72,11 +71,14 @@ def _created(system: System, creation: Creation, callback: Callback) -> Finding:
     what = f"'{creation.name.text}'" if creation.name.text and creation.kind != TIMER else ""
     words = {"client": "client of", "service": "service", "publisher": "publisher of", "subscriber": "subscription to"}
     made = f"{words.get(creation.kind, creation.kind.replace('_', ' '))} {what}".rstrip()
+    gets = "gets here" if creation.guard else "runs"
     return finding(
         "EXE005",
         creation.place,
-        f"{callback_words(callback)} creates a {made} each time it runs, and nothing takes the old one away",
-        help=f"call {function}() once, in the constructor, and keep what it gives",
+        f"{callback_words(callback)} creates a {made} each time it {gets}, and nothing takes the old one away",
+        help="create it once, in the constructor, cancel() it there and reset() it here"
+        if creation.kind == TIMER
+        else f"call {function}() once, in the constructor, and keep what it gives",
         related=[
             Related(callback.place, f"{callback.name} runs again and again"),
             *(Related(frame.place, f"{frame.caller} calls {frame.callee} here") for frame in creation.chain),

@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING
 from archlint.facts import model as facts
 from archlint.program import model
 from archlint.program.api import rclpy_names
+from archlint.program.api.guards import guard_of
 from archlint.program.values import EachValue, Known, MessageValue, OneOf, Value
 
 if TYPE_CHECKING:
@@ -95,10 +96,8 @@ def deliver(run: Run, arguments: Sequence[Value], creation: model.Creation) -> N
 
 def _delivered(run: Run, message: MessageValue) -> model.Creation | None:
     """What calls with a message, if nothing stands in front of this use of it that may have asked for its type."""
-    from archlint.program.api.entities import guarded
-
     creation = run.delivered.get(message.key)
-    return None if creation is None or run.arms or guarded(run) else creation
+    return None if creation is None or run.arms or guard_of(run) else creation
 
 
 def note_constant(run: Run, path: str, name: str, span: Span) -> None:

@@ -170,8 +170,9 @@ class Creation:
     name_place: Place | None = None
     """The argument that gives the name, at the create call."""
     raw: bool = False
-    guarded: bool = False
-    """True where an ``if`` on the way, decided or not, or an early return may pass the create call by."""
+    guard: str = ""
+    """What an ``if`` on the way, decided or not, or an early return asks before the create call is made: ``arguments``
+    (nothing but what a callback was called with), ``state`` (anything else), or nothing."""
     stored: bool = True
     """False where the result of the create call is thrown away."""
     destroyed: bool = False

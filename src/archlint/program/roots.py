@@ -24,6 +24,7 @@ from archlint.program.values import (
     NodeValue,
     Unknown,
     Value,
+    alternatives,
 )
 from archlint.workspace.test_code import is_test_file
 
@@ -124,8 +125,9 @@ def run_root(
 
 def _is_state(run: Run, key: int, slot: object, before: object, value: object) -> bool:
     """Whether an attribute now holds what another callback may act on: an object, or another constant."""
-    if isinstance(value, (EntityValue, NodeValue, ExecutorValue)):
-        return True
+    options = alternatives(value) if isinstance(value, Value) else ()
+    if any(isinstance(one, (EntityValue, NodeValue, ExecutorValue)) for one in options):
+        return value != before
     return isinstance(before, Known) and isinstance(value, Known) and before != value and slot != "#"
 
 

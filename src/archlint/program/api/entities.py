@@ -2,16 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from functools import lru_cache
 from typing import TYPE_CHECKING
 
 from archlint.facts import model as facts
-from archlint.facts.walk import statements_of
 from archlint.finding import Place
 from archlint.program import model
 from archlint.program.api import callbacks, nodes, profiles, rclpy_names
 from archlint.program.api.effects import ApiUse, argument_places
+from archlint.program.api.guards import guard_of
 from archlint.program.api.tables import Api
 from archlint.program.texts import text_of_value
 from archlint.program.values import (
@@ -147,7 +145,7 @@ def _create(
         run.chain(),
         run.context,
         function=run.activation.qualified,
-        guarded=guarded(run),
+        guard=guard_of(run),
         name_place=places.get(call.api.name or ""),
         raw=call.get("raw") == Known(True),
         stored=_stored(run, call),
@@ -163,54 +161,6 @@ def _create(
 def _chosen_by(type_: Value | None) -> str | None:
     """The parameters that a type depends on, separated by commas."""
     return ",".join(sorted(via(*alternatives(type_)))) or None if type_ is not None else None
-
-
-def guarded(run: Run) -> bool:
-    """Whether a function on the way holds what runs now in an ``if``, or may return before."""
-    return any(_may_pass_by(one.body, one.statement) for one in run.activations)
-
-
-def _may_pass_by(block: Sequence[facts.Stmt], wanted: facts.Stmt | None) -> bool:
-    places, first_exit = _layout(_Block(block))
-    at = places.get(id(wanted))
-    if first_exit is not None and (at is None or first_exit < at):
-        return True
-    if at is None or block[at] is wanted:
-        return False
-    statement = block[at]
-    if isinstance(statement, (facts.With, facts.For)):
-        return _may_pass_by(statement.body, wanted)
-    if isinstance(statement, facts.Try) and id(wanted) in _layout(_Block(statement.body))[0]:
-        return _may_pass_by(statement.body, wanted)
-    return True
-
-
-class _Block:
-    """A block of statements, equal to itself alone."""
-
-    __slots__ = ("block",)
-
-    def __init__(self, block: Sequence[facts.Stmt]) -> None:
-        self.block = block
-
-    def __hash__(self) -> int:
-        return id(self.block)
-
-    def __eq__(self, other: object) -> bool:
-        return isinstance(other, _Block) and other.block is self.block
-
-
-@lru_cache(maxsize=4096)
-def _layout(key: _Block) -> tuple[dict[int, int], int | None]:
-    """In which statement of a block each statement lies, and the first that may leave the function."""
-    places: dict[int, int] = {}
-    first_exit: int | None = None
-    for number, statement in enumerate(key.block):
-        for one in statements_of([statement]):
-            places[id(one)] = number
-            if first_exit is None and isinstance(one, (facts.Return, facts.Raise)):
-                first_exit = number
-    return places, first_exit
 
 
 def _stored(run: Run, call: ApiUse) -> bool:
@@ -265,7 +215,7 @@ def timer(run: Run, call: ApiUse) -> Value:
                 period=period,
                 period_parameter=parameter,
                 function=run.activation.qualified,
-                guarded=guarded(run),
+                guard=guard_of(run),
                 stored=_stored(run, call),
                 key=len(run.creations),
             )
