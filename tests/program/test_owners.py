@@ -450,6 +450,67 @@ def test_an_annotation_that_may_mean_several_nodes_tells_none(owners):
     assert [names for name, names in owners(source).items() if name.startswith("/")] == [[], []]
 
 
+@pytest.mark.parametrize("made", ["Node('bridge')", "rclpy.create_node('bridge')"])
+def test_a_node_that_a_later_method_makes(owners, made):
+    source = f"""\
+    class Gateway:
+        def __init__(self):
+            self._node: Node | None = None
+
+        def ask(self):
+            if self._node is None:
+                raise RuntimeError("not started")
+            self._client = self._node.create_client(Trigger, "ask")
+
+        def start(self):
+            self._node = {made}
+    """
+    assert owners(source) == {"/bridge": ["/ask"]}
+
+
+def test_a_base_that_is_generic(owners):
+    source = """\
+    from typing import Generic, TypeVar
+    T = TypeVar("T")
+
+    class Component(Generic[T]):
+        def attach(self, node):
+            self.out = node.create_publisher(String, self.topic, 10)
+
+    class Lamp(Component[String]):
+        topic = "lamp"
+
+    class Robot(Node):
+        def __init__(self):
+            super().__init__("robot")
+            Lamp().attach(self)
+    """
+    assert owners(source) == {"/robot": ["/lamp"]}
+
+
+def test_a_function_that_makes_it_later(owners):
+    source = """\
+    class Cache:
+        known = {}
+
+        @classmethod
+        def client(cls, node, name):
+            return cls.get(name, lambda: node.create_client(Trigger, name))
+
+        @classmethod
+        def get(cls, key, factory):
+            if key not in cls.known:
+                cls.known[key] = factory()
+            return cls.known[key]
+
+    class Robot(Node):
+        def __init__(self):
+            super().__init__("robot")
+            self.client = Cache.client(self, "ask")
+    """
+    assert owners(source) == {"/robot": ["/ask"]}
+
+
 def test_a_node_whose_helper_is_not_followed_is_not_complete(owners):
     used = """\
     import parts

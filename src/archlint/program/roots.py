@@ -8,9 +8,9 @@ from archlint.facts import model as facts
 from archlint.program import calls, definitions, escapes, model
 from archlint.program.api import executors
 from archlint.program.api.callbacks import describe
-from archlint.program.interest import interesting
+from archlint.program.interest import interesting, names_in
 from archlint.program.modules import Module
-from archlint.program.run import EXTRA_STEPS, FEW_STEPS, ROOTS, SELF_STARTS, STEPS, Activation, Run
+from archlint.program.run import EXTRA_STEPS, FEW_STEPS, ROOTS, SELF_STARTS, STEPS, Activation, Pending, Run
 from archlint.program.uses import bare
 from archlint.program.values import (
     NONE,
@@ -59,7 +59,8 @@ def run_callbacks(run: Run) -> None:
     if run.stateful and run.left > 0:
         # What one callback leaves in an attribute, another may use: each sees the joined state once.
         run.met_again = set()
-        for pending in list(run.started):
+        late = [one for one in run.tried if not run.late_nodes.isdisjoint(names_in(one.callback.function))]
+        for pending in [*run.started, *late]:
             run_root(run, pending.callback, pending.value, pending.arguments, lineage=pending.lineage)
         run.met_again = None
         run_pending(run)
@@ -120,6 +121,9 @@ def run_root(
         run.steps, run.allowed_steps = 0, max(FEW_STEPS, kept_allowed - kept_bounds[0])
     written = [(at, run.store.get(*at), value) for at, value in layer.items() if at[0] in run.instances]
     changed = run.store.merge([layer] if certain else [layer, {}]) or certain
+    run.late_nodes.update(
+        slot for (_, slot), _, value in written if isinstance(value, NodeValue) and isinstance(slot, str)
+    )
     return changed and any(_is_state(run, key, slot, before, value) for (key, slot), before, value in written)
 
 
@@ -193,7 +197,9 @@ def _run_methods(run: Run) -> bool:
             callback.role = "lifecycle" if ir.name in LIFECYCLE else "method"
             callback.node = run.blueprints.get(instance.key)
             run.program.callbacks.append(callback)
-            stateful |= run_root(run, callback, bound, _uncalled_arguments(ir, callback.bound_arguments))
+            arguments = _uncalled_arguments(ir, callback.bound_arguments)
+            run.tried.append(Pending(callback, bound, arguments))
+            stateful |= run_root(run, callback, bound, arguments)
     return stateful
 
 

@@ -166,6 +166,10 @@ class Run:
         self.met_again: set[int] | None = None
         """Where callbacks run that have run before: the nodes that they made then and have met again."""
         self.stateful = False
+        self.tried: list[Pending] = []
+        """The methods that nothing calls, as they were run."""
+        self.late_nodes: set[str] = set()
+        """The attributes in which a callback or such a method left a node."""
         """Whether a callback left an object in an attribute that another may use."""
         self.at_spin: Callable[[Run], None] | None = None
         """Runs what is pending when main spins: callbacks see the state of then, not what main does at the end."""
