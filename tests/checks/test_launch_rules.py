@@ -545,6 +545,43 @@ def test_a_parameter_that_a_subclass_in_another_file_reads(findings, first, told
 # -------------------------------------------------------------------------------------------------- packages
 
 
+@pytest.mark.parametrize(
+    ("entries", "message", "help"),
+    [
+        ("'talker == robot.talker:main'", "it has '==' for '='", "write 'talker = robot.talker:main'"),
+        (
+            "'talker = robot.talker:main' 'other = robot.talker:main'",
+            "a comma is missing between 'talker' and 'other'",
+            "write 'talker = robot.talker:main',",
+        ),
+    ],
+)
+def test_an_entry_that_is_not_of_the_form_is_told_once(findings, entries, message, help):
+    setup = SETUP.replace("'talker = robot.talker:main'", entries)
+    (found,) = findings("PKG002", **{"setup.py": setup})
+    assert found.message == f"this entry installs no executable 'talker': {message}"
+    assert (found.help, found.place.line) == (help, 6)
+    assert findings("LCH001", node(exec="talker"), **{"setup.py": setup}) == []
+    assert findings("LCH001", node(exec="listener"), **{"setup.py": setup}) != []
+
+
+@pytest.mark.parametrize(
+    ("target", "what"),
+    [
+        ("robot.talker", "'robot.talker' is a module, and no function of it is named"),
+        ("robot.talker.main", "module 'robot.talker.main' is not there; did you mean 'robot.talker:main'?"),
+    ],
+)
+def test_an_entry_without_a_function(findings, target, what):
+    (found,) = findings("PKG002", **{"setup.py": SETUP.replace("robot.talker:main", target)})
+    assert found.message == f"the executable 'talker' cannot start: {what}"
+
+
+def test_a_setup_py_that_nobody_runs_breaks_nothing(findings):
+    files = {"CMakeLists.txt": "project(robot)\n" + SCRIPTS, "package.xml": CMAKE}
+    assert findings("PKG002", **files, **{"setup.py": SETUP.replace("robot.talker", "robot.gone")}) == []
+
+
 def test_entry_points_of_other_distributions(findings):
     setup = SETUP.replace("'talker = robot.talker:main'", "'talker = robot.talker:main', 'serve = uvicorn.main:run'")
     assert findings("PKG002", **{"setup.py": setup}) == []

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from pathlib import Path
 
 import pytest
@@ -230,3 +231,95 @@ def test_a_link_out_of_the_workspace_is_not_followed(tmp_path):
     files = [*find(["."], working_directory=str(workspace)).files, *find([str(outside)]).files]
     assert SourceTree(tmp_path).same_file("workspace/robot/talk", files) is not None
     assert SourceTree(workspace).same_file("robot/talk", files) is None
+
+
+def modules_of(installs: Installs) -> dict[str, tuple[str | None, str | None]]:
+    return {executable.name: (executable.module, executable.function) for executable in installs.executables.values()}
+
+
+@pytest.mark.parametrize(
+    "name",
+    [
+        "ET.parse('package.xml').getroot().find('name').text",
+        "ET.parse(os.path.join(here, 'package.xml')).findtext('name')",
+        "minidom.parse('package.xml').getElementsByTagName('name')[0].firstChild.data",
+        "parse_package(here).name",
+        "ET.parse(Path(__file__).parent / 'package.xml').find('name').text.strip()",
+    ],
+)
+def test_a_setup_py_that_reads_its_name_from_the_manifest(installs_of, name):
+    installs = installs_of(
+        **{
+            "setup.py": f"""\
+import os
+import xml.etree.ElementTree as ET
+from pathlib import Path
+from xml.dom import minidom
+from catkin_pkg.package import parse_package
+from setuptools import setup
+here = os.path.dirname(os.path.abspath(__file__))
+name = {name}
+setup(
+    name=name,
+    data_files=[('share/' + name, ['package.xml'])],
+    entry_points={{'console_scripts': [f'talk = {{name}}.talk:main']}},
+)
+"""
+        }
+    )
+    assert modules_of(installs) == {"talk": ("robot.talk", "main")}
+    assert not installs.open_executables and not installs.open_files
+
+
+@pytest.mark.parametrize("name", ["ET.parse('other.xml').getroot().find('name').text", "read('package.xml')"])
+def test_a_name_from_elsewhere_leaves_the_executables_open(installs_of, name):
+    text = f"""\
+import xml.etree.ElementTree as ET
+from setuptools import setup
+from tools import read
+setup(entry_points={{'console_scripts': ['talk = ' + {name} + '.talk:main']}})
+"""
+    assert installs_of(**{"setup.py": text}).open_executables
+
+
+@pytest.mark.parametrize(
+    ("written", "found"),
+    [
+        ("'talk == robot.talk:main'", {"talk": "it has '==' for '='"}),
+        ("'talk = robot.talk:main,'", {"talk": "it ends in ','"}),
+        ("'talk = robot/talk:main'", {"talk": "it is not 'name = package.module:function'"}),
+        ("'talk = robot.talk:main' 'hear = robot.hear:main'", {"talk": "a comma is missing …", "hear": ""}),
+        ("'talk = robot.talk:main'\n  'hear = robot.hear:main',", {"talk": "a comma is missing …", "hear": ""}),
+        ("'talk = robot.'\n  'talk:main'", {"talk": ""}),  # one entry, written in two parts
+        ("'talk = robot.talk:main [extra]'", {"talk": ""}),
+        ("'talk to me = robot.talk:main'", {"talk to me": ""}),
+    ],
+)
+def test_entries_that_are_not_of_the_form(installs_of, written, found):
+    text = f"from setuptools import setup\nsetup(entry_points={{'console_scripts': [\n  {written}\n]}})\n"
+    installs = installs_of(**{"setup.py": text})
+    wrong = {name: re.sub("missing between.*", "missing …", one.wrong) for name, one in installs.executables.items()}
+    assert wrong == found
+    assert not installs.open_executables
+    assert installs.executables[next(iter(found))].place.line == 3
+
+
+def test_entries_of_tables_that_are_not_of_the_form(installs_of):
+    installs = installs_of(
+        **{
+            "setup.cfg": """\
+[options.entry_points]
+console_scripts =
+    talk == robot.talk:main
+    hear = robot.hear:main  # listens
+    look
+""",
+            "pyproject.toml": '[project.scripts]\nwalk = "robot/walk:main"\n',
+        }
+    )
+    assert {name: (one.place.line, bool(one.wrong)) for name, one in installs.executables.items()} == {
+        "talk": (3, True),
+        "hear": (4, False),
+        "look": (5, True),
+        "walk": (2, True),
+    }

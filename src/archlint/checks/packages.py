@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import posixpath
 from collections.abc import Iterable, Iterator
 from typing import TYPE_CHECKING
 
@@ -36,8 +37,28 @@ def broken_entry_point(system: System, options: Options) -> Iterator[Finding]:
         return
     for name in sorted(world.installs):
         for executable in world.installs[name].executables.values():
-            if executable.module is not None:
+            if executable.wrong:
+                yield _wrong(executable)
+            elif executable.module is not None and not _never_run(world, executable):
                 yield from _broken(world, executable)
+
+
+def _never_run(world: World, executable: Executable) -> bool:
+    """Whether a setup.py names it in a package that CMake builds: nobody reads that."""
+    package = world.packages.get(executable.package)
+    cmake = package is not None and package.build_type == "ament_cmake"
+    return cmake and posixpath.basename(executable.place.file) == "setup.py"
+
+
+def _wrong(executable: Executable) -> Finding:
+    target = f"{executable.module}:{executable.function or 'main'}" if executable.module else "package.module:function"
+    return finding(
+        "PKG002",
+        executable.place,
+        f"this entry installs no executable '{executable.name}': {executable.wrong}",
+        help=f"write '{executable.name} = {target}'" + ("," if "comma" in executable.wrong else ""),
+        identity=(executable.package, executable.name),
+    )
 
 
 def _broken(world: World, executable: Executable) -> Iterator[Finding]:
@@ -53,10 +74,15 @@ def _broken(world: World, executable: Executable) -> Iterator[Finding]:
         ours = {name.partition(".")[0] for name in modules}
         if top not in ours and nearest(top, ours) is None:
             return  # a module of another distribution
-        yield _entry_finding(executable, f"module '{module}' is not there{_near_module(module, modules)}")
+        parent, _, last = module.rpartition(".")
+        meant = f"; did you mean '{parent}:{last}'?" if function is None and parent in modules else ""
+        yield _entry_finding(executable, f"module '{module}' is not there{meant or _near_module(module, modules)}")
+        return
+    if function is None:
+        yield _entry_finding(executable, f"'{module}' is a module, and no function of it is named")
         return
     found = world.loader.facts_at(paths[0])
-    if found is None or found.problems or function is None:
+    if found is None or found.problems:
         return
     names, open_ = _top_level(found.body)
     head = function.partition(".")[0]

@@ -6,29 +6,48 @@ import configparser
 import importlib
 import re
 import sys
-from dataclasses import dataclass
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass, replace
 
 _ENTRY = re.compile(
-    r"^\s*(?P<name>[^=\s]+)\s*=\s*(?P<module>[\w.]+)\s*(?::\s*(?P<function>[\w.]+))?\s*(?:\[.*\])?\s*$"
+    r"^\s*(?P<name>[^=]*[^=\s])\s*=\s*(?P<module>[\w.]+)\s*(?::\s*(?P<function>[\w.]+))?\s*(?:\[.*\])?\s*$"
 )
+
+
+_COMMENT = re.compile(r"(?:^|\s)#.*$", re.DOTALL)
 
 
 @dataclass(frozen=True)
 class ScriptEntry:
-    """``name = module:function`` at a line and column from 1; ``wrong`` where it is not of that form."""
+    """``name = module:function`` at a line and column from 1.  What is ``wrong`` with one that is not of that form
+    is said in words; then it is read as it was meant, ``module`` None where that is not known."""
 
     name: str
-    module: str
+    module: str | None
     function: str | None
     line: int = 1
     column: int = 1
     end_column: int = 1
+    wrong: str = ""
 
 
-def parse_entry(text: str) -> tuple[str, str, str | None] | None:
-    """``(name, module, function)`` of ``name = module:function``; None for anything else."""
+def parse_entry(text: str) -> ScriptEntry | None:
+    """The entry that a text stands for; None for a blank one.  A comment at its end is left out."""
+    text = _COMMENT.sub("", text)
+    if not text.strip():
+        return None
     match = _ENTRY.match(text)
-    return None if match is None else (match["name"], match["module"], match["function"])
+    if match is not None:
+        return ScriptEntry(match["name"], match["module"], match["function"])
+    for meant, wrong in (
+        (text.replace("==", "=", 1), "it has '==' for '='"),
+        (text.rstrip().rstrip(",;"), f"it ends in '{text.rstrip()[-1]}'"),
+    ):
+        match = _ENTRY.match(meant) if meant != text else None
+        if match is not None:
+            return ScriptEntry(match["name"], match["module"], match["function"], wrong=wrong)
+    name = text.partition("=")[0].strip()
+    return ScriptEntry(name or text.strip(), None, None, wrong="it is not 'name = package.module:function'")
 
 
 def entries_of_setup_cfg(text: str) -> list[ScriptEntry]:
@@ -39,7 +58,7 @@ def entries_of_setup_cfg(text: str) -> list[ScriptEntry]:
         value = parser.get("options.entry_points", "console_scripts", fallback="")
     except configparser.Error:
         return []
-    return [_placed(text, row) for row in value.splitlines() if parse_entry(row)]
+    return list(_placed(text, value.splitlines()))
 
 
 def entries_of_pyproject(text: str) -> list[ScriptEntry]:
@@ -48,19 +67,21 @@ def entries_of_pyproject(text: str) -> list[ScriptEntry]:
     try:
         document = toml.loads(text)
         scripts = document.get("project", {}).get("scripts", {})
-        rows = [f"{name} = {target}" for name, target in scripts.items()]
+        rows = [f"{name} = {target}" for name, target in scripts.items() if isinstance(target, str)]
     except (ValueError, AttributeError, RecursionError):
         return []
-    return [_placed(text, row) for row in rows if parse_entry(row)]
+    return list(_placed(text, rows))
 
 
-def _placed(text: str, row: str) -> ScriptEntry:
-    parsed = parse_entry(row)
-    assert parsed is not None
-    name, module, function = parsed
-    pattern = re.compile(rf"^[ \t]*[\"']?{re.escape(name)}[\"']?[ \t]*=.*{re.escape(module)}.*$")
-    for number, line in enumerate(text.splitlines(), start=1):
-        if pattern.match(line):
-            start = len(line) - len(line.lstrip())
-            return ScriptEntry(name, module, function, number, start + 1, len(line.rstrip()) + 1)
-    return ScriptEntry(name, module, function)
+def _placed(text: str, rows: Iterable[str]) -> Iterator[ScriptEntry]:
+    """The entries of a file's rows, each with the place of the line that says so."""
+    for entry in filter(None, map(parse_entry, rows)):
+        name, target = re.escape(entry.name), re.escape(entry.module or "")
+        pattern = re.compile(rf"^[ \t]*[\"']?{name}[\"']?[ \t]*(?:=.*{target}.*)?$")
+        for number, line in enumerate(text.splitlines(), start=1):
+            if pattern.match(line):
+                start = len(line) - len(line.lstrip())
+                yield replace(entry, line=number, column=start + 1, end_column=len(line.rstrip()) + 1)
+                break
+        else:
+            yield entry

@@ -7,6 +7,7 @@ read, so that variables, f-strings and comprehensions resolve.
 from __future__ import annotations
 
 import posixpath
+import re
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import replace
@@ -14,6 +15,7 @@ from typing import TYPE_CHECKING, Protocol
 
 from archlint.facts import model as facts
 from archlint.facts.entry_point_tables import (
+    ScriptEntry,
     entries_of_pyproject,
     entries_of_setup_cfg,
     parse_entry,
@@ -88,7 +90,7 @@ def read_installs(
             _read_tables(installs, tree)
         before = installs.open_executables, installs.open_files
         with _apart(installs, "setup.py", faults) as path:
-            _read_setup_at(installs, path, setups, index, faults)
+            _read_setup_at(installs, path, setups, index, tree, faults)
         if package.build_type == "ament_cmake":  # which does not run setup.py
             installs.open_executables, installs.open_files = before
         with _apart(installs, "package.xml", faults):
@@ -110,7 +112,7 @@ def _apart(installs: Installs, name: str, faults: Faults) -> Iterator[str]:
 
 
 def _read_setup_at(
-    installs: Installs, path: str, setups: dict[str, SourceFile], index: ModuleIndex, faults: Faults
+    installs: Installs, path: str, setups: dict[str, SourceFile], index: ModuleIndex, tree: Tree, faults: Faults
 ) -> None:
     setup = setups.get(path)
     if setup is None:
@@ -119,7 +121,7 @@ def _read_setup_at(
     if module is None:
         installs.open_executables = installs.open_files = True
     else:
-        _read_setup(installs, module, index, faults)
+        _read_setup(installs, module, index, tree, faults)
 
 
 def _find_programs(installs: Installs, files: Sequence[SourceFile]) -> None:
@@ -178,7 +180,7 @@ def _read_tables(installs: Installs, tree: Tree) -> None:
 # ------------------------------------------------------------------------------------------------ setup.py
 
 
-def _read_setup(installs: Installs, module: Module, index: ModuleIndex, faults: Faults) -> None:
+def _read_setup(installs: Installs, module: Module, index: ModuleIndex, tree: Tree, faults: Faults) -> None:
     installs.build_files.append(module.path)
     place = Place(module.path, 1, 1, 1, 1)
     program = model.Program("setup", module.file.package, module.path)
@@ -194,7 +196,7 @@ def _read_setup(installs: Installs, module: Module, index: ModuleIndex, faults: 
     installs.open_executables |= run.open
     installs.open_files |= run.open
     where = run.called_at or place
-    _console_scripts(installs, run, keywords.get("entry_points"), where)
+    _console_scripts(installs, run, keywords.get("entry_points"), where, tree)
     _scripts(installs, run, keywords.get("scripts"), where)
     _data_files(installs, run, keywords.get("data_files"))
 
@@ -209,7 +211,7 @@ def _items(run: Run, value: Value | None) -> tuple[list[Value], bool]:
     return ([], True) if items is None else (list(items.values), items.open)
 
 
-def _console_scripts(installs: Installs, run: Run, value: Value | None, where: Place) -> None:
+def _console_scripts(installs: Installs, run: Run, value: Value | None, where: Place, tree: Tree) -> None:
     from archlint.program import containers
 
     if value is None:
@@ -227,23 +229,44 @@ def _console_scripts(installs: Installs, run: Run, value: Value | None, where: P
             texts, more = [Known(row, rows.via, rows.origin) for row in rows.value.splitlines()], False
         installs.open_executables |= more
         for text in texts:
-            _script_text(installs, text, where)
+            _script_text(installs, text, where, tree)
 
 
-def _script_text(installs: Installs, text: Value, where: Place) -> None:
+def _script_text(installs: Installs, text: Value, where: Place, tree: Tree) -> None:
     if isinstance(text, OneOf):
         for option in text.values:
-            _script_text(installs, option, where)
+            _script_text(installs, option, where, tree)
         return
     if not isinstance(text, Known) or not isinstance(text.value, str):
         installs.open_executables = True
         return
-    parsed = parse_entry(text.value)
-    if parsed is None:
-        installs.open_executables |= bool(text.value.strip())
+    entry = parse_entry(text.value)
+    if entry is None:
         return
-    name, module, function = parsed
-    installs.add(Executable(name, installs.package, text.origin or where, module, function))
+    run_together = _run_together(text.origin, tree) if entry.wrong else []
+    if run_together:
+        names = " and ".join(f"'{one.name}'" for one in run_together)
+        entry = replace(run_together[0], wrong=f"a comma is missing between {names}")
+    for one in (entry, *run_together[1:]):
+        place = text.origin or where
+        installs.add(Executable(one.name, installs.package, place, one.module, one.function, wrong=one.wrong))
+
+
+_LITERAL = re.compile(r"""(["'])([^"'\n]*)\1""")
+
+
+def _run_together(place: Place | None, tree: Tree) -> list[ScriptEntry]:
+    """The entries of neighbouring strings, which Python makes one text; none where they are something else."""
+    text = None if place is None else tree.text(place.file)
+    if place is None or text is None:
+        return []
+    lines = text.splitlines()[place.line - 1 : place.end_line]
+    lines[-1:] = [line[: place.end_column - 1] for line in lines[-1:]]
+    lines[:1] = [line[place.column - 1 :] for line in lines[:1]]
+    written = "\n".join(lines)
+    parts = [parse_entry(match[2]) for match in _LITERAL.finditer(written)]
+    entries = [one for one in parts if one is not None and not one.wrong]
+    return entries if len(entries) == len(parts) > 1 else []
 
 
 def _scripts(installs: Installs, run: Run, value: Value | None, where: Place) -> None:

@@ -28,7 +28,8 @@ class Executable:
     """One executable of a package.
 
     A console script has ``module`` and ``function``; an installed script has ``script`` (a shown path); a
-    target of CMake has neither: its source is not Python.
+    target of CMake has neither: its source is not Python.  One that is ``wrong`` is not installed, for the reason that
+    is said there, but was meant to be.
     """
 
     name: str
@@ -37,6 +38,7 @@ class Executable:
     module: str | None = None
     function: str | None = None
     script: str | None = None
+    wrong: str = ""
 
 
 @dataclass(frozen=True)
@@ -195,7 +197,7 @@ def _console_scripts(installs: Installs, step: Step, tree: CMakeTree) -> None:
 def console_script(entry: ScriptEntry, package: str, path: str) -> Executable:
     """The executable that an entry of a table stands for."""
     place = Place(path, entry.line, entry.column, entry.line, entry.end_column)
-    return Executable(entry.name, package, place, entry.module, entry.function)
+    return Executable(entry.name, package, place, entry.module, entry.function, wrong=entry.wrong)
 
 
 def _target(installs: Installs, argument: Argument, path: str) -> None:

@@ -198,9 +198,11 @@ def _of_setup(name: str) -> Plain:
     """What only means something while a setup.py is read."""
 
     def handler(run: Run, args: list[Value], keywords: dict[str, Value], e: facts.Call | None) -> Value:
-        from archlint.program import entry_points
+        from archlint.program import entry_points, setup_manifest
 
-        function: Plain = getattr(entry_points, name)
+        if not isinstance(run, entry_points.SetupRun):
+            return Unknown("what only a setup.py asks for")
+        function: Plain = getattr(setup_manifest if hasattr(setup_manifest, name) else entry_points, name)
         return function(run, args, keywords, e)
 
     return handler
@@ -211,6 +213,11 @@ PLAIN: dict[str, Plain] = {
     "distutils.core.setup": _of_setup("record_setup"),
     "glob.glob": _of_setup("glob_pattern"),
     "glob.iglob": _of_setup("glob_pattern"),
+    "xml.etree.ElementTree.parse": _of_setup("element_tree"),
+    "defusedxml.ElementTree.parse": _of_setup("element_tree"),
+    "lxml.etree.parse": _of_setup("element_tree"),
+    "xml.dom.minidom.parse": _of_setup("document"),
+    "catkin_pkg.package.parse_package": _of_setup("package"),
     "copy.copy": _copy,
     "copy.deepcopy": _deep_copy,
     "collections.OrderedDict": _builtin("dict"),
