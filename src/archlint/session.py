@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import time
+from collections import Counter
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
@@ -164,7 +165,9 @@ def _systems(request: Request, workspace: Workspace, facts: FactsOfFiles, tree: 
     installs = read_installs(workspace.packages, workspace.files, facts.facts_of, tree, faults)
     words = {name: one.words for name, one in installs.items()}
     generated = {name: one.generated for name, one in installs.items() if one.generated is not None}
-    interfaces = InterfaceTable(workspace.files, lambda file: tree.text(file.relative), words, generated)
+    names = Counter(package.name for package in workspace.packages)
+    without = [name for name, one in installs.items() if one.generates_nothing and names[name] == 1]
+    interfaces = InterfaceTable(workspace.files, lambda file: tree.text(file.relative), words, generated, without)
     linker = Linker(workspace.files, facts.facts_of, facts.relevant, interfaces, faults)
     entries = entry_points(installs, workspace.files)
     programs = linker.run_all(entries)

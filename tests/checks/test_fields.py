@@ -447,3 +447,29 @@ def test_a_program_whose_node_comes_from_elsewhere(judge: Judge):
             main()
         """,
     )
+
+
+def test_a_message_that_a_package_of_the_workspace_lists_as_a_service(judge: Judge):
+    files = {
+        "package.xml": "<package format='3'><name>arm_interfaces</name><export><build_type>ament_cmake</build_type>"
+        "</export></package>",
+        "CMakeLists.txt": "project(arm_interfaces)\n"
+        "rosidl_generate_interfaces(arm_interfaces msg/Pose.msg srv/SetMode.srv)\n",
+        "msg/Pose.msg": "float64 angle\n",
+        "srv/SetMode.srv": "string mode\n---\nbool done\n",
+    }
+    for name, text in files.items():
+        path = judge.folder / "arm_interfaces" / name
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_text(text, encoding="utf-8")
+    [found] = judge(
+        "MSG002",
+        """
+        import rclpy
+        from arm_interfaces.msg import Pose
+        from arm_interfaces.msg import SetMode  # here
+        from arm_interfaces.srv import SetMode as Right
+        rclpy.create_node('x').create_service(Right, 'set_mode', print)
+        """,
+    )
+    assert found.message == "arm_interfaces defines no message 'SetMode'; there is arm_interfaces/srv/SetMode"

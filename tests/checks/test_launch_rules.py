@@ -155,6 +155,24 @@ def test_a_program_in_a_folder_below_is_not_found_by_launch(findings):
     assert findings("LCH001", node(exec="drive.py"), **files) == []
 
 
+@pytest.mark.parametrize(
+    ("line", "found"), [("", 1), ("open(path, 'w').write('x')", 0), ("shutil.copy('a', path)", 0), ("open(path)", 1)]
+)
+def test_a_file_that_the_launch_file_may_make(findings, line, found):
+    launch = f"""\
+import os, shutil
+from ament_index_python.packages import get_package_share_directory
+from launch import LaunchDescription
+from launch_ros.actions import Node
+
+def generate_launch_description():
+    path = os.path.join(get_package_share_directory('robot'), 'config', 'made.yaml')
+    {line}
+    return LaunchDescription([Node(package='robot', executable='talker', parameters=[path])])
+"""
+    assert len(findings("LCH004", **{"launch/py.launch.py": launch})) == found
+
+
 def test_a_missing_file_behind_the_block_that_every_package_copies(findings):
     cmake = "project(robot)\ninstall(DIRECTORY launch DESTINATION share/robot)\n" + TESTS
     files = {"CMakeLists.txt": cmake, "package.xml": CMAKE, "setup.py": "", "config/talk.yaml": ""}

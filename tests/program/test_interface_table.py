@@ -152,6 +152,28 @@ def test_what_the_generating_command_names_is_all_there_is(cmake: str, defined: 
     assert own.defines("robot_interfaces", "msg", "Arm") is defined
 
 
+@pytest.mark.parametrize(
+    ("words", "kind", "defined"),
+    [
+        ("srv/Arm.srv", "msg", False),  # the name is listed, but as a service
+        ("srv/Arm.srv", "srv", None),
+        ("msg/Arm.idl", "srv", False),
+        ("msg/Arm.idl", "msg", None),
+        ("Arm.idl", "action", None),
+    ],
+)
+def test_a_name_is_listed_with_its_kind(words: str, kind: str, defined: bool | None):
+    own = table(f"rosidl_generate_interfaces {words}", Battery_msg="float64 voltage\n")
+    assert own.defines("robot_interfaces", kind, "Arm") is defined
+
+
+def test_a_package_that_generates_no_interfaces_defines_none():
+    own = InterfaceTable([], lambda file: None, without=["robot"])
+    assert own.defines("robot", "msg", "Battery") is False
+    assert own.of_package("robot", "msg") == []
+    assert own.defines("vendor", "msg", "Battery") is None
+
+
 def test_types_of_fields():
     own = table(All_msg="Point[<=5] bounded\nPoint[3] fixed\nstring<=4 name\nwstring wide\nbuiltin_interfaces/Time t\n")
     types = {name: own.field_type("robot_interfaces/msg/All", "", name) for name in ("bounded", "fixed", "wide", "t")}

@@ -220,6 +220,8 @@ def missing_launch_file(system: System, options: Options) -> Iterator[Finding]:
     for reference in system.launched.references if system.launched is not None else ():
         if reference.status not in (MISSING, NOT_INSTALLED) or reference.written is None:
             continue
+        if reference.status == MISSING and _writes_files(system.world, reference.place.file):
+            continue
         what = _WHAT.get(reference.kind, "file")
         shown = re.sub(r"^\$\((?:find-pkg-share [\w.-]+|workspace)\)/?", "", reference.written)
         if reference.status == MISSING:
@@ -232,6 +234,22 @@ def missing_launch_file(system: System, options: Options) -> Iterator[Finding]:
         yield finding(
             "LCH004", reference.place, message, help=help, identity=(reference.package or "", reference.written)
         )
+
+
+_WRITERS = frozenset({"write_text", "write_bytes", "copy", "copy2", "copyfile"})
+
+
+def _writes_files(world: World | None, file: str) -> bool:
+    """Whether a launch file may make the files that it names: it opens one to write, or copies one."""
+    found = None if world is None or world.loader is None else world.loader.facts_at(file)
+    for item in walk([] if found is None else found.body):
+        if not isinstance(item, facts.Call):
+            continue
+        name = item.func.id if isinstance(item.func, facts.Name) else getattr(item.func, "attr", "")
+        modes = [argument.value for argument in item.args[1:] if isinstance(argument.value, facts.Literal)]
+        if name in _WRITERS or (name == "open" and any(str(mode.value)[:1] in ("w", "a", "x") for mode in modes)):
+            return True
+    return False
 
 
 def _did_you_mean_file(world: World | None, package: str, shown: str) -> str:

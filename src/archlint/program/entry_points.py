@@ -86,6 +86,8 @@ def read_installs(
                 read_cmake(installs, cmake, tree)
         if package.build_type == "ament_python":  # which does not run CMake
             installs.open_executables = installs.open_files = False
+        installs.generates_nothing &= package.build_type == "ament_cmake"
+        installs.generates_nothing |= package.build_type == "ament_python"
         with _apart(installs, "setup.cfg", faults):
             _read_tables(installs, tree)
         before = installs.open_executables, installs.open_files

@@ -75,6 +75,9 @@ class Installs:
     """The words that ``rosidl_generate_interfaces`` is given; None where there is none, or one is not known."""
     build_files: list[str] = field(default_factory=list)
 
+    generates_nothing: bool = False
+    """True where no command of the build can generate interfaces."""
+
     def add(self, executable: Executable) -> None:
         self.executables.setdefault(executable.name, executable)
 
@@ -143,6 +146,9 @@ _NAMES_NO_EXECUTABLE = frozenset(
 _PREFIXES = ("target_", "set_", "ament_export_", "ament_add_", "ament_lint_", "catkin_add_", "_")
 
 
+_GENERATES = "rosidl_generate_interfaces"
+
+
 def read_cmake(installs: Installs, path: str, tree: CMakeTree) -> None:
     """Add what a CMakeLists.txt, and what it includes, installs."""
     run = CMakeRun(tree.text, tree.files_below)
@@ -153,6 +159,7 @@ def read_cmake(installs: Installs, path: str, tree: CMakeTree) -> None:
     installs.open_files |= run.open
     for step in run.steps:
         _read_step(installs, step, tree)
+    installs.generates_nothing = not run.open and not installs.mentioned and _GENERATES not in installs.words
 
 
 def _read_step(installs: Installs, step: Step, tree: CMakeTree) -> None:
@@ -165,7 +172,7 @@ def _read_step(installs: Installs, step: Step, tree: CMakeTree) -> None:
         at = texts.index("INSTALL_TO_SHARE") if "INSTALL_TO_SHARE" in texts else len(texts)
         for name in texts[at + 1 :]:
             installs.files.append(InstalledFiles(step.path(name), f"share/{installs.package}", folder=True))
-    elif command.name == "rosidl_generate_interfaces":
+    elif command.name == _GENERATES:
         known = not any(argument.open for argument in arguments)
         installs.generated = frozenset(texts) if known and installs.generated is None else None
     elif command.name == "ament_python_install_package":

@@ -12,6 +12,7 @@ from archlint.program import standard_interfaces
 if TYPE_CHECKING:
     from archlint.workspace.model import SourceFile
 
+_KINDS = ("msg", "srv", "action")
 _SECTIONS = {
     "": "message",
     "Request": "request",
@@ -40,7 +41,7 @@ def type_of_file(file: SourceFile) -> str | None:
     """``package/msg/Name`` of an interface file; None where it lies in no package."""
     path = file.path.replace("\\", "/")
     stem, _, kind = path.rpartition("/")[2].rpartition(".")
-    if file.package is None or kind not in ("msg", "srv", "action") or not stem:
+    if file.package is None or kind not in _KINDS or not stem:
         return None
     return f"{file.package}/{kind}/{stem}"
 
@@ -56,8 +57,9 @@ class InterfaceTable:
 
     ``listed`` are the words of each package's CMakeLists.txt: it may generate interfaces from files that are not
     read (``.idl``), lie elsewhere, or are made when it is built.  Nothing is said about these.  ``generated`` are the
-    words of the command that generates them, where all are known: then they are all there is.  A package of the
-    workspace that defines interfaces hides the standard one of its name.
+    words of the command that generates them, where all are known: then they are all there is.  ``without`` are the
+    packages of the workspace that generate none.  A package of the workspace that defines interfaces hides the standard
+    one of its name.
     """
 
     def __init__(
@@ -66,6 +68,7 @@ class InterfaceTable:
         read: Callable[[SourceFile], str | None],
         listed: Mapping[str, Collection[str]] = MappingProxyType({}),
         generated: Mapping[str, Collection[str]] = MappingProxyType({}),
+        without: Collection[str] = (),
     ) -> None:
         self._files: dict[str, SourceFile] = {}
         self._packages: set[str] = set()
@@ -73,7 +76,9 @@ class InterfaceTable:
         for file in files:
             if file.kind == "interface":
                 self._add(file)
-        self._listed: set[tuple[str, str]] = set()
+        self._without = frozenset(without) - self._packages - self._unread
+        self._listed: set[tuple[str, str, str]] = set()
+        """Package, kind and name of what a CMakeLists.txt lists."""
         self._complete: set[str] = set()
         """Packages whose CMakeLists.txt names every interface that is generated."""
         for package, words in listed.items():
@@ -94,19 +99,26 @@ class InterfaceTable:
 
     def _add_generated(self, package: str, words: Collection[str]) -> None:
         self._add_names(package, words)
-        if package in {one for one, _ in self._listed}:
+        if self._lists(package):
             self._complete.add(package)
 
     def _add_names(self, package: str, words: Collection[str]) -> None:
         for word in words:
             stem, _, suffix = word.rpartition(".")
-            if stem and suffix in ("msg", "srv", "action", "idl"):
-                self._listed.add((package, stem.rpartition("/")[2]))
+            folder, _, name = stem.rpartition("/")
+            if name and suffix in _KINDS:
+                self._listed.add((package, suffix, name))
+            elif name and suffix == "idl":
+                kind = folder.rpartition("/")[2]
+                self._listed.update((package, one, name) for one in ([kind] if kind in _KINDS else _KINDS))
+
+    def _lists(self, package: str) -> bool:
+        return any(one == package for one, _, _ in self._listed)
 
     def _add_listed(self, package: str, words: Collection[str]) -> None:
         self._add_names(package, words)
-        globbed = any(f".{suffix}" in words for suffix in ("msg", "srv", "action"))
-        if not globbed and package in {one for one, _ in self._listed} and "GLOB" not in words:
+        globbed = any(f".{suffix}" in words for suffix in _KINDS)
+        if not globbed and self._lists(package) and "GLOB" not in words:
             self._complete.add(package)
         if ".idl" in words or not _MADE_BY_CMAKE.isdisjoint(words):
             self._unread.add(package)
@@ -124,9 +136,9 @@ class InterfaceTable:
         package is not known, or only in part."""
         if f"{package}/{kind}/{name}" in self._files:
             return not self.is_left_out(package, kind, name)
-        if package in self._unread or (package, name) in self._listed:
+        if package in self._unread or (package, kind, name) in self._listed:
             return None
-        if package in self._packages:
+        if package in self._packages or package in self._without:
             return False
         standard = standard_interfaces.table()
         if package not in standard.packages:
@@ -139,12 +151,14 @@ class InterfaceTable:
         return (
             f"{package}/{kind}/{name}" in self._files
             and package in self._complete
-            and (package, name) not in self._listed
+            and (package, kind, name) not in self._listed
         )
 
     def of_package(self, package: str, kind: str) -> list[str]:
         """The names of the interfaces that a package has of one kind, sorted."""
         start = f"{package}/{kind}/"
+        if package in self._without:
+            return []
         if package in self._packages:
             return sorted(name.removeprefix(start) for name in self._files if name.startswith(start))
         return sorted(standard_interfaces.table().names(package, kind))
