@@ -146,6 +146,36 @@ def test_a_file_that_cannot_be_read_is_a_finding_and_the_rest_is_checked(content
     assert message in report.findings[0].message
 
 
+@pytest.mark.parametrize("imports", ["import motor", "from motor import start", "def f():\n    import motor\n\n\nf()"])
+def test_a_broken_module_that_is_imported_is_a_finding_though_it_does_not_look_like_ros(imports: str):
+    write("motor.py", "def start()\n    return 1\n")
+    write("template.py", "class {{name}}:\n    pass\n")  # nobody imports it
+    write("driver.py", f"{imports}\n{NODE}")
+    assert [place for place in places(run()) if place[0] == "LNT002"] == [("LNT002", "motor.py", 1)]
+
+
+def test_a_broken_file_is_a_finding_where_it_is_named():
+    write("template.py", "class {{name}}:\n    pass\n")
+    write("good.py")
+    assert [code for code, _, _ in places(run())] == ["OWN001"]
+    assert places(run("./template.py", "good.py"))[1:] == [("LNT002", "template.py", 1)]
+    assert places(run("template.py")) == [("LNT002", "template.py", 1)]
+
+
+def test_a_workspace_of_packages_without_python_is_judged():
+    @rule("PKG003")
+    def each_package(system, options):
+        for name in system.world.packages:
+            yield finding("PKG003", Place(f"{name}/package.xml", 1, 1, 1, 1), name)
+
+    write("arm/package.xml", PACKAGE.format(name="arm"))
+    write("arm/src/arm.cpp", "int main() {}\n")
+    write("arm_msgs/package.xml", PACKAGE.format(name="arm_msgs"))
+    report = run()
+    assert [one.message for one in report.findings] == ["arm", "arm_msgs"]
+    assert report.summary.files == 2
+
+
 def test_a_malformed_manifest_is_a_finding():
     write("pkg/package.xml", "<package><name>pkg</nam")
     write("pkg/talker.py")

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import time
 from collections import Counter
 from collections.abc import Iterable, Iterator, Sequence
@@ -100,13 +101,19 @@ def _found(request: Request) -> Workspace:
 
     exclude = [pattern for glob in request.settings.exclude for pattern in glob.patterns()]
     workspace = find(request.paths, exclude=exclude)
-    if not workspace.problems and not any(_is_input(file) for file in workspace.files):
-        raise NothingToDo(f"nothing to check: no Python file and no launch file in {', '.join(request.paths)}")
+    if not workspace.problems and not any(_is_input(file) or _is_of_package(file) for file in workspace.files):
+        where = ", ".join(request.paths)
+        raise NothingToDo(f"nothing to check: no package.xml, no Python file and no launch file in {where}")
     return workspace
 
 
 def _is_input(file: SourceFile) -> bool:
     return not file.context and file.kind in ("python", "launch_python", "launch_xml", "launch_yaml")
+
+
+def _is_of_package(file: SourceFile) -> bool:
+    """Whether a file can be judged without any Python: a manifest, an interface."""
+    return not file.context and file.kind in ("package_xml", "interface")
 
 
 def _is_for_ros(workspace: Workspace) -> bool:
@@ -225,6 +232,17 @@ def _asked_for(request: Request, system: System, workspace: Workspace) -> System
     return only(system, {file.relative for file in workspace.files if file.context})
 
 
+def _known(request: Request, workspace: Workspace, facts: FactsOfFiles) -> list[SourceFile]:
+    """The Python files that matter, and those that were asked for by name and cannot be compiled."""
+    named = {os.path.abspath(path) for path in request.paths}
+
+    def broken(file: SourceFile) -> bool:
+        found = facts.facts_of(file) if file.path in named and not facts.is_ros1(file) else None
+        return found is not None and bool(found.problems)
+
+    return [file for file in _python(workspace) if facts.relevant(file) or broken(file)]
+
+
 def _judged(request: Request, workspace: Workspace, facts: FactsOfFiles, tree: SourceTree) -> Judged:
     from archlint import suppressions
     from archlint.checks.folding import folded
@@ -233,13 +251,14 @@ def _judged(request: Request, workspace: Workspace, facts: FactsOfFiles, tree: S
     from archlint.checks.registry import failure, unreadable
     from archlint.render.json import unresolved
 
-    known = [file for file in _python(workspace) if facts.relevant(file)]
+    known = _known(request, workspace, facts)
     if not known and not _is_for_ros(workspace):
         raise NothingToDo(_nothing_for_ros(request, len(_python(workspace))))
     systems = _systems(request, workspace, facts, tree)
     loader = systems[0].world.loader if systems[0].world is not None else None
     faults = systems[0].world.faults if systems[0].world is not None else Faults()
-    found = [*_problems(workspace, known, facts, faults), *merged(_rules(request.settings, systems))]
+    imported = [f for f in _python(workspace) if f not in known and facts.was_read(f) and not facts.is_ros1(f)]
+    found = [*_problems(workspace, [*known, *imported], facts, faults), *merged(_rules(request.settings, systems))]
     by_file = {file.relative: one.suppressions for file in known if (one := facts.facts_of(file)) is not None}
     if loader is not None:
         found.extend(unreadable(*problem) for problem in loader.problems())
@@ -253,7 +272,7 @@ def _judged(request: Request, workspace: Workspace, facts: FactsOfFiles, tree: S
     shown = [_asked_for(request, systems[0], workspace)]
     summary = summarise(
         findings,
-        files=sum(_is_input(file) for file in workspace.files),
+        files=sum(map(_is_input, workspace.files)) or sum(map(_is_of_package, workspace.files)),
         nodes=sum(len(system.nodes) for system in shown),
         suppressed=len(outcome.suppressed),
         unresolved=sum(len(unresolved(system)) for system in shown),

@@ -132,6 +132,10 @@ class FactsOfFiles:
         """Whether a file is a program or module for ROS 1."""
         return self._payloads.get(file.path, b"").startswith(_ROS1)
 
+    def was_read(self, file: SourceFile) -> bool:
+        """Whether somebody asked for the facts of a file: it matters, or what matters imports it."""
+        return file.path in self._facts
+
     def facts_of(self, file: SourceFile) -> Facts | None:
         """The facts of a file; one that the screen left out is compiled now.  None for what is no Python."""
         if file.path in self._facts:
