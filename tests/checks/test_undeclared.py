@@ -94,6 +94,22 @@ def test_what_a_package_of_the_workspace_brings_is_there(lint: Lint, tag: str, e
     assert missing(lint(files)) == expected
 
 
+@pytest.mark.parametrize(
+    ("condition", "expected"),
+    [
+        ("$ROS_VERSION == 1", ["sensor_msgs"]),
+        ("$ROS_VERSION == 2", []),
+        ("$BUILD == hardware", []),  # only the machine that builds knows
+        ("$ROS_DISTRO == humble", []),
+        ("$ROS_VERSION == 1 and $BUILD == hardware", ["sensor_msgs"]),
+    ],
+)
+def test_a_dependency_under_a_condition(lint: Lint, condition: str, expected: list[str]):
+    tag = f'<exec_depend condition="{condition}">sensor_msgs</exec_depend>'
+    files = {"package.xml": manifest("talk", *depends("rclpy"), tag), "talk/node.py": node(LASER)}
+    assert missing(lint(files)) == expected
+
+
 def test_what_is_declared_for_tests_is_not_there_when_a_node_runs(lint: Lint):
     tags = [*depends("rclpy"), *depends("sensor_msgs", tag="test_depend")]
     (found,) = lint({"package.xml": manifest("talk", *tags), "talk/a.py": node(LASER), "test/test_it.py": node(POSE)})
@@ -199,6 +215,18 @@ def test_no_fix_closes_a_circle(lint: Lint):
     files["talk/talk/a.py"] = node("from arm.msg import Joint", LASER)
     (found,) = lint(files)
     assert added(found) == "  <exec_depend>sensor_msgs</exec_depend>\n"
+
+
+def test_two_fixes_close_no_circle_together(lint: Lint):
+    files = {
+        "talk/package.xml": manifest("talk", *depends("rclpy")),
+        "talk/talk/__init__.py": "",
+        "talk/talk/a.py": node("import arm"),
+        "arm/package.xml": manifest("arm", *depends("rclpy")),
+        "arm/arm/__init__.py": "",
+        "arm/arm/a.py": node("import talk"),
+    }
+    assert [(missing([one]), one.fix) for one in lint(files)] == [(["talk"], None), (["arm"], None)]
 
 
 def test_no_fix_names_a_package_that_nobody_knows(lint: Lint):

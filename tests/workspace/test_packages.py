@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from archlint.workspace.manifest import condition_holds
+from archlint.workspace.manifest import condition_holds, condition_verdict
 from workspace.trees import file_in, look, manifest, plant
 
 
@@ -188,6 +188,21 @@ def test_a_package_inside_a_package_is_none_for_colcon_does_not_look_there(tmp_p
 )
 def test_conditions(condition, holds):
     assert condition_holds(condition, {"ROS_DISTRO": "humble"}) is holds
+
+
+@pytest.mark.parametrize(
+    ("condition", "verdict"),
+    [
+        ("$BUILD == hardware", None),
+        ("$BUILD == hardware or $ROS_VERSION == 2", True),
+        ("$BUILD == hardware and $ROS_VERSION == 2", None),
+        ("$BUILD == hardware and $ROS_VERSION == 1", False),
+        ("$ROS_DISTRO == humble", None),
+    ],
+)
+def test_conditions_on_what_only_the_building_machine_knows(condition, verdict):
+    assert condition_verdict(condition) is verdict
+    assert condition_holds(condition) is (verdict is not False)
 
 
 @pytest.mark.parametrize("condition", ["==", "$ROS_VERSION", "(" * 900, "(" * 100_000, "a == b == c", "; rm", "a ="])

@@ -11,7 +11,7 @@ from archlint.checks.registry import Options, finding, rule
 from archlint.checks.whole import walk
 from archlint.facts import model as facts
 from archlint.finding import Finding, Place
-from archlint.workspace.manifest import condition_holds
+from archlint.workspace.manifest import condition_verdict
 
 if TYPE_CHECKING:
     from archlint.program.installs import Executable
@@ -140,7 +140,7 @@ def circular_dependency(system: System, options: Options) -> Iterator[Finding]:
     world = world_of(system)
     if world is None:
         return
-    needs = {name: needs_of(package, world.packages) for name, package in sorted(world.packages.items())}
+    needs = {name: _needs(package, world.packages) for name, package in sorted(world.packages.items())}
     told: set[str] = set()
     for start in needs:
         circle = [] if start in told else _circle(start, needs)
@@ -158,13 +158,13 @@ def circular_dependency(system: System, options: Options) -> Iterator[Finding]:
         )
 
 
-def needs_of(package: Package, packages: object) -> dict[str, int]:
+def _needs(package: Package, packages: object) -> dict[str, int]:
     """The packages of this workspace that one needs, with the line that says so."""
     assert isinstance(packages, dict)
     return {
         d.name: d.line
         for d in reversed(package.dependencies)
-        if d.kind in _BUILD and d.name in packages and condition_holds(d.condition)
+        if d.kind in _BUILD and d.name in packages and condition_verdict(d.condition)
     }
 
 

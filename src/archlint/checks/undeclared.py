@@ -5,12 +5,13 @@ from __future__ import annotations
 import posixpath
 import re
 from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Set as AbstractSet
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 from archlint.checks import ros_packages
 from archlint.checks.near import distance, nearest
-from archlint.checks.packages import needs_of, world_of
+from archlint.checks.packages import world_of
 from archlint.checks.registry import Options, finding, rule
 from archlint.facts import model as facts
 from archlint.finding import Edit, Finding, Fix, Place, Related
@@ -40,12 +41,16 @@ def undeclared_dependency(system: System, options: Options) -> Iterator[Finding]
     if world is None or world.loader is None:
         return
     suppressed = _suppressed(world.loader)
-    for folder, uses in sorted(_uses_by_package(world, options).items()):
+    by_package = _uses_by_package(world, options)
+    used: dict[str, set[str]] = {}
+    for folder, uses in by_package.items():
+        used.setdefault(world.manifests[folder].name, set()).update(use.needed for use in uses)
+    for folder, uses in sorted(by_package.items()):
         hidden = [use for use in uses if is_covered("PKG001", use.place.line, suppressed.get(use.place.file, ()))]
         # What a comment allows is a finding of its own, for the comment to hide.
         for group in ([use for use in uses if use not in hidden], *([use] for use in hidden)):
             if group:
-                yield _undeclared(world, world.manifests[folder], group)
+                yield _undeclared(world, world.manifests[folder], group, used)
 
 
 def _suppressed(loader: LaunchLoader) -> dict[str, list[facts.Suppression]]:
@@ -172,12 +177,16 @@ _NAMED = 12
 """How many packages a message lists."""
 
 
-def _undeclared(world: World, package: Package, uses: Sequence[_Use]) -> Finding:
+def _undeclared(
+    world: World, package: Package, uses: Sequence[_Use], used: Mapping[str, AbstractSet[str]]
+) -> Finding:
+    """The finding for a package.  ``used`` is what each package uses and does not declare: if all follow the advice,
+    they declare it."""
     by_needed: dict[str, list[_Use]] = {}
     for use in uses:
         by_needed.setdefault(use.needed, []).append(use)
     needed = sorted(by_needed)
-    circles = {name for name in needed if package.name in _reachable(name, world)}
+    circles = {name for name in needed if package.name in _reachable(name, world, used)}
     found = finding(
         "PKG001",
         uses[0].place,
@@ -233,12 +242,16 @@ def _related(by_needed: Mapping[str, Sequence[_Use]]) -> Iterator[Related]:
 # ------------------------------------------------------------------------------------------------------ the fix
 
 
-def _reachable(name: str, world: World) -> set[str]:
-    """The packages of this workspace that one of them needs, directly or not, itself included."""
+def _reachable(name: str, world: World, used: Mapping[str, AbstractSet[str]]) -> set[str]:
+    """The packages of this workspace that one of them may need, directly or not, itself included."""
     found = {name}
-    waiting = [name] if name in world.packages else []
+    waiting = [name]
     while waiting:
-        new = needs_of(world.packages[waiting.pop()], world.packages).keys() - found
+        one = waiting.pop()
+        package = world.packages.get(one)
+        needs = [] if package is None else [d for d in package.dependencies if d.kind not in _FOR_OTHERS]
+        named = {d.name for d in needs if condition_holds(d.condition)} | used.get(one, set())
+        new = (named & world.packages.keys()) - found
         found |= new
         waiting.extend(new)
     return found

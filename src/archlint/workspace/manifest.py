@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import operator
 import re
+from collections.abc import Callable
 from xml.parsers import expat
 
 from archlint.workspace.model import Dependency, Package, Problem, SourceFile
@@ -126,7 +128,13 @@ _TOKEN = re.compile(
 
 
 def condition_holds(condition: str | None, environment: dict[str, str] | None = None) -> bool:
-    """Whether a ``condition`` attribute holds, in a ROS 2 world; one that cannot be read holds."""
+    """Whether a ``condition`` attribute holds, or may hold, in a ROS 2 world."""
+    return condition_verdict(condition, environment) is not False
+
+
+def condition_verdict(condition: str | None, environment: dict[str, str] | None = None) -> bool | None:
+    """What a ``condition`` attribute comes to in a ROS 2 world; None where a variable decides that only the machine
+    which builds has.  One that cannot be read holds."""
     if not condition or len(condition) > MAX_CONDITION:
         return True
     values = {"ROS_VERSION": "2", "ROS_PYTHON_VERSION": "3"} | (environment or {})
@@ -145,39 +153,41 @@ def condition_holds(condition: str | None, environment: dict[str, str] | None = 
     return verdict if not rest else True
 
 
-def _either(tokens: list[str], values: dict[str, str]) -> tuple[bool, list[str]]:
+def _either(tokens: list[str], values: dict[str, str]) -> tuple[bool | None, list[str]]:
     verdict, tokens = _both(tokens, values)
     while tokens and tokens[0] == "or":
         other, tokens = _both(tokens[1:], values)
-        verdict = verdict or other
+        verdict = True if True in (verdict, other) else None if None in (verdict, other) else False
     return verdict, tokens
 
 
-def _both(tokens: list[str], values: dict[str, str]) -> tuple[bool, list[str]]:
+def _both(tokens: list[str], values: dict[str, str]) -> tuple[bool | None, list[str]]:
     verdict, tokens = _one(tokens, values)
     while tokens and tokens[0] == "and":
         other, tokens = _one(tokens[1:], values)
-        verdict = verdict and other
+        verdict = False if False in (verdict, other) else None if None in (verdict, other) else True
     return verdict, tokens
 
 
-def _one(tokens: list[str], values: dict[str, str]) -> tuple[bool, list[str]]:
+def _one(tokens: list[str], values: dict[str, str]) -> tuple[bool | None, list[str]]:
     if tokens[0] == "(":
         verdict, rest = _either(tokens[1:], values)
         return verdict, rest[1:]
     left, op, right = _word(tokens[0], values), tokens[1], _word(tokens[2], values)
-    compare = {
-        "==": left == right,
-        "!=": left != right,
-        "<": left < right,
-        "<=": left <= right,
-        ">": left > right,
-        ">=": left >= right,
-    }
-    return compare[op], tokens[3:]
+    if op not in _COMPARE:
+        raise KeyError(op)
+    return (None if left is None or right is None else _COMPARE[op](left, right)), tokens[3:]
 
 
-def _word(token: str, values: dict[str, str]) -> str:
-    if token.startswith("$"):
-        return values.get(token[1:], "")
-    return token.strip("\"'")
+_COMPARE: dict[str, Callable[[str, str], bool]] = {
+    "==": operator.eq,
+    "!=": operator.ne,
+    "<": operator.lt,
+    "<=": operator.le,
+    ">": operator.gt,
+    ">=": operator.ge,
+}
+
+
+def _word(token: str, values: dict[str, str]) -> str | None:
+    return values.get(token[1:]) if token.startswith("$") else token.strip("\"'")
