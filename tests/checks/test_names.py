@@ -385,3 +385,23 @@ class TestInvalidName:
         [found] = judge("NME002", script("node.create_publisher(String, '{ns}/scan', 10)  # here"))
 
         assert "(complete: '//scan')" in found.message
+
+    @pytest.mark.parametrize(
+        "lines",
+        [
+            ("topic = 'words/'", "for part in sys.argv[1:]:", "    topic += part"),
+            ("topic = ''", "for part in sys.argv[1:]:", "    topic = topic + '/' + part"),
+            ("topic = 'words/'", "if len(sys.argv) > 1:", "    topic += sys.argv[1]"),
+        ],
+    )
+    def test_a_text_that_is_not_finished(self, judge: Judge, lines: tuple[str, ...]):
+        judge("NME002", script(*lines, "node.create_publisher(String, topic, 10)"))
+
+    def test_a_text_of_which_either_form_is_finished(self, judge: Judge):
+        judge(
+            "NME002",
+            script(
+                "topic = 'my-words' if len(sys.argv) > 1 else 'words'",
+                "node.create_publisher(String, topic, 10)  # here",
+            ),
+        )

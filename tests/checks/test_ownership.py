@@ -1,10 +1,14 @@
 from __future__ import annotations
 
+from pathlib import Path
+
 import pytest
 
 from archlint.checks.ownership import SHARED_BY_DESIGN, multiple_publishers, multiple_servers
 from archlint.checks.registry import Options
+from archlint.config import load
 from archlint.finding import Severity
+from archlint.session import Request, check
 from archlint.system.model import System
 from checks.judging import Judge
 from system.builders import action_server, node, partial, publisher, service, subscriber, system
@@ -216,3 +220,80 @@ TWO_MOTIONS = """
 def test_a_node_that_its_script_leaves_out_does_not_run_beside_the_other(judge: Judge):
     judge("OWN001", TWO_MOTIONS.format(body="one, other = Circle(), Square()"))
     judge("OWN001", TWO_MOTIONS.format(body="rclpy.spin(Square())").replace("  # here", ""))
+
+
+PACKAGE = """
+<package format="3"><name>demo</name><exec_depend>rclpy</exec_depend><exec_depend>std_msgs</exec_depend>
+<export><build_type>ament_python</build_type></export></package>
+"""
+SETUP = """
+from setuptools import setup
+setup(name='demo', packages=['demo'], data_files=[('share/demo/launch', ['launch/all.launch.xml'])],
+      entry_points={'console_scripts': ['one = demo.one:main', 'two = demo.two:main']})
+"""
+LAUNCH = """<launch>{}</launch>"""
+NODE = """
+import rclpy
+from rclpy.node import Node
+from std_msgs.msg import Float64
+
+
+class {name}(Node):
+    def __init__(self):
+        super().__init__('{name}'.lower())
+        self.goal_pub = self.create_publisher(Float64, '{topic}', 10)
+        self.create_timer(1.0, self.tick)
+        {more}
+
+    def tick(self):
+        {tick}
+
+
+def main():
+    rclpy.init()
+    rclpy.spin({name}())
+"""
+SAYS = "self.goal_pub.publish(Float64())"
+
+
+@pytest.mark.parametrize(
+    ("tick", "more", "topic", "started", "severity"),
+    [
+        (SAYS, "pass", "goal", ("one", "two"), Severity.WARNING),
+        ("pass", "pass", "goal", ("one", "two"), None),  # one of them never says anything
+        ("pass", "self.say = getattr(self, 'goal_pub').publish", "goal", ("one", "two"), Severity.WARNING),
+        (SAYS, "pass", "goal", ("one",), None),  # the launch file says that the other is left out
+        (SAYS, "pass", "goal", (), Severity.INFO),
+        (SAYS, "pass", "event_log", (), None),
+        (SAYS, "pass", "event_log", ("one", "two"), Severity.WARNING),
+    ],
+    ids=["both", "left over", "by its name", "one launched", "nothing launched", "a log", "a log of one system"],
+)
+def test_publishers_in_files(
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
+    tick: str,
+    more: str,
+    topic: str,
+    started: tuple[str, ...],
+    severity: Severity | None,
+):
+    monkeypatch.chdir(tmp_path)
+    files = {
+        "package.xml": PACKAGE.strip(),
+        "setup.py": SETUP,
+        "demo/__init__.py": "",
+        "demo/one.py": NODE.format(name="One", tick=SAYS, more="pass", topic=topic),
+        "demo/two.py": NODE.format(name="Two", tick=tick, more=more, topic=topic),
+    }
+    if started:
+        nodes = "".join(f'<node pkg="demo" exec="{one}"/>' for one in started)
+        files["launch/all.launch.xml"] = LAUNCH.format(nodes)
+    for name, text in files.items():
+        (tmp_path / name).parent.mkdir(exist_ok=True)
+        (tmp_path / name).write_text(text)
+    (tmp_path / "archlint.toml").write_text('select = ["OWN001"]')
+
+    report = check(Request((".",), load(tmp_path), cached=False, jobs=1))
+
+    assert [one.severity for one in report.findings] == ([] if severity is None else [severity])

@@ -17,6 +17,7 @@ if TYPE_CHECKING:
 
 _NEVER_REACHED = frozenset({"method"})
 """Roles of code that nothing in the workspace is seen to run."""
+_PLACEHOLDERS = frozenset({"placeholder", "unset", "undefined", "none", "null", "todo", "tbd", "changeme", "fixme"})
 
 
 def certain(endpoint: Endpoint) -> bool:
@@ -33,8 +34,16 @@ def possible(endpoint: Endpoint) -> bool:
         and endpoint.node.name is not None
         and not endpoint.node.test
         and not creation.destroyed
+        and not is_placeholder(endpoint.name or "")
         and (creation.context is None or creation.context.role not in _NEVER_REACHED)
     )
+
+
+def is_placeholder(name: str) -> bool:
+    """Whether a name only holds the place of the one that whoever starts the node gives: two nodes that both have
+    ``/_`` have no topic in common."""
+    last = name.rpartition("/")[2]
+    return last.lower() in _PLACEHOLDERS or not any(letter.isalnum() for letter in last)
 
 
 def named_by_library(endpoint: Endpoint) -> bool:

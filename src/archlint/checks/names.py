@@ -16,6 +16,7 @@ from archlint.program.model import (
     SUBSCRIBER,
 )
 from archlint.system import names
+from archlint.system.model import exclusive
 
 if TYPE_CHECKING:
     from archlint.finding import Place
@@ -76,6 +77,8 @@ def _invalid_endpoints(node: Node) -> Iterator[Finding]:
             continue
         if endpoint.resolution == "parameter" and creation.conditional:
             continue  # with that value of the parameter the branch may not be taken
+        if _is_unfinished(endpoint):
+            continue
         shown, word = endpoint.written or "", WORDS[endpoint.kind]
         default = f", the default of the parameter '{endpoint.parameter}'" if endpoint.resolution == "parameter" else ""
         only_complete = names.validate_topic_name(shown) is None
@@ -90,3 +93,15 @@ def _invalid_endpoints(node: Node) -> Iterator[Finding]:
             node=node.name,
             identity=(creation.function, endpoint.kind, shown),
         )
+
+
+def _is_unfinished(endpoint: Endpoint) -> bool:
+    """Whether another form of the name goes on where this one ends: that a loop over unknown words adds none to it is
+    only one of its ways."""
+    text = endpoint.written or ""
+    return bool(endpoint.creation.arms) and any(
+        other.place == endpoint.place
+        and (other.written is None or (other.written.startswith(text) and other.written != text))
+        and exclusive(endpoint.creation.arms, other.creation.arms)
+        for other in endpoint.node.endpoints
+    )

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable
 
 
@@ -23,18 +24,48 @@ def distance(one: str, other: str, limit: int) -> int:
     return row[-1]
 
 
+OPPOSITES = (("input", "output"), ("upper", "lower"), ("lower", "power"), ("read", "ready"), ("send", "sent"))
+"""Words that are near each other and mean different things."""
+_SHORT = 2
+"""Words up to this length that differ in a letter are different words: ``x`` and ``y``, ``kp`` and ``kd``."""
+_PARTS = re.compile(r"[_/.\s-]+|(?<=[a-z])(?=[A-Z])")
+_DIGITS = re.compile(r"\d+")
+
+
 def nearest(word: str, known: Iterable[str]) -> str | None:
     """The known word within a third of the word's length (at least one edit, but not all of it); the first of
-    equals."""
+    equals.  Names in which one whole word stands for another are two names, not one and a slip: ``publish_odom``
+    and ``publish_rate``, ``motor_1`` and ``motor_2``."""
     if len(word) > 256:
         return None
     limit = max(1, len(word) // 3)
     best: tuple[int, str] | None = None
     for candidate in sorted(set(known)):
         found = distance(word.lower(), candidate.lower(), limit)
-        if found <= limit and found < len(word) and candidate != word and (best is None or found < best[0]):
+        if found > limit or found >= len(word) or candidate == word or _are_two_names(word, candidate):
+            continue
+        if best is None or found < best[0]:
             best = (found, candidate)
     return None if best is None else best[1]
+
+
+def _are_two_names(one: str, other: str) -> bool:
+    mine, yours = (_PARTS.split(name) for name in (one, other))
+    if len(mine) != len(yours):
+        return False
+    pairs = [(left.lower(), right.lower()) for left, right in zip(mine, yours, strict=True)]
+    return any(left != right and not _is_slip(left, right) for left, right in pairs)
+
+
+def _is_slip(one: str, other: str) -> bool:
+    """Whether one of two words is probably the other one misspelt."""
+    if tuple(sorted((one, other))) in OPPOSITES or _DIGITS.findall(one) != _DIGITS.findall(other):
+        return False
+    short, long = sorted((len(one), len(other)))
+    if short <= _SHORT:
+        return short > 0 and long == short + 1
+    limit = max(1, long // 3)
+    return distance(one, other, limit) <= limit
 
 
 def did_you_mean(word: str, known: Iterable[str]) -> str:

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from archlint.checks.conflicts import certain, in_source_order, meet, named_by_library, seen_together
-from archlint.checks.near import distance
+from archlint.checks.near import OPPOSITES, distance
 from archlint.checks.registry import Options, finding, rule
 from archlint.finding import Finding, Related
 
@@ -19,7 +19,6 @@ _SHORT_WORD = 4
 """Shorter words that differ are different words: ``in`` and ``on``."""
 _SHORT_STEM = 3
 """A word this short that lacks a letter is a slip where words around it agree: ``cmd_vell``, ``robot_pos``."""
-_OPPOSITES = (("input", "output"), ("upper", "lower"), ("lower", "power"), ("read", "ready"), ("send", "sent"))
 
 
 @rule("TOP004")
@@ -96,7 +95,7 @@ def _slip(one: str, other: str) -> bool:
 
 def _misspelt(one: str, other: str, alone: bool) -> bool:
     short = min(len(one), len(other))
-    if any(letter.isdigit() for letter in one + other) or tuple(sorted((one, other))) in _OPPOSITES:
+    if any(letter.isdigit() for letter in one + other) or tuple(sorted((one, other))) in OPPOSITES:
         return False
     if short == _SHORT_STEM and not alone:
         return len(one) != len(other) and (one.startswith(other) or other.startswith(one))

@@ -8,6 +8,7 @@ from itertools import combinations
 from typing import TYPE_CHECKING
 
 from archlint.checks.conflicts import in_source_order, meeting, named_by_library, seen_together
+from archlint.checks.left_over import is_left_over
 from archlint.checks.registry import Options, finding, rule
 from archlint.finding import Finding, Related, Severity
 
@@ -31,6 +32,8 @@ def multiple_publishers(system: System, options: Options) -> Iterator[Finding]:
         if _is_shared(connection, options):
             continue
         for owners in _several_owners(system, connection):
+            if not _is_proven(system, owners) and (_has_launch_files(system) or _says_what_happens(connection.name)):
+                continue
             yield _finding(
                 "OWN001",
                 system,
@@ -66,10 +69,26 @@ def multiple_servers(system: System, options: Options) -> Iterator[Finding]:
             )
 
 
+_TELLING = frozenset({"alert", "alerts", "console", "debug", "event", "events", "heartbeat", "heartbeats"}) | {
+    *("log", "logs", "notification", "notifications", "say", "speech", "status", "statuses", "tts"),
+}
+"""Words for what many nodes have to tell on one topic."""
+
+
+def _says_what_happens(topic: str) -> bool:
+    """Whether a topic is for what any node may have to tell: a log, events."""
+    return not _TELLING.isdisjoint(topic.rpartition("/")[2].lower().split("_"))
+
+
+def _has_launch_files(system: System) -> bool:
+    """Whether launch files say what runs together: what none of them starts together are mostly alternatives."""
+    return system.world is not None and any(other.launched is not None for other in system.world.systems)
+
+
 def _several_owners(system: System, connection: Connection) -> Iterator[list[Endpoint]]:
     """Groups of endpoints of different nodes that meet; the last one in the source comes last."""
     groups: list[list[Endpoint]] = []
-    own = [endpoint for endpoint in connection.providers if not named_by_library(endpoint)]
+    own = [end for end in connection.providers if not named_by_library(end) and not is_left_over(system.world, end)]
     for one, other in meeting(system, own):
         if one.node is other.node or _launched_apart(system, one.node, other.node) or _left_out(one.node, other.node):
             continue
@@ -115,7 +134,7 @@ def _launches(systems: Iterable[System], node: Node) -> set[str | None]:
 def _finding(code: str, system: System, owners: list[Endpoint], message: str, does: str, help: str) -> Finding:
     """The finding at the last owner; for information only where nothing is seen to start any two of them."""
     last, others = owners[-1], owners[:-1]
-    proven = system.closed or any(seen_together(system, a.node, b.node) for a, b in combinations(owners, 2))
+    proven = _is_proven(system, owners)
     found = finding(
         code,
         last.place,
@@ -126,6 +145,11 @@ def _finding(code: str, system: System, owners: list[Endpoint], message: str, do
         identity=(last.kind, last.name or "", *_names(owners)),
     )
     return found if proven else replace(found, severity=Severity.INFO)
+
+
+def _is_proven(system: System, owners: list[Endpoint]) -> bool:
+    """Whether something is seen to start two of them together."""
+    return system.closed or any(seen_together(system, a.node, b.node) for a, b in combinations(owners, 2))
 
 
 def _nodes(owners: Iterable[Endpoint]) -> str:

@@ -86,7 +86,7 @@ def parameter_type_mismatch(system: System, options: Options) -> Iterator[Findin
             yield finding(
                 "PRM002",
                 setting.place,
-                f"parameter '{setting.name}' of {node.name} is declared as {rows[0].type} and set to "
+                f"parameter '{setting.name}' of {_called(node)} is declared as {rows[0].type} and set to "
                 f"{_shown(setting.value)}, of type {given}",
                 help=_write(setting.value, rows[0].type),
                 related=[Related(rows[0].place, "it is declared here")],
@@ -115,6 +115,11 @@ def _write(value: object, wanted: str | None) -> str:
     if wanted == "string":
         return "put it in quotes; in a launch file wrap it: ParameterValue(…, value_type=str)"
     return f"give it a value of type {wanted}: the node stops with an exception when it declares the parameter"
+
+
+def _called(node: Node) -> str:
+    """The name of a node, or its class where the name is not known."""
+    return node.name or (node.blueprint.class_name if node.blueprint is not None else "the node")
 
 
 def _set_nodes(system: System) -> Iterator[tuple[Node, list[Setting]]]:
@@ -161,8 +166,8 @@ def unknown_parameter_override(system: System, options: Options) -> Iterator[Fin
             yield finding(
                 "PRM004",
                 setting.place,
-                f"{node.name} declares no parameter '{setting.name}', so this value is never used"
-                + did_you_mean(setting.name, declared),
+                f"{_called(node)} declares no parameter '{setting.name}', so this value is never used"
+                + did_you_mean(setting.name, declared.keys() - {one.name for one in settings}),
                 help=f"it declares {', '.join(sorted(declared)[:8]) or 'none'}",
                 related=[Related(node.blueprint.place, "the node is defined here")],
                 node=node.name,

@@ -1,0 +1,91 @@
+"""Publishers that nothing publishes with."""
+
+from __future__ import annotations
+
+from functools import lru_cache
+from typing import TYPE_CHECKING
+
+from archlint.checks.whole import facts_at, walk
+from archlint.facts import model as facts
+from archlint.program.model import PUBLISHER
+
+if TYPE_CHECKING:
+    from archlint.finding import Place
+    from archlint.system.launched import World
+    from archlint.system.model import Endpoint
+
+_BY_NAME = frozenset({"getattr", "vars", "__dict__"})
+"""With one of these an attribute may be used that is not written out."""
+
+
+def is_left_over(world: World | None, endpoint: Endpoint) -> bool:
+    """Whether a publisher is kept in an attribute of ``self`` that its file never names again, nor another one of the
+    package that does not set an attribute of that name itself: it says nothing on its topic."""
+    if world is None or world.loader is None or endpoint.kind != PUBLISHER:
+        return False
+    name = _kept_as(world, endpoint.place)
+    if name is None:
+        return False
+    loader, file, package = world.loader, endpoint.place.file, endpoint.node.package
+    if package is None:
+        return False
+    others = (other for other in loader.python_files_of(package) if other != file)
+    return not any(loader.mentions(other, name) and not _sets_itself(world, other, name) for other in others)
+
+
+def _sets_itself(world: World, file: str, name: str) -> bool:
+    found = facts_at(world, file)
+    return found is not None and name in _Uses.of(found).kept.values()
+
+
+def _kept_as(world: World, place: Place) -> str | None:
+    """The attribute of ``self`` that the call at a place is assigned to, if nothing else in the file uses it."""
+    found = facts_at(world, place.file)
+    if found is None:
+        return None
+    uses = _Uses.of(found)
+    name = uses.kept.get((place.line, place.column))
+    return name if name is not None and not uses.by_name and uses.count[name] == 1 else None
+
+
+class _Uses:
+    """The attributes that a file names: how often each, and which calls are kept in one of ``self``."""
+
+    def __init__(self, found: facts.Facts) -> None:
+        self.count: dict[str, int] = {}
+        self.kept: dict[tuple[int, int], str] = {}
+        self.by_name = False
+        for item in walk(found.body):
+            if isinstance(item, facts.Attribute):
+                self.count[item.attr] = self.count.get(item.attr, 0) + 1
+                self.by_name = self.by_name or item.attr in _BY_NAME
+            elif isinstance(item, facts.Name):
+                self.by_name = self.by_name or item.id in _BY_NAME
+            elif isinstance(item, facts.Assign) and isinstance(item.value, facts.Call) and len(item.targets) == 1:
+                target = item.targets[0]
+                if isinstance(target, facts.Attribute) and isinstance(target.value, facts.Name):
+                    self.kept[item.value.span[0], item.value.span[1]] = target.attr
+
+    @staticmethod
+    def of(found: facts.Facts) -> _Uses:
+        return _uses(_Same(found))
+
+
+class _Same:
+    """The facts of a file, equal to themselves alone."""
+
+    __slots__ = ("found",)
+
+    def __init__(self, found: facts.Facts) -> None:
+        self.found = found
+
+    def __hash__(self) -> int:
+        return id(self.found)
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, _Same) and other.found is self.found
+
+
+@lru_cache(maxsize=1_000)
+def _uses(file: _Same) -> _Uses:
+    return _Uses(file.found)
