@@ -44,6 +44,7 @@ def said(folder: Path, commands: list[tuple[str, ...]], hash_seed: str, *options
         "PYTHONPATH": str(ROOT / "src"),
         "PYTHONHASHSEED": hash_seed,
         "SYSTEMROOT": os.environ.get("SYSTEMROOT", ""),
+        "GITHUB_WORKSPACE": str(folder),  # the root of the repository, wherever the copy is
     }
     words = [[*command, "--isolated", *options] for command in commands]
     done = subprocess.run(

@@ -203,9 +203,10 @@ def test_a_fix_that_fails_leaves_the_finding_without_one(monkeypatch: pytest.Mon
     def fails(finding, source, around):
         raise ZeroDivisionError("boom")
 
+    write("waits.py", node(constructor="self.create_client(Trigger, 'other').wait_for_service()"))
     before = findings()
-    [fixable] = [one for one in before if one.code == "TMO002"]
-    monkeypatch.setitem(BUILDERS, "TMO002", fails)
+    [fixable] = [one for one in before if one.code == "TMO001"]
+    monkeypatch.setitem(BUILDERS, "TMO001", fails)
     after = findings()
 
     assert [(one.code, one.place) for one in after if one.code != "LNT003"] == [(one.code, one.place) for one in before]

@@ -319,9 +319,18 @@ def test_a_contract_without_anything_to_look_at_warns(run):
     assert "archlint.toml:1: the contract 'the rule' matches nothing: no node is called '/motor'" in err
 
 
-def test_a_part_of_the_workspace_cannot_show_what_is_missing(run):
+def test_what_is_missing_is_missing_whatever_part_is_asked_for(run):
     required = contract(kind='"require"', from_='"/driver"', to='"/motor"')
-    assert run(required)[0] == 1
+    status, out, _ = run(required)
+    assert status == 1
+    assert run(required, "drives")[:2] == (status, out)
+
+
+def test_a_part_of_the_workspace_cannot_show_what_is_missing(run, tmp_path: Path):
+    """Two packages of one name are two workspaces: of each only itself is known."""
+    (tmp_path / "second").mkdir()
+    (tmp_path / "second" / "package.xml").write_text(MANIFEST, encoding="utf-8")
+    required = contract(kind='"require"', from_='"/driver"', to='"/motor"')
     status, out, err = run(required, "drives")
     assert (status, out) == (0, "") and "matches nothing" not in err
 
