@@ -162,6 +162,22 @@ def test_another_name_of_the_same_file_is_the_one_to_start(findings):
     assert found.message.endswith("; scripts/drive.py is installed as 'drive.py'")
 
 
+def test_an_executable_of_another_package_of_the_workspace(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    launch = f"<launch>{node(exec='grip')}</launch>"
+    texts = {"archlint.toml": 'select = ["LCH001"]', "robot/launch/it.launch.xml": launch}
+    for name, executable in (("robot", "talker"), ("arm", "grip")):
+        texts[f"{name}/package.xml"] = MANIFEST.format(name=name, type="ament_python", more="")
+        texts[f"{name}/setup.py"] = SETUP.replace("talker = robot.talker", f"{executable} = {name}.{executable}")
+        texts[f"{name}/{name}/{executable}.py"] = TALKER
+    for name, text in texts.items():
+        (tmp_path / name).parent.mkdir(parents=True, exist_ok=True)
+        (tmp_path / name).write_text(text, encoding="utf-8")
+    (found,) = check(Request((".",), load(tmp_path), cached=False, jobs=1)).findings
+    assert found.message == "package 'robot' installs no executable 'grip'; package 'arm' installs it"
+    assert found.help == "start it from package 'arm'"
+
+
 def test_an_executable_whose_file_is_there(findings):
     files = {"CMakeLists.txt": "project(robot)\n" + SCRIPTS, "package.xml": CMAKE, "setup.py": ""}
     (found,) = findings("LCH001", node(exec="steer.py"), **files, **{"scripts/steer.py": TALKER})
@@ -616,6 +632,11 @@ def test_an_entry_that_is_not_of_the_form_is_told_once(findings, entries, messag
 def test_an_entry_without_a_function(findings, target, what):
     (found,) = findings("PKG002", **{"setup.py": SETUP.replace("robot.talker:main", target)})
     assert found.message == f"the executable 'talker' cannot start: {what}"
+
+
+def test_an_entry_without_a_function_for_a_module_that_runs_when_it_is_imported(findings):
+    files = {"setup.py": SETUP.replace("robot.talker:main", "robot.talker"), "robot/talker.py": TALKER + "\nmain()\n"}
+    assert findings("PKG002", **files) == []
 
 
 def test_a_setup_py_that_nobody_runs_breaks_nothing(findings):

@@ -65,6 +65,9 @@ def _instead(installs: Installs, name: str, world: World) -> tuple[str, str]:
     if name in installs.too_deep:
         where = installs.too_deep[name]
         return f": it comes to {where}", "launch looks in the folder itself: install(DIRECTORY …/ …), with a slash"
+    owners = [one.package for one in world.installs.values() if name in one.executables]
+    if len(owners) == 1:
+        return f"; package '{owners[0]}' installs it", f"start it from package '{owners[0]}'"
     build = _build_file(installs, world)
     files = [] if world.loader is None else world.loader.python_files_of(installs.package)
     there = [file for file in files if posixpath.basename(file) == name]

@@ -78,16 +78,26 @@ def _broken(world: World, executable: Executable) -> Iterator[Finding]:
         meant = f"; did you mean '{parent}:{last}'?" if function is None and parent in modules else ""
         yield _entry_finding(executable, f"module '{module}' is not there{meant or _near_module(module, modules)}")
         return
-    if function is None:
-        yield _entry_finding(executable, f"'{module}' is a module, and no function of it is named")
-        return
     found = world.loader.facts_at(paths[0])
     if found is None or found.problems:
+        return
+    if function is None:
+        if not _runs_when_imported(found.body):
+            yield _entry_finding(executable, f"'{module}' is a module, and no function of it is named")
         return
     names, open_ = _top_level(found.body)
     head = function.partition(".")[0]
     if head not in names and not open_:
         yield _entry_finding(executable, f"'{module}' has no function '{head}'{did_you_mean(head, names)}")
+
+
+def _runs_when_imported(body: list[facts.Stmt]) -> bool:
+    """Whether a module does more than define names when it is imported: that may be all that it is there for."""
+    loops = (facts.For, facts.While, facts.With, facts.Try)
+    return any(
+        isinstance(item, loops) or (isinstance(item, facts.Expression) and isinstance(item.value, facts.Call))
+        for item in body
+    )
 
 
 def _near_module(module: str, known: Iterable[str]) -> str:
