@@ -195,6 +195,50 @@ def test_a_helper_that_waits_for_all_kinds_of_answers(judge: Judge):
     )
 
 
+ASKING = """
+    import rclpy
+    from rclpy.node import Node
+    from std_srvs.srv import SetBool
+    from nav_msgs.srv import GetMap
+
+
+    class Asker(Node):
+        def __init__(self):
+            super().__init__('asker')
+            self.maps = self.create_client(GetMap, 'map')
+            self.switch = self.create_client(SetBool, 'enable')
+            self.create_timer(1.0, self.ask)
+
+        def ask(self):
+            self.send(self.switch, SetBool.Request())
+            self.send(self.maps, GetMap.Request())
+
+        def send(self, client, request):
+            client.call_async(request).add_done_callback(self.on_done)
+
+        def on_done(self, future):
+            {on_done}
+
+
+    def main():
+        rclpy.init()
+        rclpy.spin(Asker())
+
+
+    if __name__ == '__main__':
+        main()
+"""
+
+
+@pytest.mark.parametrize("field", ["map", "success"])
+def test_a_helper_that_gives_all_futures_one_callback(judge: Judge, field: str):
+    judge("MSG001", ASKING.format(on_done=f"print(future.result().{field} if self.waiting else None)"))
+
+
+def test_a_field_that_no_answer_to_the_callback_has(judge: Judge):
+    judge("MSG001", ASKING.format(on_done="print(future.result().grid)  # here"))
+
+
 def test_what_was_probably_meant(judge: Judge):
     [found] = judge("MSG001", node(on_scan="print(scan.temperature)  # here"))
     assert found.message == "sensor_msgs/msg/LaserScan has no field 'temperature'"

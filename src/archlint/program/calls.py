@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 from archlint.facts import model as facts
 from archlint.finding import Place
-from archlint.program import escapes, hints
+from archlint.program import escapes, hints, repeats
 from archlint.program.api import effects
 from archlint.program.attributes import get_attribute
 from archlint.program.bindings import bound_names
@@ -213,20 +213,6 @@ def bind_arguments(
     return bound
 
 
-def _argument_key(value: Value) -> object:
-    """What tells one argument from another: constants by value, objects by identity, futures by what they are of."""
-    if isinstance(value, FutureValue):
-        return (value, value.place, None if value.result is None else _argument_key(value.result))
-    if isinstance(value, OneOf):
-        return tuple(map(_argument_key, value.values))
-    if isinstance(value, BoundMethod):
-        return (_argument_key(value.function), _argument_key(value.self_value))
-    if isinstance(value, FunctionValue):
-        return ("function", id(value.ir), value.scope.key)
-    key = getattr(value, "key", None)
-    return value if key is None else (type(value).__name__, key)
-
-
 def call_function(
     run: Run,
     function: FunctionValue,
@@ -237,7 +223,7 @@ def call_function(
     self_value: Value | None = None,
 ) -> Value:
     """Run a function of the workspace and return what it may return."""
-    from archlint.program.run import DEPTH, REPEATS, RUNS
+    from archlint.program.run import DEPTH
 
     ir = function.ir
     running = sum(
@@ -248,19 +234,12 @@ def call_function(
     if len(run.activations) >= DEPTH:
         run.program.exhausted = True
         return Unknown("the chain of calls is too deep to follow")
-    key = (id(ir), tuple(map(_argument_key, args)), tuple((k, _argument_key(v)) for k, v in sorted(keywords.items())))
-    count, last = run.repeats.get(key, (0, NONE))
-    runs = run.runs.get(id(ir), 0)
-    if count >= REPEATS:
-        return last
-    if runs >= RUNS:
-        run.program.exhausted = True
-        return Unknown(f"'{function.qualified}' is called too often to follow")
-    run.repeats[key] = (count + 1, Unknown(f"'{function.qualified}' calls itself"))
-    run.runs[id(ir)] = runs + 1
-    value = enter_function(run, function, args, keywords, expression, open_arguments, self_value)
-    run.repeats[key] = (count + 1, value)
-    return value
+    key = repeats.call_key(function, args, keywords)
+
+    def enter() -> Value:
+        return enter_function(run, function, args, keywords, expression, open_arguments, self_value)
+
+    return repeats.follow(run, function, key, enter)
 
 
 def enter_function(

@@ -63,8 +63,10 @@ def note_unfollowed(programs: Sequence[model.Program], names_in_file: Callable[[
                 name = helper.class_name.rpartition(".")[2]
                 gap = (helper.place, f"the node that {helper.class_name} works on is not known")
                 for node in (node for other in programs for node in other.nodes):
-                    if not node.held and gap not in node.gaps and (
-                        node in program.nodes or name in names_in_file(node.place.file)
+                    if (
+                        not node.held
+                        and gap not in node.gaps
+                        and (node in program.nodes or name in names_in_file(node.place.file))
                     ):
                         node.complete = False
                         node.gaps.append(gap)

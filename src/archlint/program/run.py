@@ -29,6 +29,7 @@ from archlint.program.values import (
 )
 
 if TYPE_CHECKING:
+    from archlint.program import identity, repeats
     from archlint.program.interface_table import InterfaceTable
     from archlint.program.modules import Module, ModuleIndex
 
@@ -51,10 +52,6 @@ SELF_STARTS = 2
 gives each node a callback of its own; the third does what the second did."""
 WORK_OF_A_STEP = 500
 """How many slots and items that branches leave may be joined for the price of a statement."""
-REPEATS = 3
-"""How often one root runs a function with the same arguments."""
-RUNS = 150
-"""How often one root runs a function with any arguments."""
 UNROLL = 512
 """How many items of a known collection a loop is unrolled over."""
 COMPREHENDED = 8_000
@@ -173,7 +170,8 @@ class Run:
         """Whether a callback left an object in an attribute that another may use."""
         self.at_spin: Callable[[Run], None] | None = None
         """Runs what is pending when main spins: callbacks see the state of then, not what main does at the end."""
-        self.registered: set[tuple[Any, ...]] = set()
+        self.registered: dict[tuple[Any, ...], set[identity.Key]] = {}
+        """Which callbacks were handed over where, and with what each time."""
         self.fields: dict[tuple[int, str], MessageValue | EachValue] = {}
         """Messages that fields of messages hold, where nothing was assigned to them."""
         self.made_in: dict[int, Activation] = {}
@@ -182,8 +180,10 @@ class Run:
         """Which subscription, server or client calls its callback with a message, by its key."""
         self.field_uses: set[tuple[Any, ...]] = set()
         self.creations: dict[tuple[Any, ...], model.Creation] = {}
+        self.told_apart: dict[identity.Key, identity.Key] = {}
+        """Which callbacks the first of the creations at one place, with one name, was given."""
         self.calls: dict[tuple[Any, ...], model.ApiCall] = {}
-        self.repeats: dict[tuple[Any, ...], tuple[int, Value]] = {}
+        self.repeats: dict[identity.Key, repeats.Repeated] = {}
         self.runs: dict[int, int] = {}
         self.executed: set[tuple[int, int]] = set()
         """Functions that ran, as ``(instance key or 0, id of the function's facts)``."""

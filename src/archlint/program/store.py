@@ -31,6 +31,8 @@ class Store:
         """How the objects that a module keeps from its import on are got at, by key."""
         self.work = 0
         """Slots and items that joins have looked at, until somebody counts and takes them."""
+        self._reads: list[tuple[Slot, object, int]] | None = None
+        """What was read, and from which layer (-1: from none), while somebody watches."""
 
     def new_key(self) -> int:
         self._next += 1
@@ -38,10 +40,44 @@ class Store:
 
     def get(self, key: int, slot: Hashable, default: object = None) -> object:
         at = (key, slot)
+        if self._reads is not None:
+            return self._noted(at, default)
         for layer in reversed(self.layers):
             if at in layer:
                 return layer[at]
         return default
+
+    def _noted(self, at: Slot, default: object) -> object:
+        assert self._reads is not None
+        for number in range(len(self.layers) - 1, -1, -1):
+            if at in self.layers[number]:
+                value = self.layers[number][at]
+                self._reads.append((at, value, number))
+                return value
+        self._reads.append((at, MISSING, -1))
+        return default
+
+    @contextmanager
+    def watched(self) -> Iterator[dict[Slot, object]]:
+        """Note what is read of the state that is here now, and what is left in it: with the same in all of these
+        slots, the same would happen again, and leave all as it is."""
+        around: dict[Slot, object] = {}
+        kept, depth, youngest = self._reads, self.depth, self._next
+        reads = self._reads = [] if kept is None else kept
+        first = len(reads)
+        self.push()
+        try:
+            yield around
+        finally:
+            written = self.cut(depth)
+            self.layers[-1].update(written)
+            self._reads = kept
+        for at, value, number in reads[first:]:
+            if number < depth and at[0] <= youngest:
+                around.setdefault(at, value)
+        for at, value in written.items():
+            if at[0] <= youngest:
+                around[at] = value if around.get(at, value) == value else _CHANGING
 
     def set(self, key: int, slot: Hashable, value: object) -> None:
         self.layers[-1][(key, slot)] = value
@@ -84,21 +120,25 @@ class Store:
         for branch in branches:
             slots.update(dict.fromkeys(branch))
             self.work += len(branch)
+        if self._reads is not None:
+            for at in slots:
+                if any(at not in branch for branch in branches):
+                    self._noted(at, None)  # what was there before is one of what it may hold now
         below = self.layers[::-1]
         top = self.layers[-1]
         for at in slots:
-            before: object = _MISSING
+            before: object = MISSING
             for layer in below:
                 if at in layer:
                     before = layer[at]
                     break
-            first: object = _MISSING
+            first: object = MISSING
             found: list[object] | None = None
             for branch in branches:
                 value = branch.get(at, before)
-                if value is _MISSING or value is first:
+                if value is MISSING or value is first:
                     continue
-                if first is _MISSING:
+                if first is MISSING:
                     first = value
                 elif found is None:
                     found = [first, value]
@@ -109,7 +149,7 @@ class Store:
             joined = first if found is None else _join(found)
             if joined is not before:
                 top[at] = joined
-                changed = changed or before is _MISSING or joined != before
+                changed = changed or before is MISSING or joined != before
         return changed
 
     @contextmanager
@@ -127,7 +167,15 @@ class _Missing:
     pass
 
 
-_MISSING = _Missing()
+MISSING = _Missing()
+"""What a slot holds that nobody has written."""
+
+
+class _Changing:
+    """What a slot was to hold for a function that reads it and leaves something else there."""
+
+
+_CHANGING = _Changing()
 
 
 def _size(value: object) -> int:

@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from archlint.facts import model as facts
 from archlint.finding import Place
 from archlint.program import messages, model
 from archlint.program.api import rclpy_names
+from archlint.program.identity import Key, kind_key
 from archlint.program.values import (
     ApiMethod,
     BoundMethod,
@@ -36,6 +37,8 @@ if TYPE_CHECKING:
     from archlint.program.api.effects import ApiUse
     from archlint.program.run import Run
 
+WAYS = 16
+"""For how many values one place hands the same callback over: the next ones are taken to be like these."""
 _GOAL_HANDLE = External("rclpy.action.server.ServerGoalHandle")
 
 
@@ -80,9 +83,8 @@ def register(
         callback.group = None if role in ("execute", "done", "task", "thread") else group
         callback.registered = run.place(call.expression.span) if call.expression is not None else None
         key = (role, callback.registered, callback.name, callback.place, id(creation), _receiver(option))
-        if key in run.registered:
+        if not _is_new(run, key, callback, (option, call.receiver, *(arguments or ()))):
             continue
-        run.registered.add(key)
         run.program.callbacks.append(callback)
         if node is not None:
             node.callbacks.append(callback)
@@ -108,6 +110,19 @@ def _is_one_of_several(value: Value, creation: model.Creation) -> bool:
     return len(callables) > 1 or any(branch.endswith("|") for branch, _ in creation.arms)
 
 
+def _is_new(run: Run, key: tuple[Any, ...], callback: model.Callback, given: Iterable[Value | None]) -> bool:
+    """Whether a callback was not handed over in this way before; one place may do it for several futures, names or
+    objects.  One that hands itself over again is not new, whatever it takes along."""
+    ways = run.registered.setdefault(key, set())
+    if ways and id(callback.function) in run.lineage:
+        return False
+    way = tuple(kind_key(run, one) for one in given if one is not None)
+    if way in ways or len(ways) >= WAYS:
+        return False
+    ways.add(way)
+    return True
+
+
 def hand_out(run: Run, values: Iterable[Value]) -> None:
     """Note functions that are given to code which we do not see (an event loop, a user interface): it may call
     them.  Methods of objects need a note only where a partial gives them something to work on, since all that can
@@ -128,7 +143,7 @@ def hand_out(run: Run, values: Iterable[Value]) -> None:
         key = ("method", None, callback.name, callback.place, 0, 0)
         if key in run.registered:
             continue
-        run.registered.add(key)
+        run.registered[key] = set()
         callback.role = "method"
         run.program.callbacks.append(callback)
         run.pending.append(Pending(callback, option, (), run.lineage))
@@ -169,6 +184,18 @@ def _receiver(value: Value) -> int:
     if isinstance(value, Partial):
         return _receiver(value.function)
     return 0
+
+
+def told_apart(run: Run, base: Key, call: ApiUse) -> Key:
+    """What tells a creation from others of the same place and name (``base``): the functions that are called, for
+    timers with all that they take along.  Where callbacks run once more, the first one there is meant."""
+    given = [call.get(parameter) for parameter, _ in call.api.callbacks]
+    closely = call.api.effect == "timer"
+    options = [option for value in given if value is not None for option in alternatives(value)]
+    functions = options if closely else [_taken_apart(option)[0] for option in options]
+    apart = tuple(kind_key(run, function, closely=closely) for function in functions)
+    first = run.told_apart.setdefault(base, apart)
+    return (*base, apart if run.met_again is None else first)
 
 
 def default_arguments(run: Run, role: str, creation: model.Creation | None, call: ApiUse) -> tuple[Value, ...]:

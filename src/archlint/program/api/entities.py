@@ -119,7 +119,8 @@ def _create(
     if alternative is not None:
         arms |= {(f"{place.file}:{place.line}:{place.column}|", alternative)}
     policies = (qos.history, qos.depth, qos.reliability, qos.durability)
-    key = (call.api.kind, id(blueprint), place, name.text, name.resolution, type_, policies)
+    base = (call.api.kind, id(blueprint), place, name.text, name.resolution, type_, policies)
+    key = callbacks.told_apart(run, base, call)
     known = run.creations.get(key)
     if known is not None:
         if not arms:
@@ -197,7 +198,7 @@ def timer(run: Run, call: ApiUse) -> Value:
     period, parameter = _seconds(call.get("timer_period_sec"))
     made = []
     for blueprint in nodes.nodes_of(run, call.receiver):
-        key = (model.TIMER, id(blueprint), place, period)
+        key = callbacks.told_apart(run, (model.TIMER, id(blueprint), place, period), call)
         creation = run.creations.get(key)
         if creation is None:
             creation = model.Creation(
