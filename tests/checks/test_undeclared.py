@@ -150,7 +150,6 @@ def test_one_finding_for_a_package_with_each_place(lint: Lint):
     assert (found.place.file, found.place.line) == ("launch/it.launch.xml", 2)
     assert [(one.place.file, one.place.line, one.message) for one in found.related] == [
         ("talk/a.py", 3, "'geometry_msgs' is imported here"),
-        ("launch/it.launch.xml", 2, "a node of 'joy' is started here"),
         ("talk/a.py", 2, "'sensor_msgs' is imported here and at 1 more place"),
     ]
     assert found.help == "add a line like <exec_depend>geometry_msgs</exec_depend> for each to package.xml"
@@ -211,7 +210,7 @@ def test_no_fix_closes_a_circle(lint: Lint):
     }
     (found,) = lint(files)
     assert found.fix is None
-    assert "arm needs 'talk' itself" in found.help
+    assert found.help.startswith("'arm' needs 'talk', and colcon builds no circle")
     files["talk/talk/a.py"] = node("from arm.msg import Joint", LASER)
     (found,) = lint(files)
     assert added(found) == "  <exec_depend>sensor_msgs</exec_depend>\n"

@@ -192,7 +192,7 @@ def _undeclared(
         uses[0].place,
         _message(package, uses[0], needed),
         help=_help(package, needed, circles),
-        related=list(_related(by_needed)) if len(needed) > 1 else [],
+        related=[one for one in _related(by_needed) if one.place != uses[0].place],
         identity=(package.name, *needed),
     )
     return replace(found, fix=_fix(world, package, [name for name in needed if name not in circles]))
@@ -223,16 +223,15 @@ def _hint(package: Package, use: _Use) -> str:
 def _help(package: Package, needed: Sequence[str], circles: set[str]) -> str:
     manifest = package.manifest.relative
     if circles == set(needed):
-        return (
-            f"{' and '.join(needed)} needs '{package.name}' itself, and colcon builds no circle: move what both need "
-            "into a package of its own"
-        )
+        names = ", ".join(f"'{name}'" for name in needed)
+        verb = "need" if len(needed) > 1 else "needs"
+        return f"{names} {verb} '{package.name}', and colcon builds no circle: move what both need into a third package"
     line = f"<{_tag(package)}>{needed[0]}</{_tag(package)}>"
     return f"add {line} to {manifest}" if len(needed) == 1 else f"add a line like {line} for each to {manifest}"
 
 
 def _related(by_needed: Mapping[str, Sequence[_Use]]) -> Iterator[Related]:
-    """The first use of each package."""
+    """The first use of each package; that of the primary place is told by the message."""
     for name, uses in sorted(by_needed.items()):
         first = f"'{name}' is imported here" if uses[0].how == "imports" else f"a node of '{name}' is started here"
         more = len(uses) - 1
