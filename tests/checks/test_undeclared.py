@@ -161,6 +161,13 @@ def test_files_that_are_asked_for_are_judged_alone(lint: Lint):
     assert (found.place.file, missing([found])) == ("talk/b.py", ["geometry_msgs"])
 
 
+def test_the_manifest_may_lie_above_where_one_stands(lint: Lint, tmp_path: Path, monkeypatch: pytest.MonkeyPatch):
+    lint({"package.xml": manifest("talk", *depends("rclpy")), "talk/deep/a.py": node(LASER)})
+    monkeypatch.chdir(tmp_path / "talk" / "deep")
+    (found,) = check(Request((".",), load(Path()), cached=False, jobs=1)).findings
+    assert (found.place.file, found.help) == ("a.py", "add <exec_depend>sensor_msgs</exec_depend> to ../../package.xml")
+
+
 def test_a_comment_allows_one_use_and_a_setting_those_of_a_file(lint: Lint):
     files = {
         "package.xml": manifest("talk", *depends("rclpy")),

@@ -62,9 +62,13 @@ def _uses_by_package(world: World, options: Options) -> dict[str, list[_Use]]:
     """What each package (by its folder) uses and does not declare, in the order of the files."""
     assert world.loader is not None
     there: dict[str, frozenset[str]] = {}
+    homes: dict[str, Package | None] = {}
     found: dict[str, list[_Use]] = {}
     for use in sorted({*_imported(world), *_launched(world)}):
-        package = _package_of(world, use.place.file)
+        folder = posixpath.dirname(use.place.file) or "."
+        if folder not in homes:
+            homes[folder] = _package_around(world, folder)
+        package = homes[folder]
         if package is None or package.build_type == "catkin" or options.is_ignored_in(use.place.file):
             continue
         if package.relative not in there:
@@ -75,16 +79,18 @@ def _uses_by_package(world: World, options: Options) -> dict[str, list[_Use]]:
     return found
 
 
-def _package_of(world: World, file: str) -> Package | None:
-    """The package whose package.xml is the nearest one upwards from a file; None where that one makes no package."""
+def _package_around(world: World, folder: str) -> Package | None:
+    """The package whose package.xml is the nearest one upwards from a folder; None where that one makes no package."""
     assert world.loader is not None
-    folder = posixpath.dirname(file) or "."
-    while not world.loader.tree.is_file(posixpath.normpath(posixpath.join(folder, "package.xml"))):
-        parent = posixpath.dirname(folder) or "."
-        if parent == folder or folder.endswith(".."):
-            return None
-        folder = parent
-    return world.manifests.get(folder)
+    for _ in range(_LEVELS):
+        if world.loader.tree.is_file(posixpath.normpath(posixpath.join(folder, "package.xml"))):
+            return world.manifests.get(folder)
+        folder = posixpath.normpath(posixpath.join(folder, ".."))
+    return None
+
+
+_LEVELS = 60
+"""How many folders upwards a package.xml is looked for; the tree answers for nothing above the workspace."""
 
 
 # ------------------------------------------------------------------------------------------- what is declared
