@@ -49,7 +49,7 @@ class Request:
 def check(request: Request) -> Report:
     """Everything that the selected rules find, in order.  Raises :class:`NothingToDo`."""
     started = time.perf_counter()
-    workspace = _found(request)
+    workspace = call_with_deep_stack(lambda: _found(request))
     store = _store(request)
     tree = SourceTree(Path.cwd(), Path(workspace.root))
     kept = RunCache(store, request, workspace, tree)

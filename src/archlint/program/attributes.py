@@ -9,6 +9,7 @@ from archlint.program import escapes, hints, messages
 from archlint.program.api import command_line, profiles, rclpy_names
 from archlint.program.values import (
     NONE,
+    TEXT_LIMIT,
     ApiMethod,
     AttributesValue,
     BoundMethod,
@@ -234,6 +235,8 @@ def _of_external(run: Run, value: External, name: str) -> Value:
         module = run.index.find(run.activation.module, path)
         if module is not None:
             return run.import_module(module)
+    if len(path) > TEXT_LIMIT:
+        return Unknown("a name too long to follow")
     constant = _interface_constant(run, value.path, name)
     if constant is not None:
         return constant

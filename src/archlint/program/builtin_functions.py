@@ -31,6 +31,7 @@ from archlint.program.values import (
     Value,
     alternatives,
     as_default,
+    constant,
     one_of,
     reason,
     via,
@@ -127,12 +128,12 @@ def _as_text(value: Known) -> Known:
 def _number(convert: Callable[[Any], Any]) -> Callable[..., Value]:
     def handler(run: Run, args: Arguments, keywords: Keywords, e: object) -> Value:
         if not args:
-            return Known(convert("0") if convert is not bool else False)
+            return Known(convert()) if isinstance(convert, type) else Unknown("a call that fails")
         found: list[Value] = []
         for option in alternatives(args[0]):
             if isinstance(option, Known):
                 try:
-                    found.append(Known(convert(option.value), option.via))
+                    found.append(constant(convert(option.value), option.via))
                 except (TypeError, ValueError, OverflowError):
                     found.append(Unknown("a conversion that fails"))
             else:
@@ -196,7 +197,7 @@ def _range(run: Run, args: Arguments, keywords: Keywords, e: object) -> Value:
         wanted = range(*numbers)
     except (TypeError, ValueError):
         return Unknown("a range that fails")
-    if len(wanted) > containers.ITEM_LIMIT:
+    if wanted[containers.ITEM_LIMIT :]:  # its length may be too large a number for len()
         return Unknown("a range too long to follow")
     return containers.new_list(run, [Known(number, via(*args)) for number in wanted])
 
@@ -408,8 +409,8 @@ def _extreme(pick: Callable[..., Any]) -> Callable[..., Value]:
         if len(values) != len(items.values) or not values:
             return Unknown(reason(*items.values))
         try:
-            return Known(pick(values), via(*items.values))
-        except TypeError:
+            return constant(pick(values), via(*items.values))
+        except (TypeError, OverflowError):
             return Unknown("an operation that fails")
 
     return handler

@@ -69,7 +69,8 @@ def evaluate_arguments(run: Run, arguments: list[facts.Argument]) -> tuple[list[
             if items is None or items.open:
                 open_ = True
             if items is not None:
-                args.extend(items.values)
+                args.extend(items.values[: max(0, containers.ITEM_LIMIT - len(args))])
+                open_ = open_ or len(args) >= containers.ITEM_LIMIT
         elif argument.star == "**":
             if isinstance(value, DictValue):
                 entries = containers.entries_of(run, value)

@@ -186,6 +186,8 @@ def _make_members(run: Run, cls: ClassValue) -> None:
 
 def linearize(cls: ClassValue) -> tuple[Value, ...]:
     """The method resolution order (C3); a broken one falls back to depth first."""
+    if len(cls.bases) == 1 and isinstance(cls.bases[0], ClassValue):
+        return (cls, *cls.bases[0].mro)
     rows = [list(base.mro) if isinstance(base, ClassValue) else [base] for base in cls.bases]
     rows.append(list(cls.bases))
     order: list[Value] = [cls]

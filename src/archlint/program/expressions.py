@@ -33,6 +33,7 @@ from archlint.program.values import (
     Unknown,
     Value,
     alternatives,
+    constant,
     one_of,
     reason,
     via,
@@ -269,11 +270,11 @@ def _unary(run: Run, e: facts.Unary) -> Value:
     if isinstance(value, Known) and isinstance(value.value, (int, float)):
         number = value.value
         if e.op == "-":
-            return Known(-number, value.via)
+            return constant(-number, value.via)
         if e.op == "+":
-            return Known(+number, value.via)
+            return constant(+number, value.via)
         if isinstance(number, int):
-            return Known(~number, value.via)
+            return constant(~number, value.via)
     return Unknown(reason(value))
 
 

@@ -33,6 +33,7 @@ from archlint.program.values import (
     Unknown,
     Value,
     alternatives,
+    constant,
     join_texts,
     one_of,
     reason,
@@ -79,7 +80,7 @@ def _binary_one(run: Run, op: str, left: Value, right: Value, span: facts.Span) 
         return join_texts((left, right), run.place(span))
     if op == "/" and isinstance(left, Known) and isinstance(right, Known) and is_text(left) and is_text(right):
         joined = posixpath.join(str(left.value), str(right.value))  # of a pathlib.Path
-        return Known(joined, via(left, right), kind="path")
+        return constant(joined, via(left, right), kind="path")
     if op == "%" and is_text(left):
         return percent_format(run, left, right, span)
     if op == "+" and isinstance(left, ListValue) and isinstance(right, ListValue):
@@ -93,7 +94,7 @@ def _binary_one(run: Run, op: str, left: Value, right: Value, span: facts.Span) 
     if op == "*" and isinstance(left, ListValue) and isinstance(right, Known):
         items = items_of(run, left)
         if isinstance(right.value, int) and 0 <= right.value * len(items.values) <= ITEM_LIMIT:
-            return new_list(run, items.values * right.value, left.kind, items.open)
+            return new_list(run, items.values * min(right.value, ITEM_LIMIT), left.kind, items.open)
     if isinstance(left, Known) and isinstance(right, Known):
         return _arithmetic(op, left, right)
     return Unknown(reason(left, right), next(iter(sorted(via(left, right))), None))
@@ -117,9 +118,7 @@ def _arithmetic(op: str, left: Known, right: Known) -> Value:
         return Unknown("an operation that fails")
     if not isinstance(result, (str, int, float, bool)):
         return Unknown("an operation whose result is not a constant")
-    if isinstance(result, int) and result.bit_length() > 4096:
-        return Unknown("a number too large to follow")
-    return Known(result, left.via | right.via)
+    return constant(result, left.via | right.via)
 
 
 def compare_values(run: Run, op: str, left: Value, right: Value) -> bool | None:

@@ -17,6 +17,7 @@ from archlint.program.values import (
     Unknown,
     Value,
     alternatives,
+    constant,
     one_of,
     reason,
     via,
@@ -138,7 +139,7 @@ def _text_method(
         rest = [arg.value for arg in args if isinstance(arg, Known)]
         if name != "joinpath" or len(rest) == len(args):
             joined = "/".join([text, *map(str, rest)]) if name == "joinpath" else text
-            return Known(joined, target.via, kind="other" if name == "as_posix" else "path")
+            return constant(joined, target.via, kind="other" if name == "as_posix" else "path")
         return Unknown(reason(*args))
     if name == "join" and args:
         items = containers.iterate(run, args[0])
@@ -155,7 +156,7 @@ def _text_method(
             return Unknown(reason(*args))
         try:
             pieces = getattr(text, name)(*plain, **named)
-        except (TypeError, ValueError):
+        except (TypeError, ValueError, OverflowError):
             return Unknown("an operation that fails")
         kind = "tuple" if name.endswith("partition") else "list"
         return containers.new_list(run, [Known(piece, target.via) for piece in pieces], kind)
@@ -171,8 +172,8 @@ def _text_method(
                 found.append(Unknown("a text too long to follow"))
                 continue
             try:
-                found.append(Known(getattr(text, name)(*plain), target.via | via(*row)))
-            except (TypeError, ValueError):
+                found.append(constant(getattr(text, name)(*plain), target.via | via(*row)))
+            except (TypeError, ValueError, OverflowError):
                 found.append(Unknown("an operation that fails"))
         return one_of(found)
     return Unknown(f"str.{name}() is not followed")
@@ -181,7 +182,8 @@ def _text_method(
 def _grows(text: str, name: str, args: Sequence[object]) -> bool:
     """Whether a method may make a longer text than is followed."""
     if name in ("ljust", "rjust", "center", "zfill", "expandtabs"):
-        return any(isinstance(arg, int) and arg > TEXT_LIMIT for arg in args)
+        times = text.count("\t") if name == "expandtabs" else 1
+        return any(isinstance(arg, int) and arg * times > TEXT_LIMIT for arg in args)
     if name == "replace" and len(args) > 1 and isinstance(args[0], str) and isinstance(args[1], str):
         return len(text) + (text.count(args[0]) + 1) * len(args[1]) > TEXT_LIMIT
     return False
@@ -230,14 +232,14 @@ def _format(run: Run, template: Known, args: Arguments, keywords: Keywords, e: f
         first, *rest = field.replace("[", ".[").split(".")
         if first == "":
             first, automatic = str(automatic), automatic + 1
-        if first.isdigit():
+        if _is_index(first):
             value = args[int(first)] if int(first) < len(args) else Unknown("format() has too few arguments")
         else:
             value = keywords.get(first, Unknown("format() has no such argument"))
         for step in rest:
             if step.startswith("["):
                 inside = step[1:-1]
-                index = Known(int(inside)) if inside.isdigit() else Known(inside)
+                index = Known(int(inside)) if _is_index(inside) else Known(inside)
                 value = containers.get_item(run, value, index)
             else:
                 value = get_attribute(run, value, step)
@@ -245,6 +247,11 @@ def _format(run: Run, template: Known, args: Arguments, keywords: Keywords, e: f
             value = one_of(formatting.format_one(option, conversion, spec) for option in alternatives(value))
         parts.append(value)
     return formatting.combine(run, parts, e.span if e is not None else None)
+
+
+def _is_index(text: str) -> bool:
+    """Whether a field of a format is a number; one of more digits is of no list."""
+    return text.isascii() and text.isdigit() and len(text) < 10
 
 
 def _list_method(run: Run, target: ListValue, name: str, args: Arguments, keywords: Keywords) -> Value:

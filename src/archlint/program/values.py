@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass, field
+from itertools import groupby
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
@@ -308,10 +309,18 @@ def alternatives(value: Value) -> tuple[Value, ...]:
 def one_of(values: Iterable[Value]) -> Value:
     """The value that is one of ``values``: duplicates merged, too many of them unknown."""
     found: list[Value] = []
+    plain = unknown = 0
     for value in values:
         for alternative in alternatives(value):
+            is_unknown = isinstance(alternative, Unknown)
+            if is_unknown and unknown > 1:
+                continue
+            if not is_unknown and plain > ALTERNATIVES:
+                return Unknown("more values than can be followed")
             if alternative not in found:
                 found.append(alternative)
+                unknown += is_unknown
+                plain += not is_unknown
     if not found:
         return Unknown("no value")
     if len(found) == 1:
@@ -355,6 +364,19 @@ TEXT_LIMIT = 16_384
 need all memory there is."""
 
 
+NUMBER_BITS = 1_000
+"""How large the whole numbers are that a program makes of others: every one of them fits a float and a text."""
+
+
+def constant(value: str | int | float | bool, via: frozenset[str] = NO_PARAMETERS, kind: str = "other") -> Value:
+    """A constant that a program makes of others; not known where it is longer or larger than is followed."""
+    if isinstance(value, str) and len(value) > TEXT_LIMIT:
+        return Unknown("a text too long to follow")
+    if isinstance(value, int) and value.bit_length() > NUMBER_BITS:
+        return Unknown("a number too large to follow")
+    return Known(value, via, kind=kind)
+
+
 def join_texts(parts: Sequence[Value], origin: Place | None = None) -> Value:
     """The concatenation of texts and of what ``str`` makes of other constants."""
     pieces: list[str | None] = []
@@ -365,16 +387,11 @@ def join_texts(parts: Sequence[Value], origin: Place | None = None) -> Value:
             pieces.extend(part.parts)
         else:
             pieces.append(None)
-    merged: list[str | None] = []
-    for piece in pieces:
-        if piece == "":
-            continue
-        if merged and piece is not None and merged[-1] is not None:
-            merged[-1] += piece
-        elif not (merged and piece is None and merged[-1] is None):
-            merged.append(piece)
-    if sum(len(piece) for piece in merged if piece is not None) > TEXT_LIMIT:
+    if sum(len(piece) for piece in pieces if piece is not None) > TEXT_LIMIT:
         return Unknown("a text too long to follow", next(iter(sorted(via(*parts))), None))
+    merged: list[str | None] = []
+    for known, group in groupby((piece for piece in pieces if piece != ""), key=lambda piece: piece is not None):
+        merged.append("".join(piece for piece in group if piece is not None) if known else None)
     if None not in merged:
         kinds = {part.kind for part in parts if isinstance(part, Known)}
         kind = next((kind for kind in ("argument_default", "node_name") if kind in kinds), "format")

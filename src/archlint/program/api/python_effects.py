@@ -9,6 +9,7 @@ from archlint.facts import model as facts
 from archlint.program import escapes
 from archlint.program.api import profiles
 from archlint.program.builtin_functions import BUILTINS
+from archlint.program.containers import ITEM_LIMIT
 from archlint.program.values import (
     EntityValue,
     External,
@@ -23,6 +24,7 @@ from archlint.program.values import (
     Value,
     alternatives,
     as_default,
+    constant,
     one_of,
     reason,
     via,
@@ -38,6 +40,10 @@ def partial(run: Run, call: ApiUse) -> Value:
     if function is None:
         return Unknown("partial() without a function")
     keywords = tuple((name, value) for name, value in call.keywords.items() if name != "function")
+    if isinstance(function, Partial):
+        # One of one, as Python makes it: a chain of them would be as deep as the loop that builds it.
+        keywords = tuple({**dict(function.keywords), **dict(keywords)}.items())
+        return Partial(function.function, (*function.args, *call.rest)[:ITEM_LIMIT], keywords)
     return Partial(function, tuple(call.rest), keywords)
 
 
@@ -57,7 +63,7 @@ def path_join(run: Run, call: ApiUse) -> Value:
         return Unknown(reason(*(part for part in parts if part is not None)))
     import posixpath
 
-    return Known(posixpath.join(*texts), via(*(part for part in parts if part is not None)))
+    return constant(posixpath.join(*texts), via(*(part for part in parts if part is not None)))
 
 
 def environment(run: Run, call: ApiUse) -> Value:
@@ -247,9 +253,10 @@ def _chain(run: Run, args: list[Value]) -> Value:
         if items is None:
             open_ = True
         else:
-            values.extend(items.values)
+            values.extend(items.values[: containers.ITEM_LIMIT + 1 - len(values)])
             open_ = open_ or items.open
-    return containers.new_list(run, values, "list", open_)
+    open_ = open_ or len(values) > containers.ITEM_LIMIT
+    return containers.new_list(run, values[: containers.ITEM_LIMIT], "list", open_)
 
 
 def _path_part(args: list[Value], at: int) -> Value:

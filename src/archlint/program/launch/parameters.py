@@ -33,6 +33,10 @@ if TYPE_CHECKING:
 Parameter = ParameterSetting | ParameterFileUse | OpenParameters
 
 CONSTANT_LIMIT = 20_000
+NESTED = 10
+"""How deep dicts of parameters may be nested: robot_localization and nav2 need four."""
+SETTINGS = 4_096
+"""How many dicts one dict of parameters may come to."""
 
 
 def parameters_of(run: LaunchRun, value: Value | None, place: Place) -> list[Parameter]:
@@ -63,7 +67,7 @@ def _one(run: LaunchRun, item: Value, place: Place) -> Iterator[Parameter]:
         for option in item.values:
             yield from _one(run, option, place)
     elif isinstance(item, DictValue):
-        yield from _entries(run, item, "", place)
+        yield from _entries(run, item, "", place, _Room())
     elif kind == "Parameter":
         yield setting(run, perform(run, argument(item, "name")), _given(item, "value"), place)
     elif kind == "ParameterFile":
@@ -91,9 +95,21 @@ def _given(item: Value, name: str) -> Value:
     return found if found is not None else Known(None)
 
 
-def _entries(run: LaunchRun, item: DictValue, prefix: str, place: Place) -> Iterator[Parameter]:
+class _Room:
+    """How many more dicts are followed, and how deep: a dict may hold another many times, or itself."""
+
+    def __init__(self) -> None:
+        self.left = SETTINGS
+        self.depth = 0
+
+
+def _entries(run: LaunchRun, item: DictValue, prefix: str, place: Place, room: _Room) -> Iterator[Parameter]:
     from archlint.program import containers
 
+    room.left -= 1
+    if room.left < 0 or room.depth >= NESTED:
+        yield OpenParameters("more parameters than can be followed", place)
+        return
     entries = containers.entries_of(run, item)
     for key, value in entries.entries.values():
         name = perform(run, key)
@@ -101,7 +117,9 @@ def _entries(run: LaunchRun, item: DictValue, prefix: str, place: Place) -> Iter
         if isinstance(name, Known) and prefix:
             name = Known(f"{prefix}.{name.value!s}")
         if isinstance(value, DictValue) and isinstance(name, Known):
-            yield from _entries(run, value, str(name.value), where)
+            room.depth += 1
+            yield from _entries(run, value, str(name.value), where, room)
+            room.depth -= 1
         else:
             yield setting(run, name, value, where)
     if entries.open:
@@ -142,6 +160,8 @@ def _list(run: LaunchRun, value: ListValue) -> tuple[object, bool]:
             return None, False
         text = perform(run, value)
         return from_yaml(str(text.value)) if isinstance(text, Known) else (None, False)
+    if any(isinstance(item, ListValue) for item in items.values):
+        return None, False  # no parameter is a list of lists, and a list may hold itself
     rows = [python_of(run, item) for item in items.values]
     return [row for row, _ in rows], all(known for _, known in rows)
 

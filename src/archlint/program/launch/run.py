@@ -22,12 +22,16 @@ from archlint.program.launch.model import (
     UnknownAttribute,
 )
 from archlint.program.modules import Module, ModuleIndex
-from archlint.program.run import Run
+from archlint.program.run import FEW_STEPS, PROGRAM_STEPS, Run
 from archlint.program.store import Store
 from archlint.program.values import DictValue, External, Instance, Known, OneOf, Unknown, Value
 
 if TYPE_CHECKING:
     from archlint.program.launch.load import LaunchLoader
+
+
+LAUNCH_STEPS = 400_000
+"""How many statements all functions of one launch may run: each OpaqueFunction is a run of its own."""
 
 
 class LaunchRun(Run):
@@ -58,6 +62,10 @@ class LaunchRun(Run):
         self._started: dict[object, bool] = {}
         """What has been started, and whether an event handler does that."""
         self.in_handler = False
+        self.performing = 0
+        """How deep the text is nested that is performed now, and ``performed`` of how many parts it has been."""
+        self.performed = 0
+        self.left = LAUNCH_STEPS
 
     # -------------------------------------------------------------------------------------------- where
 
@@ -226,6 +234,7 @@ class LaunchRun(Run):
 
         kept, kept_arms = self.activations, self.arms
         self.steps, self.repeats, self.runs = 0, {}, {}
+        self.allowed_steps = max(FEW_STEPS, min(PROGRAM_STEPS, self.left))
         self.activations, self.arms = [], sorted(self.code_arms)
         enter_root(self, module)
         depth = self.store.depth
@@ -236,6 +245,7 @@ class LaunchRun(Run):
             layer = self.store.cut(depth)
             self.store.merge([layer])
             self.activations, self.arms = kept, kept_arms
+            self.left -= self.steps
 
     def call_handler(self, function: Value) -> Value:
         """Call the function of an event handler with an event and the launch context."""

@@ -32,6 +32,10 @@ if TYPE_CHECKING:
     from archlint.program.launch.run import LaunchRun
 
 COMBINATIONS = 12
+DEEP_TEXT = 100
+"""How deep lists and substitutions may stand in each other: one may hold itself."""
+PARTS = 2_000
+"""How many lists and substitutions one text may come to: one may stand in another twice, and that in the next."""
 
 
 def kind_of(value: Value | None) -> str:
@@ -70,6 +74,21 @@ def perform(run: LaunchRun, value: Value | None) -> Value:
     if isinstance(value, Known):
         kind = "other" if value.kind == "path" else value.kind
         return Known(str(value.value), value.via, value.origin, kind) if value.value is not None else Known("")
+    if isinstance(value, (Unknown, Holed)):
+        return value
+    if not run.performing:
+        run.performed = 0
+    if run.performing >= DEEP_TEXT or run.performed >= PARTS:
+        return Unknown("a text of more parts than are followed")
+    run.performing += 1
+    run.performed += 1
+    try:
+        return _perform(run, value)
+    finally:
+        run.performing -= 1
+
+
+def _perform(run: LaunchRun, value: Value) -> Value:
     if isinstance(value, OneOf):
         with run.perhaps():
             return one_of([perform(run, option) for option in value.values])
@@ -84,8 +103,6 @@ def perform(run: LaunchRun, value: Value | None) -> Value:
     if kind in _SUBSTITUTIONS:
         assert isinstance(value, Instance)
         return _SUBSTITUTIONS[kind](run, value)
-    if isinstance(value, (Unknown, Holed)):
-        return value
     if isinstance(value, Instance) and isinstance(value.cls, ClassValue):
         return _own_text(run, value)
     return Unknown(reason(value))
