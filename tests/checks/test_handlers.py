@@ -130,6 +130,47 @@ OUTCOMES = {
         finally:
             goal_handle.succeed()
     """,
+    "a flag remembers": """
+        order, success = goal_handle.request.order, None
+        success = True
+        for _ in range(order):
+            if goal_handle.is_cancel_requested:
+                goal_handle.canceled()
+                success = False
+                break
+        if success:
+            goal_handle.succeed()
+        return Fibonacci.Result()
+    """,
+    "asked twice": """
+        reached = self.go()
+        if not reached:
+            goal_handle.abort()
+        self.get_logger().info('there')
+        if reached:
+            goal_handle.succeed()
+        return Fibonacci.Result()
+    """,
+    "one of a few": """
+        state = None
+        if self.go():
+            state = 'done'
+            goal_handle.succeed()
+        if state is None:
+            goal_handle.abort()
+        return Fibonacci.Result()
+    """,
+    "kept, and ended under that name": """
+        self.goal = goal_handle
+        self.goal.succeed()
+        return Fibonacci.Result()
+    """,
+    "kept for another callback": """
+        self.goal = goal_handle
+        self.create_timer(1.0, lambda: self.goal.succeed())
+        return Fibonacci.Result()
+    """,
+    "handed to somebody who is not here": "count(goal_handle)\nreturn Fibonacci.Result()",
 }
 
 
@@ -144,7 +185,20 @@ def test_a_goal_with_an_outcome_on_every_path(run: Run, body: str):
         "return Fibonacci.Result()",
         "if self.ready:\n    goal_handle.succeed()\nreturn Fibonacci.Result()",
         "for _ in range(goal_handle.request.order):\n    goal_handle.succeed()\nreturn Fibonacci.Result()",
+        "order = goal_handle.request.order\nif order:\n    goal_handle.succeed()\nreturn Fibonacci.Result()",
+        "self.goal = goal_handle\nif self.ready:\n    self.goal.succeed()\nreturn Fibonacci.Result()",
+        "print(goal_handle)\nif self.ready:\n    goal_handle.succeed()\nreturn Fibonacci.Result()",
+        "ready = self.go()\nif ready:\n    goal_handle.succeed()\nready = self.go()\n"
+        "if not ready:\n    goal_handle.abort()\nreturn Fibonacci.Result()",
     ],
 )
 def test_a_goal_without_an_outcome_on_some_path(run: Run, body: str):
     assert "ACT003" in codes(run(execute(body)))
+
+
+def test_a_helper_that_only_tells_how_far_things_are_ends_no_goal(run: Run):
+    body = "self.tell(goal_handle)\nif self.ready:\n    goal_handle.succeed()\nreturn Fibonacci.Result()"
+    tell = "\n    def tell(self, goal):\n        goal.publish_feedback(Fibonacci.Feedback()){}\n\n\ndef main():"
+    text = execute(body)
+    assert "ACT003" in codes(run(text.replace("\n\ndef main():", tell.format(""))))
+    assert "ACT003" not in codes(run(text.replace("\n\ndef main():", tell.format("\n        goal.abort()"))))

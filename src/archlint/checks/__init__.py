@@ -5,6 +5,7 @@ from __future__ import annotations
 MODULES: tuple[str, ...] = (
     "callback_entities",
     "callback_waits",
+    "goal_outcomes",
     "launch",
     "launch_arguments",
     "launch_values",

@@ -12,7 +12,7 @@ from dataclasses import dataclass, field
 from typing import Generic, TypeVar
 
 from archlint.facts import model as facts
-from archlint.facts.walk import calls_in, has_literal_true, parts_of
+from archlint.facts.walk import has_literal_true
 
 State = TypeVar("State", bound=Hashable)
 
@@ -46,15 +46,26 @@ class _Flow(Generic[State]):
         self.returns.extend(other.returns)
 
 
-def ends_of(body: Sequence[facts.Stmt], start: State, step: Callable[[State, facts.Base], State]) -> Ends[State]:
-    """How a body can end; ``step`` gives the state after a statement's (or a condition's) own expressions."""
-    flow = _Walk(step).block(body, frozenset({start}))
+def ends_of(
+    body: Sequence[facts.Stmt],
+    start: State,
+    step: Callable[[State, facts.Base], State],
+    branch: Callable[[State, facts.Expr, bool], State | None] | None = None,
+) -> Ends[State]:
+    """How a body can end; ``step`` gives the state after a statement's (or a condition's) own expressions, ``branch``
+    the state in an arm of an ``if``, None where the arm cannot be entered in that state."""
+    flow = _Walk(step, branch).block(body, frozenset({start}))
     return Ends(flow.returns, flow.next)
 
 
 class _Walk(Generic[State]):
-    def __init__(self, step: Callable[[State, facts.Base], State]) -> None:
+    def __init__(
+        self,
+        step: Callable[[State, facts.Base], State],
+        branch: Callable[[State, facts.Expr, bool], State | None] | None,
+    ) -> None:
         self.step = step
+        self.branch = branch
 
     def block(self, body: Sequence[facts.Stmt], states: frozenset[State]) -> _Flow[State]:
         flow: _Flow[State] = _Flow(states)
@@ -104,10 +115,16 @@ class _Walk(Generic[State]):
         truth = bool(s.test.value) if isinstance(s.test, facts.Literal) else None
         for wanted, body in ((True, s.body), (False, s.orelse)):
             if truth is None or truth is wanted:
-                one = self.block(body, states)
+                one = self.block(body, self.entering(s.test, wanted, states))
                 flow.leave(one)
                 flow.next |= one.next
         return flow
+
+    def entering(self, test: facts.Expr, truth: bool, states: frozenset[State]) -> frozenset[State]:
+        if self.branch is None:
+            return states
+        found = (self.branch(state, test, truth) for state in states)
+        return frozenset(state for state in found if state is not None)
 
     def loop(self, s: facts.While | facts.For, states: frozenset[State]) -> _Flow[State]:
         head = s.test if isinstance(s, facts.While) else s.iterable
@@ -193,13 +210,3 @@ def _never_returns(s: facts.Stmt) -> bool:
         and isinstance(called.value, facts.Name)
         and (called.value.id, called.attr) in _EXITS
     )
-
-
-def names_passed_on(fact: facts.Base, name: str) -> bool:
-    """Whether a statement hands the object called ``name`` to somebody else, or keeps it."""
-    for call in calls_in(fact):
-        if any(isinstance(part, facts.Name) and part.id == name for given in call.args for part in [given.value]):
-            return True
-    if isinstance(fact, facts.Assign):
-        return any(isinstance(part, facts.Name) and part.id == name for part in parts_of(fact.value))
-    return False

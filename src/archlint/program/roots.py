@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 from archlint.facts import model as facts
 from archlint.program import calls, definitions, escapes, model
 from archlint.program.api import executors
-from archlint.program.api.callbacks import describe
+from archlint.program.api.callbacks import GOAL_HANDLE, describe
 from archlint.program.interest import interesting, names_in
 from archlint.program.modules import Module
 from archlint.program.run import EXTRA_STEPS, FEW_STEPS, ROOTS, SELF_STARTS, STEPS, Activation, Pending, Run
@@ -130,9 +130,13 @@ def run_root(
 def _is_state(run: Run, key: int, slot: object, before: object, value: object) -> bool:
     """Whether an attribute now holds what another callback may act on: an object, or another constant."""
     options = alternatives(value) if isinstance(value, Value) else ()
-    if any(isinstance(one, (EntityValue, NodeValue, ExecutorValue)) for one in options):
+    if any(isinstance(one, (EntityValue, NodeValue, ExecutorValue)) or _is_goal(one) for one in options):
         return value != before
     return isinstance(before, Known) and isinstance(value, Known) and before != value and slot != "#"
+
+
+def _is_goal(value: Value) -> bool:
+    return isinstance(value, Instance) and value.cls == GOAL_HANDLE
 
 
 def _module_of(value: Value) -> Module | None:

@@ -39,7 +39,7 @@ if TYPE_CHECKING:
 
 WAYS = 16
 """For how many values one place hands the same callback over: the next ones are taken to be like these."""
-_GOAL_HANDLE = External("rclpy.action.server.ServerGoalHandle")
+GOAL_HANDLE = External("rclpy.action.server.ServerGoalHandle")
 
 
 def register_row(
@@ -213,7 +213,7 @@ def default_arguments(run: Run, role: str, creation: model.Creation | None, call
         return (message("Request"), message("Response"))
     if role in ("execute", "cancel", "accepted"):
         goal = message("Goal")
-        made = Instance(_GOAL_HANDLE, run.store.new_key(), None, {"request": goal})
+        made = Instance(GOAL_HANDLE, run.store.new_key(), None, {"request": goal})
         run.store.set(made.key, "request", goal)
         return (made,)
     if role == "goal":
