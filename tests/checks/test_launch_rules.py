@@ -885,3 +885,74 @@ def test_names_that_a_helper_reads(findings, lines, told):
     text = text.replace("\ndef main", HELPER + "\ndef main")
     found = findings("PRM003", **{"robot/talker.py": text})
     assert {one.place.line - 8: one.identity[1] for one in reversed(found)} == told
+
+
+# ------------------------------------------------------------------------------------- NME002, OWN003
+
+XML = """
+<push_ros_namespace namespace="a-b"/>
+<node pkg="robot" exec="talker" name="my-talker" namespace="/ro bot">
+  <remap from="chatter" to="1st"/>
+</node>
+<node pkg="elsewhere" exec="other" name="2nd"/>
+<node pkg="elsewhere" exec="other" name="third"/>"""
+YAML = """\
+launch:
+- node:
+    pkg: robot
+    exec: talker
+    name: my-talker
+    remap:
+    - {from: chatter, to: good}
+    - from: other
+      to: not good
+"""
+
+
+def told(found: list[Finding]) -> list[tuple[str, int, str]]:
+    """File, line and what was rejected."""
+    return [(one.place.file, one.place.line, one.message.partition(":")[0]) for one in found]
+
+
+def test_each_bad_name_of_a_launch_file_is_told_where_it_is_given(findings):
+    found = findings("NME002", XML)
+    assert told(found) == [
+        ("launch/it.launch.xml", 3, "ROS rejects the name of the node 'my-talker'"),
+        ("launch/it.launch.xml", 3, "ROS rejects the namespace '/ro bot'"),
+        ("launch/it.launch.xml", 4, "ROS rejects the name '1st' that this remapping gives"),
+        ("launch/it.launch.xml", 6, "ROS rejects the namespace '/a-b'"),
+        ("launch/it.launch.xml", 6, "ROS rejects the name of the node '2nd'"),
+    ]
+    assert [one.place.line for one in found[3].related] == [7]  # the namespace is pushed once, for both
+
+
+def test_bad_names_in_yaml_and_python(findings):
+    found = findings("NME002", **{"launch/two.launch.yaml": YAML})
+    assert told(found) == [
+        ("launch/two.launch.yaml", 5, "ROS rejects the name of the node 'my-talker'"),
+        ("launch/two.launch.yaml", 8, "ROS rejects the name 'not good' that this remapping gives"),
+    ]
+    code = TWO.format(first="None, name='my-talker'", second="None, name=LaunchConfiguration('real')")
+    (one,) = findings("NME002", **{"launch/two.launch.yaml": "", "launch/it.launch.py": code})
+    assert told([one]) == [("launch/it.launch.py", 12, "ROS rejects the name of the node 'my-talker'")]
+
+
+def test_a_name_that_launch_files_replace_is_judged_as_they_give_it(findings):
+    bad = {"robot/talker.py": TALKER.replace("'talker'", "'my-talker'")}
+    assert findings("NME002", node(name="good"), **bad) == []
+    (one,) = findings("NME002", node(), **bad)
+    assert (one.place.file, one.place.line) == ("robot/talker.py", 7)
+
+
+@pytest.mark.parametrize(
+    ("owner", "launch", "clash"),
+    [
+        ("/left", node(name="left"), False),
+        ("/talker", node(name="left"), True),
+        ("/talker", node('<remap from="chatter" to="words"/>', name="left"), False),
+        ("/talker", "", False),
+    ],
+)
+def test_who_publishes_is_who_is_launched(findings, owner, launch, clash):
+    config = {"archlint.toml": f'select = ["OWN003"]\n[owners]\n"/chatter" = "{owner}"\n'}
+    assert [one.node for one in findings("OWN003", launch, **config)] == (["/left"] if clash else [])

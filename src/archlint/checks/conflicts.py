@@ -31,6 +31,7 @@ def possible(endpoint: Endpoint) -> bool:
     return (
         endpoint.resolved
         and endpoint.error is None
+        and endpoint.node.error is None  # the node does not come up at all
         and endpoint.node.name is not None
         and not endpoint.node.test
         and not creation.destroyed

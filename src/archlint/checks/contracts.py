@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 
 from archlint.architecture import FORBID, INDEPENDENT, QOS, TYPES, Contract, Globs, matches
 from archlint.checks.conflicts import in_source_order
+from archlint.checks.launched_names import is_renamed
 from archlint.checks.links import Link, by_source, connections, counts, is_meant, links, named
 from archlint.checks.registry import Options, finding, rule
 from archlint.finding import Finding, Related
@@ -29,7 +30,7 @@ def not_the_declared_owner(system: System, options: Options) -> Iterator[Finding
             continue
         owners = options.owners[declared[0]]
         for end in in_source_order(end for end in connection.providers if counts(end)):
-            if not is_meant(owners, end.node):
+            if not is_meant(owners, end.node) and not is_renamed(system, end.node):
                 yield _not_the_owner(connection, end, owners)
 
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
+from archlint.checks.launched_names import is_given_by_launch, is_renamed, names_given_by_launch
 from archlint.checks.registry import Options, finding, rule
 from archlint.finding import Finding, Related
 from archlint.program.model import (
@@ -45,9 +46,11 @@ def _written_elsewhere(endpoints: list[Endpoint]) -> list[Related]:
 @rule("NME002")
 def invalid_name(system: System, options: Options) -> Iterator[Finding]:
     """Names of nodes and endpoints that rcl refuses."""
+    yield from names_given_by_launch(system)
     found: dict[tuple[Place, str], Finding] = {}
     for node in system.entries:
-        for one in (*_invalid_node(node), *_invalid_endpoints(node)):
+        own = () if is_renamed(system, node) else _invalid_node(node)
+        for one in (*own, *_invalid_endpoints(node)):
             found.setdefault((one.place, one.message), one)
     yield from (found[key] for key in sorted(found))
 
@@ -55,6 +58,8 @@ def invalid_name(system: System, options: Options) -> Iterator[Finding]:
 def _invalid_node(node: Node) -> Iterator[Finding]:
     blueprint = node.blueprint
     if node.error is None or blueprint is None or node.test or node.resolution == "partial":
+        return
+    if is_given_by_launch(node):
         return
     place = blueprint.name.origin or blueprint.place
     shown = node.name or blueprint.name.text or ""

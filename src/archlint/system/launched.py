@@ -5,6 +5,7 @@ from __future__ import annotations
 import posixpath
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
+from functools import cached_property
 from typing import TYPE_CHECKING
 
 from archlint.faults import Faults
@@ -51,6 +52,12 @@ class World:
     partial: bool = False
     """True where only files of one package, or single ones, of all that the configuration is for were asked for:
     what is not seen may be elsewhere."""
+
+    @cached_property
+    def started_by_launch(self) -> frozenset[object]:
+        """The nodes, by :func:`key_of`, that launched systems have under a final name."""
+        launched = (node for system in self.systems if system.name is not None for node in system.nodes)
+        return frozenset(key_of(n.blueprint) for n in launched if n.blueprint is not None and (n.name or n.error))
 
 
 class LaunchSystems:

@@ -1,0 +1,113 @@
+"""NME002 at the launch file that gives the bad name: launch, or rcl on the command line, refuses it."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from archlint.checks.registry import finding
+from archlint.finding import Finding, Related
+from archlint.system import names
+from archlint.system.launched import key_of
+from archlint.system.remap import RemapRule
+
+if TYPE_CHECKING:
+    from archlint.finding import Place
+    from archlint.program.launch.model import Remap, Started
+    from archlint.program.model import Text
+    from archlint.system.model import Node, System
+
+
+def names_given_by_launch(system: System) -> Iterator[Finding]:
+    """Every bad name that a launch file gives: of nodes, of namespaces, and in remappings; each cause once."""
+    told: dict[tuple[str, Place | str], list[Place]] = {}
+    found: dict[tuple[str, Place | str], Finding] = {}
+    for started in system.launched.started if system.launched is not None else ():
+        if started.dormant or started.kind == "process":
+            continue
+        for one, cause in _bad_names(started):
+            key = (one.message, cause)
+            found.setdefault(key, one)
+            told.setdefault(key, []).append(started.place)
+    for key, one in found.items():
+        others = [place for place in told[key][1:] if place not in (one.place, told[key][0])]
+        related = [Related(place, "this one is in it, too") for place in dict.fromkeys(others)]
+        yield finding(one.code, one.place, one.message, help=one.help, related=related, identity=one.identity)
+
+
+def is_given_by_launch(node: Node) -> bool:
+    """Whether what is wrong with the name of a node is the launch file's doing."""
+    return node.started is not None and any(key != "remap" for _, key in _wrong_of(node.started))
+
+
+def is_renamed(system: System, node: Node) -> bool:
+    """Whether launch files start a node of the open system: their systems have its final names."""
+    world = system.world
+    if system.launched is not None or world is None or node.blueprint is None:
+        return False
+    return key_of(node.blueprint) in world.started_by_launch
+
+
+def _wrong_of(started: Started) -> Iterator[tuple[names.InvalidName, str]]:
+    for text, check, key in (
+        (started.name, names.validate_node_name, "name"),
+        (started.namespace, names.validate_namespace, "namespace"),
+    ):
+        wrong = check(text.text) if text is not None and text.text is not None and _is_known(text) else None
+        if wrong is not None:
+            yield wrong, key
+
+
+def _bad_names(started: Started) -> Iterator[tuple[Finding, Place | str]]:
+    """Findings with what tells one cause from another: a place, or for a namespace that was pushed its name."""
+    for wrong, key in _wrong_of(started):
+        text = started.name if key == "name" else started.namespace
+        shown = "" if text is None or text.text is None else text.text
+        own = started.places.get(key)
+        what = "name of the node" if key == "name" else "namespace"
+        yield (
+            finding(
+                "NME002",
+                own or started.place,
+                f"ROS rejects the {what} '{shown}': {wrong.message}",
+                help="launch stops with an error when it comes to this node: use letters, digits and '_' only, "
+                "and no digit in front",
+                identity=(key, shown),
+            ),
+            own or shown,
+        )
+    for remap in started.remaps:
+        message = _refused(remap)
+        if message is not None:
+            yield (
+                finding(
+                    "NME002",
+                    remap.place,
+                    message,
+                    help="the process ends before its first node is made, for rcl refuses the rule: a name is made of "
+                    "parts of letters, digits and '_' with '/' between them, and no part starts with a digit",
+                    identity=("remap", remap.source.text or "", remap.target.text or ""),
+                ),
+                remap.place,
+            )
+
+
+def _refused(remap: Remap) -> str | None:
+    source, target = remap.source, remap.target
+    if source.text is None or target.text is None or not (_is_known(source) and _is_known(target)):
+        return None
+    try:
+        RemapRule.parse(f"{source.text}:={target.text}")
+    except ValueError as error:
+        wrong = names.validate_topic_name(target.text)
+        if wrong is not None:
+            return f"ROS rejects the name '{target.text}' that this remapping gives: {wrong.message}"
+        wrong = names.validate_topic_name(source.text)
+        if wrong is not None:
+            return f"ROS rejects the name '{source.text}' that this remapping is for: {wrong.message}"
+        return f"ROS rejects this remapping: {error}"
+    return None
+
+
+def _is_known(text: Text) -> bool:
+    return text.resolution in ("exact", "parameter")
