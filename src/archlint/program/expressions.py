@@ -18,6 +18,7 @@ from archlint.program.containers import (
     new_dict,
     new_list,
     slice_of,
+    unknown_item,
 )
 from archlint.program.decisions import narrow, truth
 from archlint.program.formatting import CARTESIAN, combine, format_one
@@ -199,7 +200,9 @@ def _comprehension(run: Run, e: facts.Comprehension) -> Value:
         else:
             open_ = open_ or items.open
             whole = whole and items.whole
-            values = items.values
+            # What is filled later is gone through once, with an item that is not known.
+            later = items.open and not items.whole and not items.values
+            values = (unknown_item(run, iterable, "what is in the collection is not known"),) if later else items.values
             run.items_left -= len(values)
         for item in values:
             assign(run, generator.target, item)

@@ -17,10 +17,11 @@ from archlint.faults import Faults
 from archlint.finding import Place
 from archlint.program import calls, definitions, escapes, model
 from archlint.program.api import command_line, nodes
+from archlint.program.attributes import class_lookup
 from archlint.program.helpers import Holders, note_holders, note_unfollowed, prune_uncalled, settle_helpers
 from archlint.program.interest import interesting, names_in
 from archlint.program.modules import Module, ModuleIndex
-from archlint.program.roots import enter_root, finish, run_callbacks, run_pending
+from archlint.program.roots import enter_root, finish, flags_of, run_callbacks, run_pending
 from archlint.program.run import TEST_STEPS, Activation, Run
 from archlint.program.store import Store
 from archlint.program.values import (
@@ -262,8 +263,8 @@ class Linker:
         ]
 
     def _run_classes(self, classes: list[tuple[Module, ClassValue]]) -> None:
-        """Node classes that nothing makes: once, with the constructor's defaults.  A class that others here
-        derive from is covered by them."""
+        """Node classes that nothing makes: once, with the constructor's defaults, flags either way.  A class that
+        others here derive from is covered by them."""
         bases = {id(base) for _, cls in classes for base in cls.mro[1:]}
         for last in (False, True):
             for module, cls in classes:
@@ -274,7 +275,8 @@ class Linker:
         run = self.new_run(cls.qualified, module, "init")
         run.program.executable = False
         with _Program(self, run, module, _place_of(cls)):
-            definitions.instantiate(run, cls, [], {})
+            init, _ = class_lookup(run, cls, "__init__")
+            definitions.instantiate(run, cls, [], flags_of(init))
 
     def _run_rest(self, modules: list[Module], classes: list[tuple[Module, ClassValue]], test: bool) -> None:
         candidates: list[tuple[Module, ClassValue | FunctionValue]] = [
@@ -300,7 +302,7 @@ class Linker:
                     run = self.new_run(value.qualified, module, "method")
                     run.program.executable = False
                     with _Program(self, run, module, _place_of(value)):
-                        made = calls.call(run, value, [], {})
+                        made = calls.call(run, value, [], flags_of(value))
                         escapes.escape(run, [made], f"{value.qualified}() returns it, and nothing here calls that")
 
 

@@ -8,6 +8,7 @@ from archlint.facts import model as facts
 from archlint.program import calls, definitions, escapes, model
 from archlint.program.api import executors
 from archlint.program.api.callbacks import GOAL_HANDLE, describe
+from archlint.program.growing import open_up
 from archlint.program.interest import interesting, names_in
 from archlint.program.modules import Module
 from archlint.program.run import EXTRA_STEPS, FEW_STEPS, ROOTS, SELF_STARTS, STEPS, Activation, Pending, Run
@@ -22,6 +23,7 @@ from archlint.program.values import (
     Instance,
     Known,
     NodeValue,
+    OneOf,
     Unknown,
     Value,
     alternatives,
@@ -68,6 +70,7 @@ def run_callbacks(run: Run) -> None:
 
 def run_pending(run: Run) -> None:
     """Run the callbacks that were handed over so far, and those that they hand over."""
+    open_up(run)
     while run.pending:
         pending = run.pending.pop(0)
         if pending.lineage.count(id(pending.callback.function)) >= SELF_STARTS:
@@ -233,6 +236,20 @@ def _uncalled_arguments(ir: facts.Function, bound: int) -> tuple[Value, ...]:
         # A default stands before a flag: positional arguments would replace it.
         known = next(number for number, value in enumerate(given) if value is NONE)
     return tuple(given[:known])
+
+
+def flags_of(function: Value | None) -> dict[str, Value]:
+    """Arguments for what nothing calls: flags (parameters whose default is a truth value) are either way, since a
+    caller may set them."""
+    if not isinstance(function, FunctionValue):
+        return {}
+    return {
+        param.name: OneOf((Known(param.default.value), Known(not param.default.value)))
+        for param in function.ir.params
+        if param.kind in ("normal", "keyword_only")
+        and isinstance(param.default, facts.Literal)
+        and isinstance(param.default.value, bool)
+    }
 
 
 def bind_quietly(function: FunctionValue, instance: Instance, owner: ClassValue) -> Value:

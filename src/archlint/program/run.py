@@ -147,6 +147,8 @@ class Run:
         self.instances: dict[int, Instance] = {}
         self.argv: Value | None = None
         """The list ``sys.argv``, where the command line is known."""
+        self.opened: set[int] = set()
+        """Objects whose empty collections no longer count as empty, by key."""
         self.escaped: dict[int, escapes.Escape] = {}
         """Objects that code has which is not followed, by key."""
         self.shared: list[escapes.Shared] = []

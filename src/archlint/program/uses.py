@@ -97,7 +97,7 @@ class _Same:
         return isinstance(other, _Same) and other.fact is self.fact
 
 
-def _walk(fact: object) -> Iterator[object]:
+def everything_in(fact: object) -> Iterator[object]:
     """Every fact inside another, in the order of the source."""
     stack: list[object] = [fact]
     while stack:
@@ -111,12 +111,12 @@ def _walk(fact: object) -> Iterator[object]:
 
 @lru_cache(maxsize=4096)
 def _functions(key: _Same) -> tuple[facts.Function, ...]:
-    return tuple(item for item in _walk(key.fact) if isinstance(item, facts.Function))
+    return tuple(item for item in everything_in(key.fact) if isinstance(item, facts.Function))
 
 
 @lru_cache(maxsize=20_000)
 def _imports(key: _Same, name: str) -> bool:
-    for item in _walk(key.fact):
+    for item in everything_in(key.fact):
         if isinstance(item, facts.Import) and name in item.module.split("."):
             return True
         if isinstance(item, facts.ImportFrom) and name in (*item.module.split("."), *(one for one, _ in item.names)):
@@ -140,4 +140,4 @@ def class_variables(ir: facts.Class) -> frozenset[str]:
     return _variables(_Same(ir))
 
 
-__all__ = ["Root", "bare", "class_variables", "unseen_use", "variables"]
+__all__ = ["Root", "bare", "class_variables", "everything_in", "unseen_use", "variables"]
