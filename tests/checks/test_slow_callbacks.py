@@ -110,6 +110,18 @@ def test_nobody_writes_an_action_for_a_moment(run: Run, body: str, expected: lis
     assert codes(run(source("self.create_service(SetBool, 'home', self.handle)\n", method))) == expected
 
 
+def test_a_handler_is_told_where_it_takes_long(run: Run):
+    method = """
+    def handle(self, request, response):
+        time.sleep(0.5)
+        while read():
+            time.sleep(0.05)
+        return response
+    """
+    [found] = run(source("self.create_service(SetBool, 'home', self.handle)\n", method))
+    assert "sleeps for 0.05 s each time round a loop" in found.message
+
+
 def test_the_waits_of_a_function_are_one_finding(run: Run):
     method = """
     def tick(self):

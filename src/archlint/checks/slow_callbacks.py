@@ -68,10 +68,15 @@ def long_running_service(system: System, options: Options) -> Iterator[Finding]:
         if stay is not None and stay.kind == "sleep" and not _around_future(call):
             handlers.setdefault((program, call.context.place), []).append((call, stay))
     yield from one_for_each_place(
-        _long_service(system, program, sorted(sleeps, key=lambda one: one[0].place))
+        _long_service(system, program, sorted(sleeps, key=_endless_first))
         for (program, _), sleeps in handlers.items()
         if _in_all(sleeps) >= LONG
     )
+
+
+def _endless_first(sleep: tuple[ApiCall, Stay]) -> tuple[bool, Place]:
+    """What has no known end is what makes a handler long."""
+    return (not math.isinf(_in_loops(*sleep)), sleep[0].place)
 
 
 def _in_all(sleeps: Sequence[tuple[ApiCall, Stay]]) -> float:
