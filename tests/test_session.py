@@ -477,3 +477,13 @@ def test_the_graph_shows_what_was_asked_for():
     assert [node.name for node in graph(request).nodes] == ["/other"]
     implicit = {endpoint.name for endpoint in graph(request, everything=True).endpoints}
     assert {"/other/get_parameters", "/rosout", "/chatter"} <= implicit
+
+
+def test_a_large_file_is_hashed_piece_by_piece(monkeypatch: pytest.MonkeyPatch):
+    from archlint import run_cache
+
+    file = write("map.yaml", "x" * 1_000)
+    whole = run_cache._digest(file)
+    monkeypatch.setattr(run_cache, "_PIECE", 7)
+    monkeypatch.setattr(Path, "read_bytes", lambda path: pytest.fail(f"{path} is read at once"))
+    assert run_cache._digest(file) == whole

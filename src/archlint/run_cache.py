@@ -25,6 +25,9 @@ if TYPE_CHECKING:
     from archlint.workspace.tree import SourceTree
 
 
+_PIECE = 1_000_000
+
+
 class RunCache:
     """The record of one request over one state of a workspace."""
 
@@ -116,7 +119,13 @@ class RunCache:
 def _digest(path: Path) -> str | None:
     """A hash of a file's content; None for what cannot be read, or is no regular file."""
     try:
-        return hashlib.sha256(path.read_bytes()).hexdigest() if path.is_file() else None
+        if not path.is_file():
+            return None
+        digest = hashlib.sha256()
+        with path.open("rb") as stream:  # piece by piece: a bag or a map may lie among the YAML files
+            while piece := stream.read(_PIECE):
+                digest.update(piece)
+        return digest.hexdigest()
     except OSError:
         return None
 
