@@ -246,6 +246,15 @@ def test_what_was_probably_meant(judge: Judge):
     assert found.message == "sensor_msgs/msg/LaserScan has no field 'Ranges'; did you mean 'ranges'?"
 
 
+def test_all_that_a_file_expects_of_one_message_is_one_finding(judge: Judge):
+    lines = ("print(scan.Ranges)  # here", "print(scan.Header)", "scan.Ranges = []")
+    [found] = judge("MSG001", node(on_scan="\n            ".join(lines)))
+    assert [(one.place.line, one.message) for one in found.related] == [
+        (24, "nor has it 'Header'; did you mean 'header'?"),
+        (25, "nor here"),
+    ]
+
+
 def test_a_name_of_ros_1(judge: Judge):
     [found] = judge("MSG001", node(on_scan="print(scan.header.stamp.nsecs)  # here"))
     assert found.message == "builtin_interfaces/msg/Time has no field 'nsecs'; did you mean 'nanosec'?"

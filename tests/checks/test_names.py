@@ -405,3 +405,14 @@ class TestInvalidName:
                 "node.create_publisher(String, topic, 10)  # here",
             ),
         )
+
+    def test_a_node_with_a_bad_name_has_other_bad_names_too(self, judge: Judge):
+        judge(
+            "NME002",
+            script(
+                "node = rclpy.create_node('my-script')  # here",
+                "node.create_publisher(String, 'my-words', 10)  # here",
+                "node.create_publisher(String, 'words', 10)",
+                "node.create_client(Trigger, '~go')  # here",
+            ),
+        )

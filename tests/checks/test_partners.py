@@ -85,6 +85,8 @@ def test_names_of_tools_and_of_others_are_left_out():
         ("/sensor_dat", "/sensor_data"),
         ("/imu/data", "/imu_data"),
         ("/odom", "/doom"),
+        ("/left_wheel_speed", "/speed_left_wheel"),
+        ("/front_scn", "/front_scan"),
     ],
 )
 def test_names_that_are_nearly_equal(one: str, other: str):
@@ -106,6 +108,8 @@ def test_names_that_are_nearly_equal(one: str, other: str):
         ("/cmd_vel", "/cmd_acc"),
         ("/vel_min", "/vel_mini_max"),
         ("/current_mode", "/current_node"),
+        ("/map_to_odom", "/odom_to_map"),
+        ("/left_wheel_speed", "/right_speed_wheel"),
     ],
 )
 def test_names_that_differ_on_purpose(one: str, other: str):

@@ -135,6 +135,8 @@ def test_one_mistake_is_told_once_however_many_arguments_take_part(
         "        for name in ('front', 'middle', 'rear')\n"
         "    ])\n"
     )
+    driver = tmp_path / "src/base/base/driver.py"
+    driver.write_text(driver.read_text() + "\n\ndef say(driver):\n    driver.odometry.publish(Odometry())\n")
 
     main(["check", "--no-cache", "--select", "OWN001", "--format", "json", "--launch", LAUNCH_FILE])
 

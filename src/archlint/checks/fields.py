@@ -6,6 +6,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
+from archlint.checks.folding import folds
 from archlint.checks.names import WORDS
 from archlint.checks.near import did_you_mean
 from archlint.checks.registry import Options, finding, rule
@@ -52,6 +53,7 @@ def _of_one_type(use: FieldUse, others: Sequence[FieldUse]) -> Finding:
     by = f"a {word}" if name is None else f"the {word} '{name}'"
     return replace(
         found,
+        group=(),
         message=f"{found.message}, and {by} delivers such messages to this code",
         help="give each type a callback of its own, or ask isinstance() before",
         related=(
@@ -72,7 +74,24 @@ def _unknown_field(use: FieldUse) -> Finding:
         help=f"this line raises {raised} when it runs; the {what}s are {_listed(use.fields)}",
         node=None if use.node is None else use.node.name.text,
         identity=(use.type, use.part, use.name, use.access),
+        group=(use.place.file, use.type, use.part, "constant" if use.access == "constant" else "field"),
     )
+
+
+@folds("MSG001")
+def of_one_message(findings: Sequence[Finding]) -> Finding:
+    """The finding for all fields that a file expects of one message: it is mostly taken for another one."""
+    first = findings[0]
+    also = [Related(one.place, _also(one, first)) for one in findings if one.place != first.place]
+    names = sorted({one.identity[2] for one in findings})
+    return replace(first, related=(*first.related, *also), identity=(*first.identity[:2], *names, first.identity[3]))
+
+
+def _also(finding: Finding, first: Finding) -> str:
+    if finding.identity[2] == first.identity[2]:
+        return "nor here"
+    name = f"'{finding.identity[2]}'"
+    return f"nor has it {name}{finding.message.partition(name)[2]}"
 
 
 def _instead(use: FieldUse) -> str:

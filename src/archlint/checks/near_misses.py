@@ -18,7 +18,10 @@ _LONG_WORD = 7
 _SHORT_WORD = 4
 """Shorter words that differ are different words: ``in`` and ``on``."""
 _SHORT_STEM = 3
-"""A word this short that lacks a letter is a slip where words around it agree: ``cmd_vell``, ``robot_pos``."""
+"""A word this short that lacks a letter is a slip where words around it agree: ``cmd_vell``, ``robot_pos``,
+``front_scn``."""
+_POSITIONS = frozenset({"to", "from", "in", "of", "by", "for", "with", "and", "or", "vs", "per", "2"})
+"""Words that give the order of the others a meaning: ``map_to_odom`` and ``odom_to_map``."""
 
 
 @rule("TOP004")
@@ -89,6 +92,8 @@ def _slip(one: str, other: str) -> bool:
     mine, yours = one.split("_"), other.split("_")
     if len(mine) != len(yours):
         return False
+    if len(mine) > 1 and sorted(mine) == sorted(yours):
+        return not _POSITIONS.intersection(mine)  # the same words in another order
     words = [(left, right) for left, right in zip(mine, yours, strict=True) if left != right]
     return len(words) == 1 and _misspelt(*words[0], alone=len(mine) == 1)
 
@@ -98,7 +103,8 @@ def _misspelt(one: str, other: str, alone: bool) -> bool:
     if any(letter.isdigit() for letter in one + other) or tuple(sorted((one, other))) in OPPOSITES:
         return False
     if short == _SHORT_STEM and not alone:
-        return len(one) != len(other) and (one.startswith(other) or other.startswith(one))
+        ends_alike = (one[0], one[-1]) == (other[0], other[-1]) and distance(one, other, 1) == 1
+        return len(one) != len(other) and (one.startswith(other) or other.startswith(one) or ends_alike)
     if short < _SHORT_WORD or (short < _LONG_WORD and len(one) == len(other) and one[0] != other[0] != one[1]):
         return False  # a short word with another first letter is another word: point and joint
     limit = 2 if short >= _LONG_WORD else 1

@@ -82,7 +82,8 @@ def _says_what_happens(topic: str) -> bool:
 
 def _has_launch_files(system: System) -> bool:
     """Whether launch files say what runs together: what none of them starts together are mostly alternatives."""
-    return system.world is not None and any(other.launched is not None for other in system.world.systems)
+    systems = system.world.systems if system.world is not None else []
+    return any(other.launched is not None and bool(other.launched.started) for other in systems)
 
 
 def _several_owners(system: System, connection: Connection) -> Iterator[list[Endpoint]]:

@@ -130,8 +130,7 @@ def _cautious(text: Text, weakest: Text, kind: str, own: NodeName, rules: Sequen
         final = _expand(text.text, own)
     if isinstance(final, InvalidName):
         shown = names.substitute(text.text, own.name.text or "", own.namespace.text or "/")
-        error = None if own.error else final.message
-        return FinalName(shown, error, weakest.resolution, weakest.parameter, weakest.reason)
+        return FinalName(shown, final.message, weakest.resolution, weakest.parameter, weakest.reason)
     plain = FinalName(final, None, weakest.resolution, weakest.parameter, weakest.reason)
     return _remapped(plain, kind, own, rules) if rules else plain
 
