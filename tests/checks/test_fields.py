@@ -246,13 +246,90 @@ def test_what_was_probably_meant(judge: Judge):
     assert found.message == "sensor_msgs/msg/LaserScan has no field 'Ranges'; did you mean 'ranges'?"
 
 
-def test_all_that_a_file_expects_of_one_message_is_one_finding(judge: Judge):
-    lines = ("print(scan.Ranges)  # here", "print(scan.Header)", "scan.Ranges = []")
-    [found] = judge("MSG001", node(on_scan="\n            ".join(lines)))
-    assert [(one.place.line, one.message) for one in found.related] == [
-        (24, "nor has it 'Header'; did you mean 'header'?"),
-        (25, "nor here"),
+def test_one_misspelled_name_is_one_finding(judge: Judge):
+    lines = ("print(scan.Ranges)  # here", "print(scan.Header)  # here", "scan.Ranges = []")
+    ranges, header = judge("MSG001", node(on_scan="\n            ".join(lines)))
+    assert ranges.message == (
+        "sensor_msgs/msg/LaserScan has no field 'Ranges', used at 2 places of Driver; did you mean 'ranges'?"
+    )
+    assert [(one.place.line, one.message) for one in ranges.related] == [(25, "'Ranges' is used here")]
+    assert header.message == "sensor_msgs/msg/LaserScan has no field 'Header'; did you mean 'header'?"
+
+
+MONITOR = """
+    import rclpy
+    from nav_msgs.msg import OccupancyGrid
+    from rclpy.node import Node
+
+
+    class Monitor(Node):
+        def __init__(self):
+            super().__init__('monitor')
+            self.info = None
+            self.create_subscription(OccupancyGrid, 'map', self.on_map, 10)
+            self.create_timer(1.0, self.tell)
+            self.create_timer(2.0, self.compare)
+
+        def on_map(self, grid):
+            self.info = grid{kept}
+
+        def tell(self):
+            if self.info is not None:
+                print(self.info.resolution){first}
+                print(self.info.{origin}.position.x)
+
+        def compare(self):
+            if self.info is not None:
+                print(self.info.resolution * 2){allowed}
+
+
+    def main():
+        rclpy.init()
+        rclpy.spin(Monitor())
+
+
+    if __name__ == '__main__':
+        main()
+"""
+
+
+def monitor(kept: str = "", first: str = HERE, origin: str = "origin", allowed: str = "") -> str:
+    return MONITOR.format(kept=kept, first=first and f"  {first}", origin=origin, allowed=allowed)
+
+
+def test_one_wrong_value_is_one_finding(judge: Judge):
+    [found] = judge("MSG001", monitor())
+    assert found.message == (
+        "nav_msgs/msg/OccupancyGrid has no fields 'resolution' and 'origin', used at 3 places of Monitor; "
+        "did you mean those of 'info'?"
+    )
+    assert found.help.startswith("these lines raise AttributeError when they run; the fields are header, info")
+    assert [one.message for one in found.related] == ["'origin' is used here", "'resolution' is used here"]
+    assert [one.place.line - found.place.line for one in found.related] == [1, 5]
+
+
+def test_the_right_value_at_the_same_places(judge: Judge):
+    judge("MSG001", monitor(kept=".info", first=""))
+
+
+def test_what_is_turned_off_is_not_counted(judge: Judge):
+    [found] = judge("MSG001", monitor(allowed="  # archlint: ignore[MSG001]"))
+    assert "used at 2 places" in found.message
+
+
+def test_names_of_different_causes_are_findings_of_their_own(judge: Judge):
+    found = judge(
+        "MSG001", monitor(first="# here", origin="haeder.stamp)  # here\n                print(self.info.origin")
+    )
+    assert [one.message.partition("; ")[2] for one in found] == [
+        "did you mean those of 'info'?",
+        "did you mean 'header'?",
     ]
+
+
+def test_a_field_of_the_message_inside(judge: Judge):
+    [found] = judge("MSG001", node(on_path="print(path.poses[0].position)  # here"))
+    assert found.message == "geometry_msgs/msg/PoseStamped has no field 'position'; did you mean 'pose.position'?"
 
 
 def test_a_name_of_ros_1(judge: Judge):

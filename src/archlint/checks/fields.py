@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
@@ -10,6 +10,7 @@ from archlint.checks.folding import folds
 from archlint.checks.names import WORDS
 from archlint.checks.near import did_you_mean
 from archlint.checks.registry import Options, finding, rule
+from archlint.checks.whole import enclosing_class
 from archlint.finding import Related
 
 if TYPE_CHECKING:
@@ -35,18 +36,18 @@ def unknown_field(system: System, options: Options) -> Iterator[Finding]:
     for place in sorted(uses):
         missing = sorted((use for use in uses[place] if use.exists is False), key=lambda use: (use.type, use.part))
         if len(missing) == len(uses[place]):
-            yield _unknown_field(missing[0])
+            yield _unknown_field(system, missing[0])
             continue
         certain = [use for use in missing if use.delivered is not None and use.delivered.place not in told]
         if certain:  # once for each that delivers: the first use ends the callback
             told.update(use.delivered.place for use in certain if use.delivered is not None)
-            yield _of_one_type(certain[0], uses[place])
+            yield _of_one_type(system, certain[0], uses[place])
 
 
-def _of_one_type(use: FieldUse, others: Sequence[FieldUse]) -> Finding:
+def _of_one_type(system: System, use: FieldUse, others: Sequence[FieldUse]) -> Finding:
     """The finding for a callback that several subscriptions or the like share, of which not all messages have the
     field."""
-    found = _unknown_field(use)
+    found = _unknown_field(system, use)
     assert use.delivered is not None
     having = sorted({one.delivered.place for one in others if one.exists and one.delivered is not None})
     word, name = WORDS.get(use.delivered.kind, ""), use.delivered.name.text
@@ -63,40 +64,65 @@ def _of_one_type(use: FieldUse, others: Sequence[FieldUse]) -> Finding:
     )
 
 
-def _unknown_field(use: FieldUse) -> Finding:
+def _unknown_field(system: System, use: FieldUse) -> Finding:
     of = f"the {_WRAPPERS.get(use.part, use.part.lower())} of {use.type}" if use.part else use.type
     what = "constant" if use.access == "constant" else "field"
-    raised = "TypeError or AssertionError" if use.access == "keyword" else "AttributeError"
+    meant, near = _meant(use)
+    owner = enclosing_class(system.world, use.place) or ""
     return finding(
         "MSG001",
         use.place,
-        f"{of} has no {what} '{use.name}'{_instead(use)}",
-        help=f"this line raises {raised} when it runs; the {what}s are {_listed(use.fields)}",
+        f"{of} has no {what} '{use.name}'{_instead(meant, near, [use.name])}",
+        help=f"this line raises {_raised([use.access])} when it runs; the {what}s are {_listed(use.fields)}",
         node=None if use.node is None else use.node.name.text,
         identity=(use.type, use.part, use.name, use.access),
-        group=(use.place.file, use.type, use.part, "constant" if use.access == "constant" else "field"),
+        group=(use.place.file, owner, of, what, meant, near, _listed(use.fields)),
     )
 
 
-@folds("MSG001")
-def of_one_message(findings: Sequence[Finding]) -> Finding:
-    """The finding for all fields that a file expects of one message: it is mostly taken for another one."""
-    first = findings[0]
-    also = [Related(one.place, _also(one, first)) for one in findings if one.place != first.place]
-    names = sorted({one.identity[2] for one in findings})
-    return replace(first, related=(*first.related, *also), identity=(*first.identity[:2], *names, first.identity[3]))
+def _raised(accesses: Iterable[str]) -> str:
+    keywords = {access == "keyword" for access in accesses}
+    if len(keywords) > 1:
+        return "an exception"
+    return "TypeError or AssertionError" if True in keywords else "AttributeError"
 
 
-def _also(finding: Finding, first: Finding) -> str:
-    if finding.identity[2] == first.identity[2]:
-        return "nor here"
-    name = f"'{finding.identity[2]}'"
-    return f"nor has it {name}{finding.message.partition(name)[2]}"
-
-
-def _instead(use: FieldUse) -> str:
+def _meant(use: FieldUse) -> tuple[str, str]:
+    """What fields that have one cause agree in, and the words for a name that is near: all that are in another message
+    that this one holds (its name and a dot), each misspelled name by itself, and all those that nothing explains."""
     renamed = _IN_ROS_1.get(use.name)
-    return f"; did you mean '{renamed}'?" if renamed in use.fields else did_you_mean(use.name, use.fields)
+    if renamed in use.fields:
+        return use.name, f"; did you mean '{renamed}'?"
+    if use.inside is not None and use.access != "keyword":
+        return f"{use.inside}.", ""
+    near = did_you_mean(use.name, use.fields)
+    return (use.name if near else ""), near
+
+
+def _instead(meant: str, near: str, names: Sequence[str]) -> str:
+    if not meant.endswith("."):
+        return near
+    those = f"'{meant}{names[0]}'" if len(names) == 1 else f"those of '{meant[:-1]}'"
+    return f"; did you mean {those}?"
+
+
+@folds("MSG001")
+def of_one_cause(findings: Sequence[Finding]) -> Finding:
+    """The finding for all fields that one class takes for those of a message: at the first, the others related."""
+    first = findings[0]
+    _, owner, of, what, meant, near, listed = first.group
+    names = list(dict.fromkeys(one.identity[2] for one in findings))
+    shown = [f"'{name}'" for name in names]
+    where = f"used at {len(findings)} places" + (f" of {owner}" if owner else " of this file")
+    several = f"s {', '.join(shown[:-1])} and {shown[-1]}" if len(names) > 1 else f" {shown[0]}"
+    raised = _raised(one.identity[3] for one in findings)
+    return replace(
+        first,
+        message=f"{of} has no {what}{several}, {where}{_instead(meant, near, names)}",
+        help=f"these lines raise {raised} when they run; the {what}s are {listed}",
+        related=tuple(Related(one.place, f"'{one.identity[2]}' is used here") for one in findings[1:]),
+        identity=(*first.identity[:2], *names),
+    )
 
 
 @rule("MSG002")

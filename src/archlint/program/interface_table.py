@@ -206,6 +206,20 @@ class InterfaceTable:
         kind = found.type
         return FieldType(kind.qualified(name.partition("/")[0]), kind.array, kind.size, kind.string_bound)
 
+    def inside(self, name: str, part: str, attribute: str) -> str | None:
+        """The one field of a message whose message has a field of this name; None where there is none, or several."""
+        section = self.section(name, part)
+        inner = [(field.name, self._held(name, part, field.name)) for field in (section.fields if section else ())]
+        having = [field for field, (kind, of) in inner if kind and self.has(kind, of, attribute)]
+        return having[0] if len(having) == 1 else None
+
+    def _held(self, name: str, part: str, field: str) -> tuple[str, str]:
+        """The interface and the part that a field holds; empty where it holds something else, or several."""
+        if part in _WRAPPERS:
+            return (name, field.capitalize()) if field in ("result", "feedback") else ("", "")
+        kind = self.field_type(name, part, field)
+        return ("", "") if kind is None or kind.is_primitive or kind.array else (kind.name, "")
+
     def _varies(self, name: str, field: str) -> bool:
         standard = standard_interfaces.table().interfaces.get(name)
         return standard is not None and field in standard.varies

@@ -83,6 +83,7 @@ def note_use(run: Run, value: Value, name: str, span: Span, access: str) -> None
             fields,
             run.context.node,
             delivered,
+            inside=run.interfaces.inside(message.type, message.part, name) if known is False else None,
         )
     )
 

@@ -351,7 +351,7 @@ class FieldUse:
     what looks like one and is read from the class.
 
     ``type`` and ``part`` are those of the message.  ``exists`` is None where its definition is not known; where
-    it is False, ``fields`` are those that the message has.
+    it is False, ``fields`` are those that the message has, and ``inside`` is the one whose own message has the name.
     """
 
     place: Place
@@ -364,6 +364,7 @@ class FieldUse:
     node: Blueprint | None = None
     delivered: Creation | None = None
     """What calls with the message, where this use of it certainly is reached whatever its type."""
+    inside: str | None = None
 
 
 @dataclass(frozen=True)
