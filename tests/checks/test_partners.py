@@ -309,3 +309,22 @@ def test_the_one_node_that_holds_two_parts_together():
 
 def test_a_second_way_is_enough():
     assert findings(system(*chain(node("/bridge", subscriber("plans"), publisher("commands")))), "GRF004") == []
+
+
+def test_in_the_smallest_system_the_node_in_the_middle_is_the_single_point_of_failure():
+    middle = node("/control", subscriber("/scan"), publisher("/cmd"))
+    ends = [node("/sensor", publisher("/scan")), node("/motor", subscriber("/cmd"))]
+    [found] = findings(system(middle, *ends), "GRF004")
+    assert found.node == "/control"
+    assert found.message == "without /control the system falls into 2 parts: {/motor}, {/sensor}"
+    assert findings(system(*ends), "GRF004") == []
+
+
+def test_a_node_that_hangs_on_a_larger_system_alone_splits_nothing():
+    ring = [
+        node("/a", publisher("/ab"), subscriber("/ca")),
+        node("/b", publisher("/bc"), subscriber("/ab")),
+        node("/c", publisher("/ca"), subscriber("/bc"), publisher("/led")),
+        node("/lamp", subscriber("/led")),
+    ]
+    assert findings(system(*ring), "GRF004") == []

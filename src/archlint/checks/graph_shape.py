@@ -82,7 +82,7 @@ def _rate_of(system: System, end: Endpoint, known: dict[int, float]) -> float:
 
 @rule("GRF004")
 def single_point_of_failure(system: System, options: Options) -> Iterator[Finding]:
-    """Nodes without which the rest falls into parts of two nodes and more."""
+    """Nodes without which the rest falls into parts."""
     # Somebody unseen, or under a name that is not known, may tie the parts.
     known = in_sight(system) and all(end.resolved for end in system.endpoints)
     for node, parts in splits(system) if known and _runs(system) else ():

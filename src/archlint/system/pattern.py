@@ -78,7 +78,8 @@ def figures(system: System) -> Figures:
     made.components = sum(len(group) > 1 for group in groups)
     made.isolated = sum(len(group) == 1 for group in groups)
     made.chain = _longest_chain(system, nodes)
-    made.bridges = [node.name or "?" for node, _ in splits(system)]
+    # Where single nodes are left, the line of the hub says it.
+    made.bridges = [node.name or "?" for node, parts in splits(system) if len(parts[0]) > 1]
     made.pattern = _pattern(made, by_degree, sources, targets)
     return made
 

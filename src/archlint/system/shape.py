@@ -40,8 +40,11 @@ def plain_graph(system: System) -> networkx.Graph:
 
 
 def splits(system: System) -> list[tuple[Node, list[list[Node]]]]:
-    """The nodes without which others fall into parts, with the parts; only parts of two nodes and more count,
-    and there are two of them at least."""
+    """The nodes without which others fall into parts, with the parts.
+
+    Parts of two nodes and more count, and there are two of them at least; or nobody is left connected at all, as
+    in the smallest system, where one node stands between two.
+    """
     import networkx
 
     graph = plain_graph(system)
@@ -53,7 +56,8 @@ def splits(system: System) -> list[tuple[Node, list[list[Node]]]]:
             [nodes[one] for one in part if one in nodes]
             for part in networkx.connected_components(graph.subgraph(around))
         ]
-        large = [part for part in parts if len(part) > 1]
-        if len(large) > 1:
-            found.append((nodes[key], large))
+        parts = [part for part in parts if part]
+        counted = [part for part in parts if len(part) > 1] or parts
+        if len(counted) > 1:
+            found.append((nodes[key], counted))
     return sorted(found, key=lambda entry: entry[0].name or "")
