@@ -313,13 +313,9 @@ def settle(run: Run) -> None:
                 mark(node, Escape(shared.place, f"it is kept in '{shared.root.name}': {how}"))
 
 
-def holders(run: Run, instance: Instance) -> frozenset[str]:
-    """The attributes of an object that lead to a node."""
-    return frozenset(
-        slot
-        for slot in run.store.held.get(instance.key, ())
-        if isinstance(slot, str) and _leads_to_node(run, run.store.get(instance.key, slot))
-    )
+def holders(run: Run, instance: Instance, names: Iterable[str]) -> frozenset[str]:
+    """Which of these attributes of an object lead to a node."""
+    return frozenset(name for name in names if _leads_to_node(run, run.store.get(instance.key, name)))
 
 
 def _leads_to_node(run: Run, value: object) -> bool:

@@ -212,10 +212,11 @@ def _run_methods(run: Run) -> bool:
 
 def _hands_on(run: Run, instance: Instance, ir: facts.Function) -> bool:
     """Whether a method of a node, or of what holds one, does more with the node than use it."""
-    names = escapes.holders(run, instance)
-    if instance.key in run.blueprints and ir.params:
-        names |= {ir.params[0].name}
-    return bool(names) and bare(ir, names)
+    if instance.key in run.blueprints and ir.params and bare(ir, frozenset({ir.params[0].name})):
+        return True
+    held = names_in(ir).intersection(slot for slot in run.store.held.get(instance.key, ()) if isinstance(slot, str))
+    # What an attribute leads to takes far longer to find out than what the method does with it.
+    return bool(held) and bare(ir, held) and bare(ir, escapes.holders(run, instance, held))
 
 
 def _uncalled_arguments(ir: facts.Function, bound: int) -> tuple[Value, ...]:
