@@ -956,3 +956,33 @@ def test_a_name_that_launch_files_replace_is_judged_as_they_give_it(findings):
 def test_who_publishes_is_who_is_launched(findings, owner, launch, clash):
     config = {"archlint.toml": f'select = ["OWN003"]\n[owners]\n"/chatter" = "{owner}"\n'}
     assert [one.node for one in findings("OWN003", launch, **config)] == (["/left"] if clash else [])
+
+
+def test_a_name_that_waits_for_an_argument_is_not_bad(findings):
+    """Without a value for ``robot`` nothing works, and nobody starts it so."""
+    text = '<arg name="robot" default="{}"/><node pkg="robot" exec="talker"><remap from="{}" to="pose"/></node>'
+    assert findings("NME002", text.format("", "/model/$(var robot)/pose")) == []
+    (one,) = findings("NME002", text.format("", "/model/2d/pose"))
+    assert "2d" in one.message
+    assert len(findings("NME002", text.format("a", "/model//pose"))) == 1
+
+
+# ------------------------------------------------------------------------------------- LCH003, one cause
+
+
+def test_a_file_that_takes_no_argument_is_told_once_for_all_that_hand_it_over(findings):
+    inner = {"launch/inner.launch.xml": '<launch><arg name="speed" default="1"/></launch>'}
+    include = '<include file="$(find-pkg-share robot)/launch/inner.launch.xml"><arg name="gain" value="1"/></include>'
+    files = {f"launch/{name}.launch.xml": f"<launch>{include}</launch>" for name in ("first", "second", "third")}
+    (one,) = findings("LCH003", **inner, **files)
+    assert one.place.file == "launch/first.launch.xml"
+    assert [related.place.file for related in one.related] == ["launch/second.launch.xml", "launch/third.launch.xml"]
+    assert one.severity.label == "warning"
+
+
+def test_use_sim_time_handed_over_as_a_matter_of_course_is_information(findings):
+    inner = {"launch/inner.launch.xml": '<launch><arg name="speed" default="1"/></launch>'}
+    given = '<arg name="use_sim_time" value="false"/>'
+    outer = f'<include file="$(find-pkg-share robot)/launch/inner.launch.xml">{given}</include>'
+    (one,) = findings("LCH003", outer, **inner)
+    assert one.severity.label == "info"

@@ -14,14 +14,17 @@ from archlint.finding import Finding
 Fold = Callable[[Sequence[Finding]], Finding]
 
 _FOLDS: dict[str, Fold] = {}
+_ACROSS_SYSTEMS: set[str] = set()
 
 
-def folds(code: str) -> Callable[[Fold], Fold]:
+def folds(code: str, *, across_systems: bool = False) -> Callable[[Fold], Fold]:
     """Register the decorated function as what makes one finding of several of the rule with this code: they come in
-    the order of their places."""
+    the order of their places.  ``across_systems`` also folds what several launch files show."""
 
     def register(function: Fold) -> Fold:
         _FOLDS[code] = function
+        if across_systems:
+            _ACROSS_SYSTEMS.add(code)
         return function
 
     return register
@@ -33,7 +36,8 @@ def folded(findings: Iterable[Finding]) -> list[Finding]:
     groups: dict[tuple[object, ...], list[Finding]] = {}
     for one in findings:
         if one.group and one.code in _FOLDS:
-            groups.setdefault((one.code, one.severity, one.system, one.condition, *one.group), []).append(one)
+            system = None if one.code in _ACROSS_SYSTEMS else (one.system, one.condition)
+            groups.setdefault((one.code, one.severity, system, *one.group), []).append(one)
         else:
             alone.append(one)
     for several in groups.values():

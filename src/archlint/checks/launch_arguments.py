@@ -9,12 +9,13 @@ from dataclasses import replace
 from itertools import groupby
 from typing import TYPE_CHECKING
 
+from archlint.checks.folding import folds
 from archlint.checks.near import did_you_mean
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.whole import walk
 from archlint.facts import model as facts
 from archlint.facts.walk import called_name
-from archlint.finding import Finding, Related
+from archlint.finding import Finding, Related, Severity
 from archlint.program.launch.model import ParameterFileUse
 
 if TYPE_CHECKING:
@@ -111,7 +112,7 @@ def _finding(sources: list[str], unknown: list[str], given: dict[str, Place], de
     if others:
         said = f"{verb} none of the launch arguments " + ", ".join(f"'{name}'" for name in unknown)
     listed = f"it declares {', '.join(declared[:8])}" if declared else "it declares none"
-    return finding(
+    found = finding(
         "LCH003",
         given[first],
         f"{shown} {said}",
@@ -119,6 +120,19 @@ def _finding(sources: list[str], unknown: list[str], given: dict[str, Place], de
         related=[Related(given[name], f"'{name}' is given here" + did_you_mean(name, declared)) for name in others],
         identity=(*sources, *unknown),
     )
+    severity = Severity.INFO if set(unknown) <= _HANDED_TO_ALL else found.severity
+    return replace(found, severity=severity, group=(*sources, *unknown))
+
+
+_HANDED_TO_ALL = frozenset({"use_sim_time"})
+"""Arguments that launch files hand to every include as a matter of course, to those of drivers as well."""
+
+
+@folds("LCH003", across_systems=True)
+def _of_one_file(findings: Sequence[Finding]) -> Finding:
+    """One finding for an included file that does not take an argument, however many others hand it over."""
+    first, *others = findings
+    return replace(first, related=(*first.related, *(Related(one.place, "it is given here, too") for one in others)))
 
 
 def _is_known(target: Launched) -> bool:

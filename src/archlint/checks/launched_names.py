@@ -13,7 +13,7 @@ from archlint.system.remap import RemapRule
 
 if TYPE_CHECKING:
     from archlint.finding import Place
-    from archlint.program.launch.model import Remap, Started
+    from archlint.program.launch.model import Launched, Remap, Started
     from archlint.program.model import Text
     from archlint.system.model import Node, System
 
@@ -22,10 +22,16 @@ def names_given_by_launch(system: System) -> Iterator[Finding]:
     """Every bad name that a launch file gives: of nodes, of namespaces, and in remappings; each cause once."""
     told: dict[tuple[str, Place | str], list[Place]] = {}
     found: dict[tuple[str, Place | str], Finding] = {}
-    for started in system.launched.started if system.launched is not None else ():
+    launched = system.launched
+    if launched is None:
+        return
+    empty = _wants_a_value(launched)
+    for started in launched.started:
         if started.dormant or started.kind == "process":
             continue
         for one, cause in _bad_names(started):
+            if empty and _has_empty_part(one):
+                continue
             key = (one.message, cause)
             found.setdefault(key, one)
             told.setdefault(key, []).append(started.place)
@@ -33,6 +39,20 @@ def names_given_by_launch(system: System) -> Iterator[Finding]:
         others = [place for place in told[key][1:] if place not in (one.place, told[key][0])]
         related = [Related(place, "this one is in it, too") for place in dict.fromkeys(others)]
         yield finding(one.code, one.place, one.message, help=one.help, related=related, identity=one.identity)
+
+
+def _wants_a_value(launched: Launched) -> bool:
+    """Whether an argument is empty unless somebody gives it a value: names that are made of it wait for that."""
+    return any(
+        argument.default is not None and not argument.default.text and argument.name not in launched.arguments
+        for argument in launched.declared
+    )
+
+
+def _has_empty_part(found: Finding) -> bool:
+    """Whether the bad name is empty, or has nothing between two slashes or behind the last."""
+    _, *given = found.identity
+    return any(not name or "//" in name or (name.endswith("/") and name != "/") for name in given)
 
 
 def is_given_by_launch(node: Node) -> bool:

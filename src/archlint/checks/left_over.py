@@ -15,7 +15,7 @@ if TYPE_CHECKING:
     from archlint.system.model import Endpoint
 
 _BY_NAME = frozenset({"getattr", "vars", "__dict__"})
-"""With one of these an attribute may be used that is not written out."""
+"""With one of these an attribute may be used that is not written out, unless ``getattr`` is given a literal."""
 
 
 def is_left_over(world: World | None, endpoint: Endpoint) -> bool:
@@ -54,21 +54,33 @@ class _Uses:
     def __init__(self, found: facts.Facts) -> None:
         self.count: dict[str, int] = {}
         self.kept: dict[tuple[int, int], str] = {}
-        self.by_name = False
+        unwritten = 0
         for item in walk(found.body):
             if isinstance(item, facts.Attribute):
                 self.count[item.attr] = self.count.get(item.attr, 0) + 1
-                self.by_name = self.by_name or item.attr in _BY_NAME
+                unwritten += item.attr in _BY_NAME
             elif isinstance(item, facts.Name):
-                self.by_name = self.by_name or item.id in _BY_NAME
+                unwritten += item.id in _BY_NAME
+            elif isinstance(item, facts.Call) and (name := _asked_by_name(item)) is not None:
+                self.count[name] = self.count.get(name, 0) + 1
+                unwritten -= 1
             elif isinstance(item, facts.Assign) and isinstance(item.value, facts.Call) and len(item.targets) == 1:
                 target = item.targets[0]
                 if isinstance(target, facts.Attribute) and isinstance(target.value, facts.Name):
                     self.kept[item.value.span[0], item.value.span[1]] = target.attr
+        self.by_name = unwritten > 0
 
     @staticmethod
     def of(found: facts.Facts) -> _Uses:
         return _uses(_Same(found))
+
+
+def _asked_by_name(call: facts.Call) -> str | None:
+    """The attribute that ``getattr(x, 'name')`` asks for; None for any other call."""
+    if not (isinstance(call.func, facts.Name) and call.func.id == "getattr" and len(call.args) > 1):
+        return None
+    name = call.args[1].value
+    return name.value if isinstance(name, facts.Literal) and isinstance(name.value, str) else None
 
 
 class _Same:
