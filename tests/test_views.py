@@ -49,7 +49,7 @@ def generate_launch_description():
         Node(package='second', executable='second'),
     ])
 """
-TALK = "self.pub = self.create_publisher({0}, 'chatter', 10)"
+TALK = "self.create_publisher({0}, 'chatter', 10)"
 LISTEN = "self.create_subscription(String, 'chatter', self.on_message, 10)"
 
 
