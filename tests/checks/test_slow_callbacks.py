@@ -99,6 +99,7 @@ def test_a_service_that_sleeps_should_be_an_action(run: Run):
         pytest.param("for _ in range(3):\n        time.sleep(0.2)", [], id="a few moments in a loop"),
         pytest.param("for _ in range(30):\n        time.sleep(0.2)", ["SRV008"], id="many moments in a loop"),
         pytest.param("while self.moves():\n        time.sleep(0.05)", ["SRV008"], id="until something has happened"),
+        pytest.param("for _ in self.bytes():\n        time.sleep(0.001)", [], id="a pause between bytes"),
         pytest.param(
             "if request.data:\n        time.sleep(0.7)\n    else:\n        time.sleep(0.6)", [], id="one or the other"
         ),

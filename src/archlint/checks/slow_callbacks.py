@@ -95,7 +95,10 @@ def _in_loops(call: ApiCall, stay: Stay) -> float:
         return math.inf
     # The loops of callers are places only: how often they go round is not looked at.
     times = [_times(loop) for loop in call.loops] + [math.inf] * (len(call.rounds) - len(call.loops))
-    return stay.seconds * math.prod(times) if stay.seconds > 0 else 0.0
+    seconds = stay.seconds * math.prod(times) if stay.seconds > 0 else 0.0
+    if math.isinf(seconds) and stay.seconds <= TINY and not any(isinstance(loop, facts.While) for loop in call.loops):
+        return stay.seconds  # a pause between the bytes or lines of something: it takes many to make it long
+    return seconds
 
 
 def _times(loop: facts.While | facts.For) -> float:
@@ -128,8 +131,6 @@ def _is_long(call: ApiCall, stay: Stay) -> bool:
     if stay.kind != "sleep" or stay.seconds is None:
         return True
     period, seconds = _period(call.context), _in_loops(call, stay)
-    if math.isinf(seconds) and stay.seconds <= TINY and not any(isinstance(loop, facts.While) for loop in call.loops):
-        seconds = stay.seconds  # a pause between the bytes or lines of something: it takes many to make it long
     return seconds >= MOMENT or (period is not None and seconds > period)
 
 
