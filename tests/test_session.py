@@ -162,6 +162,19 @@ def test_a_broken_file_is_a_finding_where_it_is_named():
     assert places(run("template.py")) == [("LNT002", "template.py", 1)]
 
 
+@pytest.mark.parametrize("line", ["from pkg import motor", "from pkg.motor import Motor", "from .motor import Motor"])
+def test_a_broken_module_beside_a_file_is_told_where_that_file_imports_it(workspace: Path, line: str):
+    write("pkg/package.xml", PACKAGE.format(name="pkg"))
+    write("pkg/pkg/__init__.py", "")
+    write("pkg/pkg/motor.py", "class Motor(\n")
+    write("pkg/pkg/other.py", NODE)
+    write("pkg/pkg/node.py", NODE.replace("import rclpy\n", f"import rclpy\n{line}\n", 1))
+    [found] = [one for one in run("pkg/pkg/node.py").findings if one.code == "LNT002"]
+    assert found.place.file == "pkg/pkg/motor.py"
+    assert [(one.place.file, one.place.line) for one in found.related] == [("pkg/pkg/node.py", 2)]
+    assert not any(one.code == "LNT002" for one in run("pkg/pkg/other.py").findings)
+
+
 def test_a_workspace_of_packages_without_python_is_judged():
     @rule("PKG003")
     def each_package(system, options):

@@ -19,7 +19,7 @@ class Filters:
     """``ignore``, ``per-file-ignores``, ``per-package-ignores`` and ``severity``, for one workspace.
 
     What lies in files that were only read as context is dropped, too, unless it is about a connection whose other
-    end was asked for.
+    end was asked for, or a broken module that is imported there.
     """
 
     def __init__(self, settings: Settings, workspace: Workspace) -> None:
@@ -60,6 +60,7 @@ class Filters:
 _OF_CONNECTIONS = (
     "ACT002",
     "ARC",
+    "LNT002",
     "NME004",
     "OWN",
     "QOS001",
@@ -70,7 +71,7 @@ _OF_CONNECTIONS = (
     "TOP001",
     "TOP004",
 )
-"""Rules about two ends, of which either may be the place of the finding."""
+"""Rules about two ends, of which either may be the place of the finding: a module and its import are such, too."""
 
 
 def _codes(selectors: tuple[str, ...]) -> set[str]:

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING
 
 from archlint.facts.deep_stack import call_with_deep_stack
 from archlint.faults import Faults
-from archlint.finding import Place
+from archlint.finding import Place, Related
 from archlint.report.model import Judged, Report, Summary, summarise
 from archlint.run_cache import RunCache
 from archlint.sources import PYTHON, Sources
@@ -347,14 +347,29 @@ def _problems(
         yield unreadable(problem.file, problem.line, problem.column, problem.message)
     for file in files:
         found = facts.facts_of(file)
-        for fault in () if found is None else found.problems:
-            yield unreadable(file.relative, fault.line, fault.column, fault.message)
+        if found is None or not found.problems:
+            continue
+        importers = _importers(file, files, facts) if file.context else ()
+        for fault in found.problems:
+            one = unreadable(file.relative, fault.line, fault.column, fault.message)
+            yield replace(one, related=tuple(Related(place, "it is imported here") for place in importers))
     old = {package.name for package in workspace.packages if package.ros1}
     for file in workspace.files:
         if file.kind == "interface" and not file.context and file.package not in old:
             with faults.apart("reading this interface", Place(file.relative, 1, 1, 1, 1)):
                 for line, column, message in interface_problems(file.path):
                     yield unreadable(file.relative, line, column, message)
+
+
+def _importers(module: SourceFile, files: Sequence[SourceFile], facts: FactsOfFiles) -> list[Place]:
+    """Where the files that were asked for import one that was not."""
+    asked = (file for file in files if not file.context)
+    rows = [(file.relative, span) for file in asked if (span := facts.imports_of(file, module)) is not None]
+    return [Place.of(file, span) for file, span in rows[:_FEW]]
+
+
+_FEW = 3
+"""How many places that import a broken module are told."""
 
 
 def _wanted(findings: Iterable[Finding], settings: Settings, workspace: Workspace) -> Iterator[Finding]:

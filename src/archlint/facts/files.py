@@ -10,7 +10,7 @@ from archlint.facts import gate
 from archlint.facts.store import Stamp, digest_of
 
 if TYPE_CHECKING:
-    from archlint.facts.model import Facts
+    from archlint.facts.model import Facts, Span, Stmt
     from archlint.workspace.model import SourceFile
 
 _IRRELEVANT = b"-"
@@ -127,6 +127,17 @@ class FactsOfFiles:
     def relevant(self, file: SourceFile) -> bool:
         """Whether the screen kept a file."""
         return not self._payloads.get(file.path, _IRRELEVANT).startswith(_IRRELEVANT)
+
+    def imports_of(self, file: SourceFile, module: SourceFile) -> Span | None:
+        """Where a file imports a module of the workspace; None where it does not."""
+        from archlint.facts.walk import statements_of
+
+        found = self.facts_of(file)
+        wanted = _names_of([module])
+        for statement in statements_of(found.body) if found is not None else ():
+            if not wanted.isdisjoint(self._targets(file, _modules_of(statement))):
+                return getattr(statement, "span", None)
+        return None
 
     def is_ros1(self, file: SourceFile) -> bool:
         """Whether a file is a program or module for ROS 1."""
@@ -248,6 +259,19 @@ def _salt() -> str:
     from archlint.facts.model import FACTS_VERSION
 
     return f"python {FACTS_VERSION}"
+
+
+def _modules_of(statement: Stmt) -> list[bytes]:
+    """The modules that a statement may import; none for what is no import."""
+    from archlint.facts import model
+
+    if isinstance(statement, model.Import):
+        return [statement.module.encode()]
+    if not isinstance(statement, model.ImportFrom):
+        return []
+    origin = "." * statement.level + statement.module
+    dot = "" if origin.endswith(".") else "."
+    return [name.encode() for name in (origin, *(f"{origin}{dot}{name}" for name, _ in statement.names))]
 
 
 def _imported(data: bytes) -> list[bytes]:
