@@ -56,6 +56,16 @@ def test_a_folder_without_ros_is_nothing_to_check(capsys: pytest.CaptureFixture[
     assert "no package.xml, no launch file, and nothing that uses rclpy in 1 Python file" in words
 
 
+def test_a_workspace_for_ros_1_is_nothing_to_check(capsys: pytest.CaptureFixture[str]) -> None:
+    manifest = "<package format='2'><name>old</name><buildtool_depend>catkin</buildtool_depend></package>"
+    write("old/package.xml", manifest)
+    write("old/scripts/drive.py", "import rospy\nrospy.init_node('drive')\n")
+    write("old/launch/drive.launch", "<launch><node pkg='old' type='drive.py' name='drive'/></launch>")
+    assert "nothing to check in .: all of it is for ROS 1" in told(capsys, status=2)
+    write("new/talk.py", NODE)
+    assert "1 launch file and 1 Python file are for ROS 1 and passed over" in told(capsys)
+
+
 def test_a_helper_of_a_ros_package_may_be_checked_alone(capsys: pytest.CaptureFixture[str]) -> None:
     write("pkg/package.xml", PACKAGE.format("pkg", "ament_python"))
     write("pkg/pkg/helper.py", "total = 0\n")

@@ -32,7 +32,8 @@ def run(tmp_path: Path, monkeypatch: pytest.MonkeyPatch):
     monkeypatch.chdir(tmp_path)
 
     def go(more: str, **files: str) -> Report:
-        for name, text in {"package.xml": MANIFEST.format(name="robot", more=more), **files}.items():
+        plain = {"package.xml": MANIFEST.format(name="robot", more=more), "tools/plain.py": "ROBOTS = 2\n"}
+        for name, text in {**plain, **files}.items():
             path = tmp_path / name
             path.parent.mkdir(parents=True, exist_ok=True)
             path.write_text(text, encoding="utf-8")

@@ -86,6 +86,7 @@ def graph(request: Request, everything: bool = False) -> System:
     workspace = _found(request)
     store = _store(request)
     facts = _compiled(request, workspace, store)
+    _refuse_nothing(request, workspace, facts)
     tree = SourceTree(Path.cwd(), Path(workspace.root))
     system = call_with_deep_stack(lambda: _systems(request, workspace, facts, tree))[0]
     store.close()
@@ -122,19 +123,30 @@ def _is_for_ros(workspace: Workspace) -> bool:
     return any(file.kind in kinds for file in workspace.files)
 
 
-def _passed_over(workspace: Workspace, facts: FactsOfFiles, loader: LaunchLoader | None) -> Iterator[str]:
+def _passed_over(
+    request: Request, workspace: Workspace, facts: FactsOfFiles, loader: LaunchLoader | None
+) -> Iterator[str]:
+    """What is told of files for ROS 1; raises :class:`NothingToDo` where there are no others."""
     from archlint.looked_at import for_ros1
 
     python = [file.relative for file in _python(workspace) if not file.context and facts.is_ros1(file)]
-    yield from for_ros1(python, loader.ros1_files() if loader is not None else [])
+    launch = loader.ros1_files() if loader is not None else []
+    inputs = {file.relative for file in workspace.files if _is_input(file)}
+    if inputs and inputs <= {*python, *launch}:
+        raise NothingToDo(f"nothing to check in {', '.join(request.paths)}: all of it is for ROS 1")
+    yield from for_ros1(python, launch)
 
 
-def _nothing_for_ros(request: Request, files: int) -> str:
-    looked = f"{files} Python file{'s' if files > 1 else ''}"
-    return (
-        f"nothing to check in {', '.join(request.paths)}: no package.xml, no launch file, "
-        f"and nothing that uses rclpy in {looked}"
-    )
+def _refuse_nothing(request: Request, workspace: Workspace, facts: FactsOfFiles) -> None:
+    """Raises :class:`NothingToDo` where nothing is for ROS 2: a run that finds nothing there would say nothing."""
+    if _known(request, workspace, facts):
+        return
+    if not _is_for_ros(workspace):
+        files = len(_python(workspace))
+        raise NothingToDo(
+            f"nothing to check in {', '.join(request.paths)}: no package.xml, no launch file, "
+            f"and nothing that uses rclpy in {files} Python file{'s' if files > 1 else ''}"
+        )
 
 
 def _python(workspace: Workspace) -> list[SourceFile]:
@@ -252,8 +264,7 @@ def _judged(request: Request, workspace: Workspace, facts: FactsOfFiles, tree: S
     from archlint.render.json import unresolved
 
     known = _known(request, workspace, facts)
-    if not known and not _is_for_ros(workspace):
-        raise NothingToDo(_nothing_for_ros(request, len(_python(workspace))))
+    _refuse_nothing(request, workspace, facts)
     systems = _systems(request, workspace, facts, tree)
     loader = systems[0].world.loader if systems[0].world is not None else None
     faults = systems[0].world.faults if systems[0].world is not None else Faults()
@@ -279,7 +290,7 @@ def _judged(request: Request, workspace: Workspace, facts: FactsOfFiles, tree: S
         elapsed_s=0.0,
     )
     refused = [suppressions.refusal(file, suppression) for file, suppression in outcome.refused]
-    notices = [*_passed_over(workspace, facts, loader)]
+    notices = [*_passed_over(request, workspace, facts, loader)]
     if request.launch is not None:
         notices.extend(argument_notices(systems[0]))
     return Judged(findings, summary, [*refused, *notices, *_idle(request.settings, systems)])
