@@ -58,7 +58,7 @@ def check(request: Request) -> Report:
         facts = _compiled(request, workspace, store)
         judged = kept.load_again(facts)
         if judged is None:
-            judged = call_with_deep_stack(lambda: _judged(request, workspace, facts, tree))
+            judged = call_with_deep_stack(lambda: _judged_in_parts(request, workspace, facts, tree))
             if facts.lasting and not any(finding.code == "LNT003" for finding in judged.findings):
                 kept.save(judged)
     store.close()
@@ -88,9 +88,10 @@ def graph(request: Request, everything: bool = False) -> System:
     facts = _compiled(request, workspace, store)
     _refuse_nothing(request, workspace, facts)
     tree = SourceTree(Path.cwd(), Path(workspace.root))
-    system = call_with_deep_stack(lambda: _systems(request, workspace, facts, tree))[0]
+    parts = _parts(request, workspace)
+    opened = call_with_deep_stack(lambda: [_systems(request, part, facts, tree)[0] for part in parts])
     store.close()
-    system = _asked_for(request, system, workspace)
+    system = _together([_asked_for(request, one, part) for one, part in zip(opened, parts, strict=True)])
     return with_implicit(system, request.settings.distro) if everything else system
 
 
@@ -255,6 +256,61 @@ def _known(request: Request, workspace: Workspace, facts: FactsOfFiles) -> list[
     return [file for file in _python(workspace) if facts.relevant(file) or broken(file)]
 
 
+def _parts(request: Request, workspace: Workspace) -> list[Workspace]:
+    """The workspace, or the several that it is, of which those that were asked for; with ``--launch`` the one that
+    has the launch file."""
+    from archlint.workspace.parts import parts
+
+    found = [part for part in parts(workspace) if any(not file.context for file in part.files)] or [workspace]
+    if request.launch is None or len(found) == 1:
+        return found
+    return [part for part in found if any(file.relative == request.launch for file in part.files)][:1] or found[:1]
+
+
+def _together(systems: Sequence[System]) -> System:
+    """One system to draw of those of several workspaces."""
+    first, *others = systems
+    if not others:
+        return first
+    nodes = sorted((n for one in systems for n in one.nodes), key=lambda n: (n.name is None, n.name or ""))
+    return replace(
+        first,
+        nodes=nodes,
+        programs=[program for one in systems for program in one.programs],
+        unowned=[entry for one in systems for entry in one.unowned],
+        neighbours=[node for one in systems for node in one.neighbours],
+    )
+
+
+def _judged_in_parts(request: Request, workspace: Workspace, facts: FactsOfFiles, tree: SourceTree) -> Judged:
+    """What is found in each of the workspaces that stand side by side."""
+    _refuse_nothing(request, workspace, facts)
+    judged: list[Judged] = []
+    refused: NothingToDo | None = None
+    for part in _parts(request, workspace):
+        try:
+            judged.append(_judged(request, part, facts, tree))
+        except NothingToDo as error:
+            refused = refused or error
+    if not judged:
+        assert refused is not None
+        raise refused
+    return judged[0] if len(judged) == 1 else _joined(judged)
+
+
+def _joined(judged: Sequence[Judged]) -> Judged:
+    findings = sorted(dict.fromkeys(f for one in judged for f in one.findings), key=lambda finding: finding.sort_key)
+    summary = summarise(
+        findings,
+        files=sum(one.summary.files for one in judged),
+        nodes=sum(one.summary.nodes for one in judged),
+        suppressed=sum(one.summary.suppressed for one in judged),
+        unresolved=sum(one.summary.unresolved for one in judged),
+        elapsed_s=0.0,
+    )
+    return Judged(findings, summary, list(dict.fromkeys(notice for one in judged for notice in one.notices)))
+
+
 def _judged(request: Request, workspace: Workspace, facts: FactsOfFiles, tree: SourceTree) -> Judged:
     from archlint import suppressions
     from archlint.checks.folding import folded
@@ -264,7 +320,6 @@ def _judged(request: Request, workspace: Workspace, facts: FactsOfFiles, tree: S
     from archlint.render.json import unresolved
 
     known = _known(request, workspace, facts)
-    _refuse_nothing(request, workspace, facts)
     systems = _systems(request, workspace, facts, tree)
     loader = systems[0].world.loader if systems[0].world is not None else None
     faults = systems[0].world.faults if systems[0].world is not None else Faults()
