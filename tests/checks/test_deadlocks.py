@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import textwrap
+
 import pytest
 
 from archlint.finding import Severity
@@ -112,6 +114,38 @@ def test_a_result_read_straight_after_the_request_is_none(run: Run):
     """
     [found] = run(source(CLIENT + TIMER, method))
     assert found.code == "EXE002" and "straight after call_async()" in found.message
+
+
+@pytest.mark.parametrize(
+    ("then", "expected"),
+    [
+        pytest.param("await future\nanswer = future.result()", [], id="awaited as a statement"),
+        pytest.param("first = await future\nanswer = future.result()", [], id="awaited into a variable"),
+        pytest.param("await asked\nanswer = future.result()", [], id="something else is awaited: time passes"),
+        pytest.param("answer = (await future, future.result())", [], id="awaited in the same statement"),
+        pytest.param("answer = future.result()\nawait future", ["EXE002"], id="awaited too late"),
+        pytest.param("answer = await self.keep(future.result())", ["EXE002"], id="what it has read is awaited"),
+        pytest.param("if self.is_patient:\n    await future\nanswer = future.result()", [], id="perhaps awaited"),
+    ],
+)
+def test_a_future_that_was_awaited_has_its_result(run: Run, then: str, expected: list[str]):
+    ask = "asked = self.client.call_async(Trigger.Request())\nfuture = self.client.call_async(Trigger.Request())\n"
+    body = textwrap.indent(ask + then, "    ")
+    assert codes(run(source(CLIENT_APART + TIMER, f"async def tick(self):\n{body}\n"))) == expected
+
+
+def test_a_goal_and_its_result_may_be_awaited_one_after_the_other(run: Run):
+    create = "self.client = ActionClient(self, Fibonacci, 'plan')\nActionServer(self, Fibonacci, 'go', self.execute)\n"
+    method = """
+    async def execute(self, goal_handle):
+        sent = self.client.send_goal_async(Fibonacci.Goal())
+        await sent
+        asked = sent.result().get_result_async()
+        await asked
+        goal_handle.succeed()
+        return Fibonacci.Result(sequence=asked.result().result.sequence)
+    """
+    assert codes(run(source(create, method))) == []
 
 
 def test_a_result_that_is_asked_for_when_it_is_done_is_there(run: Run):

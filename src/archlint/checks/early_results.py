@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from archlint.checks.callback_roles import runs_in_executor
 from archlint.checks.reach import creations_of, judged_calls, once_for_each_system, same_expression
 from archlint.facts import model as facts
-from archlint.facts.walk import blocks_of, called_name, calls_in
+from archlint.facts.walk import blocks_of, called_name, calls_in, parts_of
 from archlint.program.values import FutureValue
 
 if TYPE_CHECKING:
@@ -62,12 +62,25 @@ def _sent_just_before(block: Sequence[facts.Stmt], name: str, result: facts.Call
         inside = list(calls_in(statement))
         if any(same_expression(one, result) for one in inside):
             # Only at the head of a statement: further inside a branch something may have been asked before.
-            return sent and isinstance(statement, (facts.Assign, facts.Expression, facts.Return))
+            at_head = isinstance(statement, (facts.Assign, facts.Expression, facts.Return))
+            return sent and at_head and not _awaits_beside(statement, result)
         if isinstance(statement, facts.Assign) and _sends(statement.value) and _binds(statement, name):
             sent = True
         elif sent and (not isinstance(statement, (facts.Assign, facts.Expression)) or not _idle(inside)):
             sent = False
+        elif any(_awaits(statement)):
+            sent = False  # of the future itself, or of anything else: the executor goes on meanwhile
     return False
+
+
+def _awaits(fact: object) -> Iterator[facts.Await]:
+    return (part for part in parts_of(fact) if isinstance(part, facts.Await))
+
+
+def _awaits_beside(statement: facts.Stmt, result: facts.Call) -> bool:
+    """Whether a statement awaits something else than what it reads: ``await future.result().get_result_async()`` has
+    read the result by then."""
+    return any(not any(same_expression(inner, result) for inner in calls_in(awaited)) for awaited in _awaits(statement))
 
 
 def _sends(value: facts.Expr) -> bool:
