@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+import textwrap
+from pathlib import Path
+
 import pytest
 
 from archlint.finding import Severity
@@ -317,6 +320,102 @@ while self.name is None:
         assert finding.message.startswith("2 callback groups in a node that one thread spins")
         assert finding.related[0].message == "a mutually exclusive group is made here"
         assert finding.related[0].place.line == finding.place.line + 1
+
+    ONE_GROUP = """
+    group = ReentrantCallbackGroup()
+    self.client = self.create_client(Trigger, 'a', callback_group=group)
+    self.create_timer(5.0, self.tick, callback_group=group)
+    """
+    SPINS = """
+    def tick(self):
+        future = self.client.call_async(Trigger.Request())
+        rclpy.spin_until_future_complete(self, future, timeout_sec=1.0)
+    """
+
+    def test_a_callback_that_spins_needs_the_group(self, run: Run):
+        assert codes(run(source(self.ONE_GROUP, self.SPINS, ON_ONE_THREAD))) == ["EXE001"]
+        asks = "def tick(self):\n    self.client.call_async(Trigger.Request())\n"
+        assert codes(run(source(self.ONE_GROUP, asks, ON_ONE_THREAD))) == ["CBG002"]
+
+    @pytest.mark.parametrize(
+        ("start", "expected"),
+        [
+            pytest.param("threading.Thread(target=robot.ask, daemon=True).start()", [], id="a thread of its own"),
+            pytest.param("broker = Broker()\n    broker.on_message = robot.ask", [], id="code of somebody else"),
+            pytest.param("robot.ask()", ["CBG002"], id="one after the other"),
+        ],
+    )
+    def test_a_node_that_a_second_thread_spins(self, run: Run, start: str, expected: list[str]):
+        ask = self.SPINS.replace("tick(self)", "ask(self, *given)") + "\n" + textwrap.indent(self.TICK, " " * 4)
+        main = f"""
+from mqtt import Broker
+
+
+def main():
+    rclpy.init()
+    robot = Robot()
+    {start}
+    rclpy.spin(robot)
+
+
+if __name__ == '__main__':
+    main()
+"""
+        assert [code for code in codes(run(source(self.ONE_GROUP, ask, main))) if code == "CBG002"] == expected
+
+    def test_one_group_for_everything_only_excludes(self, run: Run):
+        setup = "group = MutuallyExclusiveCallbackGroup()\nself.create_timer(5.0, self.tick, callback_group=group)\n"
+        assert codes(run(source(setup, self.TICK, ON_ONE_THREAD))) == []
+        apart = setup + "self.create_timer(1.0, self.tick)"
+        assert codes(run(source(apart, self.TICK, ON_ONE_THREAD))) == ["CBG002"]
+
+    PART = """
+from rclpy.callback_groups import {kind}
+
+
+class Part:
+    def __init__(self, node):
+        group = {kind}()
+        node.create_timer(5.0, self.tick, callback_group=group)
+        node.create_timer(6.0, self.tick, callback_group=group)
+
+    def tick(self):
+        print('tick')
+"""
+
+    @pytest.mark.parametrize(
+        ("kind", "expected"), [("MutuallyExclusiveCallbackGroup", []), ("ReentrantCallbackGroup", ["CBG002"])]
+    )
+    def test_a_part_that_does_not_choose_the_executor(self, run: Run, tmp_path: Path, kind: str, expected: list[str]):
+        (tmp_path / "part.py").write_text(self.PART.format(kind=kind))
+        setup = "Part(self)\nself.create_timer(1.0, self.tick)"
+        main = "from part import Part\n" + textwrap.dedent(ON_ONE_THREAD)
+        assert codes(run(source(setup, self.TICK, main))) == expected
+
+    @pytest.mark.parametrize(
+        ("executor", "expected"), [("MultiThreadedExecutor", []), ("SingleThreadedExecutor", ["CBG002"])]
+    )
+    def test_a_line_that_several_nodes_run(self, run: Run, tmp_path: Path, executor: str, expected: list[str]):
+        (tmp_path / "part.py").write_text(self.PART.format(kind="ReentrantCallbackGroup"))
+        (tmp_path / "other.py").write_text(OTHER_NODE.replace("EXECUTOR", executor))
+        main = "from part import Part\n" + textwrap.dedent(ON_ONE_THREAD)
+        assert codes(run(source("Part(self)", self.TICK, main))) == expected
+
+
+OTHER_NODE = """
+import rclpy
+from part import Part
+from rclpy.executors import EXECUTOR
+from rclpy.node import Node
+
+if __name__ == '__main__':
+    rclpy.init()
+    node = Node('other')
+    part = Part(node)
+    executor = EXECUTOR()
+    executor.add_node(node)
+    executor.spin()
+"""
 
 
 class TestPolling:

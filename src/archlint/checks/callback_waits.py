@@ -21,18 +21,14 @@ from archlint.checks.reach import (
     one_for_each_place,
 )
 from archlint.checks.registry import Options, finding, rule
+from archlint.checks.spins import is_spin_call, spun_node
 from archlint.checks.stuck import is_spin, stuck_waits
 from archlint.checks.waits import Wait
 from archlint.finding import Finding, Severity
-from archlint.program.values import Instance, NodeValue, alternatives
 
 if TYPE_CHECKING:
-    from archlint.program.model import ApiCall, Blueprint, Program
+    from archlint.program.model import ApiCall, Program
     from archlint.system.model import System
-
-_SPINS = ("rclpy.spin", "rclpy.spin_once", "rclpy.spin_until_future_complete")
-_EXECUTOR = "rclpy.executors.Executor."
-_EXECUTOR_SPINS = ("spin", "spin_once", "spin_until_future_complete", "spin_once_until_future_complete")
 
 _DONE = "send the request with call_async(), return, and go on in a done callback"
 _GROUP_HELP = (
@@ -49,20 +45,16 @@ def spin_in_callback(system: System, options: Options) -> Iterator[Finding]:
     yield from one_for_each_place(
         found
         for program, call in judged_calls(system)
-        if _is_spin(call) and runs_in_executor(call.context)
+        if is_spin_call(call) and runs_in_executor(call.context)
         for found in _nested_spin(system, program, call, options)
     )
-
-
-def _is_spin(call: ApiCall) -> bool:
-    return call.api in _SPINS or call.api in {_EXECUTOR + name for name in _EXECUTOR_SPINS}
 
 
 def _nested_spin(system: System, program: Program, call: ApiCall, options: Options) -> Iterator[Finding]:
     future = argument(call, "future")
     clients = creations_of(future)
     client = clients[0] if clients else None
-    spun = _spun_node(call, program)
+    spun = spun_node(call, program)
     limited = has_limit(call, "timeout_sec")
     verdict = judge_spin(call, spun, client, program, limited, options.distros)
     if verdict.safe and set(verdict.outcomes.values()) == {blocking.FINE} and spun is not call.context.node:
@@ -80,25 +72,6 @@ def _nested_spin(system: System, program: Program, call: ApiCall, options: Optio
         identity=(call.context.name, function),
     )
     yield replace(found, severity=Severity.WARNING) if verdict.safe else found
-
-
-def _spun_node(call: ApiCall, program: Program) -> Blueprint | None:
-    """The node that a spin runs, where there is one for certain."""
-    if call.api.startswith(_EXECUTOR):
-        use = getattr(call.receiver, "use", None)
-        nodes = list(getattr(use, "nodes", ()))
-        return call.context.node if call.context.node in nodes else nodes[0] if len(nodes) == 1 else None
-    value = argument(call, "node")
-    options = [one for one in alternatives(value) if isinstance(one, (Instance, NodeValue))] if value else []
-    if len(options) != 1:
-        return None
-    if isinstance(options[0], NodeValue):
-        return options[0].blueprint
-    return _blueprint_of(options[0], program)
-
-
-def _blueprint_of(value: Instance, program: Program) -> Blueprint | None:
-    return next((node for node in program.nodes if node.key.endswith(f"#{value.key}")), None)
 
 
 # ------------------------------------------------------------------------------------------- EXE002, CBG001

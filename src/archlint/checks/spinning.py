@@ -11,17 +11,29 @@ from archlint.checks.callback_roles import runs_in_executor
 from archlint.checks.deadlock import related_executor, threads_of
 from archlint.checks.reach import judged_calls, node_name, one_for_each_place, same_expression
 from archlint.checks.registry import Options, finding, rule
+from archlint.checks.spins import spun_by_several, spun_in_callbacks
 from archlint.facts import model as facts
 from archlint.facts.walk import blocks_of, called_name, calls_in, parts_of
 from archlint.finding import Finding, Place, Related
-from archlint.program.model import ACTION_SERVER, FOR_A_MOMENT, SERVICE, SUBSCRIBER, TIMER
+from archlint.program.model import (
+    ACTION_CLIENT,
+    ACTION_SERVER,
+    CLIENT,
+    FOR_A_MOMENT,
+    GUARD,
+    SERVICE,
+    SUBSCRIBER,
+    TIMER,
+)
 from archlint.workspace.test_code import is_test_file
 
 if TYPE_CHECKING:
-    from archlint.program.model import ApiCall, Blueprint, Callback, Creation, Program
+    from archlint.program.model import ApiCall, Blueprint, Callback, Creation, Group, Program
     from archlint.system.model import System
 
 _SERVED = {SUBSCRIBER: "subscription", SERVICE: "service", TIMER: "timer", ACTION_SERVER: "action server"}
+_WORKING = frozenset({*_SERVED, CLIENT, ACTION_CLIENT, GUARD})
+"""Kinds of entities that an executor has work from."""
 _OWN_API = frozenset(
     {
         "rclpy.node.Node.create_subscription",
@@ -146,11 +158,32 @@ def _never_spun(system: System, node: Blueprint, idle: _Idle) -> Finding:
 @rule("CBG002")
 def groups_without_threads(system: System, options: Options) -> Iterator[Finding]:
     """Callback groups of nodes that one thread spins."""
-    threaded = {
-        node.place
-        for program, node in _judged(system)
-        if threads_of(node, program) not in (blocking.ONE, blocking.NOBODY)
+    kept = _needing(system) | spun_by_several(system)
+    effective = {
+        group.place
+        for program, node in _all(system)
+        if id(node) in kept or threads_of(node, program) not in (blocking.ONE, blocking.NOBODY)
+        for group in _grouped(node)
     }
+    yield from one_for_each_place(
+        _useless(system, program, node, groups)
+        for program, node in _judged(system)
+        if threads_of(node, program) == blocking.ONE and id(node) not in kept and not _only_excludes(program, node)
+        for groups in [[(place, kind) for place, kind in _groups(node) if place not in effective]]
+        if groups
+    )
+
+
+def _all(system: System) -> Iterator[tuple[Program, Blueprint]]:
+    """The nodes that one line may serve besides those that are judged: those of libraries, too."""
+    for program in system.programs:
+        if not is_test_file(program.file):
+            yield from ((program, node) for node in program.nodes if not node.test)
+
+
+def _needing(system: System) -> set[int]:
+    """The nodes (their ``id``) whose groups let something in on one thread, too: the answer that a callback awaits,
+    or what a callback that spins waits for."""
     awaiting = {
         id(call.context.node)
         for _, call in judged_calls(system)
@@ -163,26 +196,37 @@ def groups_without_threads(system: System, options: Options) -> Iterator[Finding
         for callback in program.callbacks
         if callback.is_async and runs_in_executor(callback) and _awaits(callback)
     }
-    yield from one_for_each_place(
-        _useless(system, program, node, groups)
-        for program, node in _judged(system)
-        if threads_of(node, program) == blocking.ONE and node.place not in threaded and id(node) not in awaiting
-        for groups in [_groups(node)]
-        if groups
-    )
+    return awaiting | spun_in_callbacks(system)
+
+
+def _only_excludes(program: Program, node: Blueprint) -> bool:
+    """Whether the one group of a node promises nothing but that its callbacks do not run at the same time, which
+    one thread keeps: all of the node's work is in it, or it is made in a file that does not choose the executor."""
+    groups = {creation.group for creation in node.creations if creation.kind in _WORKING}
+    own = [group for group in groups if group.kind != "default"]
+    if len(own) != 1 or own[0].kind != "mutually_exclusive" or own[0].key is None or own[0].place is None:
+        return False
+    uses = [use for use in program.executors if node in use.nodes]
+    chosen_in = {place.file for use in uses for place in (use.place, use.spins_at(node)) if place is not None}
+    return len(groups) == 1 or own[0].place.file not in chosen_in
 
 
 def _awaits(callback: Callback) -> bool:
     return any(isinstance(part, facts.Await) for part in parts_of(callback.function))
 
 
+def _grouped(node: Blueprint) -> Iterator[Group]:
+    """The groups that something of a node is put into."""
+    for creation in node.creations:
+        if creation.group.kind in ("mutually_exclusive", "reentrant") and creation.group.key is not None:
+            yield creation.group
+
+
 def _groups(node: Blueprint) -> list[tuple[Place, str]]:
-    """The groups that something of a node is put into: where each is made, the node's own file first, and its
-    kind in words."""
+    """Where each group of a node is made, the node's own file first, and its kind in words."""
     found = {
         group.place: group.kind.replace("_", " ")
-        for group in (creation.group for creation in node.creations)
-        if group.kind in ("mutually_exclusive", "reentrant") and group.key is not None
+        for group in _grouped(node)
         if group.place is not None and not is_test_file(group.place.file)
     }
     return sorted(found.items(), key=lambda one: (one[0].file != node.place.file, one[0]))
