@@ -648,3 +648,66 @@ def test_sections_go_by_the_name_that_the_command_line_gives(robot, words, node,
         },
     )
     assert topics(system())[node][0] == topic
+
+
+CHOOSING = """\
+import rclpy
+from rclpy.node import Node
+from std_msgs.msg import String
+
+OUTPUTS = {{'left': {{'topic': '/left/out'}}, 'right': {{'topic': '/right/out'}}}}
+ROWS = {{'left': ('/left/out', 1), 'right': ('/right/out', 2)}}
+
+class Talker(Node):
+    def __init__(self):
+        super().__init__('talker')
+        self.declare_parameter('side', 'left')
+        side = str(self.get_parameter('side').value)
+        {choice}
+        self.create_publisher(String, topic, 10)
+
+def main():
+    rclpy.init()
+    rclpy.spin(Talker())
+"""
+
+
+@pytest.mark.parametrize(
+    "choice",
+    [
+        "topic = OUTPUTS[side]['topic']",
+        "config = OUTPUTS.get(side); topic = config['topic']",
+        "topic = OUTPUTS.get(side.lower(), {}).get('topic', '/none')",
+        "topic = {'left': '/left/out'}.get(side, '/right/out')",
+        "topic, _ = ROWS[side]",
+        "topic = ROWS[side][0]",
+        "topic = list(OUTPUTS[side].values())[0]",
+        "topic = '/left/out' if side == 'left' else '/right/out'",
+    ],
+)
+def test_a_parameter_chooses_from_a_table(robot, choice):
+    launch = """
+      <node pkg="robot" exec="talker" name="left"/>
+      <node pkg="robot" exec="talker" name="right"><param name="side" value="right"/>
+        <remap from="/right/out" to="/robot/out"/></node>
+    """
+    robot(launch, **{"robot/talker.py": CHOOSING.format(choice=choice)})
+    assert topics(system()) == {"/left": ["/left/out"], "/right": ["/robot/out"]}
+    found = check(Request((".",), Settings(), cached=False, jobs=1)).findings
+    assert "LCH002" not in {one.code for one in found}
+
+
+def test_what_a_parameter_chooses_is_a_default_and_no_more(robot):
+    code = CHOOSING.format(choice="topic = OUTPUTS[side]['topic']")
+    robot("", **{"robot/talker.py": code})
+    made = graph(Request((".",), Settings(), cached=False, jobs=1))
+    (endpoint,) = made.nodes[0].endpoints
+    assert (endpoint.name, endpoint.resolution, endpoint.parameter) == ("/left/out", "parameter", "side")
+
+
+def test_what_the_code_itself_chooses_from_a_table_is_certain(robot):
+    code = CHOOSING.format(choice="topic = OUTPUTS['right']['topic']")
+    robot("", **{"robot/talker.py": code})
+    made = graph(Request((".",), Settings(), cached=False, jobs=1))
+    (endpoint,) = made.nodes[0].endpoints
+    assert (endpoint.name, endpoint.resolution) == ("/right/out", "exact")

@@ -27,6 +27,7 @@ from archlint.program.values import (
     one_of,
     reason,
     via,
+    with_via,
 )
 
 if TYPE_CHECKING:
@@ -52,12 +53,21 @@ def new_dict(run: Run, entries: dict[Hashable, tuple[Value, Value]], open_: bool
 
 def items_of(run: Run, value: ListValue) -> Items:
     items = run.store.get(value.key, "#items")
-    return items if isinstance(items, Items) else Items((), True)
+    if not isinstance(items, Items):
+        return Items((), True)
+    if not value.via:
+        return items
+    return Items(tuple(with_via(item, value.via) for item in items.values), items.open, items.whole)
 
 
 def entries_of(run: Run, value: DictValue) -> Entries:
     entries = run.store.get(value.key, "#items")
-    return entries if isinstance(entries, Entries) else Entries({}, True)
+    if not isinstance(entries, Entries):
+        return Entries({}, True)
+    if not value.via:
+        return entries
+    rows = {at: (key, with_via(entry, value.via)) for at, (key, entry) in entries.entries.items()}
+    return Entries(rows, entries.open)
 
 
 def hashable(value: Value) -> Hashable | None:
@@ -165,10 +175,10 @@ def _get_item(run: Run, container: Value, index: Value) -> Value:
         if isinstance(index, Known) and isinstance(index.value, int):
             inside = -len(items.values) <= index.value < len(items.values)
             if inside and not items.open:
-                return items.values[index.value]
+                return with_via(items.values[index.value], index.via)
             return Unknown("the items of this list are not known")
         if items.values and not items.open:
-            return one_of(items.values)
+            return with_via(one_of(items.values), via(index))
         return Unknown(reason(index, *items.values[:1]))
     if isinstance(container, DictValue):
         return get_entry(run, container, index, None)
@@ -220,13 +230,17 @@ ENVIRONMENT = {"ROS_VERSION": "2", "ROS_PYTHON_VERSION": "3"}
 
 
 def get_entry(run: Run, container: DictValue, index: Value, default: Value | None) -> Value:
-    """``dict[index]``, or ``dict.get(index, default)`` where a default is given."""
+    """``dict[index]``, or ``dict.get(index, default)`` where a default is given; what chose the index chooses it."""
+    return with_via(_get_entry(run, container, index, default), via(index))
+
+
+def _get_entry(run: Run, container: DictValue, index: Value, default: Value | None) -> Value:
     entries = entries_of(run, container)
     at = hashable(index)
     if at is not None:
         found = entries.entries.get(at)
         if found is not None:
-            return with_via(found[1], via(index))
+            return found[1]
         if entries.open:
             why = Unknown("the dict has entries that are not known")
             return why if default is None else one_of((as_default(default), why))
@@ -249,12 +263,6 @@ def _made_entry(run: Run, container: DictValue, index: Value) -> Value:
     made = run.call(factory, [], {})
     set_item(run, container, index, made)
     return made
-
-
-def with_via(value: Value, parameters: frozenset[str]) -> Value:
-    if parameters and isinstance(value, Known):
-        return Known(value.value, value.via | parameters, value.origin, value.kind)
-    return value
 
 
 def set_item(run: Run, container: Value, index: Value, value: Value) -> None:

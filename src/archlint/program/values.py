@@ -7,7 +7,7 @@ an object.  A value that cannot be known is :class:`Unknown` and says why.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from itertools import groupby
 from typing import TYPE_CHECKING
 
@@ -193,17 +193,22 @@ class Instance(Value):
     note: str = ""
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@dataclass(frozen=True, slots=True)
 class ListValue(Value):
-    """A list, tuple or set; items are in the store, ``kind`` says which of the three."""
+    """A list, tuple or set; items are in the store, ``kind`` says which of the three; ``via`` names the ROS
+    parameters that chose it among others."""
 
     key: int
     kind: str = "list"
+    via: frozenset[str] = field(default=NO_PARAMETERS, compare=False)
 
 
-@dataclass(frozen=True, slots=True, eq=False)
+@dataclass(frozen=True, slots=True)
 class DictValue(Value):
+    """A dict; entries are in the store, ``via`` names the ROS parameters that chose it among others."""
+
     key: int
+    via: frozenset[str] = field(default=NO_PARAMETERS, compare=False)
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -340,11 +345,24 @@ def via(*values: Value) -> frozenset[str]:
     """The parameters that a result made from these values depends on."""
     found: frozenset[str] = NO_PARAMETERS
     for value in values:
-        if isinstance(value, (Known, Holed, External)):
+        if isinstance(value, (Known, Holed, External, ListValue, DictValue)):
             found |= value.via
         elif isinstance(value, Unknown) and value.parameter is not None:
             found |= {value.parameter}
     return found
+
+
+def with_via(value: Value, parameters: frozenset[str]) -> Value:
+    """A value that these parameters chose among others."""
+    if not parameters:
+        return value
+    if isinstance(value, (Known, Holed, External, ListValue, DictValue)):
+        return replace(value, via=value.via | parameters)
+    if isinstance(value, Unknown):
+        return value if value.parameter is not None else replace(value, parameter=min(parameters))
+    if isinstance(value, OneOf):
+        return one_of(with_via(option, parameters) for option in value.values)
+    return value
 
 
 def reason(*values: Value) -> str:
