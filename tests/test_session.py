@@ -208,6 +208,32 @@ def test_unreadable_files_count_whatever_is_selected_unless_they_are_ignored():
     assert places(run()) == []
 
 
+BROKEN_SRV = "int33 first\n---\nbool ok\nstring \n"
+MESSAGES = "cmake_minimum_required(VERSION 3.8)\nproject(msgs)\nfind_package(rosidl_default_generators REQUIRED)\n"
+
+
+@pytest.mark.parametrize(
+    ("listed", "severity"),
+    [
+        ('rosidl_generate_interfaces(msgs "srv/Bad.srv")\n', Severity.WARNING),
+        ('rosidl_generate_interfaces(msgs "srv/Good.srv")\n', Severity.INFO),
+        ("file(GLOB all srv/*.srv)\nrosidl_generate_interfaces(msgs ${all})\n", Severity.WARNING),
+        ("include(messages.cmake)\n", Severity.WARNING),
+        ("", Severity.INFO),
+    ],
+)
+def test_a_broken_interface_is_one_finding_and_information_where_nothing_builds_it(listed, severity):
+    cmake = "<export><build_type>ament_cmake</build_type></export></package>"
+    write("msgs/package.xml", PACKAGE.format(name="msgs").replace("</package>", cmake))
+    write("msgs/CMakeLists.txt", MESSAGES + listed + "ament_package()\n")
+    write("msgs/srv/Bad.srv", BROKEN_SRV)
+    write("msgs/srv/Good.srv", "---\nbool ok\n")
+    [found] = run().findings
+    assert (found.code, found.place.line, found.severity) == ("LNT002", 1, severity)
+    assert [one.place.line for one in found.related] == [4]
+    assert ("nothing is built from it" in found.message) == (severity == Severity.INFO)
+
+
 def test_a_rule_that_raises_is_a_finding_and_the_others_run():
     @rule("SRV002")
     def broken(system, options):

@@ -207,6 +207,7 @@ def _systems(request: Request, workspace: Workspace, facts: FactsOfFiles, tree: 
             {package.relative: package for package in workspace.packages},
             loader=loader,
             faults=faults,
+            interfaces=interfaces,
             partial=_partial(request, workspace),
         ),
         closed=request.settings.closed_world,
@@ -324,7 +325,8 @@ def _judged(request: Request, workspace: Workspace, facts: FactsOfFiles, tree: S
     loader = systems[0].world.loader if systems[0].world is not None else None
     faults = systems[0].world.faults if systems[0].world is not None else Faults()
     imported = [f for f in _python(workspace) if f not in known and facts.was_read(f) and not facts.is_ros1(f)]
-    found = [*_problems(workspace, [*known, *imported], facts, faults), *merged(_rules(request.settings, systems))]
+    found = [*_problems(workspace, [*known, *imported], facts), *merged(_rules(request.settings, systems))]
+    found.extend(_of_interfaces(workspace, systems, faults))
     by_file = {file.relative: one.suppressions for file in known if (one := facts.facts_of(file)) is not None}
     if loader is not None:
         found.extend(unreadable(*problem) for problem in loader.problems())
@@ -402,12 +404,9 @@ def _with_fixes(findings: Sequence[Finding], request: Request, workspace: Worksp
     return [*fixed, *map(failure, faults.found())]
 
 
-def _problems(
-    workspace: Workspace, files: Sequence[SourceFile], facts: FactsOfFiles, faults: Faults
-) -> Iterator[Finding]:
+def _problems(workspace: Workspace, files: Sequence[SourceFile], facts: FactsOfFiles) -> Iterator[Finding]:
     """What could not be read: LNT002, or LNT003 where the fault is ours."""
     from archlint.checks.registry import unreadable
-    from archlint.facts.interfaces import interface_problems
 
     for problem in workspace.problems:
         yield unreadable(problem.file, problem.line, problem.column, problem.message)
@@ -419,12 +418,21 @@ def _problems(
         for fault in found.problems:
             one = unreadable(file.relative, fault.line, fault.column, fault.message)
             yield replace(one, related=tuple(Related(place, "it is imported here") for place in importers))
+
+
+def _of_interfaces(workspace: Workspace, systems: Sequence[System], faults: Faults) -> Iterator[Finding]:
+    """One LNT002 for an interface file that rosidl would refuse."""
+    from archlint.checks.registry import unreadable_interface
+    from archlint.facts.interfaces import interface_problems
+
+    table = systems[0].world.interfaces if systems[0].world is not None else None
     old = {package.name for package in workspace.packages if package.ros1}
     for file in workspace.files:
         if file.kind == "interface" and not file.context and file.package not in old:
             with faults.apart("reading this interface", Place(file.relative, 1, 1, 1, 1)):
-                for line, column, message in interface_problems(file.path):
-                    yield unreadable(file.relative, line, column, message)
+                problems = interface_problems(file.path)
+                if problems:
+                    yield unreadable_interface(file.relative, problems, table is None or table.is_built(file))
 
 
 def _importers(module: SourceFile, files: Sequence[SourceFile], facts: FactsOfFiles) -> list[Place]:

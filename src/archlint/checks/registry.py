@@ -20,7 +20,7 @@ from typing import TYPE_CHECKING
 from archlint import checks
 from archlint.checks.merge import depends_on_arguments
 from archlint.faults import Fault
-from archlint.finding import Finding, Place, Related
+from archlint.finding import Finding, Place, Related, Severity
 from archlint.rulebook import codes_of, rules
 from archlint.system.variants import Arguments, condition
 
@@ -242,6 +242,17 @@ def unreadable(file: str, line: int, column: int, message: str) -> Finding:
         return finding("LNT002", place, message, identity=(message,))
     what = f"reading this file failed with {message.removeprefix(INTERNAL_ERROR).lstrip(': ')}"
     return finding("LNT003", place, f"{what}; everything else was checked", help=_REPORT, identity=(message,))
+
+
+def unreadable_interface(file: str, problems: Sequence[tuple[int, int, str]], built: bool) -> Finding:
+    """The LNT002 finding for all lines of an interface file; information where no build reads the file."""
+    first, *others = problems
+    related = tuple(Related(Place(file, line, column, line, column), message) for line, column, message in others)
+    one = replace(unreadable(file, *first), related=related)
+    if built:
+        return one
+    message = f"{one.message}; the CMakeLists.txt of its package does not list this file, so nothing is built from it"
+    return replace(one, message=message, severity=Severity.INFO)
 
 
 def _place_of(system: System) -> Place:

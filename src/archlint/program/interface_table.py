@@ -76,7 +76,8 @@ class InterfaceTable:
         for file in files:
             if file.kind == "interface":
                 self._add(file)
-        self._without = frozenset(without) - self._packages - self._unread
+        self._nothing = frozenset(without)
+        self._without = self._nothing - self._packages - self._unread
         self._listed: set[tuple[str, str, str]] = set()
         """Package, kind and name of what a CMakeLists.txt lists."""
         self._complete: set[str] = set()
@@ -153,6 +154,12 @@ class InterfaceTable:
             and package in self._complete
             and (package, kind, name) not in self._listed
         )
+
+    def is_built(self, file: SourceFile) -> bool:
+        """Whether the build may read an interface file: False only where its package evidently generates others, or
+        none."""
+        package, kind, name = (type_of_file(file) or "//").split("/")
+        return not package or not (package in self._nothing or self.is_left_out(package, kind, name))
 
     def of_package(self, package: str, kind: str) -> list[str]:
         """The names of the interfaces that a package has of one kind, sorted."""

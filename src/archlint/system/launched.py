@@ -23,6 +23,7 @@ from archlint.system.understood import doubt
 if TYPE_CHECKING:
     from archlint.facts.parameters import ParameterFacts
     from archlint.program.installs import Installs
+    from archlint.program.interface_table import InterfaceTable
     from archlint.program.launch.load import LaunchLoader
     from archlint.program.link import EntryPoint, Linker
     from archlint.program.modules import Module
@@ -47,6 +48,7 @@ class World:
     loader: LaunchLoader | None = None
     faults: Faults = field(default_factory=Faults)
     """Where archlint itself failed in this run."""
+    interfaces: InterfaceTable | None = None
     explicit: bool = False
     """True where a launch file was named: the only system then."""
     partial: bool = False
