@@ -152,6 +152,15 @@ def test_an_unknown_executable_is_named_with_the_near_one(findings):
     assert found.help == "it installs talker; add it to setup.py, or start one of these"
 
 
+def test_a_long_list_says_that_it_goes_on(findings):
+    names = [f"talk{number}" for number in range(10)]
+    entries = ", ".join(f"'{name} = robot.talker:main'" for name in names)
+    (found,) = findings(
+        "LCH001", node(exec="zebra"), **{"setup.py": SETUP.replace("'talker = robot.talker:main'", entries)}
+    )
+    assert found.help.startswith(f"it installs {', '.join(names[:8])} and 2 more; add it to setup.py")
+
+
 def test_another_name_of_the_same_file_is_the_one_to_start(findings):
     setup = SETUP.replace("'talker =", "'speak =")
     (found,) = findings("LCH001", node(exec="talker.py"), **{"setup.py": setup})
@@ -310,6 +319,54 @@ def test_an_argument_that_is_declared_too_late(findings):
     (found,) = findings("LCH003", node(name="$(var y)") + '<arg name="y" default="a"/>')
     assert found.message == "the launch argument 'y' is read before it is declared"
     assert [one.message for one in found.related] == ["it is declared here"]
+
+
+NEVER_ADDED = """\
+from launch import LaunchDescription
+from launch.actions import DeclareLaunchArgument
+from launch.substitutions import LaunchConfiguration
+from launch_ros.actions import Node
+
+def generate_launch_description():
+    name = DeclareLaunchArgument('name', default_value='ann')
+    talker = Node(package='robot', executable='talker', name=LaunchConfiguration('name'))
+    return LaunchDescription([talker])
+"""
+
+
+def test_a_declaration_that_is_made_and_never_added(findings):
+    (found,) = findings("LCH003", **{"launch/a.launch.py": NEVER_ADDED})
+    assert found.message == "the launch argument 'name' is read, and its declaration is not in the LaunchDescription"
+    assert (found.place.line, [one.place.line for one in found.related]) == (8, [7])
+
+
+def test_a_declaration_that_only_an_included_file_adds_later(findings):
+    inner = '<arg name="name" default="bob"/>'
+    include = (
+        "    later = IncludeLaunchDescription(XMLLaunchDescriptionSource(\n"
+        "        [FindPackageShare('robot'), '/launch/it.launch.xml']))\n    return"
+    )
+    outer = (
+        "from launch.actions import IncludeLaunchDescription\nfrom launch_xml.launch_description_sources import "
+        "XMLLaunchDescriptionSource\nfrom launch_ros.substitutions import FindPackageShare\n"
+    ) + NEVER_ADDED.replace("    return", include).replace("[talker]", "[talker, later]")
+    (found,) = findings("LCH003", inner, **{"launch/a.launch.py": outer})
+    assert [one.place.file for one in found.related] == ["launch/a.launch.py"]
+
+
+@pytest.mark.parametrize("added", ["[name, talker]", "[talker], **{}", "[*[name], talker]"])
+def test_a_declaration_that_is_added(findings, added):
+    text = NEVER_ADDED.replace("[talker]", added)
+    if "**" in added:
+        text = NEVER_ADDED.replace("    return LaunchDescription([talker])", ADDED_LATER)
+    assert findings("LCH003", **{"launch/a.launch.py": text}) == []
+
+
+ADDED_LATER = """\
+    description = LaunchDescription()
+    for one in (name, talker):
+        description.add_action(one)
+    return description"""
 
 
 @pytest.mark.parametrize(
@@ -544,6 +601,30 @@ def test_a_section_for_a_node_inside_a_process_that_is_not_here(findings):
     misspelt = {"config/p.yaml": "controller_sever: {ros__parameters: {rate: 1.0}}"}
     assert len(findings("PRM005", node(load_it) + server, **misspelt)) == 1
     assert len(findings("PRM005", node(load_it), **{"config/p.yaml": yaml})) == 1
+
+
+@pytest.mark.parametrize(
+    ("around", "given", "told"),
+    [
+        ("", "", 1),
+        ("", '<arg name="camera" value="front"/>', 1),
+        ("", '<arg name="params" value="$(find-pkg-share robot)/config/p.yaml"/>', 0),
+        ("", '<arg name="folder" value="$(find-pkg-share robot)/config"/>', 0),
+        ("", '<arg name="params" value="$(env PARAMS)"/>', 0),
+        ('<arg name="params" default="$(find-pkg-share robot)/config/p.yaml"/>', "", 0),
+    ],
+)
+def test_an_include_that_is_not_here_and_a_file_that_it_is_or_is_not_given(findings, around, given, told):
+    load_it = '<param from="$(find-pkg-share robot)/config/p.yaml"/>'
+    files = {"config/p.yaml": "tlaker: {ros__parameters: {rate: 1.0}}"}
+    include = f'<include file="$(find-pkg-share zed_wrapper)/launch/zed.launch.py">{given}</include>'
+    assert len(findings("PRM005", around + node(load_it) + include, **files)) == told
+
+
+def test_an_include_of_a_file_that_is_not_known_may_load_anything(findings):
+    load_it = '<param from="$(find-pkg-share robot)/config/p.yaml"/>'
+    files = {"config/p.yaml": "tlaker: {ros__parameters: {rate: 1.0}}"}
+    assert findings("PRM005", node(load_it) + '<include file="$(env MORE)"/>', **files) == []
 
 
 def test_a_section_for_a_node_that_other_arguments_start(findings):

@@ -8,7 +8,7 @@ from collections.abc import Iterator
 from itertools import groupby
 from typing import TYPE_CHECKING
 
-from archlint.checks.near import did_you_mean, distance
+from archlint.checks.near import did_you_mean, distance, listed
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.whole import is_whole, walk
 from archlint.facts import model as facts
@@ -73,8 +73,7 @@ def _instead(installs: Installs, name: str, world: World) -> tuple[str, str]:
     there = [file for file in files if posixpath.basename(file) == name]
     if len(there) == 1:
         return did_you_mean(name, known), f"{there[0]} is there: install it in {build}"
-    listed = f"it installs {', '.join(known[:8])}" if known else "it installs none"
-    return did_you_mean(name, known), f"{listed}; add it to {build}, or start one of these"
+    return did_you_mean(name, known), f"it installs {listed(known)}; add it to {build}, or start one of these"
 
 
 def _stem(executable: Executable) -> str:
@@ -159,7 +158,7 @@ def _dead(remap: Remap, nodes: list[Node], started: Started) -> Iterator[Finding
         "LCH002",
         remap.place,
         f"nothing in {node_name} is called '{expanded}', so this remapping does nothing" + did_you_mean(source, shown),
-        help=f"names in it: {', '.join(sorted(known)[:8]) or 'none'}; only whole names match, with their namespace",
+        help=f"names in it: {listed(sorted(known))}; only whole names match, with their namespace",
         node=node_name,
         identity=(node_name or "", expanded),
     )

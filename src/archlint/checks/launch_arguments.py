@@ -10,7 +10,7 @@ from itertools import groupby
 from typing import TYPE_CHECKING
 
 from archlint.checks.folding import folds
-from archlint.checks.near import did_you_mean
+from archlint.checks.near import did_you_mean, listed
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.whole import walk
 from archlint.facts import model as facts
@@ -21,7 +21,7 @@ from archlint.program.launch.model import ParameterFileUse
 if TYPE_CHECKING:
     from archlint.finding import Place
     from archlint.program.launch.load import LaunchLoader
-    from archlint.program.launch.model import Included, Launched
+    from archlint.program.launch.model import Included, Launched, UndeclaredUse
     from archlint.system.model import System
 
 
@@ -55,6 +55,10 @@ def _undeclared_uses(system: System, launched: Launched) -> Iterator[Finding]:
             continue  # whoever includes it may pass it: that system tells
         told.add(use.name)
         later = [argument.place for argument in launched.declared if argument.name == use.name]
+        left_out = _left_out(launched, use)
+        if left_out is not None:
+            yield _never_added(use, left_out)
+            continue
         yield finding(
             "LCH003",
             use.place,
@@ -69,6 +73,23 @@ def _undeclared_uses(system: System, launched: Launched) -> Iterator[Finding]:
         )
 
 
+def _left_out(launched: Launched, use: UndeclaredUse) -> Place | None:
+    """Where the file that reads an argument makes a declaration of it that it then does not return."""
+    declared = {(argument.file, argument.name) for argument in launched.declared}
+    return None if (use.file, use.name) in declared else launched.written.get((use.file, use.name))
+
+
+def _never_added(use: UndeclaredUse, declaration: Place) -> Finding:
+    return finding(
+        "LCH003",
+        use.place,
+        f"the launch argument '{use.name}' is read, and its declaration is not in the LaunchDescription",
+        help="put the declaration into the LaunchDescription, in front of what reads it",
+        related=[Related(declaration, "it is made here, and never added")],
+        identity=(use.file, use.name),
+    )
+
+
 _MANY = 3
 """From so many undeclared names on, nobody forgot one: whoever includes the file sets them all."""
 
@@ -77,7 +98,8 @@ def _meant_to_be_included(launched: Launched) -> bool:
     """Whether a launch file evidently gets its arguments from another one that is not here."""
     if any(argument.default is None and argument.file == launched.file for argument in launched.declared):
         return True
-    return len({use.name for use in launched.undeclared if not use.conditional}) >= _MANY
+    uses = [use for use in launched.undeclared if not use.conditional and _left_out(launched, use) is None]
+    return len({use.name for use in uses}) >= _MANY
 
 
 # ----------------------------------------------------------------------------------------------- includes
@@ -111,12 +133,11 @@ def _finding(sources: list[str], unknown: list[str], given: dict[str, Place], de
     said = f"{verb} no launch argument '{first}'" + did_you_mean(first, declared)
     if others:
         said = f"{verb} none of the launch arguments " + ", ".join(f"'{name}'" for name in unknown)
-    listed = f"it declares {', '.join(declared[:8])}" if declared else "it declares none"
     found = finding(
         "LCH003",
         given[first],
         f"{shown} {said}",
-        help=f"the value has no effect: declare the argument there, or leave it out; {listed}",
+        help=f"the value has no effect: declare the argument there, or leave it out; it declares {listed(declared)}",
         related=[Related(given[name], f"'{name}' is given here" + did_you_mean(name, declared)) for name in others],
         identity=(*sources, *unknown),
     )

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 
 
 def distance(one: str, other: str, limit: int) -> int:
@@ -72,3 +72,12 @@ def did_you_mean(word: str, known: Iterable[str]) -> str:
     """``; did you mean 'x'?`` to put after a message, or nothing."""
     near = nearest(word, known)
     return f"; did you mean '{near}'?" if near is not None else ""
+
+
+_LISTED = 8
+
+
+def listed(names: Sequence[str], otherwise: str = "none") -> str:
+    """The first names for a line of help, with how many more there are; ``otherwise`` where there is none."""
+    more = f" and {len(names) - _LISTED} more" if len(names) > _LISTED else ""
+    return ", ".join(names[:_LISTED]) + more or otherwise

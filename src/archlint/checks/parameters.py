@@ -2,18 +2,20 @@
 
 from __future__ import annotations
 
+import posixpath
 from collections.abc import Iterable, Iterator
 from typing import TYPE_CHECKING
 
-from archlint.checks.near import did_you_mean
+from archlint.checks.near import did_you_mean, listed
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.whole import declares_all, enclosing_function, in_sight, walk
 from archlint.facts import model as facts
 from archlint.finding import Finding, Place, Related
-from archlint.program.launch.model import ParameterFileUse, Started
+from archlint.program.launch.model import EXTERNAL, ParameterFileUse, Started
 from archlint.system.overrides import NOT_KNOWN, Setting, applied, key_matches
 
 if TYPE_CHECKING:
+    from archlint.program.launch.model import Included
     from archlint.program.model import Blueprint, ParameterDeclaration
     from archlint.system.launched import World
     from archlint.system.model import Node, System
@@ -168,7 +170,7 @@ def unknown_parameter_override(system: System, options: Options) -> Iterator[Fin
                 setting.place,
                 f"{_called(node)} declares no parameter '{setting.name}', so this value is never used"
                 + did_you_mean(setting.name, declared.keys() - {one.name for one in settings}),
-                help=f"it declares {', '.join(sorted(declared)[:8]) or 'none'}",
+                help=f"it declares {listed(sorted(declared))}",
                 related=[Related(node.blueprint.place, "the node is defined here")],
                 node=node.name,
                 identity=(node.name or "", setting.name),
@@ -220,7 +222,7 @@ def parameters_for_unknown_node(system: System, options: Options) -> Iterator[Fi
             last = section.key.rpartition("/")[2]
             right = sorted(name for name in started if name.rpartition("/")[2] == last)
             message = f"no launch file that loads this file starts a node '{section.key}'"
-            help = f"the nodes that get this file: {', '.join(sorted(started)[:8])}"
+            help = f"the nodes that get this file: {listed(sorted(started))}"
             if right:
                 message += f"; did you mean '{right[0]}'?"
                 help = f"a key is the full name: write '{right[0]}:', or '/**/{last}:' for any namespace"
@@ -256,6 +258,19 @@ def _files_of_process(started: Started) -> list[str]:
     return [use.reference.source for use in uses if use.reference.source is not None]
 
 
+def _may_read(include: Included, file: str) -> bool:
+    """Whether a launch file that is not here may load a parameter file of this workspace: it is of another package,
+    so that it knows the file, or the folder that it lies in, from whoever includes it."""
+    if include.handed is None or include.reference.status != EXTERNAL:
+        return True
+    name = posixpath.basename(file)
+    return any(name in text or _is_folder(text) for text in include.handed)
+
+
+def _is_folder(text: str) -> bool:
+    return text.startswith("$(") and "." not in posixpath.basename(text)
+
+
 def _names_of_nodes(world: World, file: str) -> set[str] | None:
     """The names of all nodes of the launches that load a file; None where one of them is not known."""
     found: set[str] = set()
@@ -264,7 +279,7 @@ def _names_of_nodes(world: World, file: str) -> set[str] | None:
             continue
         if system.launched.gaps or any(started.dormant for started in system.launched.started):
             return None
-        if any(i.reference.source is None for i in system.launched.included):
+        if any(i.reference.source is None and _may_read(i, file) for i in system.launched.included):
             return None
         for node in system.nodes:
             if node.name is None or node.resolution not in ("exact", "parameter"):

@@ -39,6 +39,8 @@ def launch_object(run: Run, call: ApiUse) -> Value:
     place = run.place(call.expression.span) if call.expression is not None and run.activations else None
     made = Instance(External(call.api.path), run.store.new_key(), place, dict(call.arguments))
     note_made(run, call.api.kind, place)
+    if call.api.kind == "DeclareLaunchArgument":
+        note_declaration(run, made)
     if isinstance(call.receiver, Instance):
         run.store.set(call.receiver.key, "#action", made)  # super().__init__(…) of a class derived from an action
     run.store.set(made.key, "#arms", frozenset(run.arms))
@@ -59,6 +61,14 @@ def note_made(run: Run, kind: str, place: Place | None) -> None:
 
     if kind in NODES and place is not None and isinstance(run, LaunchRun):
         run.result.made.add(place)
+
+
+def note_declaration(run: Run, made: Instance) -> None:
+    from archlint.program.launch.run import LaunchRun
+
+    name = made.arguments.get("name")
+    if isinstance(run, LaunchRun) and isinstance(name, Known) and made.place is not None:
+        run.result.written.setdefault((run.file, str(name.value)), made.place)
 
 
 def _items(run: Run, value: Value | None) -> Items:

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 from archlint.finding import Place
 from archlint.program.launch.context import Context
-from archlint.program.launch.model import Included
+from archlint.program.launch.model import Included, ParameterFileUse
 from archlint.program.launch.substitutions import argument, kind_of, perform
 from archlint.program.launch.visiting import callable_value, each_alternative, visit, visit_items
 from archlint.program.store import Items
@@ -38,12 +38,26 @@ def include(run: LaunchRun, entity: Instance) -> None:
     source = argument(entity, "launch_description_source")
     location = argument(source, "launch_file_path") if kind_of(source).endswith("Source") else source
     place = (source.place if isinstance(source, Instance) else None) or run.place_now
-    names = _given(run, argument(entity, "launch_arguments"))
+    given = argument(entity, "launch_arguments")
+    names = _given(run, given)
     path = perform(run, location)
     for option in each_alternative(run, path) if isinstance(path, OneOf) else (path,):
         reference = run.reference("launch", option, place)
-        run.result.included.append(Included(reference, names, place, run.file, run.is_dormant))
+        handed = None if given is not None and run.is_open(given) else _handed(run, [name for name, _ in names])
+        run.result.included.append(Included(reference, names, place, run.file, run.is_dormant, handed))
         run.loader.include(run, reference, plain=not names and option is path)
+
+
+def _handed(run: LaunchRun, names: Sequence[str]) -> tuple[str, ...] | None:
+    """What an included file can read: configurations go down to it, whether they are given as arguments or not.  One
+    that is not known counts where it is given by name."""
+    values = run.launch.configurations
+    if any(not isinstance(values.get(name), Known) for name in names):
+        return None
+    texts = {str(value.value) for value in values.values() if isinstance(value, Known)}
+    uses = [one for one in run.launch.parameters or () if isinstance(one, ParameterFileUse)]
+    texts.update(use.reference.source or use.reference.written or "" for use in uses)
+    return tuple(sorted(texts))
 
 
 def _given(run: LaunchRun, arguments: Value | None) -> tuple[tuple[str, Place], ...]:

@@ -112,11 +112,15 @@ class Started:
 
 @dataclass(frozen=True)
 class Included:
+    """An include.  ``handed`` are the texts that the included file can read, of launch configurations, and the
+    parameter files that are set for all nodes in it; None where not all of them are known."""
+
     reference: FileReference
     arguments: tuple[tuple[str, Place], ...]
     place: Place
     file: str
     dormant: bool = False
+    handed: tuple[str, ...] | None = None
 
 
 @dataclass(frozen=True)
@@ -204,6 +208,8 @@ class Launched:
     gaps: list[Gap] = field(default_factory=list)
     made: set[Place] = field(default_factory=set)
     """Where the run came past a node action, whether it is then started or not."""
+    written: dict[tuple[str, str], Place] = field(default_factory=dict)
+    """Where the run came past the declaration of an argument, by file and name, whether it is then used or not."""
     labels: dict[tuple[str, int], str] = field(default_factory=dict)
     """What a branch means to a user: ``use_sim:=true``."""
     undecided: dict[str, list[str]] = field(default_factory=dict)
