@@ -200,6 +200,10 @@ class TestSpinning:
             "from window import clock\nclock.ticked.connect(lambda: rclpy.spin_once(robot, timeout_sec=0.01))",
             "def spin():\n    while rclpy.ok():\n        rclpy.spin_once(robot)\n\n\n"
             "asyncio.get_event_loop().run_in_executor(None, spin)",
+            "from window import widget\n\n\ndef spin():\n    rclpy.spin_once(robot)\n\n\n"
+            "def on_event(event):\n    spin()\n\n\nwidget.timer_event = on_event",
+            "from window import widget\n\n\ndef spin():\n    rclpy.spin_once(robot)\n\n\n"
+            "widget.timer_event = lambda event: spin()",
             "def spin(node):\n    rclpy.spin(node)\n\n\nfrom window import pool\npool.submit(partial(spin, robot))",
         ],
     )
@@ -218,7 +222,12 @@ class TestSpinning:
 
     @pytest.mark.parametrize(
         "body",
-        ["print('there')", "executor = MultiThreadedExecutor()\nexecutor.add_node(robot)\nprint('forgotten')"],
+        [
+            "print('there')",
+            "executor = MultiThreadedExecutor()\nexecutor.add_node(robot)\nprint('forgotten')",
+            "from window import widget\n\n\ndef note():\n    print('event')\n\n\n"
+            "def on_event(event):\n    note()\n\n\nwidget.timer_event = on_event",
+        ],
     )
     def test_a_node_that_is_not(self, run: Run, body: str):
         assert codes(run(source(TIMER, self.TICK, self.main(body)))) == ["EXE008"]

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 from typing import TYPE_CHECKING, Any
 
 from archlint.facts import model as facts
@@ -136,7 +136,7 @@ def hand_out(run: Run, values: Iterable[Value]) -> None:
         inner = function.function if isinstance(function, BoundMethod) else function
         if not isinstance(inner, FunctionValue) or (inner is not function and not method):
             continue
-        if not (interesting(inner.ir) or given or _passes_on(run, inner)):
+        if not (given or any(interesting(one.ir) or _passes_on(run, one) for one in _led_to(run, inner))):
             continue
         callback = describe(run, option)
         # Once a function, whatever scope it is defined in: one that defines others and hands them out has no end.
@@ -159,6 +159,26 @@ def _taken_apart(value: Value) -> tuple[Value, list[Value]]:
         given += [*value.args, *(one for _, one in value.keywords)]
         value = value.function
     return value, given
+
+
+def _led_to(run: Run, function: FunctionValue) -> Iterator[FunctionValue]:
+    """A function, and the functions that it names (so it may call them), and so on."""
+    from archlint.program.interest import names_in
+
+    waiting = [function]
+    seen: set[int] = set()
+    while waiting:
+        one = waiting.pop()
+        if id(one.ir) in seen:
+            continue
+        seen.add(id(one.ir))
+        yield one
+        names = names_in(one.ir)
+        scope: Scope | None = one.scope
+        while scope is not None:
+            values = (run.store.get(scope.key, name) for name in sorted(names) if scope.kind != "class")
+            waiting += [value for value in values if isinstance(value, FunctionValue)]
+            scope = scope.parent
 
 
 def _passes_on(run: Run, function: FunctionValue) -> bool:
