@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from archlint.config import Settings
+from archlint.render.json import document
 from archlint.session import Request, graph
 
 NODE = """\
@@ -98,3 +99,13 @@ def test_the_else_of_a_loop_that_a_try_may_leave(tmp_path, monkeypatch):
         "        self.create_publisher(ParameterDescriptor, 'battery', 10)"
     )
     assert [e.name for e in node_of(tmp_path, monkeypatch, read).endpoints] == ["/battery"]
+
+
+def test_a_value_that_the_constructor_gives_wins_over_the_default(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    given = NODE.replace("super().__init__('anything')", "super().__init__('anything', parameter_overrides=[GIVEN])")
+    given = given.replace("GIVEN", "rclpy.parameter.Parameter('fixed', value=7)").format(more="pass")
+    (tmp_path / "anything.py").write_text(given, encoding="utf-8")
+    [node] = document(graph(Request((".",), Settings(), cached=False, jobs=1)))["nodes"]
+    rows = {one["name"]: (one["default"], one.get("override")) for one in node["parameters"]}
+    assert rows == {"fixed": (1, 7), "any": (1, None), "many.any": (1.0, None), "many.fixed": ("a", None)}

@@ -245,12 +245,14 @@ def _of_external(run: Run, value: External, name: str) -> Value:
 
 
 def _interface_constant(run: Run, path: str, name: str) -> Value | None:
-    """A constant of a ``.msg``, ``.srv`` or ``.action`` file."""
+    """A constant of a ``.msg``, ``.srv`` or ``.action`` file, or the name of the class made from it."""
     if run.interfaces is None:
         return None
     interface, part = rclpy_names.interface_and_part(path)
     if interface is None:
         return None
+    if name == "__name__" and not part:
+        return Known(interface.rpartition("/")[2])
     value = run.interfaces.constant(interface, part, name)
     return None if value is None else Known(value)
 

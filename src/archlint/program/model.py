@@ -194,6 +194,8 @@ class ParameterDeclaration:
     ignore_override: bool = False
     dynamic: bool = False
     chain: tuple[Frame, ...] = ()
+    given: tuple[object, ...] = ()
+    """The value that the constructor's ``parameter_overrides`` give it, which wins over all others; empty: none."""
 
 
 @dataclass(eq=False)

@@ -160,7 +160,9 @@ def _parameter(parameter: ParameterDeclaration, node: Node) -> dict[str, Any]:
         "column": parameter.place.column,
         "conditional": parameter.conditional,
     }
-    if parameter.name.text in node.overrides and not parameter.ignore_override:
+    if parameter.given:
+        described["override"] = _plain(parameter.given[0])
+    elif parameter.name.text in node.overrides and not parameter.ignore_override:
         described["override"] = _plain(node.overrides[parameter.name.text])
     return described
 

@@ -140,10 +140,11 @@ def declare_one(
         kind = None if dynamic else type_name(run, default)
         typed = _is_type(default)
         has_default = default is not None and not typed and default != NONE
-        for blueprint in nodes.nodes_of(run, call.receiver):
-            _note(run, blueprint, text, kind, default if has_default else None, place, ignore_override, dynamic)
-        value: Value
         override = run.store.get(nodes.node_key(run, call.receiver), ("#override", text.text))
+        given = override if isinstance(override, Value) and not ignore_override else None
+        for blueprint in nodes.nodes_of(run, call.receiver):
+            _note(run, blueprint, text, kind, default if has_default else None, place, ignore_override, dynamic, given)
+        value: Value
         if isinstance(override, Value) and text.text is not None and not ignore_override:
             value = from_parameter(run, override, text.text)
         elif text.text is None or text.resolution not in ("exact", "parameter"):
@@ -175,12 +176,14 @@ def _note(
     place: Place,
     ignore_override: bool,
     dynamic: bool,
+    given: Value | None,
 ) -> None:
     for known in blueprint.parameters:
         if known.place == place and known.name.text == name.text:
             known.conditional = known.conditional and bool(run.arms)
             return
     python, is_known = to_python(run, default)
+    in_code, in_code_known = to_python(run, given)
     blueprint.parameters.append(
         model.ParameterDeclaration(
             name,
@@ -193,6 +196,7 @@ def _note(
             ignore_override,
             dynamic,
             chain=run.chain(),
+            given=(in_code,) if given is not None and in_code_known else (),
         )
     )
 
