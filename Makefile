@@ -5,7 +5,7 @@ VENV   := .venv
 BIN    := $(VENV)/bin
 STAMP  := $(VENV)/.installed-$(shell cksum < pyproject.toml | tr -d ' ')
 
-.PHONY: demo test check style types layers suite clean
+.PHONY: demo test test-ros check style types layers suite clean
 
 # A Debian without python3-venv cannot make an environment with pip in it: install that package where we may.
 $(STAMP): pyproject.toml
@@ -35,7 +35,18 @@ layers: $(STAMP)
 suite: $(STAMP)
 	$(BIN)/python -m pytest
 
+test-ros: $(STAMP)  ## against running nodes, on the ROS 2 distributions that PyPI has wheels of: two at a time
+	@command -v cmake >/dev/null && command -v c++ >/dev/null || { \
+	  echo "installing cmake and g++, which build interfaces" >&2; \
+	  sudo=; test "$$(id -u)" = 0 || sudo=sudo; \
+	  $$sudo apt-get update -qq && $$sudo apt-get install -qq -y cmake g++; } || true
+	@$(MAKE) --no-print-directory --jobs 2 --keep-going --output-sync=target test-ros-jazzy test-ros-kilted
+
+test-ros-%: $(STAMP)
+	@$(BIN)/python scripts/ros_environment $*
+	@test ! -d .venv-ros-$* || $(BIN)/python -m pytest tests_ros --distro $* -rs
+
 check: test
 
 clean:
-	rm -rf $(VENV) demo-output dist build .pytest_cache .mypy_cache .ruff_cache .hypothesis .import_linter_cache
+	rm -rf $(VENV) .venv-ros-* demo-output dist build .pytest_cache .mypy_cache .ruff_cache .hypothesis .import_linter_cache

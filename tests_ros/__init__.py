@@ -1,0 +1,1 @@
+"""archlint's graph held against running nodes: needs the environments that ``make test-ros`` sets up."""

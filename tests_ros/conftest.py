@@ -1,0 +1,21 @@
+"""Which distributions to try, and what the tests of one share."""
+
+from __future__ import annotations
+
+import pytest
+
+from tests_ros.environments import Environment
+
+DISTROS = ("jazzy", "kilted")
+
+
+def pytest_addoption(parser: pytest.Parser) -> None:
+    parser.addoption("--distro", choices=DISTROS, default="jazzy", help="the ROS 2 distribution to try against")
+
+
+@pytest.fixture(scope="session")
+def environment(pytestconfig: pytest.Config) -> Environment:
+    one = Environment(pytestconfig.getoption("--distro"))
+    if not one.ready():
+        pytest.skip(f"no environment for {one.distro}: run `make test-ros`")
+    return one
