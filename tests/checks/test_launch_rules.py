@@ -1067,3 +1067,59 @@ def test_use_sim_time_handed_over_as_a_matter_of_course_is_information(findings)
     outer = f'<include file="$(find-pkg-share robot)/launch/inner.launch.xml">{given}</include>'
     (one,) = findings("LCH003", outer, **inner)
     assert one.severity.label == "info"
+
+
+# --------------------------------------------------------------------------------- TOP004, the namespace
+
+HEARER = """\
+import rclpy
+from rclpy.node import Node
+from std_msgs.msg import String
+
+class Hearer(Node):
+    def __init__(self):
+        super().__init__('hearer')
+        self.create_subscription(String, 'chatter', print, 10)
+
+def main():
+    rclpy.init()
+    rclpy.spin(Hearer())
+"""
+TWO_NODES = {
+    "setup.py": SETUP.replace("robot.talker:main'", "robot.talker:main', 'hearer = robot.hearer:main'"),
+    "robot/hearer.py": HEARER,
+}
+IN_NAMESPACE = """\
+import sys
+from launch import LaunchDescription
+from launch_ros.actions import Node
+
+def generate_launch_description():
+    namespace = 'left'
+    for word in WORDS:
+        if word.startswith('namespace:='):
+            namespace = word.split(':=')[1]
+    return LaunchDescription([
+        Node(package='robot', executable='talker', namespace=namespace),
+        Node(package='robot', executable='hearer'),
+    ])
+"""
+
+
+def test_one_name_in_two_namespaces(findings):
+    (found,) = findings("TOP004", node(namespace="left") + node(exec="hearer"), **TWO_NODES)
+    assert found.message.endswith("; both write 'chatter'")
+    assert found.help == "give /hearer and /left/talker one namespace in the launch file"
+    assert findings("TOP004", node(namespace="left") + node(exec="hearer", namespace="left"), **TWO_NODES) == []
+
+
+def test_one_name_that_the_launch_file_remaps_at_one_end(findings):
+    remapped = node('<remap from="chatter" to="chater"/>')
+    (found,) = findings("TOP004", remapped + node(exec="hearer"), **TWO_NODES)
+    assert found.help == "write one name at both ends, or remap one to the other in the launch file"
+
+
+@pytest.mark.parametrize(("words", "told"), [("sys.argv", 0), ("['verbose:=true']", 1)])
+def test_a_namespace_from_the_command_line_is_not_known(findings, words, told):
+    launch = {"launch/it.launch.xml": "<launch/>", "launch/two.launch.py": IN_NAMESPACE.replace("WORDS", words)}
+    assert len(findings("TOP004", **TWO_NODES, **launch)) == told

@@ -111,14 +111,24 @@ def _misspelt(one: str, other: str, alone: bool) -> bool:
     return distance(one, other, limit) <= limit
 
 
+def _follows_node(end: Endpoint) -> bool:
+    """Whether a name is the relative one that the code writes, in the namespace of its node, and no remapping's."""
+    return end.name == f"{(end.node.name or '').rpartition('/')[0]}/{end.written}"
+
+
 def _finding(user: Endpoint, candidates: list[Endpoint]) -> Finding:
     nearest = candidates[0]
+    hint = f"did you mean '{nearest.name}'?"
+    help = "write one name at both ends, or remap one to the other in the launch file"
+    if user.written == nearest.written and _follows_node(user) and _follows_node(nearest):
+        hint = f"both write '{user.written}'"
+        help = f"give {user.node.name} and {nearest.node.name} one namespace in the launch file"
     return finding(
         "TOP004",
         user.place,
         f"nobody publishes '{user.name}' and nobody subscribes to '{nearest.name}', which {nearest.node.name} "
-        f"publishes with the same type; did you mean '{nearest.name}'?",
-        help="write one name at both ends, or remap one to the other in the launch file",
+        f"publishes with the same type; {hint}",
+        help=help,
         related=[Related(end.place, f"{end.node.name} publishes '{end.name}'") for end in candidates],
         node=user.node.name,
         identity=(user.name or "", nearest.name or ""),

@@ -17,7 +17,7 @@ from archlint.program.launch.substitutions import argument, kind_of, perform
 from archlint.program.launch.visiting import arms_of, each_alternative, verdict_on
 from archlint.program.model import Text
 from archlint.program.texts import text_of_value
-from archlint.program.values import Instance, Known, ListValue, OneOf, Unknown, Value, reason
+from archlint.program.values import Holed, Instance, Known, ListValue, OneOf, Unknown, Value, alternatives, reason
 
 if TYPE_CHECKING:
     from archlint.program.launch.run import LaunchRun
@@ -30,6 +30,13 @@ def node(run: LaunchRun, entity: Instance) -> None:
     run.start(started)
     if kind == "ComposableNodeContainer":
         _components(run, entity, started.name)
+
+
+def _text_of(run: LaunchRun, value: Value, missing: str) -> Text:
+    """A name, which is no default where the file looks at ``sys.argv``: a word there may replace it."""
+    if run.program.reads_command_line and any(isinstance(option, (Unknown, Holed)) for option in alternatives(value)):
+        return Text(None, "unknown", reason="a word of the command line may replace it")
+    return text_of_value(value, missing)
 
 
 def _started(run: LaunchRun, entity: Instance, kind: str) -> Started:
@@ -45,8 +52,8 @@ def _started(run: LaunchRun, entity: Instance, kind: str) -> Started:
         text_of_value(None if executable is None else perform(run, executable), "no executable is given"),
         run.place_now,
         run.file,
-        None if name is None else text_of_value(perform(run, name), "no name"),
-        None if full is None else text_of_value(full, "no namespace"),
+        None if name is None else _text_of(run, perform(run, name), "no name"),
+        None if full is None else _text_of(run, full, "no namespace"),
         arms=run.current_arms,
         dormant=run.is_dormant,
         places=run.places_of(entity),
