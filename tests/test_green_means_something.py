@@ -182,3 +182,38 @@ def test_a_misspelt_argument_is_told_where_a_part_could_not_be_read(capsys: pyte
     words = told(capsys, ".", "--launch", "pkg/launch/a.launch.xml", "use_smi:=true", "other:=1", "--exit-zero")
     assert "has no argument 'use_smi'; did you mean 'use_sim'?" in words
     assert "'other'" not in words, "the included file may take it"
+
+
+# ------------------------------------------------------------------------------------------------- launch files
+
+LAUNCH = """\
+from launch import LaunchDescription
+from launch_ros.actions import Node
+
+
+def generate_launch_description():
+    return LaunchDescription([Node(package='pkg', executable='nobody')])
+"""
+
+
+@pytest.mark.parametrize("folder", ["pkg", "other"])
+def test_an_empty_file_that_makes_launch_a_python_package_hides_nothing(
+    capsys: pytest.CaptureFixture[str], folder: str
+) -> None:
+    for name in ("pkg", "other"):
+        write(f"{name}/package.xml", PACKAGE.format(name, "ament_python"))
+        write(f"{name}/setup.py", f"from setuptools import setup\nsetup(name='{name}', packages=['{name}'])\n")
+    write("pkg/launch/a.launch.py", LAUNCH)
+    write(f"{folder}/launch/__init__.py")
+    assert main(["check", "--no-cache", "--select", "LCH001"]) == 1
+    assert "LCH001" in capsys.readouterr().out
+
+
+def test_a_launch_file_that_cannot_be_followed_is_told(capsys: pytest.CaptureFixture[str]) -> None:
+    write("pkg/package.xml", PACKAGE.format("pkg", "ament_python"))
+    write(
+        "pkg/launch/a.launch.py",
+        "from elsewhere import actions\n\n\ndef generate_launch_description():\n    return actions()\n",
+    )
+    words = told(capsys)
+    assert "pkg/launch/a.launch.py:1: what this launch file starts is not known, so it is not judged" in words

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence, Set
 from fnmatch import fnmatchcase
 from typing import TYPE_CHECKING
 
@@ -10,6 +10,7 @@ if TYPE_CHECKING:
     from archlint.config import Settings
     from archlint.config_values import Glob
     from archlint.report.model import Summary
+    from archlint.system.model import System
     from archlint.workspace.model import Workspace
 
 _SOMETIMES_THERE = frozenset(
@@ -36,6 +37,16 @@ def for_ros1(python: Sequence[str], launch: Sequence[str]) -> Iterator[str]:
     what = " and ".join(f"{count} {kind}{'s' if count > 1 else ''}" for count, kind in counts if count)
     if what:
         yield f"{what} are for ROS 1 and passed over"
+
+
+def without_start(systems: Iterable[System], context: Set[str]) -> Iterator[str]:
+    """A sentence for each launch file that starts nothing since it could not be followed."""
+    for launched in (system.launched for system in systems):
+        if launched is None or launched.started or launched.file in context:
+            continue
+        for gap in [gap for gap in launched.gaps if not gap.dormant][:1]:
+            place = f"{gap.place.file}:{gap.place.line}"
+            yield f"{place}: what this launch file starts is not known, so it is not judged: {gap.reason}"
 
 
 def idle_patterns(settings: Settings, workspace: Workspace) -> Iterator[str]:

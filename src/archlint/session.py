@@ -318,6 +318,7 @@ def _judged(request: Request, workspace: Workspace, facts: FactsOfFiles, tree: S
     from archlint.checks.launch_notices import argument_notices
     from archlint.checks.merge import merged
     from archlint.checks.registry import failure, unreadable
+    from archlint.looked_at import without_start
     from archlint.render.json import unresolved
 
     known = _known(request, workspace, facts)
@@ -350,6 +351,7 @@ def _judged(request: Request, workspace: Workspace, facts: FactsOfFiles, tree: S
     notices = [*_passed_over(request, workspace, facts, loader)]
     if request.launch is not None:
         notices.extend(argument_notices(systems[0]))
+    notices.extend(without_start(systems, {file.relative for file in workspace.files if file.context}))
     return Judged(findings, summary, [*refused, *notices, *_idle(request.settings, systems)])
 
 

@@ -18,6 +18,15 @@ if TYPE_CHECKING:
     from archlint.workspace.model import SourceFile
 
 
+_OF_ROS = frozenset(
+    {
+        *("ament_index_python", "launch", "launch_ros", "launch_testing", "launch_xml", "launch_yaml"),
+        *("message_filters", "rclpy", "rosidl_runtime_py", "tf2_ros"),
+    }
+)
+"""ROS's own Python packages.  A folder of such a name with an ``__init__.py`` in it, often ``launch``, is no such."""
+
+
 @dataclass(eq=False)
 class Module:
     """One Python file as a module.  ``state`` is ``new``, ``running`` or ``done``."""
@@ -130,6 +139,10 @@ class ModuleIndex:
 
     def _absolute(self, importer: Module, name: str) -> SourceFile | None:
         candidates = self._by_name.get(name, [])
+        top = name.partition(".")[0]
+        if top in _OF_ROS:
+            candidates = [file for file in candidates if file.package == top]
+            return _nearest(importer, candidates) if candidates else None
         same = [file for file in candidates if file.package == importer.file.package]
         if same:
             return _nearest(importer, same)
