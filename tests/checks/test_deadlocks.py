@@ -243,6 +243,53 @@ def test_a_node_of_its_own_may_be_spun_while_another_executor_runs(run: Run):
     assert codes(run(source(setup, method, ON_ONE_THREAD))) == ["EXE001"]
 
 
+def test_another_node_of_the_executor_that_runs_is_taken_from_it(run: Run):
+    setup = "self.client = helper.create_client(Trigger, 'check')\nself.helper = helper\n" + TIMER
+    main = """
+    def main():
+        rclpy.init()
+        helper = rclpy.create_node('helper')
+        executor = MultiThreadedExecutor()
+        executor.add_node(helper)
+        executor.add_node(Robot(helper))
+        executor.spin()
+
+
+    if __name__ == '__main__':
+        main()
+    """
+    method = """
+    def tick(self):
+        future = self.client.call_async(Trigger.Request())
+        rclpy.spin_until_future_complete(self.helper, future, timeout_sec=1.0)
+    """
+    text = source(setup, method, main).replace("__init__(self)", "__init__(self, helper)", 1)
+    [found] = run(text)
+    assert found.code == "EXE001" and "spins that node already: this takes the node from its executor" in found.message
+
+
+HANDLER = "self.create_service(Trigger, 'go', self.tick)\n"
+
+
+@pytest.mark.parametrize(
+    "wait",
+    [
+        pytest.param("rclpy.spin_until_future_complete(self, future, timeout_sec=1.0)", id="until it is done"),
+        pytest.param("while not future.done():\n        rclpy.spin_once(self)", id="round by round"),
+    ],
+)
+def test_a_handler_that_spins_for_an_answer_is_told_once(run: Run, wait: str):
+    method = f"def tick(self, request, response):\n    future = self.client.call_async(Trigger.Request())\n    {wait}\n"
+    [found] = run(source(CLIENT + HANDLER, method + "    return response\n"))
+    assert found.code == "SRV003"
+    assert "spins until the service 'check' has answered, and its executor is spinning already: this" in found.message
+
+
+def test_a_handler_that_spins_for_anything_else_is_told_that_it_spins(run: Run):
+    method = "def tick(self, request, response):\n    rclpy.spin_once(self, timeout_sec=0.1)\n    return response\n"
+    assert codes(run(source(HANDLER, method))) == ["EXE001"]
+
+
 @pytest.mark.parametrize(
     ("wait", "main"),
     [

@@ -145,14 +145,15 @@ def look_up(form: str, threads: str, relation: str, why: str, distros: Sequence[
 
 
 def outcome_words(outcomes: Mapping[str, str]) -> str:
-    """The outcomes of all distributions in a phrase: ``hangs for ever in humble, raises … from jazzy on``."""
+    """The outcomes of all distributions in a phrase: ``hangs for ever in humble and raises … from jazzy on``."""
     by_outcome: dict[str, list[str]] = {}
     for distro in DISTROS:
         if distro in outcomes:
             by_outcome.setdefault(outcomes[distro], []).append(distro)
     if len(by_outcome) == 1:
         return next(iter(by_outcome))
-    return ", ".join(f"{outcome} {in_distros(where)}" for outcome, where in by_outcome.items())
+    *first, last = (f"{outcome} {in_distros(where)}" for outcome, where in by_outcome.items())
+    return f"{', '.join(first)} and {last}"
 
 
 def in_distros(distros: Iterable[str]) -> str:

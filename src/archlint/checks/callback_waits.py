@@ -22,7 +22,7 @@ from archlint.checks.reach import (
 )
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.spins import is_spin_call, spun_node
-from archlint.checks.stuck import is_spin, stuck_waits
+from archlint.checks.stuck import is_spin, nested_spins, stuck_waits
 from archlint.checks.waits import Wait
 from archlint.finding import Finding, Severity
 
@@ -41,11 +41,13 @@ _GROUP_HELP = (
 
 @rule("EXE001")
 def spin_in_callback(system: System, options: Options) -> Iterator[Finding]:
-    """Spins that a callback reaches."""
+    """Spins that a callback reaches; of those of a service handler for an answer, SRV003 speaks."""
+    told = nested_spins(system, options.distros)
     yield from one_for_each_place(
         found
         for program, call in judged_calls(system)
         if is_spin_call(call) and runs_in_executor(call.context)
+        if told.isdisjoint((call.context.place, one) for one in (call.place, *(loop.span for loop in call.loops[-1:])))
         for found in _nested_spin(system, program, call, options)
     )
 
@@ -65,7 +67,7 @@ def _nested_spin(system: System, program: Program, call: ApiCall, options: Optio
     found = finding(
         "EXE001",
         call.place,
-        f"{callback_words(call.context)} calls {function}(), and {verdict.why}: it {verdict.words}",
+        f"{callback_words(call.context)} calls {function}(), and {verdict.why}: this {verdict.words}",
         help=_DONE if future is not None else "return: whoever spins the node goes on when the callback has ended",
         related=tuple(related_to(call, program, client)),
         node=node_name(system, call.context.node),

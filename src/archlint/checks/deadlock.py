@@ -57,6 +57,7 @@ _THREADS = "several threads and a group apart let the answer in"
 _FREE = "the client is in a group apart, so the answer is let in"
 _NESTED = "its executor is spinning already"
 _STOLEN = "its node is spun by another executor"
+_STOLEN_FROM_US = "the executor that runs this callback spins that node already"
 _OWN_SPIN = "a node and an executor of its own let the answer in"
 
 
@@ -189,6 +190,8 @@ def judge_spin(
     if spun is None or node is None:
         return Verdict(dict.fromkeys(distros, UNKNOWN), "it is not known which node is spun")
     if spun is not node:
+        if globally and any(spun in use.nodes for use in running):
+            return look_up(STEAL, ANY, relation, _STOLEN_FROM_US, distros)
         if not running or any(spun in use.nodes for use in running):
             return Verdict(dict.fromkeys(distros, UNKNOWN), "it is not known whether its executor is spinning already")
         return Verdict(dict.fromkeys(distros, FINE), _OWN_SPIN)

@@ -32,7 +32,7 @@ _INSTEAD = "send the request with call_async(), return, and report the outcome o
 _HELP = {
     CALL: _INSTEAD,
     AWAIT: "give the client a callback group of its own (callback_group=MutuallyExclusiveCallbackGroup())",
-    SPIN: f"a callback cannot spin its own node: {_INSTEAD}",
+    SPIN: _INSTEAD,
 }
 
 _Row = tuple[Wait, Verdict, "list[Wait]"]
@@ -70,7 +70,7 @@ def _nested(system: System, rows: list[_Row]) -> Finding:
     found = finding(
         "SRV003",
         call.place,
-        f"the handler of {service} waits for {awaited}{_outcome(wait, verdict)}",
+        f"the handler of {service} {_waits_for(wait, verdict, awaited)}{_outcome(wait, verdict)}",
         help=_INSTEAD if verdict.safe else _HELP[wait.kind],
         related=[
             Related(handler.place, f"{handler.name} handles {service}"),
@@ -83,7 +83,15 @@ def _nested(system: System, rows: list[_Row]) -> Finding:
         node=node_name(system, handler.node),
         identity=(handler.name, wait.client.name.text or "", call.api),
     )
-    return replace(found, severity=Severity.WARNING) if verdict.safe else found
+    # What becomes of the spin of another node is not always known: that the caller waits, is.
+    mild = verdict.safe or (wait.kind == SPIN and verdict.unknown)
+    return replace(found, severity=Severity.WARNING) if mild else found
+
+
+def _waits_for(wait: Wait, verdict: Verdict, awaited: str) -> str:
+    if wait.kind == SPIN and not verdict.safe:
+        return f"spins until {awaited} has answered"
+    return f"waits for {awaited}"
 
 
 def _all_words(waits: list[Wait]) -> str:
@@ -112,6 +120,8 @@ def _other_handlers(first: Callback, waits: list[Wait]) -> Iterator[Related]:
 def _outcome(wait: Wait, verdict: Verdict) -> str:
     if verdict.safe:
         return f", which works here ({verdict.why}), but meanwhile {_cost(wait)}"
+    if wait.kind == SPIN:
+        return f", and {verdict.why}" + ("" if verdict.unknown else f": this {verdict.words}")
     if verdict.unknown:
         return f", which may never come: {verdict.why}"
     return f" and {verdict.words}: {verdict.why}"

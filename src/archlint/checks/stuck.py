@@ -14,6 +14,7 @@ from archlint.checks.deadlock import Verdict, judge_wait
 from archlint.checks.waits import Wait, waits
 
 if TYPE_CHECKING:
+    from archlint.facts import model as facts
     from archlint.finding import Place
     from archlint.system.model import System
 
@@ -39,6 +40,15 @@ def spoken_of(system: System, distros: Sequence[str]) -> frozenset[Place]:
     """The calls of which these rules say that they wait in the wrong place."""
     found = (*nested_waits(system, distros), *stuck_waits(system, distros))
     return frozenset(wait.call.place for wait, _ in found)
+
+
+def nested_spins(system: System, distros: Sequence[str]) -> frozenset[tuple[Place, Place | facts.Span]]:
+    """The spins of service handlers that SRV003 speaks of, each with its handler: the call, or the loop around it."""
+    spins = [wait.call for wait, _ in nested_waits(system, distros) if is_spin(wait)]
+    loops = [(call, call.loops[-1]) for call in spins if call.loops]
+    return frozenset(
+        {(call.context.place, call.place) for call in spins} | {(call.context.place, loop.span) for call, loop in loops}
+    )
 
 
 def _verdict(wait: Wait, distros: Sequence[str]) -> Verdict:
