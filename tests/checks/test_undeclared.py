@@ -17,11 +17,11 @@ Lint = Callable[..., list[Finding]]
 
 @pytest.fixture
 def lint(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Lint:
-    """Lays out files and gives what PKG001 finds; ``only`` are the paths that are asked for."""
+    """Lays out files and gives what PKG001, or ``code``, finds; ``only`` are the paths that are asked for."""
     monkeypatch.chdir(tmp_path)
 
-    def run(files: dict[str, str], *only: str, config: str = "") -> list[Finding]:
-        for name, text in {"archlint.toml": f'select = ["PKG001"]\n{config}', **files}.items():
+    def run(files: dict[str, str], *only: str, config: str = "", code: str = "PKG001") -> list[Finding]:
+        for name, text in {"archlint.toml": f'select = ["{code}"]\n{config}', **files}.items():
             (tmp_path / name).parent.mkdir(parents=True, exist_ok=True)
             (tmp_path / name).write_text(text, encoding="utf-8")
         return check(Request(only or (".",), load(tmp_path), cached=False, jobs=1)).findings
@@ -208,31 +208,66 @@ def test_where_the_missing_lines_go(lint: Lint, written: str, line: int | None):
     assert (None if found.fix is None else found.fix.edits[0].place.line) == line
 
 
-def test_no_fix_closes_a_circle(lint: Lint):
-    files = {
-        "talk/package.xml": manifest("talk", *depends("rclpy")),
-        "arm/package.xml": manifest("arm", *depends("hand")),
-        "hand/package.xml": manifest("hand", *depends("talk")),
-        "talk/talk/a.py": node("from arm.msg import Joint"),
-    }
-    (found,) = lint(files)
-    assert found.fix is None
-    assert found.help.startswith("'arm' needs 'talk', and colcon builds no circle")
-    files["talk/talk/a.py"] = node("from arm.msg import Joint", LASER)
-    (found,) = lint(files)
+CIRCLE = {
+    "talk/package.xml": manifest("talk", *depends("rclpy")),
+    "arm/package.xml": manifest("arm", *depends("hand")),
+    "hand/package.xml": manifest("hand", *depends("talk")),
+    "talk/talk/a.py": node("from arm.msg import Joint"),
+}
+EACH_OTHER = {
+    "talk/package.xml": manifest("talk", *depends("rclpy")),
+    "talk/talk/__init__.py": "",
+    "talk/talk/a.py": node("import arm"),
+    "arm/package.xml": manifest("arm", *depends("rclpy")),
+    "arm/arm/__init__.py": "",
+    "arm/arm/a.py": node("import talk"),
+}
+
+
+def test_no_line_is_asked_for_that_closes_a_circle(lint: Lint):
+    assert lint(CIRCLE) == []
+    (found,) = lint({**CIRCLE, "talk/talk/a.py": node("from arm.msg import Joint", LASER)})
+    assert missing([found]) == ["sensor_msgs"]
     assert added(found) == "  <exec_depend>sensor_msgs</exec_depend>\n"
+    assert lint(EACH_OTHER) == []
 
 
-def test_two_fixes_close_no_circle_together(lint: Lint):
+def test_a_circle_that_one_package_does_not_declare_is_told_where_it_uses_the_other(lint: Lint):
+    (found,) = lint(CIRCLE, code="PKG003")
+    assert found.message == (
+        "packages need each other in a circle: talk → arm → hand → talk; 'talk' uses 'arm' here without declaring it"
+    )
+    assert (found.place.file, found.place.line) == ("talk/talk/a.py", 2)
+    related = [(one.place.file, one.message) for one in found.related]
+    assert related == [("arm/package.xml", "'arm' needs 'hand' here"), ("hand/package.xml", "'hand' needs 'talk' here")]
+
+
+def test_two_packages_that_import_each_other(lint: Lint):
+    (found,) = lint(EACH_OTHER, code="PKG003")
+    assert (found.place.file, [one.place.file for one in found.related]) == ("arm/arm/a.py", ["talk/talk/a.py"])
+    assert lint({**EACH_OTHER, "talk/talk/a.py": node()}, code="PKG003") == []
+    guarded = node("try:\n    import arm\nexcept ImportError:\n    arm = None")
+    assert lint({**EACH_OTHER, "talk/talk/a.py": guarded}, code="PKG003") == []
+
+
+def test_the_package_of_a_node_is_named_by_who_calls_the_helper(lint: Lint):
+    """A helper of another package starts nodes of the packages that its callers name, which declare them."""
     files = {
-        "talk/package.xml": manifest("talk", *depends("rclpy")),
-        "talk/talk/__init__.py": "",
-        "talk/talk/a.py": node("import arm"),
-        "arm/package.xml": manifest("arm", *depends("rclpy")),
-        "arm/arm/__init__.py": "",
-        "arm/arm/a.py": node("import talk"),
+        "helper/package.xml": manifest("helper", *depends("launch_ros")),
+        "helper/helper/__init__.py": "",
+        "helper/helper/start.py": (
+            "from launch_ros.actions import Node\n"
+            "def start(package, executable):\n    return [Node(package=package, executable=executable)]\n"
+        ),
+        "slam/package.xml": manifest("slam", *depends("helper", "rtabmap_odom")),
+        "slam/launch/slam.launch.py": (
+            "from helper.start import start\nfrom launch import LaunchDescription\n"
+            "def generate_launch_description():\n    return LaunchDescription(start('rtabmap_odom', 'rgbd_odometry'))\n"
+        ),
     }
-    assert [(missing([one]), one.fix) for one in lint(files)] == [(["talk"], None), (["arm"], None)]
+    assert lint(files) == []
+    (found,) = lint({**files, "slam/package.xml": manifest("slam", *depends("helper"))})
+    assert (found.place.file, found.place.line, missing([found])) == ("slam/launch/slam.launch.py", 4, ["rtabmap_odom"])
 
 
 def test_no_fix_names_a_package_that_nobody_knows(lint: Lint):

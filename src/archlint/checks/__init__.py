@@ -16,6 +16,7 @@ MODULES: tuple[str, ...] = (
     "nested_services",
     "ownership",
     "packages",
+    "circles",
     "parameter_reads",
     "parameters",
     "polling",

@@ -1,4 +1,4 @@
-"""PKG002 and PKG003: what a package says of itself, held against its files."""
+"""PKG002: the executables that a package installs, held against its files."""
 
 from __future__ import annotations
 
@@ -10,14 +10,12 @@ from archlint.checks.near import did_you_mean, nearest
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.whole import walk
 from archlint.facts import model as facts
-from archlint.finding import Finding, Place
-from archlint.workspace.manifest import condition_verdict
+from archlint.finding import Finding
 
 if TYPE_CHECKING:
     from archlint.program.installs import Executable
     from archlint.system.launched import World
     from archlint.system.model import System
-    from archlint.workspace.model import Package
 
 
 def world_of(system: System) -> World | None:
@@ -137,57 +135,3 @@ def _top_level(body: list[facts.Stmt]) -> tuple[set[str], bool]:
         elif isinstance(item, facts.Name) and item.id in ("globals", "setattr"):
             open_ = True
     return names, open_
-
-
-# ------------------------------------------------------------------------------------------------- PKG003
-
-_BUILD = frozenset({"depend", "build", "build_export", "buildtool", "buildtool_export", "exec", "run"})
-
-
-@rule("PKG003")
-def circular_dependency(system: System, options: Options) -> Iterator[Finding]:
-    """Packages that need each other."""
-    world = world_of(system)
-    if world is None:
-        return
-    needs = {name: _needs(package, world.packages) for name, package in sorted(world.packages.items())}
-    told: set[str] = set()
-    for start in needs:
-        circle = [] if start in told else _circle(start, needs)
-        if not circle:
-            continue
-        told.update(circle)
-        package = world.packages[start]
-        line = needs[start][circle[1]]
-        yield finding(
-            "PKG003",
-            Place(package.manifest.relative, line, 1, line, 1),
-            f"packages need each other in a circle: {' → '.join(circle)}",
-            help="colcon cannot order them; move what both need into a package of its own",
-            identity=tuple(sorted(circle[:-1])),
-        )
-
-
-def _needs(package: Package, packages: object) -> dict[str, int]:
-    """The packages of this workspace that one needs, with the line that says so."""
-    assert isinstance(packages, dict)
-    return {
-        d.name: d.line
-        for d in reversed(package.dependencies)
-        if d.kind in _BUILD and d.name in packages and condition_verdict(d.condition)
-    }
-
-
-def _circle(start: str, needs: dict[str, dict[str, int]]) -> list[str]:
-    """A shortest way from a package back to itself; empty where there is none."""
-    waiting = [[start]]
-    seen: set[str] = set()
-    while waiting:
-        path = waiting.pop(0)
-        for name in sorted(needs[path[-1]]):
-            if name == start:
-                return [*path, start]
-            if name not in seen:
-                seen.add(name)
-                waiting.append([*path, name])
-    return []

@@ -20,13 +20,14 @@ from archlint.workspace.manifest import condition_holds
 
 if TYPE_CHECKING:
     from archlint.program.launch.load import LaunchLoader
+    from archlint.program.launch.model import Started
     from archlint.system.launched import World
     from archlint.system.model import System
     from archlint.workspace.model import Package
 
 
 @dataclass(frozen=True, order=True)
-class _Use:
+class Use:
     """A place that needs another package, and how: it ``imports`` or ``starts a node of`` it."""
 
     place: Place
@@ -41,16 +42,23 @@ def undeclared_dependency(system: System, options: Options) -> Iterator[Finding]
     if world is None or world.loader is None:
         return
     suppressed = _suppressed(world.loader)
-    by_package = _uses_by_package(world, options)
+    by_package = uses_by_package(world, options)
     used: dict[str, set[str]] = {}
     for folder, uses in by_package.items():
         used.setdefault(world.manifests[folder].name, set()).update(use.needed for use in uses)
     for folder, uses in sorted(by_package.items()):
         hidden = [use for use in uses if is_covered("PKG001", use.place.line, suppressed.get(use.place.file, ()))]
         # What a comment allows is a finding of its own, for the comment to hide.
-        for group in ([use for use in uses if use not in hidden], *([use] for use in hidden)):
+        shown = [use for use in uses if use not in hidden and not _closes_circle(use, world, folder, used)]
+        for group in (shown, *([use] for use in hidden)):
             if group:
-                yield _undeclared(world, world.manifests[folder], group, used)
+                yield _undeclared(world, world.manifests[folder], group)
+
+
+def _closes_circle(use: Use, world: World, folder: str, used: Mapping[str, AbstractSet[str]]) -> bool:
+    """Whether to declare it would close a circle of packages, which colcon refuses: PKG003 tells the circle.  ``used``
+    is what each package uses and does not declare: if all follow the advice, they declare it."""
+    return world.manifests[folder].name in _reachable(use.needed, world, used)
 
 
 def _suppressed(loader: LaunchLoader) -> dict[str, list[facts.Suppression]]:
@@ -58,12 +66,12 @@ def _suppressed(loader: LaunchLoader) -> dict[str, list[facts.Suppression]]:
     return {**python, **loader.suppressions()}
 
 
-def _uses_by_package(world: World, options: Options) -> dict[str, list[_Use]]:
+def uses_by_package(world: World, options: Options) -> dict[str, list[Use]]:
     """What each package (by its folder) uses and does not declare, in the order of the files."""
     assert world.loader is not None
     there: dict[str, frozenset[str]] = {}
     homes: dict[str, Package | None] = {}
-    found: dict[str, list[_Use]] = {}
+    found: dict[str, list[Use]] = {}
     for use in sorted({*_imported(world), *_launched(world)}):
         folder = posixpath.dirname(use.place.file) or "."
         if folder not in homes:
@@ -128,7 +136,7 @@ _OF_ROS2_LAUNCH = frozenset({"launch", "launch_ros", "launch_xml", "launch_yaml"
 """What is there wherever a launch file is launched."""
 
 
-def _imported(world: World) -> Iterator[_Use]:
+def _imported(world: World) -> Iterator[Use]:
     loader = world.loader
     assert loader is not None
 
@@ -147,7 +155,7 @@ def _imported(world: World) -> Iterator[_Use]:
             if needed is None or (of_launch and needed in _OF_ROS2_LAUNCH):
                 continue
             if not loader.is_local(file, statement.module):
-                yield _Use(Place(file.relative, *statement.span), needed, "imports")
+                yield Use(Place(file.relative, *statement.span), needed, "imports")
 
 
 _BESIDE = frozenset({"test", "tests", "doc", "docs", "example", "examples"})
@@ -167,14 +175,20 @@ def _unguarded(body: list[facts.Stmt]) -> Iterator[facts.Import | facts.ImportFr
             yield statement
 
 
-def _launched(world: World) -> Iterator[_Use]:
+def _launched(world: World) -> Iterator[Use]:
     for launched in world.launched:
         for started in launched.started:
-            place = started.places.get("package", started.place)
+            place = _named_at(started)
             exact = started.package.resolution == "exact" and not started.dormant
             judged = started.kind in ("node", "container") and not _beside_the_code(place.file)
             if exact and judged and started.package.text:
-                yield _Use(place, started.package.text, "starts a node of")
+                yield Use(place, started.package.text, "starts a node of")
+
+
+def _named_at(started: Started) -> Place:
+    """Where the package of a node is named: with whoever calls a function that starts nodes, not in that function."""
+    place, origin = started.places.get("package", started.place), started.package.origin
+    return place if origin is None or origin.file == place.file else origin
 
 
 # -------------------------------------------------------------------------------------------------- the finding
@@ -183,28 +197,24 @@ _NAMED = 12
 """How many packages a message lists."""
 
 
-def _undeclared(
-    world: World, package: Package, uses: Sequence[_Use], used: Mapping[str, AbstractSet[str]]
-) -> Finding:
-    """The finding for a package.  ``used`` is what each package uses and does not declare: if all follow the advice,
-    they declare it."""
-    by_needed: dict[str, list[_Use]] = {}
+def _undeclared(world: World, package: Package, uses: Sequence[Use]) -> Finding:
+    """The finding for a package."""
+    by_needed: dict[str, list[Use]] = {}
     for use in uses:
         by_needed.setdefault(use.needed, []).append(use)
     needed = sorted(by_needed)
-    circles = {name for name in needed if package.name in _reachable(name, world, used)}
     found = finding(
         "PKG001",
         uses[0].place,
         _message(package, uses[0], needed),
-        help=_help(package, needed, circles),
+        help=_help(package, needed),
         related=[one for one in _related(by_needed) if one.place != uses[0].place],
         identity=(package.name, *needed),
     )
-    return replace(found, fix=_fix(world, package, [name for name in needed if name not in circles]))
+    return replace(found, fix=_fix(world, package, needed))
 
 
-def _message(package: Package, first: _Use, needed: Sequence[str]) -> str:
+def _message(package: Package, first: Use, needed: Sequence[str]) -> str:
     declared = {d.name for d in package.dependencies if d.kind == "test" and condition_holds(d.condition)}
     for_tests = [name for name in needed if name in declared]
     if len(needed) == 1:
@@ -218,7 +228,7 @@ def _message(package: Package, first: _Use, needed: Sequence[str]) -> str:
     return f"{what}: {listed}{tests}"
 
 
-def _hint(package: Package, use: _Use) -> str:
+def _hint(package: Package, use: Use) -> str:
     """The declared name that was meant, if no package is called so."""
     declared = {d.name for d in package.dependencies} - ros_packages.table().names - {use.needed}
     near = nearest(use.needed, declared)
@@ -226,17 +236,12 @@ def _hint(package: Package, use: _Use) -> str:
     return f"; did you mean '{use.needed}' by '{near}'?" if meant else ""
 
 
-def _help(package: Package, needed: Sequence[str], circles: set[str]) -> str:
-    manifest = package.manifest.relative
-    if circles == set(needed):
-        names = ", ".join(f"'{name}'" for name in needed)
-        verb = "need" if len(needed) > 1 else "needs"
-        return f"{names} {verb} '{package.name}', and colcon builds no circle: move what both need into a third package"
-    line = f"<{_tag(package)}>{needed[0]}</{_tag(package)}>"
+def _help(package: Package, needed: Sequence[str]) -> str:
+    manifest, line = package.manifest.relative, f"<{_tag(package)}>{needed[0]}</{_tag(package)}>"
     return f"add {line} to {manifest}" if len(needed) == 1 else f"add a line like {line} for each to {manifest}"
 
 
-def _related(by_needed: Mapping[str, Sequence[_Use]]) -> Iterator[Related]:
+def _related(by_needed: Mapping[str, Sequence[Use]]) -> Iterator[Related]:
     """The first use of each package; that of the primary place is told by the message."""
     for name, uses in sorted(by_needed.items()):
         first = f"'{name}' is imported here" if uses[0].how == "imports" else f"a node of '{name}' is started here"

@@ -1,0 +1,112 @@
+"""PKG003: packages that need each other, by what they declare and by what their files use."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import replace
+from itertools import pairwise
+from typing import TYPE_CHECKING
+
+from archlint.checks.packages import world_of
+from archlint.checks.registry import Options, finding, rule
+from archlint.checks.undeclared import Use, uses_by_package
+from archlint.finding import Finding, Place, Related, Severity
+from archlint.workspace.manifest import condition_verdict
+
+if TYPE_CHECKING:
+    from archlint.system.launched import World
+    from archlint.system.model import System
+    from archlint.workspace.model import Package
+
+_BUILD = frozenset({"depend", "build", "build_export", "buildtool", "buildtool_export", "exec", "run"})
+
+Needs = Mapping[str, Mapping[str, Place]]
+"""The packages of this workspace that each one needs, with the place that says so."""
+
+
+@rule("PKG003")
+def circular_dependency(system: System, options: Options) -> Iterator[Finding]:
+    """Packages that need each other: by what they declare, and by what their files use without declaring it."""
+    world = world_of(system)
+    if world is None:
+        return
+    declared = {name: _declared(package, world.packages) for name, package in sorted(world.packages.items())}
+    told: set[str] = set()
+    for circle in _circles(declared, told):
+        yield finding(
+            "PKG003",
+            declared[circle[0]][circle[1]],
+            f"packages need each other in a circle: {' → '.join(circle)}",
+            help="colcon cannot order them; move what both need into a package of its own",
+            identity=tuple(sorted(circle[:-1])),
+        )
+    used = _used(world, options)
+    needs = {name: {**used.get(name, {}), **declared[name]} for name in declared}
+    for circle in _circles(needs, told):
+        yield _undeclared(circle, needs, used)
+
+
+def _undeclared(circle: list[str], needs: Needs, used: Needs) -> Finding:
+    """The finding for a circle that colcon does not see, since one package does not declare what it uses."""
+    steps = list(pairwise(circle))
+    at = next(n for n, (one, other) in enumerate(steps) if needs[one][other] == used.get(one, {}).get(other))
+    steps = steps[at:] + steps[:at]
+    (one, other), *others = steps
+    names = [one, *(end for _, end in steps)]
+    made = finding(
+        "PKG003",
+        needs[one][other],
+        f"packages need each other in a circle: {' → '.join(names)}; '{one}' uses '{other}' here without declaring it",
+        help="move what both need into a package of its own; colcon could not order them if each declared the other",
+        related=[Related(needs[start][end], f"'{start}' needs '{end}' here") for start, end in others],
+        identity=tuple(sorted(circle[:-1])),
+    )
+    return replace(made, severity=Severity.WARNING)
+
+
+def _declared(package: Package, packages: Mapping[str, Package]) -> dict[str, Place]:
+    return {
+        d.name: Place(package.manifest.relative, d.line, 1, d.line, 1)
+        for d in reversed(package.dependencies)
+        if d.kind in _BUILD and d.name in packages and condition_verdict(d.condition)
+    }
+
+
+def _used(world: World, options: Options) -> dict[str, dict[str, Place]]:
+    """The packages of this workspace that each one uses and does not declare, with the first place."""
+    found: dict[str, dict[str, Place]] = {}
+    if world.loader is None:
+        return found
+    for folder, uses in uses_by_package(world, options).items():
+        package = world.manifests[folder]
+        if world.packages.get(package.name) is package:  # of two of one name, the other one is not spoken of
+            found[package.name] = _first(uses, world)
+    return found
+
+
+def _first(uses: list[Use], world: World) -> dict[str, Place]:
+    return {use.needed: use.place for use in reversed(uses) if use.needed in world.packages}
+
+
+def _circles(needs: Needs, told: set[str]) -> Iterator[list[str]]:
+    """A shortest circle for each package that is in one and in none that was ``told``."""
+    for start in needs:
+        circle = [] if start in told else _circle(start, needs)
+        told.update(circle)
+        if circle:
+            yield circle
+
+
+def _circle(start: str, needs: Needs) -> list[str]:
+    """A shortest way from a package back to itself; empty where there is none."""
+    waiting = [[start]]
+    seen: set[str] = set()
+    while waiting:
+        path = waiting.pop(0)
+        for name in sorted(needs[path[-1]]):
+            if name == start:
+                return [*path, start]
+            if name not in seen:
+                seen.add(name)
+                waiting.append([*path, name])
+    return []
