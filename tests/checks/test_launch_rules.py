@@ -263,6 +263,25 @@ def test_the_node_that_a_helper_works_on_is_no_second_one(findings):
     assert findings("NME004", node(name="it"), **{"robot/talker.py": twice}) != []
 
 
+SPUN = "rclpy.spin(Talker())"
+
+
+@pytest.mark.parametrize(
+    ("main", "several"),
+    [
+        ("node = Talker()\n    while node.count_publishers('x') == 0:\n        node = Talker()\n    rclpy.spin(node)", False),
+        ("node = None\n    while node is None or not node.ok:\n        node = Talker()\n    rclpy.spin(node)", False),
+        ("node = Talker()\n    node.destroy_node()\n    node = Talker()\n    rclpy.spin(node)", False),
+        ("several = Executor()\n    for _ in range(2):\n        node = Talker()\n        several.add_node(node)", True),
+        ("node = Talker()\n    other = Talker()\n    rclpy.spin(node)", True),
+    ],
+)
+def test_a_node_that_takes_the_place_of_itself_is_one(findings, main, several):
+    text = TALKER.replace(SPUN, main).replace("import rclpy\n", "import rclpy\nfrom rclpy.executors import SingleThreadedExecutor as Executor\n", 1)
+    found = findings("NME004", node(name="it"), **{"robot/talker.py": text})
+    assert bool(found) is several
+
+
 def test_a_node_that_another_process_makes_is_one(findings):
     text = TALKER.replace(
         "        self.create_p",

@@ -284,6 +284,10 @@ class Blueprint:
     automatically_declare_parameters: bool = False
     made_at: Place | None = None
     """The call that makes it, where one does."""
+    instead_of: Blueprint | None = None
+    """The node of the same class and name that it took the place of in a variable."""
+    served_apart: bool = False
+    """True where an executor was given it, and not one of several nodes."""
     handed_out: bool = False
     """True where code that is not in this workspace is given the node: that may spin it."""
     enable_rosout: bool = True
@@ -291,6 +295,12 @@ class Blueprint:
     use_global_arguments: bool = True
     """False where the command line of the process (names, remappings, parameters) does not reach the node."""
     cli_arguments: tuple[str, ...] = ()
+
+    @property
+    def made_again(self) -> bool:
+        """Whether it is another node once more, that one being gone: ``while not node.ready: node = Driver()``."""
+        first = self.instead_of
+        return first is not None and not (self.served_apart and first.served_apart)
 
 
 FOR_A_MOMENT = 0

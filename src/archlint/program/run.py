@@ -250,6 +250,8 @@ class Run:
             ):
                 target = target.parent
             scope = target or scope
+        if isinstance(value, Instance):
+            nodes.note_replaced(self, value, self.store.get(scope.key, name))
         self.store.set(scope.key, name, value)
         if scope.kind == "module":
             escapes.named(self, scope.module, name, value)
@@ -387,5 +389,6 @@ class Run:
 
 # The three modules are one machine in three rooms: statements here need expressions and calls there.
 from archlint.program import calls, escapes, expressions, statements  # noqa: E402
+from archlint.program.api import nodes  # noqa: E402
 
 __all__ = ["Activation", "Pending", "Run"]

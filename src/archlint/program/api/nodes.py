@@ -114,6 +114,18 @@ def known_node(run: Run, value: Value | None) -> model.Blueprint | None:
     return None
 
 
+def note_replaced(run: Run, made: Instance, before: object) -> None:
+    """Note that a new node takes the place in a variable that one of its class and name had."""
+    node = run.blueprints.get(made.key)
+    for option in alternatives(before) if node is not None and isinstance(before, Value) else ():
+        old = known_node(run, option)
+        if node is None or old is None or old is node:
+            continue
+        if (old.place, old.class_name, old.name.text) == (node.place, node.class_name, node.name.text):
+            node.instead_of = old
+            return
+
+
 def hand_out_class(run: Run, value: ClassValue) -> None:
     """Note that the class of a node is given to code that we do not see."""
     if run.context.role == "main" and _may_be_node_class(value):
