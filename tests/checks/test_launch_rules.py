@@ -263,23 +263,82 @@ def test_the_node_that_a_helper_works_on_is_no_second_one(findings):
     assert findings("NME004", node(name="it"), **{"robot/talker.py": twice}) != []
 
 
-SPUN = "rclpy.spin(Talker())"
+EXECUTOR = "several = rclpy.executors.SingleThreadedExecutor()"
 
 
 @pytest.mark.parametrize(
     ("main", "several"),
     [
-        ("node = Talker()\n    while node.count_publishers('x') == 0:\n        node = Talker()\n    rclpy.spin(node)", False),
-        ("node = None\n    while node is None or not node.ok:\n        node = Talker()\n    rclpy.spin(node)", False),
-        ("node = Talker()\n    node.destroy_node()\n    node = Talker()\n    rclpy.spin(node)", False),
-        ("several = Executor()\n    for _ in range(2):\n        node = Talker()\n        several.add_node(node)", True),
-        ("node = Talker()\n    other = Talker()\n    rclpy.spin(node)", True),
+        (["node = Talker()", "while not node.ready:", "    node = Talker()"], False),
+        (["node = None", "while node is None or not node.ready:", "    node = Talker()"], False),
+        (["node = Talker()", "node.destroy_node()", "node = Talker()"], False),
+        ([EXECUTOR, "for _ in range(2):", "    node = Talker()", "    several.add_node(node)"], True),
+        (["node = Talker()", "other = Talker()"], True),
     ],
 )
 def test_a_node_that_takes_the_place_of_itself_is_one(findings, main, several):
-    text = TALKER.replace(SPUN, main).replace("import rclpy\n", "import rclpy\nfrom rclpy.executors import SingleThreadedExecutor as Executor\n", 1)
+    text = TALKER.replace("rclpy.spin(Talker())", "\n    ".join([*main, "rclpy.spin(node)"]))
     found = findings("NME004", node(name="it"), **{"robot/talker.py": text})
     assert bool(found) is several
+
+
+def test_name_renames_all_nodes_of_an_executable(findings):
+    two = TALKER.replace("Talker())", "Talker())\n    rclpy.spin(rclpy.create_node('helper'))")
+    (found,) = findings("NME004", node(name="it"), **{"robot/talker.py": two})
+    assert found.message == "name= renames every node of this executable: several are then called '/it'"
+    assert found.help == "leave name= out: then each has the name that its code gives it"
+    assert sorted((one.place.line, one.message) for one in found.related) == [
+        (13, "'talker' is made here"),
+        (14, "'helper' is made here"),
+    ]
+    assert findings("NME004", node(), **{"robot/talker.py": two}) == []  # the advice works
+
+
+def test_an_executable_that_makes_two_nodes_of_one_name(findings):
+    two = TALKER.replace("Talker())", "Talker())\n    rclpy.spin(rclpy.create_node('talker'))")
+    (found,) = findings("NME004", node(), **{"robot/talker.py": two})
+    assert found.message == "this executable makes several nodes that are called '/talker'"
+    assert found.help == "give each a name of its own in the code"
+    (found,) = findings("NME004", node(name="it"), **{"robot/talker.py": two})
+    assert found.help == "give each a name of its own in the code, and leave name= out here"
+
+
+HERE = '<include file="$(dirname)/{}.launch.xml"/>'
+TWO_TALKERS = f"<launch>\n{node(name='left')}\n{node(name='right')}\n</launch>"
+
+
+def test_a_launch_file_that_is_included_twice_is_told_once(findings):
+    includes = "\n" + HERE.format("common") + "\n" + HERE.format("talkers") + "\n"
+    files = {"launch/common.launch.xml": f"<launch>\n\n\n{HERE.format('talkers')}</launch>"}
+    files["launch/talkers.launch.xml"] = TWO_TALKERS
+    (found,) = findings("NME004", includes, **files)
+    assert (found.place.file, found.place.line) == ("launch/it.launch.xml", 3)
+    assert found.message == (
+        "this system includes talkers.launch.xml twice, which starts 2 nodes twice, such as '/left'"
+    )
+    assert [(one.place.file, one.place.line) for one in found.related] == [
+        ("launch/common.launch.xml", 4),
+        ("launch/talkers.launch.xml", 2),
+    ]
+
+
+def test_includes_further_out_are_the_cause(findings):
+    includes = "\n" + HERE.format("common") + "\n" + HERE.format("common") + "\n"
+    files = {"launch/common.launch.xml": f"<launch>{HERE.format('talkers')}</launch>"}
+    files["launch/talkers.launch.xml"] = TWO_TALKERS
+    (found,) = findings("NME004", includes, **files)
+    assert (found.place.file, found.place.line, found.related[0].place.line) == ("launch/it.launch.xml", 3, 2)
+    assert found.message.startswith("this system includes common.launch.xml twice")
+
+
+def test_a_file_may_be_included_twice_in_two_namespaces(findings):
+    def group(name: str) -> str:
+        return f"<group><push_ros_namespace namespace='{name}'/>{HERE.format('talkers')}</group>"
+
+    files = {"launch/talkers.launch.xml": TWO_TALKERS}
+    assert findings("NME004", group("one") + group("two"), **files) == []
+    (found,) = findings("NME004", f"{group('one')}\n{group('two')}\n{group('one')}", **files)
+    assert (found.place.line, found.related[0].place.line) == (3, 1)
 
 
 def test_a_node_that_another_process_makes_is_one(findings):

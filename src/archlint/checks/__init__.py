@@ -14,6 +14,7 @@ MODULES: tuple[str, ...] = (
     "hardcoded",
     "names",
     "nested_services",
+    "node_names",
     "ownership",
     "packages",
     "circles",

@@ -1,23 +1,21 @@
-"""LCH001 to LCH005, NME004 and GRF002: what a launch file gets wrong about what it starts."""
+"""LCH001 to LCH005 and GRF002: what a launch file gets wrong about what it starts."""
 
 from __future__ import annotations
 
 import posixpath
 import re
 from collections.abc import Iterator
-from itertools import groupby
 from typing import TYPE_CHECKING
 
 from archlint.checks.near import did_you_mean, distance, listed
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.whole import is_whole, walk
 from archlint.facts import model as facts
-from archlint.finding import Finding, Related
+from archlint.finding import Finding
 from archlint.program.launch.model import MISSING, NOT_INSTALLED
 from archlint.program.model import ACTION_CLIENT, ACTION_SERVER
 from archlint.system import names
 from archlint.system.instances import instantiate
-from archlint.system.model import runs_along
 
 if TYPE_CHECKING:
     from archlint.program.installs import Executable, Installs
@@ -298,38 +296,7 @@ def unknown_launch_attribute(system: System, options: Options) -> Iterator[Findi
         )
 
 
-# ------------------------------------------------------------------------------------------ NME004, GRF002
-
-
-@rule("NME004")
-def duplicate_node_name(system: System, options: Options) -> Iterator[Finding]:
-    """Nodes of one launched system under one name."""
-    if system.launched is None:
-        return
-    named = [n for n in system.nodes if n.name is not None and n.resolution == "exact" and n.launch_place]
-    for name, group in groupby(sorted(named, key=lambda n: n.name or ""), key=lambda node: node.name):
-        first, *others = list(group)
-        other = next((node for node in others if _certainly_together(first, node)), None)
-        if other is None or other.launch_place is None or first.launch_place is None:
-            continue
-        one_process = first.started is other.started
-        message = f"two nodes of this system are called '{name}'"
-        if one_process:
-            message = f"name= renames every node of this executable: several are then called '{name}'"
-        yield finding(
-            "NME004",
-            other.launch_place,
-            message,
-            help="ROS starts both; give each a name or namespace of its own",
-            related=[] if one_process else [Related(first.launch_place, "the other one is started here")],
-            node=name,
-            identity=(name or "",),
-        )
-
-
-def _certainly_together(one: Node, other: Node) -> bool:
-    """Whether the one always runs when the other does."""
-    return runs_along(one.alternatives, other.alternatives)
+# -------------------------------------------------------------------------------------------------- GRF002
 
 
 @rule("GRF002")

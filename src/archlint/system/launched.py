@@ -124,7 +124,8 @@ class LaunchSystems:
         if changes is not None:
             again = self.program(started, changes, words)
             program = again if again is not None and _has_nodes(again) else program
-        made = [self._node(one, program, started, launch_file) for one in program.nodes if not (one.test or one.made_again)]
+        own = [one for one in program.nodes if not (one.test or one.made_again)]
+        made = [self._node(one, program, started, launch_file) for one in own]
         if not any(node.is_node for node in made):
             # It starts a node for sure, and all that is known of it is what some helper creates there.
             made.append(self._unfollowed(started, program, launch_file))

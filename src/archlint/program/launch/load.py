@@ -280,7 +280,9 @@ class LaunchLoader:
         if len(run.stack) >= INCLUDE_DEPTH or self.includes > INCLUDES:
             run.gap("more includes than can be followed")
             return
+        run.includes.append(reference.place)
         self._enter(run, reference.source)
+        run.includes.pop()
 
     def _enter(self, run: LaunchRun, path: str) -> None:
         kept, kept_place = run.file, run.place_now

@@ -108,6 +108,8 @@ class Started:
     lifecycle: bool = False
     places: dict[str, Place] = field(default_factory=dict)
     container: Text | None = None
+    includes: tuple[Place, ...] = ()
+    """The includes that lead to the file it is in, outermost first."""
 
 
 @dataclass(frozen=True)

@@ -56,6 +56,8 @@ class LaunchRun(Run):
         self.dormant = 0
         self.undecided = 0
         self.stack: list[str] = []
+        self.includes: list[Place] = []
+        """Where the files of the stack are included; nothing for the first."""
         self.names = ArgumentNames()
         self._values: dict[str, list[str]] = {}
         self._seen: set[object] = set()
@@ -99,6 +101,7 @@ class LaunchRun(Run):
         known = process in self._started
         self._started[process] = self._started.get(process, False) or self.in_handler
         if not (known and self._started[process]):
+            started.includes = tuple(self.includes)
             self.result.started.append(started)
 
     def note_undeclared(self, use: UndeclaredUse) -> None:

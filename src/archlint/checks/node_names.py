@@ -1,0 +1,127 @@
+"""NME004: nodes of one launched system under one name, by what makes them so: an executable, an include, an action."""
+
+from __future__ import annotations
+
+import posixpath
+from collections.abc import Iterator
+from itertools import groupby
+from typing import TYPE_CHECKING
+
+from archlint.checks.registry import Options, finding, rule
+from archlint.finding import Finding, Related
+from archlint.system.model import runs_along
+
+if TYPE_CHECKING:
+    from archlint.finding import Place
+    from archlint.program.launch.model import Started
+    from archlint.system.model import Node, System
+
+Twins = tuple["Node", "Node"]
+
+
+@rule("NME004")
+def duplicate_node_name(system: System, options: Options) -> Iterator[Finding]:
+    """Nodes of one launched system under one name."""
+    if system.launched is None:
+        return
+    included: dict[tuple[Place, Place, str], list[Twins]] = {}
+    for twins in _twins(system):
+        one, other = twins
+        again = None if one.started is other.started else _included_twice(one.started, other.started)
+        if again is not None:
+            included.setdefault(again, []).append(twins)
+        elif one.started is other.started:
+            yield from _of_one_process(*twins)
+        else:
+            yield from _of_two_actions(*twins)
+    for (before, place, file), several in included.items():
+        yield _of_an_include(before, place, file, several)
+
+
+def _twins(system: System) -> Iterator[Twins]:
+    """Of each name two nodes that have it for certain, in the order in which they are started."""
+    named = [n for n in system.nodes if n.name is not None and n.resolution == "exact" and n.launch_place]
+    for _, group in groupby(sorted(named, key=lambda n: n.name or ""), key=lambda node: node.name):
+        first, *others = list(group)
+        other = next((node for node in others if runs_along(first.alternatives, node.alternatives)), None)
+        if other is not None:
+            yield first, other
+
+
+def _included_twice(one: Started | None, other: Started | None) -> tuple[Place, Place, str] | None:
+    """The two includes of one file that two processes come from, and that file; None where it is not included
+    twice."""
+    if one is None or other is None or one.place != other.place:
+        return None
+    file = one.file
+    for before, place in zip(reversed(one.includes), reversed(other.includes), strict=False):
+        if before != place:
+            return before, place, file
+        file = place.file
+    return None
+
+
+def _of_an_include(before: Place, place: Place, file: str, several: list[Twins]) -> Finding:
+    names = sorted(one.name or "" for one, _ in several)
+    some = f"{len(names)} nodes twice, such as '{names[0]}'"
+    starts = f"'{names[0]}' twice" if len(names) == 1 else some
+    return finding(
+        "NME004",
+        place,
+        f"this system includes {posixpath.basename(file)} twice, which starts {starts}",
+        help="include it once, or each time in a namespace of its own",
+        related=[
+            Related(before, "it is included here before"),
+            *(Related(one.launch_place, f"{one.name} is started here") for one, _ in several[:1] if one.launch_place),
+        ],
+        node=names[0],
+        identity=(posixpath.basename(file), *names),
+    )
+
+
+def _of_two_actions(one: Node, other: Node) -> Iterator[Finding]:
+    if one.launch_place is None or other.launch_place is None:
+        return
+    apart = one.launch_place != other.launch_place
+    yield finding(
+        "NME004",
+        other.launch_place,
+        f"two nodes of this system are called '{one.name}'",
+        help="ROS starts both; give each a name or namespace of its own",
+        related=[Related(one.launch_place, "the other one is started here")] if apart else [],
+        node=one.name,
+        identity=(one.name or "",),
+    )
+
+
+def _of_one_process(one: Node, other: Node) -> Iterator[Finding]:
+    if other.launch_place is None:
+        return
+    renamed = one.started is not None and one.started.name is not None
+    apart = _own_name(one) != _own_name(other)
+    message = f"this executable makes several nodes that are called '{one.name}'"
+    if renamed:
+        message = f"name= renames every node of this executable: several are then called '{one.name}'"
+    yield finding(
+        "NME004",
+        other.launch_place,
+        message,
+        help="leave name= out: then each has the name that its code gives it"
+        if renamed and apart
+        else "give each a name of its own in the code" + (", and leave name= out here" if renamed else ""),
+        related=list(dict.fromkeys(related for node in (one, other) for related in _made(node))),
+        node=one.name,
+        identity=(one.name or "",),
+    )
+
+
+def _own_name(node: Node) -> str | None:
+    """What the code calls a node."""
+    return node.blueprint.name.text if node.blueprint is not None else None
+
+
+def _made(node: Node) -> Iterator[Related]:
+    blueprint = node.blueprint
+    if blueprint is not None:
+        shown = blueprint.name.text or blueprint.class_name
+        yield Related(blueprint.made_at or blueprint.place, f"'{shown}' is made here")
