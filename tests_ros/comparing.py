@@ -24,6 +24,9 @@ OF_EVERY_NODE = {"use_sim_time", "start_type_description_service"}
 
 Entity = dict[str, Any]
 
+counted: Counter[str] = Counter()
+"""Over all comparisons of a test run: ``runs``, ``compared`` and ``left open``."""
+
 
 @dataclass
 class Comparison:

@@ -5,13 +5,12 @@ from __future__ import annotations
 import json
 import re
 import shutil
-from collections import Counter
 from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
 
-from tests_ros.comparing import ENDS, Comparison, Entity, compare, graph
+from tests_ros.comparing import ENDS, Comparison, Entity, compare, counted, graph
 from tests_ros.environments import OWN_INTERFACES, ROOT, Environment
 from tests_ros.running import Observed, Observer, Program, observe
 from tests_ros.variations import VARIATIONS, Variation
@@ -45,14 +44,13 @@ NOT_REACHED = {
         18: "the control's constructor waits for a service that is nowhere",
         19: "the sensor's constructor waits for a service that is nowhere",
     },
+    "problem_4_dead_nodes": {13: "the driver's constructor waits for a service, for ever if it is not there"},
     "problem_1_service_not_available": {16: "its constructor waits for a service that is nowhere"},
 }
 """Lines of entities that are read from the source, and that the run does not come to; all others must exist."""
 
 REMAPS_ACTIONS = {"jazzy": False, "kilted": True}
 """Whether a rule for an action's name does anything: rcl_action 9.2.8, of Jazzy, has nothing that resolves it."""
-
-counted: Counter[str] = Counter()
 
 
 @pytest.fixture(scope="session")
@@ -66,17 +64,6 @@ def observer(environment: Environment, tmp_path_factory: pytest.TempPathFactory)
     one = Observer(environment, [], tmp_path_factory.mktemp("observer"))
     yield one
     one.close()
-
-
-@pytest.fixture(scope="session", autouse=True)
-def summary(environment: Environment, pytestconfig: pytest.Config) -> Iterator[None]:
-    yield
-    reporter = pytestconfig.pluginmanager.get_plugin("terminalreporter")
-    assert reporter is not None
-    reporter.write_line(
-        f"\nROS 2 {environment.distro}: {counted['compared']} nodes, endpoints, timers and parameters compared in "
-        f"{counted['runs']} runs; {counted['left open']} of which archlint gives no name"
-    )
 
 
 @pytest.mark.parametrize("name", SCRIPTS)

@@ -21,6 +21,10 @@ from rclpy.action import (
 )
 from rclpy.node import Node
 
+QUIET_S = 0.3
+"""How long nothing new must arrive once all that is expected is there."""
+LATE_S = 3.0
+"""The same, where a node has no /rosout: it may have been told to have none."""
 OBSERVER = "/graph_observer"
 KINDS = ("publishers", "subscribers", "services", "clients", "action_servers", "action_clients")
 
@@ -39,12 +43,22 @@ def main() -> None:
 
 
 def answer(node: Node, nodes: dict[str, Any], limit: float) -> dict[str, Any]:
-    end = time.monotonic() + limit
+    start = covered = time.monotonic()
+    before: dict[str, Any] = {}
     while True:
-        found = graph(node)
-        if covers(found, nodes) or time.monotonic() > end:
+        found, now = graph(node), time.monotonic()
+        if found != before or not covers(found, nodes):
+            covered = now
+        before = found
+        quiet = QUIET_S if all(logs(found[name]) for name in nodes if name in found) else LATE_S
+        if now - covered > quiet or now - start > limit:
             return found
         time.sleep(0.1)
+
+
+def logs(kinds: dict[str, Any]) -> bool:
+    """Whether what rcl makes for almost every node, without the node's knowing, has arrived."""
+    return any(end[0] == "/rosout" for end in kinds["publishers"])
 
 
 def covers(seen: dict[str, Any], expected: dict[str, Any]) -> bool:

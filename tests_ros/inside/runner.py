@@ -39,7 +39,7 @@ from rclpy.subscription import Subscription
 
 QUIET_S = 0.6
 """How long nothing new must come up until a program that spins counts as started."""
-WAITING_S = 6.0
+WAITING_S = 15.0
 """How long nothing new must come up until a program that does not spin counts as waiting for something for ever."""
 
 lines: set[tuple[str, int]] = set()

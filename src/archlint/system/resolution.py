@@ -115,7 +115,8 @@ def _exact(name: str, weakest: Text, kind: str, own: NodeName, rules: Sequence[R
 def _rule_kind(kind: str) -> str:
     """Which rules apply to a kind of endpoint.
 
-    An action is resolved as a topic since rcl 9.2.8 (Jazzy); in Humble rules for its base name do nothing.
+    An action is resolved as a topic since Kilted; in Humble, and in Jazzy up to rcl_action 9.2.8 at least, rules for
+    its base name do nothing (`make test-ros` tries both Jazzy and Kilted).
     """
     return remap.SERVICE if kind in (SERVICE, CLIENT) else remap.TOPIC
 
