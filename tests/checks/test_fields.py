@@ -107,8 +107,14 @@ def node(**lines: str) -> str:
         {"on_path": "built = []; built.append(PoseStamped()); path.poses = built; print(path.poses[0].x)  # here"},
         {"on_path": "print(Path(poses=[PoseStamped()]).poses[0].x)  # here"},
         # A helper that one type too many is handed to.
+        {"on_scan": "self.describe(scan)  # here", "on_battery": "self.describe(battery)",
+         "helper": "print(message.voltage)"},
+        {"on_scan": "self.describe(scan)  # here", "on_battery": "self.describe(battery)",
+         "helper": "print(message.voltage); print(message.current)"},
+        # One that nothing right is handed to.
         {"on_scan": "self.describe(scan)", "on_battery": "self.describe(battery)",
-         "helper": "print(message.voltage)  # here"},
+         "helper": "print(message.volts)  # here"},
+        {"on_scan": "self.describe(scan)", "helper": "print(message.volts)  # here"},
         # Constants.
         {"on_scan": "print(BatteryState.POWER_SUPPLY_STATUS_FUL)  # here"},
         {"on_scan": "print(BatteryState().POWER_SUPPLY_STATUS_FUL)  # here"},
@@ -193,6 +199,74 @@ def test_a_helper_that_waits_for_all_kinds_of_answers(judge: Judge):
             main()
         """,
     )
+
+
+WINDOW = """
+    import rclpy
+    from rclpy.node import Node
+    from std_msgs.msg import String
+    from std_srvs.srv import Trigger
+    from window import signals
+
+
+    class Gui(Node):
+        def __init__(self):
+            super().__init__('gui')
+            self.client = self.create_client(Trigger, 'ask')
+            self.create_subscription(String, 'text', signals.text.emit, 10)
+            self.create_timer(5.0, self.ask)
+            {set_up}
+
+        def show(self, message):
+            {show}
+
+        def ask(self):
+            self.client.call_async(Trigger.Request()).add_done_callback(self.on_answer)
+
+        def on_answer(self, future):
+            {on_answer}
+
+
+    def main():
+        rclpy.init()
+        rclpy.spin(Gui())
+
+
+    if __name__ == '__main__':
+        main()
+"""
+CONNECT = "signals.text.connect(self.show)"
+
+
+@pytest.mark.parametrize(
+    ("set_up", "show", "on_answer"),
+    [
+        pytest.param(CONNECT, "print(message.data)", "self.show(future.result())  # here", id="others call it"),
+        pytest.param("pass", "print(message.data)  # here", "self.show(future.result())", id="nobody else"),
+        pytest.param(CONNECT, "print(message.data)", "self.show(String(data='there'))", id="the right message"),
+        pytest.param(CONNECT, "print(message.message)", "self.show(future.result())", id="it has the field"),
+        pytest.param(
+            CONNECT, "print(message.data if signals.on else 0)", "self.show(future.result())", id="may not come to it"
+        ),
+        pytest.param(
+            CONNECT, "print(message.data)", "if signals.on: self.show(future.result())", id="may not be called"
+        ),
+        pytest.param(
+            "self.show(signals.last)", "print(message.data)", "self.show(future.result())  # here", id="who knows what"
+        ),
+    ],
+)
+def test_a_function_that_is_called_with_something_else_too(judge: Judge, set_up: str, show: str, on_answer: str):
+    judge("MSG001", WINDOW.format(set_up=set_up, show=show, on_answer=on_answer))
+
+
+def test_a_call_that_passes_the_wrong_message_in_words(judge: Judge):
+    text = WINDOW.format(set_up=CONNECT, show="print(message.data)", on_answer="self.show(future.result())  # here")
+    [finding] = judge("MSG001", text)
+    assert finding.message == "Gui.show() is given the response of std_srvs/srv/Trigger, which has no field 'data'"
+    assert finding.help == "this call raises AttributeError when it runs; the fields are success, message"
+    [used] = finding.related
+    assert (used.message, used.place.line) == ("'data' is used here", finding.place.line - 6)
 
 
 ASKING = """

@@ -15,7 +15,7 @@ from archlint.finding import Related
 
 if TYPE_CHECKING:
     from archlint.finding import Finding, Place
-    from archlint.program.model import FieldUse, UnknownInterface
+    from archlint.program.model import FieldUse, Passed, UnknownInterface
     from archlint.system.model import System
 
 _SHOWN = 12
@@ -32,9 +32,18 @@ def unknown_field(system: System, options: Options) -> Iterator[Finding]:
     for program in system.programs:
         for use in program.field_uses:
             uses.setdefault(use.place, []).append(use)
+    callers: dict[Place, set[Place | None]] = {}
+    for program in system.programs:
+        for function, calls in program.callers.items():
+            callers.setdefault(function, set()).update(calls)
     told: set[Place] = set()
     for place in sorted(uses):
         missing = sorted((use for use in uses[place] if use.exists is False), key=lambda use: (use.type, use.part))
+        wrong = _wrongly_passed(uses[place], missing, callers)
+        if wrong:
+            yield from (_passed_to(system, use, hop) for use, hop in wrong if use.certain and hop.call not in told)
+            told.update(hop.call for _, hop in wrong)
+            continue
         if len(missing) == len(uses[place]):
             yield _unknown_field(system, missing[0])
             continue
@@ -42,6 +51,40 @@ def unknown_field(system: System, options: Options) -> Iterator[Finding]:
         if certain:  # once for each that delivers: the first use ends the callback
             told.update(use.delivered.place for use in certain if use.delivered is not None)
             yield _of_one_type(system, certain[0], uses[place])
+
+
+def _wrongly_passed(
+    uses: Sequence[FieldUse], missing: Sequence[FieldUse], callers: dict[Place, set[Place | None]]
+) -> list[tuple[FieldUse, Passed]]:
+    """The uses that are not at fault, for the function is called with something else, too (or may be): each with the
+    call that passes what lacks the field, one a call."""
+    right = [use for use in uses if use.exists is not False]
+    shared = {hop.call for use in right for hop in use.passed}
+    calls = {hop.call for use in missing for hop in use.passed}
+    found: dict[Place, tuple[FieldUse, Passed]] = {}
+    for use in missing:
+        if right:
+            hops = [hop for hop in use.passed if hop.call not in shared]
+        else:
+            hops = [hop for hop in reversed(use.passed) if callers.get(hop.function, set()) - calls]
+        if hops:
+            found.setdefault(hops[0].call, (use, hops[0]))
+    return [found[call] for call in sorted(found)]
+
+
+def _passed_to(system: System, use: FieldUse, hop: Passed) -> Finding:
+    """The finding for a call that passes a message to a function which works with others."""
+    found = _unknown_field(system, use)
+    of = found.message.partition(" has no ")[0]
+    what = found.message.removeprefix(of).partition(";")[0]
+    return replace(
+        found,
+        place=hop.call,
+        group=(),
+        message=f"{hop.helper}() is given {of}, which{what}",
+        help=f"this call raises {_raised([use.access])} when it runs; the fields are {_listed(use.fields)}",
+        related=(Related(use.place, f"'{use.name}' is used here"),),
+    )
 
 
 def _of_one_type(system: System, use: FieldUse, others: Sequence[FieldUse]) -> Finding:

@@ -267,6 +267,7 @@ def enter_function(
     call_place = None
     if expression is not None and run.activations:
         call_place = run.place(expression.span)
+        run.callers.setdefault(id(ir), set()).add(call_place)
     depth = run.store.depth
     activation = Activation(function.qualified, module, scope, body, depth, function, self_value, call_place)
     activation.arms = len(run.arms)

@@ -132,6 +132,11 @@ def _spread(run: Run, values: Iterable[Value], how: Escape) -> None:
                 mark(one, how)
         elif isinstance(value, (FunctionValue, BoundMethod, Partial)):
             functions.append(value)
+    for function in functions:
+        while isinstance(function, (BoundMethod, Partial)):
+            function = function.function
+        if isinstance(function, FunctionValue):
+            run.callers.setdefault(id(function.ir), set()).add(None)
     callbacks.hand_out(run, functions)
 
 

@@ -18,7 +18,7 @@ from archlint.program.values import EachValue, Known, MessageValue, OneOf, Value
 
 if TYPE_CHECKING:
     from archlint.facts.model import Span
-    from archlint.program.run import Run
+    from archlint.program.run import Activation, Run
 
 _OF_EVERY_MESSAGE = frozenset({"get_fields_and_field_types", "SLOT_TYPES", "structure_needs_at_least_one_member"})
 """What rosidl's generator gives each class beside its fields and constants."""
@@ -48,6 +48,7 @@ def nested(run: Run, value: MessageValue, name: str) -> MessageValue | EachValue
         if kind is None or kind.is_primitive or run.interfaces.get(kind.name) is None:
             return None
         inner = MessageValue(kind.name, "", run.store.new_key())
+        run.inside[inner.key] = value.key
         if value.key in run.made_in:
             run.made_in[inner.key] = run.made_in[value.key]
         if value.key in run.delivered:
@@ -65,7 +66,8 @@ def note_use(run: Run, value: Value, name: str, span: Span, access: str) -> None
     if name.startswith("_") or name in _OF_EVERY_MESSAGE:
         return
     delivered = _delivered(run, message)
-    key = (run.activation.module.path, span, message.type, message.part, id(delivered))
+    passed = _passed(run, message)
+    key = (run.activation.module.path, span, message.type, message.part, id(delivered), passed)
     if key in run.field_uses:
         return
     known = None if _may_be_told_apart(run, message) else run.interfaces.has(message.type, message.part, name)
@@ -84,8 +86,39 @@ def note_use(run: Run, value: Value, name: str, span: Span, access: str) -> None
             run.context.node,
             delivered,
             inside=run.interfaces.inside(message.type, message.part, name) if known is False else None,
+            passed=passed,
+            certain=known is False and bool(passed) and not run.arms and not guard_of(run),
         )
     )
+
+
+def _passed(run: Run, message: MessageValue) -> tuple[model.Passed, ...]:
+    """The calls that hand a message, or the one that it is in, on to the function that uses it."""
+    if not message.key:
+        return ()
+    outer: int | None = message.key
+    keys: set[int] = set()
+    while outer is not None:
+        keys.add(outer)
+        outer = run.inside.get(outer)
+    found: list[model.Passed] = []
+    for number in range(len(run.activations) - 1, 0, -1):
+        one = run.activations[number]
+        if one.scope.kind == "comprehension":
+            continue
+        if one.function is None or one.call_place is None or not _is_given(run, one, keys):
+            break
+        place = one.place(one.function.ir.span)
+        run.passed_to[id(one.function.ir)] = place
+        found.append(model.Passed(one.call_place, one.qualified, place))
+    return tuple(found)
+
+
+def _is_given(run: Run, one: Activation, keys: set[int]) -> bool:
+    assert one.function is not None
+    given = (run.store.get(one.scope.key, param.name) for param in one.function.ir.params)
+    messages = (of_value(value) for value in given if isinstance(value, Value))
+    return any(message is not None and message.key in keys for message in messages)
 
 
 def deliver(run: Run, arguments: Sequence[Value], creation: model.Creation) -> None:

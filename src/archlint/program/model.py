@@ -358,6 +358,16 @@ class ExecutorUse:
 
 
 @dataclass(frozen=True)
+class Passed:
+    """One hop of a message that a function is called with."""
+
+    call: Place
+    helper: str
+    """Qualified name of the function."""
+    function: Place
+
+
+@dataclass(frozen=True)
 class FieldUse:
     """A field of a message that the code names; ``access`` is ``read``, ``write`` or ``keyword``, or ``constant`` for
     what looks like one and is read from the class.
@@ -377,6 +387,10 @@ class FieldUse:
     delivered: Creation | None = None
     """What calls with the message, where this use of it certainly is reached whatever its type."""
     inside: str | None = None
+    passed: tuple[Passed, ...] = ()
+    """The calls that pass the message, or what it is in, to where it is used; the last of them first."""
+    certain: bool = False
+    """Whether a message that is passed certainly comes to this use, whatever its type."""
 
 
 @dataclass(frozen=True)
@@ -439,6 +453,8 @@ class Program:
     callbacks: list[Callback] = field(default_factory=list)
     executors: list[ExecutorUse] = field(default_factory=list)
     field_uses: list[FieldUse] = field(default_factory=list)
+    callers: dict[Place, set[Place | None]] = field(default_factory=dict)
+    """Where the functions that use fields of their parameters are called; None for code that is not here."""
     unknown_interfaces: list[UnknownInterface] = field(default_factory=list)
     reads_command_line: bool = False
     parses_command_line: bool = False

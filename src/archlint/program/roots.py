@@ -292,4 +292,7 @@ def finish(run: Run) -> None:
             blueprint.gaps.append((blueprint.place, "its program has more code than is followed"))
         kept.append(blueprint)
     program.nodes[:] = kept
+    cut_short = {None} if program.exhausted else set()
+    for function, place in run.passed_to.items():
+        program.callers.setdefault(place, set()).update(run.callers.get(function, set()) | cut_short)
     executors.settle(program)

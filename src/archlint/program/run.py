@@ -178,6 +178,12 @@ class Run:
         """Messages that fields of messages hold, where nothing was assigned to them."""
         self.made_in: dict[int, Activation] = {}
         """Which call of a function made a message, by its key."""
+        self.inside: dict[int, int] = {}
+        """Which message a message is a field of, by their keys."""
+        self.callers: dict[int, set[Place | None]] = {}
+        """Where each function (by the id of its facts) is called; None for code that is not here."""
+        self.passed_to: dict[int, Place] = {}
+        """The functions that fields of their parameters are used in, by the same id."""
         self.delivered: dict[int, model.Creation] = {}
         """Which subscription, server or client calls its callback with a message, by its key."""
         self.field_uses: set[tuple[Any, ...]] = set()
