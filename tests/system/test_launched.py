@@ -650,6 +650,48 @@ def test_sections_go_by_the_name_that_the_command_line_gives(robot, words, node,
     assert topics(system())[node][0] == topic
 
 
+TALKS = """\
+import rclpy
+from rclpy.node import Node
+from std_msgs.msg import String, Bool
+
+class {cls}(Node):
+    def __init__(self):
+        super().__init__('{cls}')
+        self.declare_parameter('topic', 'chatter')
+        self.create_{create})
+
+def main():
+    rclpy.init()
+    rclpy.spin({cls}())
+"""
+BY_PARAMETER = "self.get_parameter('topic').value"
+
+
+@pytest.mark.parametrize(
+    ("talker", "listener", "told"),
+    [
+        ("", None, True),  # the default, and a node that no launch file starts
+        ("<param name='topic' value='news'/>", None, False),
+        ("<remap from='chatter' to='news'/>", None, False),
+        ("<remap from='chatter' to='news'/>", "<remap from='chatter' to='news'/>", True),
+        ("<remap from='chatter' to='news'/>", "<remap from='chatter' to='old'/>", False),
+    ],
+)
+def test_types_are_compared_under_the_names_that_launch_files_give(robot, talker, listener, told):
+    publisher = TALKS.format(cls="Talker", create=f"publisher(String, {BY_PARAMETER}, 10")
+    listens = TALKS.format(cls="Listener", create=f"subscription(Bool, {BY_PARAMETER}, print, 10")
+    files = {"robot/talker.py": publisher, "robot/listener.py": listens}
+    files["setup.py"] = SETUP.format(name="robot").replace(
+        "robot.talker:main'", "robot.talker:main', 'listener = robot.listener:main'"
+    )
+    if listener is not None:
+        files["launch/other.launch.xml"] = f"<launch><node pkg='robot' exec='listener'>{listener}</node></launch>"
+    robot(f"<node pkg='robot' exec='talker'>{talker}</node>", **files)
+    found = check(Request((".",), Settings(), cached=False, jobs=1)).findings
+    assert ("TOP001" in {one.code for one in found}) is told
+
+
 CHOOSING = """\
 import rclpy
 from rclpy.node import Node

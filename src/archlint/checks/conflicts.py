@@ -10,6 +10,7 @@ from collections.abc import Callable, Iterable, Iterator
 from itertools import combinations
 from typing import TYPE_CHECKING
 
+from archlint.system.launched import key_of
 from archlint.system.model import exclusive, runs_along
 
 if TYPE_CHECKING:
@@ -59,7 +60,7 @@ def in_source_order(endpoints: Iterable[Endpoint]) -> list[Endpoint]:
 def meeting(system: System, endpoints: Iterable[Endpoint]) -> Iterator[tuple[Endpoint, Endpoint]]:
     """Pairs of certain endpoints that run together; in each, the second comes later in the source."""
     for one, other in combinations(in_source_order(e for e in endpoints if certain(e)), 2):
-        if meet(system, one, other):
+        if meet(system, one, other) and _under_one_name(system, one, other):
             yield one, other
 
 
@@ -81,7 +82,9 @@ def clashing(
             continue
         fixed, chosen = (one, other) if id(one) in sure else (other, one)
         choices = [] if id(chosen) in sure else of_node[id(chosen.node), chosen.kind]
-        if not any(agree(fixed, end) for end in choices) and meet(system, one, other):
+        if any(agree(fixed, end) for end in choices) or not meet(system, one, other):
+            continue
+        if _under_one_name(system, one, other):
             yield one, other
 
 
@@ -97,6 +100,22 @@ def meet(system: System, one: Endpoint, other: Endpoint) -> bool:
         and _started_alike(one.node, other.node)
         and not (not seen_together(system, one.node, other.node) and _apart(one, other))
     )
+
+
+def _under_one_name(system: System, one: Endpoint, other: Endpoint) -> bool:
+    """False where launch files start the nodes of two endpoints under other names each time: what the code calls
+    them by default then proves nothing."""
+    if one.node is other.node or seen_together(system, one.node, other.node):
+        return True
+    return not _names_when_launched(system, one).isdisjoint(_names_when_launched(system, other))
+
+
+def _names_when_launched(system: System, end: Endpoint) -> frozenset[str | None]:
+    blueprint, world = end.node.blueprint, system.world
+    if blueprint is None or world is None:
+        return frozenset([end.name])
+    given = world.launched_names.get((key_of(blueprint), end.kind, end.place))
+    return given - {None} if given is not None else frozenset([end.name])
 
 
 def _started_alike(one: Node, other: Node) -> bool:

@@ -22,6 +22,7 @@ from archlint.system.understood import doubt
 
 if TYPE_CHECKING:
     from archlint.facts.parameters import ParameterFacts
+    from archlint.finding import Place
     from archlint.program.installs import Installs
     from archlint.program.interface_table import InterfaceTable
     from archlint.program.launch.load import LaunchLoader
@@ -60,6 +61,19 @@ class World:
         """The nodes, by :func:`key_of`, that launched systems have under a final name."""
         launched = (node for system in self.systems if system.name is not None for node in system.nodes)
         return frozenset(key_of(n.blueprint) for n in launched if n.blueprint is not None and (n.name or n.error))
+
+    @cached_property
+    def launched_names(self) -> Mapping[tuple[object, str, Place], frozenset[str | None]]:
+        """The names that launch files give to what a node, by :func:`key_of`, creates at a place; None for one that
+        is not known."""
+        found: dict[tuple[object, str, Place], set[str | None]] = {}
+        for system in self.systems:
+            every = (system, *(other for _, other in system.alternatives)) if system.launched is not None else ()
+            for end in (end for one in every for node in one.nodes for end in node.endpoints):
+                if end.node.blueprint is not None:
+                    key = (key_of(end.node.blueprint), end.kind, end.place)
+                    found.setdefault(key, set()).add(end.name if end.resolved else None)
+        return {key: frozenset(names_) for key, names_ in found.items()}
 
 
 class LaunchSystems:
