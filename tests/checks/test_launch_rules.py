@@ -1201,3 +1201,53 @@ def test_one_name_that_the_launch_file_remaps_at_one_end(findings):
 def test_a_namespace_from_the_command_line_is_not_known(findings, words, told):
     launch = {"launch/it.launch.xml": "<launch/>", "launch/two.launch.py": IN_NAMESPACE.replace("WORDS", words)}
     assert len(findings("TOP004", **TWO_NODES, **launch)) == told
+
+
+# ------------------------------------------------------------------------- NME001, in a launch file's namespace
+
+
+def absolute(*names: str) -> dict[str, str]:
+    """The talker with a publisher for each name."""
+    lines = "".join(f"        self.create_publisher(String, '{name}', 10)\n" for name in names)
+    return {"robot/talker.py": TALKER.replace("        self.create_publisher(String, 'chatter', 10)\n", lines)}
+
+
+@pytest.mark.parametrize(
+    ("names", "namespaces", "help"),
+    [
+        (["/left/words"], ["left"], "write 'words': the launch file starts the node in '/left'"),
+        (["/words"], ["left"], "write 'words', which follows the node's namespace, or take the name from a parameter"),
+        (
+            ["/left/words"],
+            [""],
+            "write 'left/words', which follows the node's namespace, or take the name from a parameter",
+        ),
+        (["/lefty/words"], ["left"], "write 'lefty/words', which follows"),
+        (["/left/words"], ["left", ""], "take the name from a parameter: self.declare_parameter('words_name'"),
+        (
+            ["/left/words", "/left/more"],
+            ["left"],
+            "leave out '/left/', the namespace that the launch file starts the node in",
+        ),
+        (
+            ["/left/words", "/arm/state"],
+            ["left"],
+            "leave out '/left/', the namespace that the launch file starts the node in, "
+            "and take the other names from parameters",
+        ),
+        (["/left/words", "/arm/state"], ["left", "right"], "take the names from parameters"),
+        (["/words", "/state"], ["left", "right"], "write them without the leading '/'"),
+    ],
+)
+def test_the_name_to_write_in_the_namespace_that_the_launch_file_gives(findings, names, namespaces, help):
+    launch = "".join(node(**({"namespace": one} if one else {})) for one in namespaces)
+    (found,) = findings("NME001", launch, **absolute(*names))
+    assert found.help is not None and found.help.startswith(help)
+
+
+def test_the_namespace_that_an_including_file_gives(findings):
+    include = '<include file="$(find-pkg-share robot)/launch/it.launch.xml"/>'
+    outer = f'<launch><group><push-ros-namespace namespace="left"/>{include}</group></launch>'
+    files = {"launch/all.launch.xml": outer, **absolute("/left/words")}
+    (found,) = findings("NME001", node(), **files)
+    assert found.help == "write 'words': the launch file starts the node in '/left'"

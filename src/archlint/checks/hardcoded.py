@@ -12,10 +12,12 @@ from archlint.checks.names import WORDS
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.whole import enclosing_class
 from archlint.finding import Finding, Fix, Related, Severity
+from archlint.system.launched import key_of
 from archlint.system.model import exclusive
 
 if TYPE_CHECKING:
     from archlint.finding import Place
+    from archlint.system.launched import World
     from archlint.system.model import Endpoint, Node, System
 
 ABSOLUTE_BY_CONVENTION = (
@@ -51,6 +53,8 @@ class _Reason:
     effect: str
     cure: str
     severity: Severity | None = None
+    namespace: str = ""
+    """The one that launch files start the node in, where a name begins with it."""
 
     def message(self, subject: str, such_as: str, plural: bool) -> str:
         effect = self.effect.format(it="them" if plural else "it")
@@ -63,6 +67,8 @@ _FIXED = _Reason(
     ": no namespace moves {it}",
     "write them without the leading '/', so that they follow the node's namespace, or take them from parameters",
 )
+_PARAMETERS = replace(_FIXED, cure="take the names from parameters")
+"""For a node that launch files start in one namespace and another, where a name begins with one of them."""
 _RELATIVE = _Reason("fixed", "fixed in the code", "", "take the names from parameters")
 _CHOSEN = _Reason(
     "chosen",
@@ -123,7 +129,7 @@ def _hardcoded(system: System, node: Node, endpoint: Endpoint) -> Finding:
     given = creation.name_place or endpoint.place
     place = creation.name.origin or given
     home = _home(system, place, endpoint.place)
-    reason = _reason(node, endpoint)
+    reason = _reason(system.world, node, endpoint)
     made = finding(
         "NME001",
         place,
@@ -137,14 +143,33 @@ def _hardcoded(system: System, node: Node, endpoint: Endpoint) -> Finding:
     return made if reason.severity is None else replace(made, severity=reason.severity)
 
 
-def _reason(node: Node, endpoint: Endpoint) -> _Reason:
+def _reason(world: World | None, node: Node, endpoint: Endpoint) -> _Reason:
     name = endpoint.written or ""
     if not name.startswith("/"):
         return _RELATIVE
     owner = next((owner for prefix, owner in FIXED_BY_OTHERS.items() if name.startswith(prefix)), None)
     if owner is not None:
         return _of_others(owner)
-    return _CHOSEN if _is_chosen(node, endpoint) else _FIXED
+    if _is_chosen(node, endpoint):
+        return _CHOSEN
+    return _by_namespace(world, node)
+
+
+def _by_namespace(world: World | None, node: Node) -> _Reason:
+    """What to do about absolute names: where launch files start the node in a namespace that one of them begins with,
+    they would have it twice without their '/'."""
+    given = None if world is None or node.blueprint is None else world.namespaces.get(key_of(node.blueprint))
+    written = [endpoint.written or "" for endpoint in node.endpoints]
+    repeated = [one for one in given or () if one and any(name.startswith(f"{one}/") for name in written)]
+    if not repeated:
+        return _FIXED
+    if given != frozenset(repeated[:1]):
+        return _PARAMETERS
+    start = repeated[0]
+    cure = f"leave out '{start}/', the namespace that the launch file starts the node in"
+    if not all(name.startswith(f"{start}/") for name in written if name.startswith("/")):
+        cure += ", and take the other names from parameters"
+    return replace(_FIXED, cure=cure, namespace=start)
 
 
 def _is_chosen(node: Node, endpoint: Endpoint) -> bool:
@@ -161,13 +186,16 @@ def _is_chosen(node: Node, endpoint: Endpoint) -> bool:
 
 
 def _help(name: str, reason: _Reason) -> str:
-    bare = name.lstrip("/") or "…"
     if reason is _FIXED:
+        bare = name.lstrip("/") or "…"
         return f"write '{bare}', which follows the node's namespace, or take the name from a parameter"
-    if reason is _RELATIVE:
-        parameter = name.rpartition("/")[2].lstrip("~") + "_name"
-        return f"take the name from a parameter: self.declare_parameter('{parameter}', '{name}')"
-    return reason.cure
+    if reason.key != _FIXED.key:
+        return reason.cure
+    start = f"{reason.namespace}/"
+    if reason.namespace and name.startswith(start):
+        return f"write '{name.removeprefix(start)}': the launch file starts the node in '{reason.namespace}'"
+    parameter = name.rpartition("/")[2].lstrip("~") + "_name"
+    return f"take the name from a parameter: self.declare_parameter('{parameter}', '{name}')"
 
 
 def _home(system: System, literal: Place, call: Place) -> tuple[str, str]:

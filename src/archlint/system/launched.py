@@ -76,6 +76,20 @@ class World:
         return {key: frozenset(names_) for key, names_ in found.items()}
 
 
+    @cached_property
+    def namespaces(self) -> Mapping[object, frozenset[str]]:
+        """The namespaces in which whole systems have each node, by :func:`key_of`; a node of which one is not known
+        has several.  A launch file that another one includes counts where no other has the node."""
+        found: dict[object, set[str]] = {}
+        for system in sorted(self.systems, key=lambda one: one.part):
+            for node in system.nodes if system.name is not None else ():
+                if node.blueprint is None or (system.part and key_of(node.blueprint) in found):
+                    continue
+                known = [node.name.rpartition("/")[0]] if node.name is not None else ["", "?"]
+                found.setdefault(key_of(node.blueprint), set()).update(known)
+        return {key: frozenset(names) for key, names in found.items()}
+
+
 class LaunchSystems:
     """Makes systems from launches, running executables again where parameters from outside change them."""
 
