@@ -487,7 +487,31 @@ class TestPolling:
     def test_three_waits_through_one_helper(self, run: Run):
         helper = "\ndef ask(self, client):\n    return client.call(Trigger.Request(), timeout_sec=1.0)\n"
         calls = [f"self.ask(self.client{i})" for i in range(3)]
-        assert codes(run(source(self.THREE, self.in_turn(*calls) + helper, self.MAIN))) == ["SRV005"]
+        text = source(self.THREE, self.in_turn(*calls) + helper, self.MAIN)
+        [found] = run(text)
+        assert found.code == "SRV005" and "the answers of 3 servers" in found.message
+        assert "self.ask(self.client0)" in text.splitlines()[found.place.line - 1]  # not the one line of the helper
+
+    def test_the_goal_and_the_result_of_an_action_are_one_wait(self, run: Run):
+        setup = "self.plan = ActionClient(self, Fibonacci, 'plan', callback_group=MutuallyExclusiveCallbackGroup())\n"
+        setup += "self.client = self.create_client(Trigger, 'clear', callback_group=MutuallyExclusiveCallbackGroup())\n"
+        method = """
+        async def tick(self):
+            await self.client.call_async(Trigger.Request())
+            goal = await self.plan.send_goal_async(Fibonacci.Goal())
+            await goal.get_result_async()
+        """
+        assert codes(run(source(setup + "self.create_timer(5.0, self.tick)\n", method))) == []
+
+    def test_one_server_that_is_asked_again_may_need_its_order(self, run: Run):
+        calls = ["self.client0.call(Trigger.Request(), timeout_sec=1.0)"] * 3
+        assert codes(run(source(self.THREE, self.in_turn(*calls), self.MAIN))) == []
+
+    def test_awaits_in_turn_are_to_be_sent_first(self, run: Run):
+        apart = self.THREE.replace("')", "', callback_group=MutuallyExclusiveCallbackGroup())")
+        awaits = "".join(f"    await self.client{i}.call_async(Trigger.Request())\n" for i in range(3))
+        [found] = run(source(apart + "self.create_timer(5.0, self.tick)\n", "async def tick(self):\n" + awaits))
+        assert found.code == "SRV005" and "await their futures" in found.help
 
     def test_waits_of_different_branches_do_not_add_up(self, run: Run):
         calls = [f"if self.mode == {i}: self.client{i}.call(Trigger.Request(), timeout_sec=1.0)" for i in range(3)]

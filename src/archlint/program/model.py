@@ -233,8 +233,8 @@ class ApiCall:
     """The loops that go round it, also those of its callers, outermost first."""
     arms: tuple[tuple[str, int], ...] = ()
     """The arms of undecided branches that lead to it, outermost first."""
-    ways: list[tuple[tuple[Frame, ...], tuple[Place, ...]]] = field(default_factory=list)
-    """Other chains (and the loops on them) from the same context to the same call, through the same arms."""
+    ways: list[tuple[tuple[Frame, ...], tuple[Place, ...], tuple[Creation, ...]]] = field(default_factory=list)
+    """Other chains (the loops on them, the endpoints it is for) from the same context, through the same arms."""
 
     @property
     def looped(self) -> bool:

@@ -203,10 +203,11 @@ def record(run: Run, api: Api, receiver: Value | None, bound: dict[str, Value], 
         if known.creation is None and len(on) == 1:
             known.creation = on[0]
         known.conditional = known.conditional and bool(run.arms)
-        way = (run.chain(), run.rounds())
-        known.rounds = known.rounds or way[1]
-        if way[0] != known.chain and way not in known.ways and tuple(run.arms) == known.arms:
-            known.ways.append(way)
+        chain, rounds = run.chain(), run.rounds()
+        known.rounds = known.rounds or rounds
+        is_new = chain != known.chain and all((chain, rounds) != way[:2] for way in known.ways)
+        if is_new and tuple(run.arms) == known.arms:
+            known.ways.append((chain, rounds, on or creations_of(bound.get("future"))))
         return
     first = on[0] if len(on) == 1 else None
     node = first.node if first is not None else nodes.known_node(run, receiver)
