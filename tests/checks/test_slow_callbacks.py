@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import pytest
 
+from archlint.finding import Severity
 from checks.callbacks import ON_ONE_THREAD, ON_SEVERAL_THREADS, Run, codes, source
 
 TIMER = "self.create_timer(5.0, self.tick)\n"
@@ -54,6 +55,52 @@ def test_a_callback_alone_in_its_group_holds_up_nobody_under_several_threads(run
     apart = "self.create_timer(5.0, self.tick, callback_group=MutuallyExclusiveCallbackGroup())\n"
     assert codes(run(source(apart, timer("time.sleep(1.0)"), ON_SEVERAL_THREADS))) == []
     assert codes(run(source(TIMER, timer("time.sleep(1.0)"), ON_SEVERAL_THREADS))) == ["EXE003"]
+
+
+def test_what_holds_up_nobody_else_is_information(run: Run):
+    [alone] = run(source(TIMER, timer("time.sleep(1.0)")))
+    assert alone.severity is Severity.INFO and "its next turn waits" in alone.message
+    beside = "self.create_subscription(Empty, 'stop', self.on_stop, 10)\n" + TIMER
+    [found] = run(source(beside, timer("time.sleep(1.0)") + "\ndef on_stop(self, message):\n    pass\n"))
+    assert found.severity is Severity.WARNING and "no other callback of the node runs meanwhile" in found.message
+
+
+def test_a_node_beside_it_on_the_same_executor_is_held_up(run: Run):
+    main = ON_SEVERAL_THREADS.replace("MultiThreadedExecutor()", "SingleThreadedExecutor()").replace(
+        "    executor.spin()",
+        "    other = rclpy.create_node('other')\n    other.create_timer(1.0, print)\n    executor.add_node(other)\n"
+        "    executor.spin()",
+    )
+    [found] = run(source(TIMER, timer("time.sleep(1.0)"), main))
+    assert found.severity is Severity.WARNING
+
+
+def test_a_handler_is_not_told_to_go_on_later(run: Run):
+    create = "self.create_service(Trigger, 'go', self.go)\n" + TIMER
+    method = timer("pass") + "\ndef go(self, request, response):\n    subprocess.run(['make'])\n    return response\n"
+    [found] = run(source(create, method))
+    assert found.code == "EXE003" and found.help == "what takes its time is an action: its execute callback may take it"
+
+
+def test_a_client_that_is_made_here_has_found_nobody_yet(run: Run):
+    create = "self.create_subscription(Empty, 'go', self.go, 10)\n"
+    method = (
+        "def go(self, message):\n    client = self.create_client(Trigger, 'check')\n    client.wait_for_service({})\n"
+    )
+    for limit, code in (("timeout_sec=5.0", "EXE003"), ("", "TMO001")):
+        [found] = [one for one in run(source(create, method.format(limit))) if one.code == code]
+        assert found.help.startswith("create the client in the constructor")
+
+
+def test_a_handler_that_tries_three_times_takes_as_long_as_all_of_them(run: Run):
+    create = "self.create_service(Trigger, 'go', self.go)\n"
+    body = (
+        "def go(self, request, response):\n    for attempt in range(3):\n        time.sleep({})\n    return response\n"
+    )
+    [found] = run(source(create, body.format("1.0")))
+    assert found.code == "SRV008" and "sleeps for 3 s in all, in a loop: the caller waits meanwhile" in found.message
+    [grows] = run(source(create, body.format("1.0 * (attempt + 1)")))
+    assert "for a time that the loop sets: the caller waits meanwhile" in grows.message
 
 
 EXECUTE = """

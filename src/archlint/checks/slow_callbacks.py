@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Sequence
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from archlint.checks import blocking
@@ -12,10 +13,12 @@ from archlint.checks.deadlock import threads_of
 from archlint.checks.reach import argument, calls_of, endpoint_words, judged_calls, node_name, one_for_each_place
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.sleeps import Stay, longest, stay_of
+from archlint.checks.timeouts import MAKE_IT_EARLIER, made_here
 from archlint.facts import model as facts
 from archlint.facts.walk import called_name
-from archlint.finding import Finding, Related
+from archlint.finding import Finding, Related, Severity
 from archlint.program.interest import names_in
+from archlint.program.model import PUBLISHER
 from archlint.program.values import Known, alternatives
 
 if TYPE_CHECKING:
@@ -166,6 +169,25 @@ def _harmless(callback: Callback, program: Program) -> bool:
     return not others
 
 
+def _is_alone(callback: Callback, program: Program) -> bool:
+    """Whether nothing else could have to wait: the node, and whoever shares its executor, takes in nothing else."""
+    node = callback.node
+    if callback.creation is None or callback.role not in _ITS_NEXT or node is None or node.lifecycle:
+        return False
+    if node.executor not in ("single_threaded", "multi_threaded"):
+        return False
+    nodes = [node, *(one for use in program.executors_of(node) for one in use.nodes if one is not node)]
+    return all(one.complete for one in nodes) and all(
+        (creation is callback.creation or creation.kind == PUBLISHER)
+        and all(other.place == callback.place for other in creation.callbacks.values())
+        for one in nodes
+        for creation in one.creations
+    )
+
+
+_ITS_NEXT = {"subscription": "message", "timer": "turn", "service": "request", "execute": "goal"}
+
+
 def _slow(system: System, rows: Sequence[_Row]) -> Finding:
     (program, call, stay), *others = rows
     callback = call.context
@@ -176,11 +198,17 @@ def _slow(system: System, rows: Sequence[_Row]) -> Finding:
         end = " each time round a loop" if stay.kind == "sleep" and call.looped else ""
     if others:
         end += f", as {'does another line' if len(others) == 1 else f'do {len(others)} more lines'} of {call.function}"
-    return finding(
+    alone = all(_is_alone(row[1].context, row[0]) for row in rows)
+    meanwhile = (
+        f"the node has nothing else to do meanwhile, but its next {_ITS_NEXT[callback.role]} waits"
+        if alone
+        else _meanwhile(callback, program)
+    )
+    found = finding(
         "EXE003",
         call.place,
-        f"{callback_words(callback)} {stay.words}{end}: {_meanwhile(callback, program)}",
-        help=_INSTEAD.get(stay.kind, "do it in a thread (or a ThreadPoolExecutor) of your own"),
+        f"{callback_words(callback)} {stay.words}{end}: {meanwhile}",
+        help=_instead(call, stay),
         related=(
             *related_to(call, program),
             *(Related(other.place, f"here it {words.words}") for _, other, words in others),
@@ -188,7 +216,24 @@ def _slow(system: System, rows: Sequence[_Row]) -> Finding:
         node=node_name(system, callback.node),
         identity=(callback.name, call.api),
     )
+    return replace(found, severity=Severity.INFO) if alone else found
 
+
+def _instead(call: ApiCall, stay: Stay) -> str:
+    """What to do; where the callback's return value is the answer, nothing can go on later."""
+    if stay.kind == "discovery" and made_here(call):
+        return MAKE_IT_EARLIER
+    if stay.kind == "discovery" and call.context.role in _ANSWERS:
+        return "look once, without waiting, and answer that it is not there"
+    if call.context.role == "service":
+        return "what takes its time is an action: its execute callback may take it"
+    if call.context.role in _ANSWERS:
+        return "spin the node with a MultiThreadedExecutor, and give what must go on a callback group of its own"
+    return _INSTEAD.get(stay.kind, "do it in a thread (or a ThreadPoolExecutor) of your own")
+
+
+_ANSWERS = frozenset({"service", "lifecycle", "goal", "cancel", "parameter", "execute"})
+"""Roles of callbacks that somebody waits for: what they return is the answer."""
 
 _INSTEAD = {
     "sleep": "let a timer go on later, instead of sleeping",
@@ -206,6 +251,11 @@ def _meanwhile(callback: Callback, program: Program) -> str:
     return "on an executor with one thread no other callback runs meanwhile"
 
 
+def _reads(call: ApiCall, loop: facts.For) -> bool:
+    """Whether what a call is given depends on the round: ``sleep(PAUSE * (attempt + 1))``."""
+    return call.expression is not None and not names_in(call.expression).isdisjoint(names_in(loop.target))
+
+
 def _long_service(system: System, program: Program, sleeps: Sequence[tuple[ApiCall, Stay]]) -> Finding:
     (call, stay), *others = sleeps
     callback = call.context
@@ -214,12 +264,19 @@ def _long_service(system: System, program: Program, sleeps: Sequence[tuple[ApiCa
     words, total = stay.words, _in_all(sleeps)
     if further and not math.isinf(total):
         words = f"sleeps for {total:.3g} s in all"
+    elif call.looped and not math.isinf(total):
+        varies = any(isinstance(loop, facts.For) and _reads(call, loop) for loop in call.loops)
+        words = (
+            "sleeps again and again, for a time that the loop sets"
+            if varies
+            else f"sleeps for {total:.3g} s in all, in a loop"
+        )
     again = " each time round a loop" if call.looped and math.isinf(total) else ""
+    waits = "without knowing for how long, and cannot cancel" if math.isinf(total) else "meanwhile, and cannot cancel"
     return finding(
         "SRV008",
         call.place,
-        f"the handler of {endpoint_words(callback.creation)} {words}{again}: the caller waits without "
-        "knowing for how long, and cannot cancel",
+        f"the handler of {endpoint_words(callback.creation)} {words}{again}: the caller waits {waits}",
         help="what takes its time is an action: it has feedback, a result and cancelling",
         related=(*related_to(call, program), *further.values()),
         node=node_name(system, callback.node),

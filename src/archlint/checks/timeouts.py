@@ -43,6 +43,7 @@ _LIMIT = {
 }
 _SPIN = "rclpy.spin_until_future_complete"
 _EXECUTOR_SPIN = "rclpy.executors.Executor.spin_until_future_complete"
+MAKE_IT_EARLIER = "create the client in the constructor, and ask here without waiting whether its server is there"
 _COMPLETE = tuple(f"rclpy.task.Future.{name}" for name in ("set_result", "set_exception", "cancel"))
 
 
@@ -77,12 +78,20 @@ def _help_for_wait(call: ApiCall, function: str) -> str:
     """What to write; a callback does not wait, or everything else of its node waits with it."""
     of_message = call.api == WAIT_FOR_MESSAGE
     if runs_in_executor(call.context):
+        if made_here(call):
+            return MAKE_IT_EARLIER
         return (
             "subscribe, and go on in the callback" if of_message else f"ask without waiting: if not ….{_ready(call)}():"
         )
     if of_message:
         return f"set a limit and look at the answer: received, message = {function}(…, {_LIMIT[call.api]}=5.0)"
     return f"set a limit and look at the answer: if not ….{function}({_LIMIT[call.api]}=5.0):"
+
+
+def made_here(call: ApiCall) -> bool:
+    """Whether the client is made by the same run of the callback: no server is found yet, however ready it is."""
+    made = creations_of(call.receiver)
+    return any(creation.context is call.context for creation in made)
 
 
 def _ready(call: ApiCall) -> str:
