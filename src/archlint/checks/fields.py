@@ -15,7 +15,7 @@ from archlint.finding import Related
 
 if TYPE_CHECKING:
     from archlint.finding import Finding, Place
-    from archlint.program.model import FieldUse, Passed, UnknownInterface
+    from archlint.program.message_uses import FieldUse, Passed, UnknownInterface
     from archlint.system.model import System
 
 _SHOWN = 12

@@ -14,6 +14,7 @@ from archlint.facts import model as facts
 from archlint.program import model
 from archlint.program.api import rclpy_names
 from archlint.program.api.guards import guard_of
+from archlint.program.message_uses import FieldUse, Passed, UnknownInterface
 from archlint.program.values import EachValue, Known, MessageValue, OneOf, Value
 
 if TYPE_CHECKING:
@@ -75,7 +76,7 @@ def note_use(run: Run, value: Value, name: str, span: Span, access: str) -> None
     section = run.interfaces.section(message.type, message.part)
     fields = () if known is not False or section is None else tuple(field.name for field in section.fields)
     run.program.field_uses.append(
-        model.FieldUse(
+        FieldUse(
             run.place(span),
             message.type,
             message.part,
@@ -92,7 +93,7 @@ def note_use(run: Run, value: Value, name: str, span: Span, access: str) -> None
     )
 
 
-def _passed(run: Run, message: MessageValue) -> tuple[model.Passed, ...]:
+def _passed(run: Run, message: MessageValue) -> tuple[Passed, ...]:
     """The calls that hand a message, or the one that it is in, on to the function that uses it."""
     if not message.key:
         return ()
@@ -101,7 +102,7 @@ def _passed(run: Run, message: MessageValue) -> tuple[model.Passed, ...]:
     while outer is not None:
         keys.add(outer)
         outer = run.inside.get(outer)
-    found: list[model.Passed] = []
+    found: list[Passed] = []
     for number in range(len(run.activations) - 1, 0, -1):
         one = run.activations[number]
         if one.scope.kind == "comprehension":
@@ -110,7 +111,7 @@ def _passed(run: Run, message: MessageValue) -> tuple[model.Passed, ...]:
             break
         place = one.place(one.function.ir.span)
         run.passed_to[id(one.function.ir)] = place
-        found.append(model.Passed(one.call_place, one.qualified, place))
+        found.append(Passed(one.call_place, one.qualified, place))
     return tuple(found)
 
 
@@ -149,7 +150,7 @@ def note_constant(run: Run, path: str, name: str, span: Span) -> None:
     if section is None or known is None:
         return
     constants = tuple(constant.name for constant in section.constants)
-    use = model.FieldUse(
+    use = FieldUse(
         run.place(span), interface, part, name, "constant", known, () if known else constants, run.context.node
     )
     run.program.field_uses.append(use)
@@ -187,7 +188,7 @@ def note_interface(run: Run, path: str, span: Span) -> None:
         if run.interfaces.defines(package, other, name)
     )
     run.program.unknown_interfaces.append(
-        model.UnknownInterface(
+        UnknownInterface(
             run.place(span),
             package,
             kind,
