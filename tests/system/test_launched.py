@@ -753,3 +753,23 @@ def test_what_the_code_itself_chooses_from_a_table_is_certain(robot):
     made = graph(Request((".",), Settings(), cached=False, jobs=1))
     (endpoint,) = made.nodes[0].endpoints
     assert (endpoint.name, endpoint.resolution) == ("/right/out", "exact")
+
+
+THREE = SETUP.format(name="robot").replace(
+    "robot.talker:main'", "robot.a:main', 'two = robot.b:main', 'three = robot.c:main'"
+)
+
+
+def test_publishers_of_a_launch_file_and_of_one_that_it_includes_are_told_once(robot):
+    files = {
+        f"robot/{name}.py": TALKS.format(cls=name.upper(), create="publisher(String, 'drive', 10") for name in "abc"
+    }
+    both = "<node pkg='robot' exec='talker'/><node pkg='robot' exec='three'/>"
+    files["launch/part.launch.xml"] = f"<launch>{both}</launch>"
+    files["setup.py"] = THREE
+    robot('<include file="$(dirname)/part.launch.xml"/><node pkg="robot" exec="two"/>', **files)
+    found = [one for one in check(Request((".",), Settings(), cached=False, jobs=1)).findings if one.code == "OWN001"]
+    assert [(one.place.file, one.message) for one in found] == [
+        ("robot/c.py", "/A, /B and /C all publish the topic '/drive'")
+    ]
+    assert [one.place.file for one in found[0].related] == ["robot/a.py", "robot/b.py"]

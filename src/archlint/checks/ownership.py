@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
-from dataclasses import replace
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import astuple, replace
 from itertools import combinations
 from typing import TYPE_CHECKING
 
 from archlint.checks.conflicts import in_source_order, meeting, named_by_library, seen_together
+from archlint.checks.folding import folds
 from archlint.checks.left_over import is_left_over
 from archlint.checks.registry import Options, finding, rule
 from archlint.finding import Finding, Related, Severity
@@ -145,7 +146,17 @@ def _finding(code: str, system: System, owners: list[Endpoint], message: str, do
         node=last.node.name,
         identity=(last.kind, last.name or "", *_names(owners)),
     )
+    if code == "OWN001":
+        found = replace(found, group=(last.name or "", *map(str, astuple(last.place))))
     return found if proven else replace(found, severity=Severity.INFO)
+
+
+@folds("OWN001", across_systems=True)
+def _of_several_launches(findings: Sequence[Finding]) -> Finding:
+    """What a launch file and those that include it show of one publisher: the one with the most others says it all;
+    what only another one starts beside it is related."""
+    most = max(findings, key=lambda one: (one.condition is None, len(one.related)))
+    return replace(most, related=tuple(dict.fromkeys(row for one in (most, *findings) for row in one.related)))
 
 
 def _is_proven(system: System, owners: list[Endpoint]) -> bool:
