@@ -155,6 +155,44 @@ def test_one_finding_for_a_package_with_each_place(lint: Lint):
     assert found.help == "add a line like <exec_depend>geometry_msgs</exec_depend> for each to package.xml"
 
 
+HELPER = (
+    "from launch_ros.actions import Node\n\ndef start(package):\n    return [Node(package=package, executable='run')]\n"
+)
+CALLER = """\
+from helper.launch import start
+from launch import LaunchDescription
+
+def generate_launch_description():
+    return LaunchDescription(start('rtabmap_odom'))
+"""
+
+
+def passed_on(*declared: str, helper: tuple[str, ...] = ()) -> dict[str, str]:
+    """A package whose launch file gives a package name to the function of another package."""
+    return {
+        "helper/package.xml": manifest("helper", *depends("launch_ros", *helper)),
+        "helper/setup.py": "from setuptools import setup\nsetup(name='helper', packages=['helper'])\n",
+        "helper/helper/__init__.py": "",
+        "helper/helper/launch.py": HELPER,
+        "slam/package.xml": manifest("slam", *depends("helper", *declared)),
+        "slam/launch/slam.launch.py": CALLER,
+    }
+
+
+def test_a_package_name_belongs_to_the_launch_file_that_writes_it(lint: Lint):
+    (found,) = lint(passed_on())
+    assert (found.place.file, found.place.line) == ("slam/launch/slam.launch.py", 5)
+    assert "package 'slam' starts a node of 'rtabmap_odom'" in found.message
+    assert lint(passed_on("rtabmap_odom")) == []
+
+
+def test_it_is_enough_if_one_package_on_the_way_declares_it(lint: Lint):
+    assert lint(passed_on(helper=("rtabmap_odom",))) == []
+    constant = CALLER.replace("import start", "import ODOM, start").replace("'rtabmap_odom'", "ODOM")
+    files = passed_on("rtabmap_odom") | {"slam/launch/slam.launch.py": constant}
+    assert lint(files | {"helper/helper/launch.py": HELPER + "\nODOM = 'rtabmap_odom'\n"}) == []
+
+
 def test_files_that_are_asked_for_are_judged_alone(lint: Lint):
     files = {"package.xml": manifest("talk", *depends("rclpy")), "talk/a.py": node(LASER), "talk/b.py": node(POSE)}
     (found,) = lint(files, "talk/b.py")

@@ -28,11 +28,13 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, order=True)
 class Use:
-    """A place that needs another package, and how: it ``imports`` or ``starts a node of`` it."""
+    """A place that needs another package, and how: it ``imports`` or ``starts a node of`` it.  ``also`` are files on
+    the way to it: it is enough if the package of one of them declares what is needed."""
 
     place: Place
     needed: str
     how: str
+    also: tuple[str, ...] = ()
 
 
 @rule("PKG001")
@@ -68,23 +70,44 @@ def _suppressed(loader: LaunchLoader) -> dict[str, list[facts.Suppression]]:
 
 def uses_by_package(world: World, options: Options) -> dict[str, list[Use]]:
     """What each package (by its folder) uses and does not declare, in the order of the files."""
-    assert world.loader is not None
-    there: dict[str, frozenset[str]] = {}
-    homes: dict[str, Package | None] = {}
     found: dict[str, list[Use]] = {}
+    known = _Known(world, options)
     for use in sorted({*_imported(world), *_launched(world)}):
-        folder = posixpath.dirname(use.place.file) or "."
-        if folder not in homes:
-            homes[folder] = _package_around(world, folder)
-        package = homes[folder]
+        package = known.home(use.place.file)
         if package is None or package.build_type == "catkin" or options.is_ignored_in(use.place.file):
             continue
-        if package.relative not in there:
-            there[package.relative] = _there(world, package)
-        known = there[package.relative]
-        if not {use.needed, _ALSO.get(use.needed)} & known and use.needed not in options.external:
-            found.setdefault(package.relative, []).append(use)
+        if any(known.declares(file, use.needed) for file in (use.place.file, *use.also)):
+            continue
+        uses = found.setdefault(package.relative, [])
+        here = replace(use, also=())
+        if here not in uses:
+            uses.append(here)
     return found
+
+
+class _Known:
+    """What the packages around files declare, worked out once for each."""
+
+    def __init__(self, world: World, options: Options) -> None:
+        self._world = world
+        self._external = options.external
+        self._there: dict[str, frozenset[str]] = {}
+        self._homes: dict[str, Package | None] = {}
+
+    def home(self, file: str) -> Package | None:
+        folder = posixpath.dirname(file) or "."
+        if folder not in self._homes:
+            self._homes[folder] = _package_around(self._world, folder)
+        return self._homes[folder]
+
+    def declares(self, file: str, needed: str) -> bool:
+        """Whether a package is there wherever that around a file is installed."""
+        package = self.home(file)
+        if package is None:
+            return False
+        if package.relative not in self._there:
+            self._there[package.relative] = _there(self._world, package)
+        return bool({needed, _ALSO.get(needed)} & self._there[package.relative]) or needed in self._external
 
 
 def _package_around(world: World, folder: str) -> Package | None:
@@ -182,13 +205,21 @@ def _launched(world: World) -> Iterator[Use]:
             exact = started.package.resolution == "exact" and not started.dormant
             judged = started.kind in ("node", "container") and not _beside_the_code(place.file)
             if exact and judged and started.package.text:
-                yield Use(place, started.package.text, "starts a node of")
+                yield Use(place, started.package.text, "starts a node of", _on_the_way(started, place))
 
 
 def _named_at(started: Started) -> Place:
-    """Where the package of a node is named: with whoever calls a function that starts nodes, not in that function."""
+    """Where the package of a node is named: with the launch file that calls a function that starts nodes, not in that
+    function."""
     place, origin = started.places.get("package", started.place), started.package.origin
-    return place if origin is None or origin.file == place.file else origin
+    return place if origin is None or origin.file != started.file else origin
+
+
+def _on_the_way(started: Started, place: Place) -> tuple[str, ...]:
+    """The other files that the name of a package passes through."""
+    origin = started.package.origin
+    files = {started.file, started.place.file, *(() if origin is None else (origin.file,))}
+    return tuple(sorted(files - {place.file}))
 
 
 # -------------------------------------------------------------------------------------------------- the finding
