@@ -65,6 +65,9 @@ def missing(found: list[Finding]) -> list[str]:
         ("navigation2", ["from nav2_msgs.action import NavigateToPose"]),  # metapackages
         ("desktop", ["from turtlesim.msg import Pose", LASER]),
         ("rtabmap_ros", ["from rtabmap_msgs.msg import OdomInfo"]),
+        ("grid_map", ["from visualization_msgs.msg import Marker", "from grid_map_msgs.msg import GridMap"]),
+        ("plansys2_bringup", ["from plansys2_msgs.msg import Plan"]),
+        ("ublox", ["from ublox_msgs.msg import NavPVT"]),
         ("tf2_ros", ["import tf2_ros"]),  # the tutorials say so, though the module is in tf2_ros_py
     ],
 )
