@@ -653,6 +653,45 @@ def test_a_program_whose_node_comes_from_elsewhere(judge: Judge):
     )
 
 
+def interfaces(package: str, *listed: str, files: tuple[str, ...]) -> dict[str, str]:
+    """A package that has some interface files and lists some in its CMakeLists.txt."""
+    build = "<export><build_type>ament_cmake</build_type></export>"
+    return {
+        f"{package}/package.xml": f"<package format='3'><name>{package}</name>{build}</package>",
+        f"{package}/CMakeLists.txt": f"project(it)\nrosidl_generate_interfaces(it {' '.join(listed)})\n",
+        **{f"{package}/{name}": "---\n" if name.endswith(".srv") else "int32 x\n" for name in files},
+    }
+
+
+def lay_out(judge: Judge, files: dict[str, str]) -> None:
+    for name, text in files.items():
+        path = judge.folder / name
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_text(text, encoding="utf-8")
+
+
+def test_a_file_that_the_build_leaves_out_is_to_be_listed(judge: Judge):
+    lay_out(judge, interfaces("flags", "msg/A.msg", "msg/B.msg", files=("msg/A.msg", "msg/B.msg", "msg/C.msg")))
+    code = "import rclpy\nfrom flags.msg import A, B\nfrom flags.msg import {}  # here\nrclpy.create_node('x')\n"
+    [left_out] = judge("MSG002", code.format("C"))
+    assert "msg/C.msg is not given to rosidl_generate_interfaces" in left_out.message
+    assert left_out.help == 'add "msg/C.msg" to rosidl_generate_interfaces in the CMakeLists.txt of flags'
+    [unknown] = judge("MSG002", code.format("Unknown"))
+    assert unknown.help == "the import fails when the node starts; flags.msg has A, B"
+
+
+def test_the_package_that_has_the_interface_is_named(judge: Judge):
+    lay_out(judge, interfaces("rover", "srv/Stop.srv", files=("srv/Stop.srv",)))
+    lay_out(judge, interfaces("arm", "srv/Trigger.srv", files=("srv/Trigger.srv",)))
+    lay_out(judge, interfaces("old", "srv/Other.srv", files=("srv/Other.srv", "srv/Trigger.srv")))
+    code = "import rclpy\nfrom rover.srv import Trigger  # here\nrclpy.create_node('x')\n"
+    [one] = judge("MSG002", code)
+    assert one.help == "write `from arm.srv import Trigger`: that package defines it"
+    lay_out(judge, interfaces("leg", "srv/Trigger.srv", files=("srv/Trigger.srv",)))
+    [several] = judge("MSG002", code)
+    assert several.help == "import it from a package that defines it: arm, leg"
+
+
 def test_a_message_that_a_package_of_the_workspace_lists_as_a_service(judge: Judge):
     files = {
         "package.xml": "<package format='3'><name>arm_interfaces</name><export><build_type>ament_cmake</build_type>"

@@ -182,17 +182,32 @@ def _unknown_interface(one: UnknownInterface) -> Finding:
     hint = f"; there is {moved[0]}" if moved else did_you_mean(one.name, names)
     what = {"msg": "message", "srv": "service", "action": "action"}[one.kind]
     if one.left_out:
-        hint = f": {one.kind}/{one.name}.{one.kind} is not given to rosidl_generate_interfaces in its CMakeLists.txt"
+        hint = f": {_file(one)} is not given to rosidl_generate_interfaces in its CMakeLists.txt"
     return finding(
         "MSG002",
         one.place,
         f"{one.package} defines no {what} '{one.name}'{hint}",
-        help=f"the import fails when the node starts; {one.package}.{one.kind} has {_listed(names)}",
+        help=_cure(one, names),
         identity=(one.package, one.kind, one.name),
     )
 
 
-def _listed(names: list[str] | tuple[str, ...]) -> str:
+def _file(one: UnknownInterface) -> str:
+    return f"{one.kind}/{one.name}.{one.kind}"
+
+
+def _cure(one: UnknownInterface, names: Sequence[str]) -> str:
+    """The import line to write where the interface is found elsewhere, what the build lacks, or what there is."""
+    if one.left_out:
+        return f'add "{_file(one)}" to rosidl_generate_interfaces in the CMakeLists.txt of {one.package}'
+    if len(one.elsewhere) == 1 and len(names) == len(one.others):
+        return f"write `from {one.elsewhere[0]}.{one.kind} import {one.name}`: that package defines it"
+    if one.elsewhere and len(names) == len(one.others):
+        return f"import it from a package that defines it: {_listed(one.elsewhere)}"
+    return f"the import fails when the node starts; {one.package}.{one.kind} has {_listed(names)}"
+
+
+def _listed(names: Sequence[str]) -> str:
     if not names:
         return "none"
     more = f" and {len(names) - _SHOWN} more" if len(names) > _SHOWN else ""

@@ -162,13 +162,20 @@ class InterfaceTable:
         return not package or not (package in self._nothing or self.is_left_out(package, kind, name))
 
     def of_package(self, package: str, kind: str) -> list[str]:
-        """The names of the interfaces that a package has of one kind, sorted."""
+        """The names of the interfaces that a package generates of one kind, sorted."""
         start = f"{package}/{kind}/"
         if package in self._without:
             return []
         if package in self._packages:
-            return sorted(name.removeprefix(start) for name in self._files if name.startswith(start))
+            here = (name.removeprefix(start) for name in self._files if name.startswith(start))
+            return sorted(name for name in here if not self.is_left_out(package, kind, name))
         return sorted(standard_interfaces.table().names(package, kind))
+
+    def packages_with(self, kind: str, name: str) -> tuple[str, ...]:
+        """The packages of the workspace that define an interface of that kind and name, sorted."""
+        end = f"/{kind}/{name}"
+        found = sorted(file.removesuffix(end) for file in self._files if file.endswith(end))
+        return tuple(one for one in found if self.defines(one, kind, name))
 
     def get(self, name: str) -> Interface | None:
         """The interface called ``package/kind/Name``; None where it is not known."""

@@ -58,3 +58,5 @@ class UnknownInterface:
     others: tuple[str, ...] = ()
     left_out: bool = False
     """True where its file is there, but the package does not generate it."""
+    elsewhere: tuple[str, ...] = ()
+    """The packages of the workspace that define an interface of that kind and name."""

@@ -195,6 +195,7 @@ def note_interface(run: Run, path: str, span: Span) -> None:
             name,
             (*others, *run.interfaces.of_package(package, kind)),
             run.interfaces.is_left_out(package, kind, name),
+            run.interfaces.packages_with(kind, name),
         )
     )
 
