@@ -961,6 +961,56 @@ def test_what_is_a_condition_or_may_be_one(findings, condition):
 
 
 # ------------------------------------------------------------------------------------------------ NME004
+READ = """\
+
+def read():
+    node = rclpy.create_node('params')
+    node.declare_parameter('car', 'a')
+    {line}
+    return node.get_parameter('car').value
+
+def main():
+    rclpy.init()
+    read()
+    rclpy.spin(Talker())
+"""
+
+
+@pytest.mark.parametrize(
+    ("line", "clashes"),
+    [
+        ("pass", 0),
+        ("rclpy.spin_once(node)", 0),
+        ("kept.append(node)", 1),
+        ("return node", 1),
+        ("return lambda: node.get_name()", 1),
+        ("node.create_timer(1.0, print)", 1),  # its callback may hold the node
+        ("main.node = node", 1),
+    ],
+)
+def test_a_node_that_is_freed_before_the_next_is_made(findings, line, clashes):
+    before, _, _ = TALKER.partition("\ndef main")
+    text = before + "\nkept = []\n" + READ.format(line=line)
+    assert len(findings("NME004", node(name="it"), **{"robot/talker.py": text})) == clashes
+
+
+def test_a_helper_node_that_is_made_beside_the_other(findings):
+    before, _, _ = TALKER.partition("\ndef main")
+    text = before + READ.format(line="pass").replace("    read()\n", "    it = Talker()\n    read()\n")
+    text = text.replace("spin(Talker())", "spin(it)")
+    assert len(findings("NME004", node(name="it"), **{"robot/talker.py": text})) == 1
+
+
+def test_two_launch_actions_are_one_finding_with_all_names(findings):
+    before, _, _ = TALKER.partition("\ndef main")
+    main = "\ndef main():\n    rclpy.init()\n    helper = rclpy.create_node('params')\n    rclpy.spin(Talker())\n"
+    files = {"robot/talker.py": before + main}
+    (found,) = findings("NME004", f"{node()}\n{node()}", **files)
+    assert found.message == "two launch actions start nodes of the same names: /params, /talker"
+    assert found.help == "ROS starts both; give each action a namespace of its own, as name= renames all its nodes"
+    assert findings("NME004", f"{node()}\n{node(namespace='b')}", **files) == []  # the advice works
+    (sole,) = findings("NME004", f"{node()}\n{node()}")
+    assert (sole.message, "a name or namespace" in sole.help) == ("two nodes of this system are called '/talker'", True)
 
 TWO = """\
 from launch import LaunchDescription

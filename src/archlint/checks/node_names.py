@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import posixpath
 from collections.abc import Iterator
-from itertools import groupby
+from itertools import combinations, groupby
 from typing import TYPE_CHECKING
 
 from archlint.checks.registry import Options, finding, rule
@@ -25,6 +25,7 @@ def duplicate_node_name(system: System, options: Options) -> Iterator[Finding]:
     if system.launched is None:
         return
     included: dict[tuple[Place, Place, str], list[Twins]] = {}
+    of_actions: dict[tuple[int, int], list[Twins]] = {}
     for twins in _twins(system):
         one, other = twins
         again = None if one.started is other.started else _included_twice(one.started, other.started)
@@ -33,7 +34,9 @@ def duplicate_node_name(system: System, options: Options) -> Iterator[Finding]:
         elif one.started is other.started:
             yield from _of_one_process(*twins)
         else:
-            yield from _of_two_actions(*twins)
+            of_actions.setdefault((id(one.started), id(other.started)), []).append(twins)
+    for several in of_actions.values():
+        yield from _of_two_actions(system, several)
     for (before, place, file), several in included.items():
         yield _of_an_include(before, place, file, several)
 
@@ -42,10 +45,25 @@ def _twins(system: System) -> Iterator[Twins]:
     """Of each name two nodes that have it for certain, in the order in which they are started."""
     named = [n for n in system.nodes if n.name is not None and n.resolution == "exact" and n.launch_place]
     for _, group in groupby(sorted(named, key=lambda n: n.name or ""), key=lambda node: node.name):
-        first, *others = list(group)
-        other = next((node for node in others if runs_along(first.alternatives, node.alternatives)), None)
-        if other is not None:
-            yield first, other
+        pairs = combinations(list(group), 2)
+        found = next((pair for pair in pairs if _together(*pair)), None)
+        if found is not None:
+            yield found
+
+
+def _together(one: Node, other: Node) -> bool:
+    """Whether two nodes certainly run at the same time."""
+    if not runs_along(one.alternatives, other.alternatives):
+        return False
+    return one.started is not other.started or not (_gone_before(one, other) or _gone_before(other, one))
+
+
+def _gone_before(one: Node, other: Node) -> bool:
+    """Whether a process has freed a node before it makes another."""
+    first, second = one.blueprint, other.blueprint
+    if first is None or second is None or first.until is None or any(c.callbacks for c in first.creations):
+        return False
+    return second.number >= first.until
 
 
 def _included_twice(one: Started | None, other: Started | None) -> tuple[Place, Place, str] | None:
@@ -79,18 +97,28 @@ def _of_an_include(before: Place, place: Place, file: str, several: list[Twins])
     )
 
 
-def _of_two_actions(one: Node, other: Node) -> Iterator[Finding]:
+def _of_two_actions(system: System, several: list[Twins]) -> Iterator[Finding]:
+    """One finding for two launch actions, with all names that both give."""
+    one, other = several[0]
     if one.launch_place is None or other.launch_place is None:
         return
-    apart = one.launch_place != other.launch_place
+    names = [twin.name or "" for twin, _ in several]
+    shared = f"two nodes of this system are called '{names[0]}'"
+    if len(names) > 1:
+        shared = f"two launch actions start nodes of the same names: {', '.join(names)}"
+    sole = all(sum(node.started is twin.started for node in system.nodes) == 1 for twin in (one, other))
     yield finding(
         "NME004",
         other.launch_place,
-        f"two nodes of this system are called '{one.name}'",
-        help="ROS starts both; give each a name or namespace of its own",
-        related=[Related(one.launch_place, "the other one is started here")] if apart else [],
-        node=one.name,
-        identity=(one.name or "",),
+        shared,
+        help="ROS starts both; give each a name or namespace of its own"
+        if sole
+        else "ROS starts both; give each action a namespace of its own, as name= renames all its nodes",
+        related=[Related(one.launch_place, "the other one is started here")]
+        if one.launch_place != other.launch_place
+        else [],
+        node=names[0],
+        identity=tuple(names),
     )
 
 

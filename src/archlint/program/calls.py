@@ -286,6 +286,8 @@ def enter_function(
     finally:
         run.activations.pop()
         layer = run.store.cut(depth)
+        for node in activation.short_lived:
+            node.until = len(run.nodes)
     if isinstance(ir, facts.Lambda):
         run.store.merge([layer])
         return result

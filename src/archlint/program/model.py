@@ -291,6 +291,10 @@ class Blueprint:
     """True where an executor was given it, and not one of several nodes."""
     handed_out: bool = False
     """True where code that is not in this workspace is given the node: that may spin it."""
+    number: int = 0
+    """How many nodes the program had made before this one."""
+    until: int | None = None
+    """How many it had made when this one was freed, as the function that held it returned; None where it may stay."""
     enable_rosout: bool = True
     start_parameter_services: bool = True
     use_global_arguments: bool = True

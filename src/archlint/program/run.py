@@ -90,6 +90,8 @@ class Activation:
     """How many undecided branches it was called in."""
     closed_over: bool = False
     """Whether a function defined inside may outlive it."""
+    short_lived: list[model.Blueprint] = field(default_factory=list)
+    """The nodes that nothing but its variables hold."""
 
     def forget(self, layers: list[Layer]) -> None:
         """Drop the variables of a function that has ended, unless an inner function still needs them."""

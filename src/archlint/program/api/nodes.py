@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 from archlint.finding import Place
 from archlint.program import model
-from archlint.program.api import rclpy_names
+from archlint.program.api import rclpy_names, short_lived
 from archlint.program.texts import text_of_value
 from archlint.program.values import (
     TRUE,
@@ -43,6 +43,7 @@ def new_blueprint(run: Run, class_name: str, place: Place, key: str, package: st
         package,
         test=is_test_file(place.file),
         key=key,
+        number=len(run.nodes),
     )
     run.nodes[key] = blueprint
     run.program.nodes.append(blueprint)
@@ -261,6 +262,10 @@ def create_node(run: Run, call: ApiUse) -> Value:
         known = new_blueprint(run, activation.qualified, place, key, activation.module.file.package)
         known.lifecycle = call.api.kind == "lifecycle"
         _set_names(run, known, call)
+        if short_lived.is_local(activation, call.expression):
+            activation.short_lived.append(known)
+    elif known.until is not None and known.until < len(run.nodes):
+        known.until = None  # made again, beside nodes that came later
     return NodeValue(known, run.store.new_key())
 
 
