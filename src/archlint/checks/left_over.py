@@ -5,7 +5,7 @@ from __future__ import annotations
 from functools import lru_cache
 from typing import TYPE_CHECKING
 
-from archlint.checks.whole import facts_at, walk
+from archlint.checks.whole import OneFile, facts_at, walk
 from archlint.facts import model as facts
 from archlint.program.model import PUBLISHER
 
@@ -72,7 +72,7 @@ class _Uses:
 
     @staticmethod
     def of(found: facts.Facts) -> _Uses:
-        return _uses(_Same(found))
+        return _uses(OneFile(found))
 
 
 def _asked_by_name(call: facts.Call) -> str | None:
@@ -83,21 +83,6 @@ def _asked_by_name(call: facts.Call) -> str | None:
     return name.value if isinstance(name, facts.Literal) and isinstance(name.value, str) else None
 
 
-class _Same:
-    """The facts of a file, equal to themselves alone."""
-
-    __slots__ = ("found",)
-
-    def __init__(self, found: facts.Facts) -> None:
-        self.found = found
-
-    def __hash__(self) -> int:
-        return id(self.found)
-
-    def __eq__(self, other: object) -> bool:
-        return isinstance(other, _Same) and other.found is self.found
-
-
 @lru_cache(maxsize=1_000)
-def _uses(file: _Same) -> _Uses:
+def _uses(file: OneFile) -> _Uses:
     return _Uses(file.found)

@@ -59,7 +59,7 @@ def declares_all(world: World | None, blueprint: Blueprint) -> bool:
     if found is None:
         return False
     local = _ours(world, found)
-    classes = _classes(_Same(found))
+    classes = _classes(OneFile(found))
     waiting = [blueprint.class_name.rpartition(".")[2]]
     for name in waiting:
         cls = classes.get(name)
@@ -78,7 +78,7 @@ def _last(value: facts.Expr) -> str | None:
     return value.id if isinstance(value, facts.Name) else None
 
 
-class _Same:
+class OneFile:
     """The facts of a file, equal to themselves alone: comparing two files by content would cost a walk."""
 
     __slots__ = ("found",)
@@ -90,16 +90,16 @@ class _Same:
         return id(self.found)
 
     def __eq__(self, other: object) -> bool:
-        return isinstance(other, _Same) and other.found is self.found
+        return isinstance(other, OneFile) and other.found is self.found
 
 
 @lru_cache(maxsize=10_000)
-def _classes(file: _Same) -> dict[str, facts.Class]:
+def _classes(file: OneFile) -> dict[str, facts.Class]:
     return {item.name: item for item in walk(file.found.body) if isinstance(item, facts.Class)}
 
 
 @lru_cache(maxsize=10_000)
-def _defined_and_imported(file: _Same) -> tuple[frozenset[str], tuple[facts.ImportFrom, ...]]:
+def _defined_and_imported(file: OneFile) -> tuple[frozenset[str], tuple[facts.ImportFrom, ...]]:
     items = list(walk(file.found.body))
     names = frozenset(item.name for item in items if isinstance(item, (facts.Class, facts.Function)))
     return names, tuple(item for item in items if isinstance(item, facts.ImportFrom))
@@ -108,7 +108,7 @@ def _defined_and_imported(file: _Same) -> tuple[frozenset[str], tuple[facts.Impo
 def _ours(world: World, found: facts.Facts) -> set[str]:
     """Names of a file that mean something of this workspace."""
     tops = world.loader.top_modules if world.loader is not None else frozenset()
-    defined, imports = _defined_and_imported(_Same(found))
+    defined, imports = _defined_and_imported(OneFile(found))
     names = set(defined)
     for item in imports:
         if item.level or item.module.partition(".")[0] in tops:
@@ -132,12 +132,12 @@ def enclosing_class(world: World | None, place: Place) -> str | None:
     found = None if world is None else facts_at(world, place.file)
     if found is None:
         return None
-    around = [one for one in _every_class(_Same(found)) if one.span[0] <= place.line <= one.span[2]]
+    around = [one for one in _every_class(OneFile(found)) if one.span[0] <= place.line <= one.span[2]]
     return max(around, key=lambda one: one.span[0]).name if around else None
 
 
 @lru_cache(maxsize=10_000)
-def _every_class(file: _Same) -> tuple[facts.Class, ...]:
+def _every_class(file: OneFile) -> tuple[facts.Class, ...]:
     return tuple(item for item in walk(file.found.body) if isinstance(item, facts.Class))
 
 
