@@ -282,6 +282,37 @@ def test_a_node_that_takes_the_place_of_itself_is_one(findings, main, several):
     assert bool(found) is several
 
 
+def test_a_factory_makes_one_of_its_nodes(findings):
+    """Which of them, only data decides: in each process there is one."""
+    factory = """\
+import sys
+import rclpy
+from rclpy.node import Node
+
+class Race(Node):
+    def __init__(self):
+        super().__init__('race')
+
+class Duel(Node):
+    def __init__(self):
+        super().__init__('duel')
+
+def make(name):
+    if name == 'race':
+        return Race()
+    elif name == 'duel':
+        return Duel()
+    raise ValueError(name)
+
+def main():
+    rclpy.init()
+    rclpy.spin(make(open('which').read()))
+"""
+    assert findings("NME004", node(name="it"), **{"robot/talker.py": factory}) == []
+    both = factory.replace("rclpy.spin(make", "other = Duel()\n    rclpy.spin(make")
+    assert len(findings("NME004", node(name="it"), **{"robot/talker.py": both})) == 1
+
+
 def test_name_renames_all_nodes_of_an_executable(findings):
     two = TALKER.replace("Talker())", "Talker())\n    rclpy.spin(rclpy.create_node('helper'))")
     (found,) = findings("NME004", node(name="it"), **{"robot/talker.py": two})

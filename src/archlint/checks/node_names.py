@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 
 from archlint.checks.registry import Options, finding, rule
 from archlint.finding import Finding, Related
-from archlint.system.model import runs_along
+from archlint.system.model import exclusive, runs_along
 
 if TYPE_CHECKING:
     from archlint.finding import Place
@@ -55,7 +55,15 @@ def _together(one: Node, other: Node) -> bool:
     """Whether two nodes certainly run at the same time."""
     if not runs_along(one.alternatives, other.alternatives):
         return False
-    return one.started is not other.started or not (_gone_before(one, other) or _gone_before(other, one))
+    if one.started is not other.started:
+        return True
+    return not (_gone_before(one, other) or _gone_before(other, one) or _in_other_branches(one, other))
+
+
+def _in_other_branches(one: Node, other: Node) -> bool:
+    """Whether a process makes one of two nodes, and never both."""
+    first, second = one.blueprint, other.blueprint
+    return first is not None and second is not None and exclusive(first.arms, second.arms)
 
 
 def _gone_before(one: Node, other: Node) -> bool:

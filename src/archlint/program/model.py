@@ -285,6 +285,8 @@ class Blueprint:
     automatically_declare_parameters: bool = False
     made_at: Place | None = None
     """The call that makes it, where one does."""
+    arms: frozenset[tuple[str, int]] = frozenset()
+    """The branches that make it, as ``Creation.arms``."""
     instead_of: Blueprint | None = None
     """The node of the same class and name that it took the place of in a variable."""
     served_apart: bool = False

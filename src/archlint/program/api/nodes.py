@@ -44,6 +44,7 @@ def new_blueprint(run: Run, class_name: str, place: Place, key: str, package: st
         test=is_test_file(place.file),
         key=key,
         number=len(run.nodes),
+        arms=frozenset(run.arms),
     )
     run.nodes[key] = blueprint
     run.program.nodes.append(blueprint)
