@@ -37,8 +37,7 @@ def find(
     ``exclude`` are ``fnmatch`` patterns for paths from the working directory, or for the name of a file or
     folder; what is named in ``paths`` itself is taken all the same.  The rest of the package and of the
     workspace that a path lies in is found as context: what is asked for narrows what is shown, not what is known.
-    Raises :class:`PathNotFound` for the first path that
-    does not exist.
+    Raises :class:`PathNotFound` for the first path that does not exist.
     """
     here = os.path.abspath(working_directory or os.curdir)
     typed = list(paths) or [os.curdir]
@@ -62,9 +61,11 @@ def find(
 
 def _add_workspaces(walk: Walk, asked: Sequence[str]) -> list[str]:
     """Take the workspaces around paths as context; returns their folders."""
-    wanted = {workspace for path in asked if (workspace := workspace_around(path)) is not None}
+    around = {path: workspace for path in asked if (workspace := workspace_around(path)) is not None}
+    if not around:
+        return []  # what is asked for is whole: no manifest need be read for this
     before = set(walk.files)
-    for workspace in sorted(wanted):
+    for workspace in sorted(set(around.values())):
         walk.add_folder(workspace, context=True)
     added = [key for key in walk.files if key not in before]
     packages = [
@@ -73,9 +74,7 @@ def _add_workspaces(walk: Walk, asked: Sequence[str]) -> list[str]:
         if file.kind == "package_xml" and isinstance(package := package_of(file), Package)
     ]
     kept = [
-        within_one_workspace(package_around(path) or path, workspace, packages)
-        for path in asked
-        if (workspace := workspace_around(path)) is not None
+        within_one_workspace(package_around(path) or path, workspace, packages) for path, workspace in around.items()
     ]
     for key in added:
         if not any(is_below(walk.files[key].path, folder) for folder in kept):
