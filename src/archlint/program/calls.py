@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 from archlint.facts import model as facts
 from archlint.finding import Place
-from archlint.program import escapes, hints, repeats
+from archlint.program import escapes, hints, refusals, repeats
 from archlint.program.api import effects
 from archlint.program.attributes import get_attribute
 from archlint.program.bindings import bound_names
@@ -52,6 +52,7 @@ def evaluate_call(run: Run, e: facts.Call) -> Value:
         return Unknown("the variables as a dict")
     function = run.evaluate(e.func)
     args, keywords, open_ = evaluate_arguments(run, e.args)
+    refusals.check_call(run, function, args, keywords, open_)
     return call(run, function, args, keywords, e, open_)
 
 

@@ -14,6 +14,7 @@ from archlint.facts import model as facts
 from archlint.faults import Faults
 from archlint.finding import Place
 from archlint.program import model
+from archlint.program.refusals import Refused
 from archlint.program.store import Layer, Store
 from archlint.program.values import (
     ClassValue,
@@ -88,6 +89,8 @@ class Activation:
     """Scopes that end with it: its own, and those of its comprehensions."""
     arms: int = 0
     """How many undecided branches it was called in."""
+    settled: int = -1
+    """How many undecided branches there were when the statement that runs began: no more are left to chance in it."""
     closed_over: bool = False
     """Whether a function defined inside may outlive it."""
     short_lived: list[model.Blueprint] = field(default_factory=list)
@@ -318,8 +321,11 @@ class Run:
                 self.program.exhausted = True
                 return "raise"
             activation.statement = statement
+            activation.settled = arms
             try:
                 status = statements.STATEMENTS[statement.__class__](self, statement)
+            except Refused:
+                return "raise"
             except (RecursionError, MemoryError):
                 raise  # not for the innermost statement, which was only the last straw
             except Exception as error:

@@ -6,7 +6,18 @@ from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
 from archlint.facts import model as facts
-from archlint.program import calls, caught, containers, decisions, definitions, escapes, expressions, hints, messages
+from archlint.program import (
+    calls,
+    caught,
+    containers,
+    decisions,
+    definitions,
+    escapes,
+    expressions,
+    hints,
+    messages,
+    refusals,
+)
 from archlint.program.augmented import augmented, forget_counters
 from archlint.program.run import UNROLL, Run, Status
 from archlint.program.store import Items, Layer
@@ -131,6 +142,8 @@ def _if(run: Run, s: facts.If) -> Status:
 
 def _for(run: Run, s: facts.For) -> Status:
     iterable = run.evaluate(s.iterable)
+    if refusals.refuses_to_iterate(run, iterable):
+        return "raise"
     activation = run.activation
     activation.loops.append(s)
     try:

@@ -1,0 +1,73 @@
+"""What stands behind a call that Python refuses never runs: nothing is said about it."""
+
+from __future__ import annotations
+
+import pytest
+
+from checks.callbacks import Run, codes, source
+
+CREATE = """
+self.settings = (1, 2)
+self.create_subscription(Empty, 'stop', print, 10)
+self.create_timer(5.0, self.tick)
+"""
+
+
+def refused(call: str, rest: str) -> str:
+    return source(CREATE, f"def tick(self):\n    {call}\n\n{rest}")
+
+
+MEASURE = "def measure(self, port, period=1.0, *, average=1):\n    time.sleep(3.0)\n"
+
+
+@pytest.mark.parametrize(
+    ("call", "expected"),
+    [
+        pytest.param("self.measure()", [], id="an argument is missing"),
+        pytest.param("self.measure(1, 2, 3)", [], id="one too many"),
+        pytest.param("self.measure(1, speed=2)", [], id="no such keyword"),
+        pytest.param("self.measure(1, port=2)", [], id="given twice"),
+        pytest.param("self.measure(self.settings)", ["EXE003"], id="a tuple is one argument"),
+        pytest.param("self.measure(*self.settings)", ["EXE003"], id="an unpacked tuple is several"),
+        pytest.param("self.measure(*load())", ["EXE003"], id="nobody knows how many"),
+        pytest.param("self.measure(1, average=3)", ["EXE003"], id="a keyword"),
+        pytest.param("self.measure(port=1, period=2)", ["EXE003"], id="by name"),
+    ],
+)
+def test_a_call_is_followed_if_its_arguments_fit(run: Run, call: str, expected: list[str]):
+    assert codes(run(refused(call, MEASURE))) == expected
+
+
+@pytest.mark.parametrize(
+    "head",
+    ["def measure(self, *values):", "def measure(self, **options):", "@wraps\n    def measure(self):"],
+)
+def test_some_functions_take_anything_or_may_be_another_function(run: Run, head: str):
+    call = "self.measure(port=1)" if "**" in head else "self.measure(1, 2)"
+    method = head.replace("    def", "def") + "\n    time.sleep(3.0)\n"
+    assert codes(run(refused(call, method))) == ["EXE003"]
+
+
+def test_what_follows_a_refused_call_does_not_run(run: Run):
+    assert codes(run(refused("self.measure()\n    time.sleep(2.0)", "def measure(self, port):\n    pass\n"))) == []
+
+
+def test_a_handler_of_the_error_goes_on(run: Run):
+    body = "try:\n        self.measure()\n    except TypeError:\n        time.sleep(2.0)"
+    assert codes(run(refused(body, "def measure(self, port):\n    pass\n"))) == ["EXE003"]
+
+
+def test_a_call_that_may_not_be_made_ends_nothing(run: Run):
+    body = "ready() and self.measure()\n    if ready():\n        self.measure()\n    time.sleep(2.0)"
+    assert codes(run(refused(body, "def measure(self, port):\n    pass\n"))) == ["EXE003"]
+
+
+@pytest.mark.parametrize(("rounds", "expected"), [("len(range(5))", []), ("range(5)", ["EXE003"])])
+def test_a_loop_over_a_number_has_no_rounds(run: Run, rounds: str, expected: list[str]):
+    assert codes(run(refused(f"for i in {rounds}:\n        time.sleep(1.0)", ""))) == expected
+
+
+def test_a_node_is_what_its_constructor_means_it_to_be(run: Run):
+    create = "self.prepare()\nself.create_subscription(Empty, 'stop', print, 10)\nself.create_timer(5.0, self.tick)\n"
+    methods = "def prepare(self, port):\n    pass\n\ndef tick(self):\n    time.sleep(2.0)\n"
+    assert codes(run(source(create, methods))) == ["EXE003"]
