@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from fnmatch import fnmatchcase
 from typing import TYPE_CHECKING
 
+from archlint.checks.aside import is_not_installed
 from archlint.checks.folding import folds
 from archlint.checks.names import WORDS
 from archlint.checks.registry import Options, finding, rule
@@ -77,6 +78,23 @@ _CHOSEN = _Reason(
     "this is fine where whoever starts the node can choose the other form",
     Severity.INFO,
 )
+_NOT_INSTALLED = _Reason(
+    "not installed",
+    "absolute and fixed in the code",
+    ", in a script that its package does not install",
+    "write names without the leading '/' if the script is to be installed",
+    Severity.INFO,
+)
+
+
+def _shared_by(users: int) -> _Reason:
+    return _Reason(
+        "shared",
+        "absolute and fixed in the code",
+        f", for {users} files that take names from here: no namespace moves {{it}}",
+        "leave out the leading '/' here, and all of them follow the namespaces of their nodes",
+        Severity.INFO,
+    )
 
 
 def _of_others(system: str) -> _Reason:
@@ -89,24 +107,37 @@ def _of_others(system: str) -> _Reason:
     )
 
 
-@rule("NME001", relative=False, allow=())
+@rule("NME001", taste=True, relative=False, allow=())
 def hardcoded_name(system: System, options: Options) -> Iterator[Finding]:
     """Absolute names that only an edit of the code can change, one finding a create call and literal; those of one
     class become one."""
     relative, allowed = options.flag("relative"), options.texts("allow")
     varied = {one.place for one in system.endpoints if one.creation.name.resolution != "exact"}
+    fixed: list[Endpoint] = []
+    for endpoint in (end for node in system.nodes for end in node.endpoints):
+        name = endpoint.written
+        if name is None or not _fixed_in_code(endpoint) or _conventional(name, allowed):
+            continue
+        if endpoint.creation.name.origin_kind == "format" and endpoint.place in varied:
+            continue  # only one of the parts that this call puts together is written in the code
+        if relative or name.startswith("/"):
+            fixed.append(endpoint)
+    users = _files_that_use(fixed)
     found: dict[tuple[Place, Place, str], Finding] = {}
-    for node in system.nodes:
-        for endpoint in node.endpoints:
-            name = endpoint.written
-            if name is None or not _fixed_in_code(endpoint) or _conventional(name, allowed):
-                continue
-            if endpoint.creation.name.origin_kind == "format" and endpoint.place in varied:
-                continue  # only one of the parts that this call puts together is written in the code
-            if relative or name.startswith("/"):
-                one = _hardcoded(system, node, endpoint)
-                found.setdefault((one.place, endpoint.place, name), one)
+    for endpoint in fixed:
+        one = _hardcoded(system, endpoint, users)
+        found.setdefault((one.place, endpoint.place, endpoint.written or ""), one)
     yield from (found[key] for key in sorted(found))
+
+
+def _files_that_use(fixed: Sequence[Endpoint]) -> dict[str, set[str]]:
+    """The files that create something under names that are written in another file, by that one."""
+    users: dict[str, set[str]] = {}
+    for endpoint in fixed:
+        literal = endpoint.creation.name.origin
+        if literal is not None and literal.file != endpoint.place.file:
+            users.setdefault(literal.file, set()).add(endpoint.place.file)
+    return users
 
 
 def _fixed_in_code(endpoint: Endpoint) -> bool:
@@ -124,12 +155,12 @@ def _conventional(name: str, allowed: tuple[str, ...]) -> bool:
     return name in ABSOLUTE_BY_CONVENTION or any(fnmatchcase(name, pattern) for pattern in allowed)
 
 
-def _hardcoded(system: System, node: Node, endpoint: Endpoint) -> Finding:
+def _hardcoded(system: System, endpoint: Endpoint, users: Mapping[str, set[str]]) -> Finding:
     creation, name, word = endpoint.creation, endpoint.written or "", WORDS[endpoint.kind]
     given = creation.name_place or endpoint.place
     place = creation.name.origin or given
     home = _home(system, place, endpoint.place)
-    reason = _reason(system.world, node, endpoint)
+    reason = _reason(system.world, endpoint, len(users.get(place.file, ())))
     made = finding(
         "NME001",
         place,
@@ -143,8 +174,9 @@ def _hardcoded(system: System, node: Node, endpoint: Endpoint) -> Finding:
     return made if reason.severity is None else replace(made, severity=reason.severity)
 
 
-def _reason(world: World | None, node: Node, endpoint: Endpoint) -> _Reason:
-    name = endpoint.written or ""
+def _reason(world: World | None, endpoint: Endpoint, users: int) -> _Reason:
+    """Why a name is as it is; ``users`` is the number of other files that take names from the file it is in."""
+    node, name = endpoint.node, endpoint.written or ""
     if not name.startswith("/"):
         return _RELATIVE
     owner = next((owner for prefix, owner in FIXED_BY_OTHERS.items() if name.startswith(prefix)), None)
@@ -152,6 +184,10 @@ def _reason(world: World | None, node: Node, endpoint: Endpoint) -> _Reason:
         return _of_others(owner)
     if _is_chosen(node, endpoint):
         return _CHOSEN
+    if users > 1:
+        return _shared_by(users)
+    if is_not_installed(world, endpoint.place.file):
+        return _NOT_INSTALLED
     return _by_namespace(world, node)
 
 

@@ -7,6 +7,7 @@ from dataclasses import astuple, replace
 from itertools import combinations
 from typing import TYPE_CHECKING
 
+from archlint.checks.aside import is_aside
 from archlint.checks.conflicts import in_source_order, meeting, named_by_library, seen_together
 from archlint.checks.folding import folds
 from archlint.checks.left_over import is_left_over
@@ -90,7 +91,7 @@ def _has_launch_files(system: System) -> bool:
 def _several_owners(system: System, connection: Connection) -> Iterator[list[Endpoint]]:
     """Groups of endpoints of different nodes that meet; the last one in the source comes last."""
     groups: list[list[Endpoint]] = []
-    own = [end for end in connection.providers if not named_by_library(end) and not is_left_over(system.world, end)]
+    own = [end for end in connection.providers if _owns(system, end)]
     for one, other in meeting(system, own):
         if one.node is other.node or _launched_apart(system, one.node, other.node) or _left_out(one.node, other.node):
             continue
@@ -101,6 +102,12 @@ def _several_owners(system: System, connection: Connection) -> Iterator[list[End
             group.extend(endpoint for endpoint in (one, other) if endpoint not in group)
     for group in groups:
         yield in_source_order(group)
+
+
+def _owns(system: System, end: Endpoint) -> bool:
+    """Whether a publisher or server says something of its own, in code that is in use."""
+    idle = named_by_library(end) or is_left_over(system.world, end)
+    return not idle and (system.name is not None or not is_aside(system.world, end.place.file))
 
 
 def _launched_apart(system: System, one: Node, other: Node) -> bool:

@@ -18,6 +18,7 @@ from fnmatch import fnmatchcase
 from typing import TYPE_CHECKING
 
 from archlint import checks
+from archlint.checks.aside import is_aside
 from archlint.checks.merge import depends_on_arguments
 from archlint.faults import Fault
 from archlint.finding import Finding, Place, Related, Severity
@@ -102,20 +103,24 @@ class Check:
     code: str
     function: RuleFunction
     defaults: Mapping[str, OptionValue]
+    taste: bool = False
+    """Whether it judges how well code is made, and not whether it works: nobody wants to hear that of code that is
+    put aside or tries something out."""
 
 
 _REGISTERED: dict[str, Check] = {}
 
 
-def rule(code: str, **defaults: OptionValue) -> Callable[[RuleFunction], RuleFunction]:
-    """Register the decorated generator function as the rule with this code."""
+def rule(code: str, *, taste: bool = False, **defaults: OptionValue) -> Callable[[RuleFunction], RuleFunction]:
+    """Register the decorated generator function as the rule with this code; a rule of ``taste`` says nothing of files
+    that are put aside or try something out (:func:`archlint.checks.aside.is_aside`)."""
 
     def register(function: RuleFunction) -> RuleFunction:
         other = _REGISTERED.get(code)
         if other is not None and other.function.__module__ != function.__module__:
             raise ValueError(f"{code} is registered twice: {other.function.__module__}, {function.__module__}")
         options = {name.replace("_", "-"): value for name, value in defaults.items()}
-        _REGISTERED[code] = Check(code, function, options)
+        _REGISTERED[code] = Check(code, function, options, taste)
         return function
 
     return register
@@ -188,7 +193,8 @@ def judge(system: System, selected: Mapping[str, Options]) -> Iterator[Finding]:
         except Exception as error:
             yield failure(Fault.of(f"the rule {rules()[code].title}", error, _place_of(system)))
         else:
-            yield from (replace(one, system=system.name) for one in found)
+            kept = [one for one in found if not (check.taste and is_aside(system.world, one.place.file))]
+            yield from (replace(one, system=system.name) for one in kept)
 
 
 def judge_alternatives(system: System, selected: Mapping[str, Options]) -> Iterator[Finding]:

@@ -48,7 +48,7 @@ _LISTENER = "tf2_ros.transform_listener.TransformListener"
 _Row = tuple["Program", "ApiCall", Stay]
 
 
-@rule("EXE003")
+@rule("EXE003", taste=True)
 def slow_callback(system: System, options: Options) -> Iterator[Finding]:
     """Sleeps and waits for the world outside that callbacks reach: one finding for the function that holds them."""
     functions: dict[tuple[str, str], dict[Place, _Row]] = {}
@@ -62,7 +62,7 @@ def slow_callback(system: System, options: Options) -> Iterator[Finding]:
     yield from one_for_each_place(_slow(system, [rows[place] for place in sorted(rows)]) for rows in functions.values())
 
 
-@rule("SRV008")
+@rule("SRV008", taste=True)
 def long_running_service(system: System, options: Options) -> Iterator[Finding]:
     """Service handlers that sleep, once for long or again and again; one finding a handler."""
     handlers: dict[tuple[Program, Place], list[tuple[ApiCall, Stay]]] = {}

@@ -155,6 +155,14 @@ class LaunchLoader:
             if file.package == package and file.relative.endswith((f"{tail}.py", f"{tail}/__init__.py"))
         ]
 
+    def in_use(self) -> frozenset[str]:
+        """The Python files that installed programs and launch files are, and all that these import."""
+        starts = {file.relative for file in self._files if file.kind == "launch_python"}
+        for one in (each for installs in self.installs.values() for each in installs.executables.values()):
+            starts.update([one.script] if one.script else self.files_named(one.package, one.module or "?"))
+        modules = (self.index.module(self._by_path[path]) for path in sorted(starts) if path in self._by_path)
+        return frozenset[str]().union(*(self.index.imported_by(module) for module in modules if module is not None))
+
     def mentions(self, path: str, word: str) -> bool:
         """Whether a word stands anywhere in a file."""
         text = self.tree.text(path)

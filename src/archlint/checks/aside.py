@@ -1,0 +1,81 @@
+"""Code in which nobody wants to hear what could be better: it is put aside, or there to try something out.
+
+Rules that judge the taste of code, and not whether it works, ask here.
+"""
+
+from __future__ import annotations
+
+from functools import lru_cache
+from typing import TYPE_CHECKING
+
+from archlint.facts import model as facts
+from archlint.workspace.test_code import is_put_aside, is_trial_file
+
+if TYPE_CHECKING:
+    from archlint.program.installs import Installs
+    from archlint.program.launch.load import LaunchLoader
+    from archlint.system.launched import World
+
+
+def is_aside(world: World | None, file: str) -> bool:
+    """Whether a file is a trial, or put aside and no launch file of what is in use starts a node of it."""
+    if is_trial_file(file):
+        return True
+    return is_put_aside(file) and (world is None or file not in _in_use(world))
+
+
+@lru_cache(maxsize=2)
+def _in_use(world: World) -> frozenset[str]:
+    """The files of the nodes that launch files start which are not put aside themselves."""
+    return frozenset(
+        blueprint.place.file
+        for system in world.systems
+        if system.name is not None and not is_put_aside(system.name)
+        for node in system.nodes
+        for blueprint in node.blueprints
+    )
+
+
+def is_not_installed(world: World | None, file: str) -> bool:
+    """Whether a script is in a package that installs programs, but is none of them, and none of them imports it: only
+    who knows where it lies can start it."""
+    if world is None or world.loader is None or file in _in_use(world):
+        return False
+    package = world.loader.package_of(file)
+    installs = None if package is None else world.installs.get(package)
+    if installs is None or installs.open_executables or not installs.executables:
+        return False
+    if not file.startswith(f"{installs.folder}/") and installs.folder not in ("", "."):
+        return False  # another package of that name
+    return _is_script(world, file) and not _is_named(world, installs, file) and file not in _reached(world.loader)
+
+
+def _is_script(world: World, file: str) -> bool:
+    found = None if world.loader is None else world.loader.facts_at(file)
+    return found is not None and any(
+        isinstance(one, facts.If)
+        and isinstance(one.test, facts.Compare)
+        and isinstance(one.test.left, facts.Name)
+        and one.test.left.id == "__name__"
+        for one in found.body
+    )
+
+
+def _is_named(world: World, installs: Installs, file: str) -> bool:
+    """Whether the files that build the package, or any launch file, mention a script."""
+    loader = world.loader
+    assert loader is not None
+    stem = file.rpartition("/")[2].removesuffix(".py")
+    if stem in installs.words or f"{stem}.py" in installs.words or stem in installs.executables:
+        return True
+    built = [f"{installs.folder}/{name}".removeprefix("./") for name in ("setup.py", "setup.cfg", "pyproject.toml")]
+    return any(loader.mentions(path, stem) for path in (*built, *loader.launch_files()))
+
+
+@lru_cache(maxsize=2)
+def _reached(loader: LaunchLoader) -> frozenset[str]:
+    """The files that installed programs and launch files are, and all that these import."""
+    return loader.in_use()
+
+
+__all__ = ["is_aside", "is_not_installed"]

@@ -1,0 +1,201 @@
+"""What rules of taste leave alone: code that is put aside, stands in for something or tries it out."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from textwrap import dedent
+
+import pytest
+
+from archlint.config import load
+from archlint.finding import Finding, Severity
+from archlint.session import Request, check
+from archlint.workspace.test_code import is_put_aside, is_trial_file
+
+NODE = """
+import rclpy
+from rclpy.node import Node
+from std_msgs.msg import String
+
+
+class Talker(Node):
+    def __init__(self):
+        super().__init__('talker')
+        self.words = self.create_publisher(String, '/robot/words', 10)
+
+
+def main():
+    rclpy.init()
+    rclpy.spin(Talker())
+
+
+if __name__ == '__main__':
+    main()
+"""
+MANIFEST = """
+<package format="3"><name>robot</name><version>0.0.1</version><description>d</description>
+<maintainer email="a@b.c">a</maintainer><license>MIT</license><exec_depend>rclpy</exec_depend>
+<exec_depend>std_msgs</exec_depend><export><build_type>ament_python</build_type></export></package>
+"""
+SETUP = """
+from setuptools import find_packages, setup
+
+setup(name='robot', packages=find_packages(), entry_points={'console_scripts': [
+    'driver = robot.driver:main',
+    {more}
+]})
+"""
+LAUNCH = """
+from launch import LaunchDescription
+from launch_ros.actions import Node
+
+
+def generate_launch_description():
+    return LaunchDescription([Node(package='robot', executable='talker')])
+"""
+
+
+@pytest.fixture
+def named(tmp_path: Path, monkeypatch: pytest.MonkeyPatch):
+    """``named({path: text}, "a console script")`` gives the NME001 findings of a package ``robot`` with these files."""
+    monkeypatch.chdir(tmp_path)
+
+    def run(files: dict[str, str], more: str = "") -> list[Finding]:
+        package = {
+            "package.xml": MANIFEST.strip(),
+            "setup.py": SETUP.replace("{more}", more),
+            "robot/__init__.py": "",
+            "robot/driver.py": "def main(): pass\n",
+        }
+        for name, text in {**package, **files}.items():
+            path = tmp_path / "robot" / name
+            path.parent.mkdir(parents=True, exist_ok=True)
+            path.write_text(dedent(text), encoding="utf-8")
+        (tmp_path / "archlint.toml").write_text('select = ["NME001"]\n', encoding="utf-8")
+        return check(Request((".",), load(tmp_path), cached=False, jobs=1)).findings
+
+    return run
+
+
+@pytest.mark.parametrize(
+    "path",
+    [
+        "robot/mock_robot.py",
+        "robot/dummy_scan.py",
+        "robot/quick_tests/imu.py",
+        "robot/fake/lidar.py",
+        "robot/imu_test.py",
+    ],
+)
+def test_a_stand_in_or_a_trial(named, path: str):
+    assert named({path: NODE}, more="'talker = " + path.removesuffix(".py").replace("/", ".") + ":main',") == []
+    assert is_trial_file(path)
+
+
+@pytest.mark.parametrize("path", ["robot/latest_pose.py", "robot/contest.py", "robot/attestation.py", "robot/demo.py"])
+def test_a_word_that_only_holds_the_letters_of_one(named, path: str):
+    module = path.removesuffix(".py").replace("/", ".")
+
+    [found] = named({path: NODE}, more=f"'talker = {module}:main',")
+
+    assert (found.place.file, found.severity) == (f"robot/{path}", Severity.WARNING)
+
+
+@pytest.mark.parametrize(
+    "path",
+    ["robot/archive/talker.py", "robot/old_arm/talker.py", "robot/talker_old.py", "robot/talker.sync-conflict-1.py"],
+)
+def test_what_is_put_aside(named, path: str):
+    assert named({path: NODE}) == []
+
+
+@pytest.mark.parametrize(
+    "path", ["robot/folder/talker.py", "legacy_bridge/talker.py", "conflict_detector.py", "gold/x.py", "backup/x.py"]
+)
+def test_what_only_sounds_like_it(path: str):
+    assert not is_put_aside(path)
+
+
+def test_what_a_launch_file_starts_is_not_put_aside(named):
+    files = {"robot/old/talker.py": NODE, "robot/old/__init__.py": ""}
+    assert named(files, more="'talker = robot.old.talker:main',") == []
+
+    [found] = named({**files, "launch/robot.launch.py": LAUNCH}, more="'talker = robot.old.talker:main',")
+
+    assert found.place.file == "robot/robot/old/talker.py"
+
+
+def test_a_script_that_its_package_does_not_install(named):
+    [found] = named({"robot/talker.py": NODE})
+
+    assert found.severity is Severity.INFO
+    assert found.message == (
+        "the topic '/robot/words' is absolute and fixed in the code, in a script that its package does not install"
+    )
+
+
+@pytest.mark.parametrize(
+    ("files", "more"),
+    [
+        ({}, "'talker = robot.talker:main',"),
+        ({"robot/driver.py": "from robot.talker import main\n"}, ""),
+        ({"robot/driver.py": "from robot import between\n", "robot/between.py": "from .talker import main\n"}, ""),
+        ({"setup.py": "from setuptools import setup\nsetup(name='robot', scripts=['robot/talker.py'])\n"}, ""),
+        ({"setup.py": "from setuptools import setup\nsetup(name='robot')\n"}, ""),
+        ({"setup.py": "from setuptools import setup\nimport where\nsetup(name='robot', entry_points=where.all)\n"}, ""),
+        ({"launch/a.launch.xml": "<launch><executable cmd='python3 robot/talker.py'/></launch>"}, ""),
+    ],
+    ids=[
+        "installed",
+        "imported",
+        "imported by an import",
+        "a script",
+        "a library",
+        "not known",
+        "a launch file runs it",
+    ],
+)
+def test_a_script_that_can_be_started(named, files: dict[str, str], more: str):
+    [found] = named({"robot/talker.py": NODE, **files}, more)
+
+    assert found.severity is Severity.WARNING
+
+
+TABLE = """
+class Topics:
+    WORDS = '/robot/words'
+    STATE = '/robot/state'
+"""
+
+
+def uses(name: str, topic: str) -> str:
+    return (
+        NODE.replace("'/robot/words'", topic)
+        .replace("talker", name)
+        .replace("Node\n", "Node\nfrom robot.topics import Topics\n", 1)
+    )
+
+
+def test_names_that_several_files_take_from_one_place(named):
+    files = {
+        "robot/topics.py": TABLE,
+        "robot/one.py": uses("one", "Topics.WORDS"),
+        "robot/two.py": uses("two", "Topics.STATE"),
+    }
+
+    [found] = named(files, more="'one = robot.one:main', 'two = robot.two:main',")
+
+    assert (found.place.file, found.place.line, found.severity) == ("robot/robot/topics.py", 3, Severity.INFO)
+    assert found.message == (
+        "2 names of Topics are absolute and fixed in the code, such as the topic '/robot/words', "
+        "for 2 files that take names from here: no namespace moves them"
+    )
+    assert found.help == "leave out the leading '/' here, and all of them follow the namespaces of their nodes"
+
+
+def test_names_that_one_file_takes_from_another(named):
+    files = {"robot/topics.py": TABLE, "robot/one.py": uses("one", "Topics.WORDS")}
+
+    [found] = named(files, more="'one = robot.one:main',")
+
+    assert found.severity is Severity.WARNING
