@@ -80,11 +80,46 @@ def test_what_a_declared_package_does_not_bring_is_missing(lint: Lint):
     assert missing(lint(files)) == ["geometry_msgs"]
 
 
+@pytest.mark.parametrize(
+    ("declared", "expected"),
+    [
+        ("ourarm", []),  # nobody knows this package: it may well be the metapackage of ourarm_msgs
+        ("ourarm_driver", ["ourarm_msgs"]),
+        ("our", ["ourarm_msgs"]),  # another name, not the first part of this one
+    ],
+)
+def test_an_unknown_package_may_bring_what_is_named_after_it(lint: Lint, declared: str, expected: list[str]):
+    files = {
+        "package.xml": manifest("talk", *depends("rclpy", declared)),
+        "talk/node.py": node("from ourarm_msgs.msg import Joint"),
+    }
+    assert missing(lint(files)) == expected
+
+
+def test_what_a_package_is_known_to_need_is_all_that_it_brings(lint: Lint):
+    assert table().brings["nav_msgs"]  # it has been read
+    one = {"talk/node.py": node("from nav_msgs_extra.msg import Model")}
+    known = manifest("talk", *depends("rclpy", "nav_msgs"))
+    assert missing(lint({**one, "package.xml": known})) == ["nav_msgs_extra"]
+
+
+def test_what_a_package_of_the_workspace_needs_is_all_that_it_brings(lint: Lint):
+    files = {
+        "arm/package.xml": manifest("arm", *depends("rclpy")),
+        "msgs/package.xml": manifest("arm_msgs"),
+        "talk/package.xml": manifest("talk", *depends("rclpy", "arm")),
+        "talk/talk/node.py": node("from arm_msgs.msg import Joint"),
+    }
+    assert missing(lint(files)) == ["arm_msgs"]
+
+
 def test_metapackages_of_a_launch_file(lint: Lint):
     launch = '<launch><node pkg="imu_filter_madgwick" exec="imu_filter_madgwick_node"/></launch>'
     files = {"launch/imu.launch.xml": launch, "talk/node.py": node()}
     assert lint({**files, "package.xml": manifest("talk", *depends("rclpy", "imu_tools"))}) == []
     assert missing(lint({**files, "package.xml": manifest("talk", *depends("rclpy"))})) == ["imu_filter_madgwick"]
+    assert {"lanelet2_io", "lanelet2_python"} <= set(table().brings["lanelet2"])
+    assert "trac_ik_lib" in table().brings["trac_ik"]
 
 
 @pytest.mark.parametrize(("tag", "expected"), [("exec_depend", []), ("test_depend", ["lidar_msgs"])])

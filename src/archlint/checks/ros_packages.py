@@ -54,7 +54,7 @@ def package_of_module(module: str, names: Sequence[str], of_workspace: Callable[
 
 class Table(msgspec.Struct):
     """The packages that rosdistro names: all their ``names``, and what those ``brings`` lists bring along when they
-    are installed, each package's own needs only."""
+    are installed, each package's own needs only.  One that has no list may bring anything."""
 
     names: frozenset[str]
     brings: dict[str, list[str]]

@@ -107,7 +107,15 @@ class _Known:
             return False
         if package.relative not in self._there:
             self._there[package.relative] = _there(self._world, package)
-        return bool({needed, _ALSO.get(needed)} & self._there[package.relative]) or needed in self._external
+        there = self._there[package.relative]
+        return bool({needed, _ALSO.get(needed)} & there) or needed in self._external or self._of_family(needed, there)
+
+    def _of_family(self, needed: str, there: frozenset[str]) -> bool:
+        """Whether a package of which nobody knows what it brings has the name that those of its repository begin with:
+        ``arm`` is the metapackage of ``arm_msgs``, or depends on it."""
+        first = (needed[:at] for at, letter in enumerate(needed) if letter == "_")
+        unread = (one for one in first if one not in self._world.packages)
+        return any(one in there and one not in ros_packages.table().brings for one in unread)
 
 
 def _package_around(world: World, folder: str) -> Package | None:
