@@ -430,6 +430,15 @@ def test_an_argument_that_is_declared_too_late(findings):
     assert [one.message for one in found.related] == ["it is declared here"]
 
 
+def test_what_a_later_include_declares_for_itself_is_no_declaration_here(findings):
+    inner = '<launch><arg name="y" default="a"/></launch>'
+    outer = node(name="$(var y)") + '<include file="$(dirname)/inner.launch.xml"/>'
+    (found,) = findings("LCH003", outer, **{"launch/inner.launch.xml": inner})
+    assert found.message == "no launch argument 'y' is declared by then, and nothing sets it"
+    assert found.help is not None and found.help.startswith("declare it before it is read")
+    assert [one.message for one in found.related] == ["declared here, later"]
+
+
 NEVER_ADDED = """\
 from launch import LaunchDescription
 from launch.actions import DeclareLaunchArgument
@@ -645,6 +654,26 @@ def test_values_of_the_right_type(findings):
 def test_dynamic_typing_takes_anything(findings):
     text = TALKER.replace("1.0)", "1.0, ParameterDescriptor(dynamic_typing=True))")
     assert findings("PRM002", node('<param name="rate" value="2"/>'), **{"robot/talker.py": text}) == []
+
+
+NAMED_AFTER_IT = "self.declare_parameter(f'radios.{kind}.ip', '')"
+
+
+@pytest.mark.parametrize(
+    ("yaml", "told"),
+    [
+        ("talker: {ros__parameters: {radio: b, radios: {a: {ip: x}, b: {ip: y}}}}", []),  # each choice has its section
+        ("talker: {ros__parameters: {radios: {a: {ip: x}, b: {ip: y}}}}", []),
+        ("talker: {ros__parameters: {radios: {a: {port: x}}}}", ["radios.a.port"]),
+        ("talker: {ros__parameters: {radoi: b}}", ["radoi"]),
+    ],
+)
+def test_values_for_what_another_choice_would_declare(findings, yaml: str, told: list[str]):
+    chosen = "kind = self.declare_parameter('radio', 'a').value"
+    text = TALKER.replace("self.declare_parameter('rate', 1.0)", f"{chosen}\n        {NAMED_AFTER_IT}")
+    files = {"config/p.yaml": yaml, "robot/talker.py": text}
+    found = findings("PRM004", node('<param from="$(find-pkg-share robot)/config/p.yaml"/>'), **files)
+    assert [one.identity[1] for one in found] == told
 
 
 def test_a_shared_section_is_for_whichever_node_declares_the_name(findings):

@@ -54,23 +54,21 @@ def _undeclared_uses(system: System, launched: Launched) -> Iterator[Finding]:
         if use.conditional or (alone and system.part) or use.name in told:
             continue  # whoever includes it may pass it: that system tells
         told.add(use.name)
-        later = [argument.place for argument in launched.declared if argument.name == use.name]
+        places = [argument.place for argument in launched.declared if argument.name == use.name]
+        later = [place for place in places if place.file == use.file]  # what an include declares is for itself
         left_out = _left_out(launched, use)
         if left_out is not None:
             yield _never_added(use, left_out)
             continue
-        yield finding(
-            "LCH003",
-            use.place,
-            f"the launch argument '{use.name}' is read before it is declared"
-            if later
-            else f"no launch argument '{use.name}' is declared, and nothing sets it" + did_you_mean(use.name, declared),
-            help="actions run in their order: put the declaration in front"
-            if later
-            else f"declare it before it is read: DeclareLaunchArgument('{use.name}', default_value=…)",
-            related=[Related(place, "it is declared here") for place in later[:1]],
-            identity=(use.file, use.name),
-        )
+        message = f"no launch argument '{use.name}' is declared, and nothing sets it" + did_you_mean(use.name, declared)
+        help = f"declare it before it is read: DeclareLaunchArgument('{use.name}', default_value=…)"
+        if later:
+            message = f"the launch argument '{use.name}' is read before it is declared"
+            help = "actions run in their order: put the declaration in front"
+        elif places:
+            message = f"no launch argument '{use.name}' is declared by then, and nothing sets it"
+        related = [Related(place, "it is declared here" if later else "declared here, later") for place in places[:1]]
+        yield finding("LCH003", use.place, message, help=help, related=related, identity=(use.file, use.name))
 
 
 def _left_out(launched: Launched, use: UndeclaredUse) -> Place | None:

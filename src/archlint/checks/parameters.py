@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import posixpath
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING
 
 from archlint.checks.near import did_you_mean, listed
@@ -153,6 +153,8 @@ def unknown_parameter_override(system: System, options: Options) -> Iterator[Fin
         for setting in settings:
             if setting.name in declared or always_declared(setting.name) or setting.shared:
                 continue
+            if _for_another_choice(setting.name, declared, settings):
+                continue
             if any(names is None or setting.name in names for names in others):
                 continue
             if setting.written is not None:
@@ -175,6 +177,25 @@ def unknown_parameter_override(system: System, options: Options) -> Iterator[Fin
                 node=node.name,
                 identity=(node.name or "", setting.name),
             )
+
+
+def _for_another_choice(
+    name: str, declared: Mapping[str, Sequence[ParameterDeclaration]], settings: Sequence[Setting]
+) -> bool:
+    """Whether a node would declare a parameter if another one had another value: of ``devices.a.ip``, where ``a`` is
+    such a value, ``devices.b.ip`` differs in that part alone."""
+    parts = name.split(".")
+    for known, rows in declared.items():
+        chosen_by = rows[0].name.parameter if rows[0].name.resolution == "parameter" else None
+        others = known.split(".")
+        if chosen_by is None or len(others) != len(parts):
+            continue
+        values = {str(row.default) for row in declared.get(chosen_by, ())}
+        values |= {str(setting.value) for setting in settings if setting.name == chosen_by}
+        differing = [other for one, other in zip(parts, others, strict=True) if one != other]
+        if len(differing) == 1 and differing[0] in values:
+            return True
+    return False
 
 
 def _every_declared(system: System, file: str, key: str) -> set[str] | None:
