@@ -65,6 +65,55 @@ def test_what_holds_up_nobody_else_is_information(run: Run):
     assert found.severity is Severity.WARNING and "no other callback of the node runs meanwhile" in found.message
 
 
+@pytest.mark.parametrize(
+    ("beside", "severity"),
+    [
+        pytest.param("self.create_publisher(Empty, 'out', 10)", Severity.INFO, id="a publisher"),
+        pytest.param("self.create_client(Trigger, 'check')", Severity.INFO, id="a client"),
+        pytest.param("bring_up(self)", Severity.INFO, id="nobody knows"),
+        pytest.param("self.listener = TransformListener(Buffer(), self)", Severity.WARNING, id="a listener"),
+        pytest.param("self.create_service(Trigger, 'stop', print)", Severity.WARNING, id="a service"),
+        pytest.param(
+            "bring_up(self)\nself.create_timer(1.0, print)", Severity.WARNING, id="a timer, and what nobody knows"
+        ),
+    ],
+)
+def test_somebody_has_to_wait(run: Run, beside: str, severity: Severity):
+    found = run(source(f"{TIMER}{beside}\n", timer("time.sleep(1.0)")))
+    assert [one.severity for one in found if one.code == "EXE003"] == [severity]
+
+
+@pytest.mark.parametrize(("cancel", "severity"), [("", Severity.INFO), (", cancel_callback=print", Severity.WARNING)])
+def test_an_action_alone_holds_up_its_own_cancelling(run: Run, cancel: str, severity: Severity):
+    create = f"self.server = ActionServer(self, Fibonacci, 'count', self.execute{cancel})\n"
+    [found] = [one for one in run(source(create, EXECUTE)) if one.code == "EXE003"]
+    assert found.severity is severity and "timer" not in found.help
+
+
+def test_a_transition_may_take_its_time(run: Run):
+    text = source(
+        "self.create_subscription(Empty, 'stop', print, 10)\n",
+        "def on_configure(self, state):\n    time.sleep(2.0)\n    return TransitionCallbackReturn.SUCCESS\n",
+    )
+    managed = text.replace(
+        "from rclpy.node import Node\n",
+        "from rclpy.lifecycle import LifecycleNode as Node\nfrom rclpy.lifecycle import TransitionCallbackReturn\n",
+    )
+    assert codes(run(managed)) == []
+
+
+def test_a_handler_may_look_for_a_server_for_a_limited_time(run: Run):
+    create = "self.client = self.create_client(Trigger, 'check')\nself.create_service(Trigger, 'go', self.go)\n"
+    method = (
+        "def go(self, request, response):\n    response.success = self.client.wait_for_service(timeout_sec=5.0)\n"
+        "    return response\n"
+    )
+    [found] = run(source(create + TIMER, method + "\n" + timer("pass")))
+    assert (found.code, found.severity) == ("EXE003", Severity.INFO)
+    asks = method.replace("    return", "    self.client.call(Trigger.Request())\n    return")
+    assert codes(run(source(create + TIMER, asks + "\n" + timer("pass")))) == ["SRV003"]
+
+
 def test_a_node_beside_it_on_the_same_executor_is_held_up(run: Run):
     main = ON_SEVERAL_THREADS.replace("MultiThreadedExecutor()", "SingleThreadedExecutor()").replace(
         "    executor.spin()",
@@ -147,6 +196,20 @@ def test_a_service_that_sleeps_should_be_an_action(run: Run):
         pytest.param("for _ in range(30):\n        time.sleep(0.2)", ["SRV008"], id="many moments in a loop"),
         pytest.param("while self.moves():\n        time.sleep(0.05)", ["SRV008"], id="until something has happened"),
         pytest.param("for _ in self.bytes():\n        time.sleep(0.001)", [], id="a pause between bytes"),
+        pytest.param("for block in self.blocks():\n        time.sleep(0.1)", [], id="a pause between blocks"),
+        pytest.param("for block in self.blocks():\n        time.sleep(1.5)", ["SRV008"], id="a long one"),
+        pytest.param("while self.port.in_waiting > 0:\n        time.sleep(0.05)", [], id="until a port is read empty"),
+        pytest.param(
+            "for attempt in range(3):\n        try:\n            read()\n            break\n        except OSError:\n"
+            "            time.sleep(1.0 * (attempt + 1))",
+            [],
+            id="before the next attempt",
+        ),
+        pytest.param(
+            "for _ in range(60):\n        if self.moves():\n            break\n        time.sleep(1.0)",
+            ["SRV008"],
+            id="up to a minute",
+        ),
         pytest.param(
             "if request.data:\n        time.sleep(0.7)\n    else:\n        time.sleep(0.6)", [], id="one or the other"
         ),
@@ -156,6 +219,33 @@ def test_nobody_writes_an_action_for_a_moment(run: Run, body: str, expected: lis
     method = f"def handle(self, request, response):\n    {body}\n    return response\n"
     method += "\ndef moves(self):\n    return read()\n"
     assert codes(run(source("self.create_service(SetBool, 'home', self.handle)\n", method))) == expected
+
+
+def test_the_request_may_say_how_long(run: Run):
+    create = "self.create_service(AddTwoInts, 'pulse', self.pulse)\n"
+    method = "def pulse(self, request, response):\n    {}\n    return response\n"
+    imports = "from std_srvs.srv import SetBool, Trigger\n"
+
+    def found(body: str) -> tuple[str, Severity]:
+        text = source(create, method.format(body))
+        [one] = run(text.replace(imports, imports + "from example_interfaces.srv import AddTwoInts\n"))
+        return one.message, one.severity
+
+    for body in ("time.sleep(request.a / 10)", "pause = request.a / 10\n    time.sleep(pause)"):
+        message, severity = found(body)
+        assert severity is Severity.INFO and "for as long as the request asks: the caller cannot cancel" in message
+    message, severity = found("time.sleep(load())")
+    assert severity is Severity.WARNING and "without knowing for how long" in message
+
+
+def test_a_loop_may_watch_the_clock(run: Run):
+    create = "self.create_service(Trigger, 'home', self.home)\n"
+    method = (
+        "def home(self, request, response):\n    end = time.time() + 30.0\n"
+        "    while read() and time.time() < end:\n        time.sleep(0.1)\n    return response\n"
+    )
+    [found] = run(source(create, method))
+    assert found.code == "SRV008" and "the caller waits meanwhile, and cannot cancel" in found.message
 
 
 def test_a_handler_is_told_where_it_takes_long(run: Run):

@@ -10,6 +10,7 @@ MODULES: tuple[str, ...] = (
     "launch_arguments",
     "launch_values",
     "limitless_calls",
+    "long_services",
     "handlers",
     "hardcoded",
     "names",

@@ -1,8 +1,7 @@
-"""EXE003, EXE004, EXE007 and SRV008: callbacks that keep their thread while nothing else can run on it."""
+"""EXE003, EXE004 and EXE007: callbacks that keep their thread while nothing else can run on it."""
 
 from __future__ import annotations
 
-import math
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING
@@ -10,28 +9,30 @@ from typing import TYPE_CHECKING
 from archlint.checks import blocking
 from archlint.checks.callback_roles import callback_words, related_to, runs_in_executor
 from archlint.checks.deadlock import threads_of
-from archlint.checks.reach import argument, calls_of, endpoint_words, judged_calls, node_name, one_for_each_place
+from archlint.checks.reach import (
+    argument,
+    calls_of,
+    creations_of,
+    judged_calls,
+    node_name,
+    one_for_each_place,
+)
 from archlint.checks.registry import Options, finding, rule
+from archlint.checks.rounds import around_future, in_loops
 from archlint.checks.sleeps import Stay, longest, stay_of
+from archlint.checks.stuck import clients_of_handlers
 from archlint.checks.timeouts import MAKE_IT_EARLIER, made_here
-from archlint.facts import model as facts
-from archlint.facts.walk import called_name
 from archlint.finding import Finding, Related, Severity
-from archlint.program.interest import names_in
-from archlint.program.model import PUBLISHER
+from archlint.program.model import ACTION_SERVER, GUARD, SERVICE, SUBSCRIBER, TIMER
 from archlint.program.values import Known, alternatives
 
 if TYPE_CHECKING:
     from archlint.finding import Place
-    from archlint.program.model import ApiCall, Callback, Program
+    from archlint.program.model import ApiCall, Blueprint, Callback, Program
     from archlint.system.model import System
 
 MOMENT = 0.1
 """Seconds of a sleep that are not worth a word, unless a loop adds them up."""
-LONG = 1.0
-"""Seconds that a service handler may sleep, all in all: nobody writes an action for less."""
-TINY = 0.01
-"""Seconds of a pause between the items of something."""
 DISCOVERY = 1.0
 """Seconds that a callback may look for a server."""
 
@@ -42,7 +43,7 @@ _LOOKUPS = ("tf2_ros.buffer.Buffer.lookup_transform", "tf2_ros.buffer.Buffer.can
 _LISTENER = "tf2_ros.transform_listener.TransformListener"
 
 
-# ------------------------------------------------------------------------------------------ EXE003, SRV008
+# --------------------------------------------------------------------------------------------------- EXE003
 
 
 _Row = tuple["Program", "ApiCall", Stay]
@@ -51,71 +52,20 @@ _Row = tuple["Program", "ApiCall", Stay]
 @rule("EXE003", taste=True)
 def slow_callback(system: System, options: Options) -> Iterator[Finding]:
     """Sleeps and waits for the world outside that callbacks reach: one finding for the function that holds them."""
+    asked = clients_of_handlers(system, options.distros)
     functions: dict[tuple[str, str], dict[Place, _Row]] = {}
     for program, call, stay in _stays(system):
         if call.context.role == "service" and stay.kind == "sleep":
             continue  # SRV008 has a bound of its own for these
+        if call.context.role == "lifecycle":
+            continue  # a transition may take its time, and the node does nothing until it is over
+        if not asked.isdisjoint((call.context.place, client.place) for client in creations_of(call.receiver)):
+            continue  # a handler that asks the server afterwards is SRV003's: this is part of the same wait
         rows = functions.setdefault((call.file, call.function), {})
         known = rows.get(call.place)
         if known is None or len(call.chain) < len(known[1].chain):
             rows[call.place] = (program, call, stay)
     yield from one_for_each_place(_slow(system, [rows[place] for place in sorted(rows)]) for rows in functions.values())
-
-
-@rule("SRV008", taste=True)
-def long_running_service(system: System, options: Options) -> Iterator[Finding]:
-    """Service handlers that sleep, once for long or again and again; one finding a handler."""
-    handlers: dict[tuple[Program, Place], list[tuple[ApiCall, Stay]]] = {}
-    for program, call in judged_calls(system):
-        stay = stay_of(call) if call.context.role == "service" else None
-        if stay is not None and stay.kind == "sleep" and not _around_future(call):
-            handlers.setdefault((program, call.context.place), []).append((call, stay))
-    yield from one_for_each_place(
-        _long_service(system, program, sorted(sleeps, key=_endless_first))
-        for (program, _), sleeps in handlers.items()
-        if _in_all(sleeps) >= LONG
-    )
-
-
-def _endless_first(sleep: tuple[ApiCall, Stay]) -> tuple[bool, Place]:
-    """What has no known end is what makes a handler long."""
-    return (not math.isinf(_in_loops(*sleep)), sleep[0].place)
-
-
-def _in_all(sleeps: Sequence[tuple[ApiCall, Stay]]) -> float:
-    """Seconds that a handler sleeps for certain, each way through its branches by itself; what nobody knows has no
-    end."""
-    arms: dict[tuple[tuple[str, int], ...], dict[Place, float]] = {}
-    for call, stay in sleeps:
-        arms.setdefault(call.arms, {})[call.place] = _in_loops(call, stay)
-    always = sum(arms.pop((), {}).values())
-    return always + max((sum(found.values()) for found in arms.values()), default=0.0)
-
-
-def _in_loops(call: ApiCall, stay: Stay) -> float:
-    """How long a sleep takes with the loops around it; what nobody knows has no end."""
-    if stay.seconds is None:
-        return math.inf
-    # The loops of callers are places only: how often they go round is not looked at.
-    times = [_times(loop) for loop in call.loops] + [math.inf] * (len(call.rounds) - len(call.loops))
-    seconds = stay.seconds * math.prod(times) if stay.seconds > 0 else 0.0
-    if math.isinf(seconds) and stay.seconds <= TINY and not any(isinstance(loop, facts.While) for loop in call.loops):
-        return stay.seconds  # a pause between the bytes or lines of something: it takes many to make it long
-    return seconds
-
-
-def _times(loop: facts.While | facts.For) -> float:
-    """How often a loop goes round at most."""
-    if isinstance(loop, facts.While):
-        return math.inf
-    if isinstance(loop.iterable, facts.Sequence):
-        return len(loop.iterable.elements)
-    given = (
-        loop.iterable.args if isinstance(loop.iterable, facts.Call) and called_name(loop.iterable) == "range" else []
-    )
-    bounds = [one.value.value for one in given if isinstance(one.value, facts.Literal)]
-    numbers = [bound for bound in bounds if isinstance(bound, int)]
-    return len(range(*numbers)) if given and len(numbers) == len(given) else math.inf
 
 
 def _stays(system: System) -> Iterator[_Row]:
@@ -129,17 +79,12 @@ def _stays(system: System) -> Iterator[_Row]:
 def _is_long(call: ApiCall, stay: Stay) -> bool:
     if stay.kind == "discovery":
         return stay.seconds is not None and stay.seconds > DISCOVERY
-    if _around_future(call):
+    if around_future(call):
         return False
     if stay.kind != "sleep" or stay.seconds is None:
         return True
-    period, seconds = _period(call.context), _in_loops(call, stay)
+    period, seconds = _period(call.context), in_loops(call, stay)
     return seconds >= MOMENT or (period is not None and seconds > period)
-
-
-def _around_future(call: ApiCall) -> bool:
-    """A loop around a future: that wait is what is wrong, not its pace."""
-    return any(isinstance(loop, facts.While) and "done" in names_in(loop.test) for loop in call.loops)
 
 
 def _trifle(call: ApiCall) -> bool:
@@ -169,22 +114,42 @@ def _harmless(callback: Callback, program: Program) -> bool:
     return not others
 
 
-def _is_alone(callback: Callback, program: Program) -> bool:
-    """Whether nothing else could have to wait: the node, and whoever shares its executor, takes in nothing else."""
+def _waiting(callback: Callback, program: Program) -> str:
+    """Who waits while a callback keeps its thread: ``others`` that are known, ``nobody``, or ``unknown``."""
     node = callback.node
-    if callback.creation is None or callback.role not in _ITS_NEXT or node is None or node.lifecycle:
-        return False
-    if node.executor not in ("single_threaded", "multi_threaded"):
-        return False
+    if node is None:
+        return _UNKNOWN
     nodes = [node, *(one for use in program.executors_of(node) for one in use.nodes if one is not node)]
-    return all(one.complete for one in nodes) and all(
-        (creation is callback.creation or creation.kind == PUBLISHER)
-        and all(other.place == callback.place for other in creation.callbacks.values())
-        for one in nodes
-        for creation in one.creations
+    if any(_takes_in_more(one, callback, program) for one in nodes):
+        return _OTHERS
+    # The transitions of a lifecycle node wait, too, if anybody asks for one.
+    known = callback.role in _ITS_NEXT and not node.lifecycle
+    whole = known and node.executor in ("single_threaded", "multi_threaded")
+    return _NOBODY if whole and all(one.complete for one in nodes) else _UNKNOWN
+
+
+def _takes_in_more(node: Blueprint, callback: Callback, program: Program) -> bool:
+    """Whether an executor has anything to do for a node besides one callback.  What a node sends is no work, nor is
+    the answer that nothing is registered for."""
+    apart = threads_of(callback.node, program) == blocking.SEVERAL
+    entities = (creation for creation in node.creations if creation.kind in _TAKE_IN and not creation.destroyed)
+    return any(
+        creation is not callback.creation
+        and not (apart and creation.group != callback.group)
+        and (not creation.callbacks or any(one.place != callback.place for one in creation.callbacks.values()))
+        for creation in entities
+    ) or any(
+        one.place != callback.place
+        and (one.creation is not callback.creation or one.role == "cancel")
+        and runs_in_executor(one)
+        for one in node.callbacks
+        if not (apart and one.group != callback.group) and one.role != "lifecycle"
     )
 
 
+_OTHERS, _NOBODY, _UNKNOWN = "others", "nobody", "unknown"
+_TAKE_IN = frozenset({SUBSCRIBER, SERVICE, ACTION_SERVER, TIMER, GUARD})
+"""Kinds of entities that bring an executor work by themselves."""
 _ITS_NEXT = {"subscription": "message", "timer": "turn", "service": "request", "execute": "goal"}
 
 
@@ -198,12 +163,13 @@ def _slow(system: System, rows: Sequence[_Row]) -> Finding:
         end = " each time round a loop" if stay.kind == "sleep" and call.looped else ""
     if others:
         end += f", as {'does another line' if len(others) == 1 else f'do {len(others)} more lines'} of {call.function}"
-    alone = all(_is_alone(row[1].context, row[0]) for row in rows)
-    meanwhile = (
-        f"the node has nothing else to do meanwhile, but its next {_ITS_NEXT[callback.role]} waits"
-        if alone
-        else _meanwhile(callback, program)
-    )
+    held_up = {_waiting(row[1].context, row[0]) for row in rows}
+    mild = _OTHERS not in held_up or all(_answers_in_time(row[1], row[2]) for row in rows)
+    meanwhile = _meanwhile(callback, program)
+    if held_up == {_NOBODY}:
+        meanwhile = f"the node has nothing else to do meanwhile, but its next {_ITS_NEXT[callback.role]} waits"
+    elif _OTHERS not in held_up:
+        meanwhile = "whatever else its thread has to run waits"
     found = finding(
         "EXE003",
         call.place,
@@ -216,14 +182,19 @@ def _slow(system: System, rows: Sequence[_Row]) -> Finding:
         node=node_name(system, callback.node),
         identity=(callback.name, call.api),
     )
-    return replace(found, severity=Severity.INFO) if alone else found
+    return replace(found, severity=Severity.INFO) if mild else found
+
+
+def _answers_in_time(call: ApiCall, stay: Stay) -> bool:
+    """Whether a callback whose return value is the answer looks for a server for a limited time: it has to know."""
+    return stay.kind == "discovery" and stay.seconds is not None and call.context.role in _ANSWERS
 
 
 def _instead(call: ApiCall, stay: Stay) -> str:
     """What to do; where the callback's return value is the answer, nothing can go on later."""
     if stay.kind == "discovery" and made_here(call):
         return MAKE_IT_EARLIER
-    if stay.kind == "discovery" and call.context.role in _ANSWERS:
+    if stay.kind == "discovery" and call.context.role in _ANSWERS - {"execute"}:
         return "look once, without waiting, and answer that it is not there"
     if call.context.role == "service":
         return "what takes its time is an action: its execute callback may take it"
@@ -249,39 +220,6 @@ def _meanwhile(callback: Callback, program: Program) -> str:
     if threads == blocking.ONE:
         return "no other callback of the node runs meanwhile"
     return "on an executor with one thread no other callback runs meanwhile"
-
-
-def _reads(call: ApiCall, loop: facts.For) -> bool:
-    """Whether what a call is given depends on the round: ``sleep(PAUSE * (attempt + 1))``."""
-    return call.expression is not None and not names_in(call.expression).isdisjoint(names_in(loop.target))
-
-
-def _long_service(system: System, program: Program, sleeps: Sequence[tuple[ApiCall, Stay]]) -> Finding:
-    (call, stay), *others = sleeps
-    callback = call.context
-    further = {other.place: Related(other.place, f"then it {words.words}") for other, words in others}
-    further.pop(call.place, None)
-    words, total = stay.words, _in_all(sleeps)
-    if further and not math.isinf(total):
-        words = f"sleeps for {total:.3g} s in all"
-    elif call.looped and not math.isinf(total):
-        varies = any(isinstance(loop, facts.For) and _reads(call, loop) for loop in call.loops)
-        words = (
-            "sleeps again and again, for a time that the loop sets"
-            if varies
-            else f"sleeps for {total:.3g} s in all, in a loop"
-        )
-    again = " each time round a loop" if call.looped and math.isinf(total) else ""
-    waits = "without knowing for how long, and cannot cancel" if math.isinf(total) else "meanwhile, and cannot cancel"
-    return finding(
-        "SRV008",
-        call.place,
-        f"the handler of {endpoint_words(callback.creation)} {words}{again}: the caller waits {waits}",
-        help="what takes its time is an action: it has feedback, a result and cancelling",
-        related=(*related_to(call, program), *further.values()),
-        node=node_name(system, callback.node),
-        identity=(callback.name, call.api),
-    )
 
 
 # --------------------------------------------------------------------------------------------------- EXE004

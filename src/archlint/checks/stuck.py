@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING
 from archlint.checks import blocking
 from archlint.checks.callback_roles import runs_in_executor
 from archlint.checks.deadlock import Verdict, judge_wait
+from archlint.checks.reach import creations_of
 from archlint.checks.waits import Wait, waits
 
 if TYPE_CHECKING:
@@ -24,6 +25,15 @@ def nested_waits(system: System, distros: Sequence[str]) -> Iterator[tuple[Wait,
     for wait in waits(system):
         if wait.call.context.role == "service":
             yield wait, _verdict(wait, distros)
+
+
+def clients_of_handlers(system: System, distros: Sequence[str]) -> frozenset[tuple[Place, Place]]:
+    """The service handlers that SRV003 speaks of, each with the clients that it asks: where both are."""
+    return frozenset(
+        (wait.call.context.place, creation.place)
+        for wait, _ in nested_waits(system, distros)
+        for creation in creations_of(wait.call.receiver) or (wait.client,)
+    )
 
 
 def stuck_waits(system: System, distros: Sequence[str]) -> Iterator[tuple[Wait, Verdict]]:

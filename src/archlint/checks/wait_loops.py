@@ -15,7 +15,7 @@ from archlint.checks.reach import (
     node_name,
 )
 from archlint.checks.registry import Options, finding, rule
-from archlint.checks.stuck import nested_waits
+from archlint.checks.stuck import clients_of_handlers
 from archlint.checks.timeouts import READY, WAIT_FOR_SERVER, WAIT_FOR_SERVICE, way_to
 from archlint.facts import model as facts
 from archlint.finding import Finding, Severity
@@ -39,11 +39,7 @@ _PASTIMES = frozenset(
 @rule("TMO004")
 def endless_wait_loop(system: System, options: Options) -> Iterator[Finding]:
     """Loops that go round until a server appears, and that nothing else ends."""
-    asked = {
-        (wait.call.context.place, creation.place)
-        for wait, _ in nested_waits(system, options.distros)
-        for creation in creations_of(wait.call.receiver) or (wait.client,)
-    }
+    asked = clients_of_handlers(system, options.distros)
     loops: dict[tuple[str, facts.Span], list[ApiCall]] = {}
     for _, call in calls_of(system, (WAIT_FOR_SERVICE, WAIT_FOR_SERVER, *READY)):
         if not (call.api in READY or has_limit(call, "timeout_sec")) or not _only_the_server_ends(call):

@@ -1,0 +1,124 @@
+"""SRV008: service handlers that take so long that they should be actions."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Sequence
+from dataclasses import replace
+from typing import TYPE_CHECKING
+
+from archlint.checks.callback_roles import related_to
+from archlint.checks.reach import endpoint_words, judged_calls, node_name, one_for_each_place
+from archlint.checks.registry import Options, finding, rule
+from archlint.checks.rounds import around_future, in_loops, is_retry, watches_the_clock
+from archlint.checks.sleeps import Stay, stay_of
+from archlint.facts import model as facts
+from archlint.facts.walk import statements_of
+from archlint.finding import Finding, Related, Severity
+from archlint.program.interest import names_in
+
+if TYPE_CHECKING:
+    from archlint.finding import Place
+    from archlint.program.model import ApiCall, Program
+    from archlint.system.model import System
+
+LONG = 1.0
+"""Seconds that a service handler may sleep, all in all: nobody writes an action for less."""
+RETRYING = 10.0
+"""Seconds of pauses between some attempts, of which the first is to work."""
+
+_Sleep = tuple["ApiCall", Stay]
+
+
+@rule("SRV008", taste=True)
+def long_running_service(system: System, options: Options) -> Iterator[Finding]:
+    """Service handlers that sleep, once for long or again and again; one finding a handler."""
+    handlers: dict[tuple[Program, Place], list[_Sleep]] = {}
+    for program, call in judged_calls(system):
+        stay = stay_of(call) if call.context.role == "service" else None
+        if stay is not None and stay.kind == "sleep" and not around_future(call):
+            handlers.setdefault((program, call.context.place), []).append((call, stay))
+    yield from one_for_each_place(
+        _long_service(system, program, sorted(sleeps, key=_endless_first))
+        for (program, _), sleeps in handlers.items()
+        if _in_all(sleeps) >= LONG
+    )
+
+
+def _endless_first(sleep: _Sleep) -> tuple[bool, Place]:
+    """What has no known end is what makes a handler long."""
+    return (not math.isinf(_seconds(*sleep)), sleep[0].place)
+
+
+def _in_all(sleeps: Sequence[_Sleep]) -> float:
+    """Seconds that a handler sleeps for certain, each way through its branches by itself; what nobody knows has no
+    end."""
+    arms: dict[tuple[tuple[str, int], ...], dict[Place, float]] = {}
+    for call, stay in sleeps:
+        arms.setdefault(call.arms, {})[call.place] = _seconds(call, stay)
+    always = sum(arms.pop((), {}).values())
+    return always + max((sum(found.values()) for found in arms.values()), default=0.0)
+
+
+def _seconds(call: ApiCall, stay: Stay) -> float:
+    """How long a sleep takes in its loops, each ``for`` over what is not known taken for one round."""
+    seconds = in_loops(call, stay, unknown=1.0)
+    return 0.0 if is_retry(call) and seconds < RETRYING else seconds
+
+
+def _long_service(system: System, program: Program, sleeps: Sequence[_Sleep]) -> Finding:
+    (call, _), *others = sleeps
+    callback = call.context
+    further = {other.place: Related(other.place, f"then it {words.words}") for other, words in others}
+    further.pop(call.place, None)
+    asked = all(_as_asked(*sleep) for sleep in sleeps)
+    found = finding(
+        "SRV008",
+        call.place,
+        f"the handler of {endpoint_words(callback.creation)} {_how_long(sleeps, asked)}",
+        help="what takes its time is an action: it has feedback, a result and cancelling",
+        related=(*related_to(call, program), *further.values()),
+        node=node_name(system, callback.node),
+        identity=(callback.name, call.api),
+    )
+    return replace(found, severity=Severity.INFO) if asked else found
+
+
+def _how_long(sleeps: Sequence[_Sleep], asked: bool) -> str:
+    """What a handler does, and what its caller has of it."""
+    (call, stay), *others = sleeps
+    total = _in_all(sleeps)
+    if asked:
+        return "sleeps for as long as the request asks: the caller cannot cancel"
+    if math.isinf(total):
+        waits = "meanwhile" if watches_the_clock(call) else "without knowing for how long"
+        again = " each time round a loop" if call.looped else ""
+        return f"{stay.words}{again}: the caller waits {waits}, and cannot cancel"
+    words = stay.words
+    if any(other.place != call.place for other, _ in others):
+        words = f"sleeps for {total:.3g} s in all"
+    elif call.looped and any(isinstance(loop, facts.For) and _reads(call, loop) for loop in call.loops):
+        words = "sleeps again and again, for a time that the loop sets"
+    elif call.looped and math.isinf(in_loops(call, stay)):
+        words += " each time round a loop"
+    elif call.looped:
+        words = f"sleeps for {total:.3g} s in all, in a loop"
+    return f"{words}: the caller waits meanwhile, and cannot cancel"
+
+
+def _reads(call: ApiCall, loop: facts.For) -> bool:
+    """Whether what a call is given depends on the round: ``sleep(PAUSE * (attempt + 1))``."""
+    return call.expression is not None and not names_in(call.expression).isdisjoint(names_in(loop.target))
+
+
+def _as_asked(call: ApiCall, stay: Stay) -> bool:
+    """Whether the request says how long a handler sleeps: ``time.sleep(request.seconds)``."""
+    function, bound = call.context.function, call.context.bound_arguments
+    if stay.seconds is not None or call.chain or call.expression is None or not isinstance(function, facts.Function):
+        return False
+    known = {param.name for param in function.params[bound : bound + 1]}
+    for one in statements_of(call.body):
+        if isinstance(one, facts.Assign) and not known.isdisjoint(names_in(one.value)):
+            known |= {target.id for target in one.targets if isinstance(target, facts.Name)}
+    ends = not any(isinstance(loop, facts.While) for loop in call.loops)
+    return ends and not known.isdisjoint(names_in(call.expression))

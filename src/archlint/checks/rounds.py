@@ -1,0 +1,79 @@
+"""How long sleeps take with the loops around them."""
+
+from __future__ import annotations
+
+import math
+from typing import TYPE_CHECKING
+
+from archlint.facts import model as facts
+from archlint.facts.walk import called_name, statements_of
+from archlint.program.interest import names_in
+
+if TYPE_CHECKING:
+    from archlint.checks.sleeps import Stay
+    from archlint.program.model import ApiCall
+
+TINY = 0.01
+"""Seconds of a pause between the items of something."""
+
+_RUNS_EMPTY = frozenset({"in_waiting", "inWaiting", "out_waiting", "empty", "qsize"})
+"""What a loop asks that takes out what is there already: the bytes of a serial port, the items of a queue."""
+_CLOCKS = frozenset({"time", "monotonic", "perf_counter", "now", "time_ns"})
+
+
+def in_loops(call: ApiCall, stay: Stay, unknown: float = math.inf) -> float:
+    """How many seconds a sleep takes with the loops around it; what nobody knows has no end.
+
+    ``unknown`` is how often a ``for`` is taken to go round over what is not known: it has an end, other than a
+    ``while``.
+    """
+    if stay.seconds is None:
+        return math.inf
+    # The loops of callers are places only: how often they go round is not looked at.
+    times = [_times(loop, unknown) for loop in call.loops] + [math.inf] * (len(call.rounds) - len(call.loops))
+    seconds = stay.seconds * math.prod(times) if stay.seconds > 0 else 0.0
+    if math.isinf(seconds) and stay.seconds <= TINY and not any(isinstance(loop, facts.While) for loop in call.loops):
+        return stay.seconds  # a pause between the bytes or lines of something: it takes many to make it long
+    return seconds
+
+
+def _times(loop: facts.While | facts.For, unknown: float) -> float:
+    """How often a loop goes round at most."""
+    if isinstance(loop, facts.While):
+        return 1.0 if not _RUNS_EMPTY.isdisjoint(names_in(loop.test)) else math.inf
+    if isinstance(loop.iterable, facts.Sequence):
+        return len(loop.iterable.elements)
+    given = (
+        loop.iterable.args if isinstance(loop.iterable, facts.Call) and called_name(loop.iterable) == "range" else []
+    )
+    bounds = [one.value.value for one in given if isinstance(one.value, facts.Literal)]
+    numbers = [bound for bound in bounds if isinstance(bound, int)]
+    return len(range(*numbers)) if given and len(numbers) == len(given) else unknown
+
+
+def is_retry(call: ApiCall) -> bool:
+    """Whether a ``for`` that ends as soon as something has worked goes round a call: the pause is the exception."""
+    loop = call.loops[-1] if call.loops else None
+    return isinstance(loop, facts.For) and any(
+        isinstance(one, facts.Return) or (isinstance(one, facts.Jump) and one.kind == "break")
+        for one in statements_of(loop.body)
+    )
+
+
+def watches_the_clock(call: ApiCall) -> bool:
+    """Whether a loop around a call compares the time with something: ``while time.time() < deadline``."""
+    return any(
+        isinstance(loop, facts.While) and any(not _CLOCKS.isdisjoint(names_in(one)) for one in _comparisons(loop.test))
+        for loop in call.loops
+    )
+
+
+def _comparisons(test: facts.Expr) -> list[facts.Expr]:
+    if isinstance(test, facts.Boolean) and test.op == "and":
+        return [one for value in test.values for one in _comparisons(value)]
+    return [test] if isinstance(test, facts.Compare) else []
+
+
+def around_future(call: ApiCall) -> bool:
+    """A loop around a future: that wait is what is wrong, not its pace."""
+    return any(isinstance(loop, facts.While) and "done" in names_in(loop.test) for loop in call.loops)
