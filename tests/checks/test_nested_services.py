@@ -201,10 +201,53 @@ class TestOneFindingAHandler:
         [found] = judge("SRV003", gripper(list(self.STEPS), THREADS, client=", callback_group=self.apart"))
 
         assert found.severity is Severity.WARNING
-        assert "waits for the service 'enable_motor', 3 times, which works here" in found.message
+        assert "waits for the service 'enable_motor', at 3 places, which works here" in found.message
         assert found.message.endswith("meanwhile its own caller waits, and one thread less is there for the others")
         waits = [one.place.line for one in found.related if one.message.startswith("it waits for")]
         assert waits == [found.place.line + 1, found.place.line + 2]
+
+    TWO = "self.light = self.create_client(SetBool, 'switch_light', callback_group=self.apart)"
+
+    def two_servers(self, *body: str) -> str:
+        text = gripper([*body, "return response"], THREADS, client=", callback_group=self.apart")
+        service = SERVICE.format(group="")
+        return text.replace(service, f"{self.TWO}\n            {service}", 1)
+
+    def test_either_one_or_the_other(self, judge: Judge):
+        [found] = judge(
+            "SRV003",
+            self.two_servers(
+                "if request.hurry:",
+                "    self.motor.call(SetBool.Request())  # here",
+                "else:",
+                "    self.light.call(SetBool.Request())",
+            ),
+        )
+
+        assert "waits for the service 'enable_motor' or the service 'switch_light', which works" in found.message
+
+    def test_one_after_the_other_where_the_first_has_worked(self, judge: Judge):
+        [found] = judge(
+            "SRV003",
+            self.two_servers(
+                "answer = self.motor.call(SetBool.Request())  # here",
+                "if answer.success:",
+                "    self.light.call(SetBool.Request())",
+            ),
+        )
+
+        assert "'enable_motor' and the service 'switch_light' one after the other, which works" in found.message
+
+    def test_what_helps_a_handler_that_needs_the_answer(self, judge: Judge):
+        apart = ", callback_group=self.apart"
+        answer = ["answer = self.motor.call(SetBool.Request())  # here", "response.success = answer.success"]
+        [needs] = judge("SRV003", gripper([*answer, "return response"]))
+        [sends] = judge("SRV003", gripper(["self.motor.call(SetBool.Request())  # here", "return response"]))
+        [bounded] = judge("SRV003", gripper(CALL, THREADS, client=apart))
+
+        assert "and await call_async(…)" in needs.help
+        assert sends.help.startswith("send the request with call_async(), return, and report")
+        assert bounded.help.startswith("where the caller can do without the outcome")
 
     def test_what_hangs_hangs_at_the_first_wait(self, judge: Judge):
         [found] = judge("SRV003", gripper(list(self.STEPS)))

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import replace
+from itertools import pairwise
 from typing import TYPE_CHECKING
 
 from archlint.checks.deadlock import AWAIT, CALL, SPIN, Verdict, related_executor
@@ -13,11 +14,14 @@ from archlint.checks.reach import (
     one_for_each_place,
     related_chain,
     related_creation,
+    same_expression,
 )
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.stuck import nested_waits
 from archlint.checks.waits import Wait
+from archlint.facts import model as facts
 from archlint.finding import Finding, Related, Severity
+from archlint.program.model import ACTION_CLIENT
 
 if TYPE_CHECKING:
     from archlint.finding import Place
@@ -28,12 +32,10 @@ _OTHERS_SHOWN = 5
 
 _NAMES_SHOWN = 3
 
-_INSTEAD = "send the request with call_async(), return, and report the outcome on a topic from the done callback"
-_HELP = {
-    CALL: _INSTEAD,
-    AWAIT: "give the client a callback group of its own (callback_group=MutuallyExclusiveCallbackGroup())",
-    SPIN: _INSTEAD,
-}
+_GO_ON = "send the request with call_async(), return, and report the outcome on a topic from the done callback"
+_AWAIT = "make the handler async, give the client a callback group of its own, and await {}: no thread waits"
+_IF_IT_CAN = "where the caller can do without the outcome, return, and report it on a topic from the done callback"
+_GROUP = "give the client a callback group of its own (callback_group=MutuallyExclusiveCallbackGroup())"
 
 _Row = tuple[Wait, Verdict, "list[Wait]"]
 """A wait, what becomes of it, and the waits of other handlers at the same place."""
@@ -71,7 +73,7 @@ def _nested(system: System, rows: list[_Row]) -> Finding:
         "SRV003",
         call.place,
         f"the handler of {service} {_waits_for(wait, verdict, awaited)}{_outcome(wait, verdict)}",
-        help=_INSTEAD if verdict.safe else _HELP[wait.kind],
+        help=_help(wait, verdict),
         related=[
             Related(handler.place, f"{handler.name} handles {service}"),
             *related_chain(call),
@@ -100,10 +102,31 @@ def _all_words(waits: list[Wait]) -> str:
     if len(waits) == 1:
         return words[0]
     if len(words) == 1:
-        return f"{words[0]}, {len(waits)} times"
+        return f"{words[0]}, at {len(waits)} places"
     if len(words) > _NAMES_SHOWN:
         words[_NAMES_SHOWN - 1 :] = [f"{len(words) - _NAMES_SHOWN + 1} more"]
+    if not _on_one_way(waits):
+        return f"{', '.join(words[:-1])} or {words[-1]}"
     return f"{', '.join(words[:-1])} and {words[-1]} one after the other"
+
+
+def _on_one_way(waits: list[Wait]) -> bool:
+    """Whether one way through the branches comes to all of the waits."""
+    arms = sorted((wait.call.arms for wait in waits), key=len)
+    return all(longer[: len(shorter)] == shorter for shorter, longer in pairwise(arms))
+
+
+def _help(wait: Wait, verdict: Verdict) -> str:
+    """What to do: whoever looks at the answer needs it before the handler returns."""
+    if wait.kind == AWAIT:
+        return _IF_IT_CAN if verdict.safe else _GROUP
+    if verdict.safe and wait.limited:
+        return _IF_IT_CAN
+    statement = wait.call.statement
+    thrown_away = isinstance(statement, facts.Expression) and same_expression(statement.value, wait.call.expression)
+    if wait.kind == CALL and thrown_away:
+        return _GO_ON
+    return _AWAIT.format("send_goal_async(…)" if wait.client.kind == ACTION_CLIENT else "call_async(…)")
 
 
 def _other_handlers(first: Callback, waits: list[Wait]) -> Iterator[Related]:
