@@ -507,6 +507,27 @@ class TestPolling:
         calls = ["self.client0.call(Trigger.Request(), timeout_sec=1.0)"] * 3
         assert codes(run(source(self.THREE, self.in_turn(*calls), self.MAIN))) == []
 
+    CALL = "self.client{}.call(Trigger.Request(), timeout_sec=1.0)"
+
+    @pytest.mark.parametrize(
+        ("lines", "expected"),
+        [
+            pytest.param(("a = {0}", "b = {1}", "c = {2}", "print(a, b, c)"), ["SRV005"], id="all read afterwards"),
+            pytest.param(("a = {0}", "if not a.success: return", "{1}", "{2}"), [], id="a test in between"),
+            pytest.param(("a = {0}", "print(a.message)", "{1}", "{2}"), [], id="a use in between"),
+            pytest.param(("a = {0}", "self.seen = 1", "{1}", "{2}"), ["SRV005"], id="something else in between"),
+        ],
+    )
+    def test_an_answer_may_decide_about_the_next_request(self, run: Run, lines: tuple[str, ...], expected: list[str]):
+        calls = [self.CALL.format(i) for i in range(3)]
+        body = [line.format(*calls) for line in lines]
+        assert codes(run(source(self.THREE, self.in_turn(*body), self.MAIN))) == expected
+
+    def test_commands_have_an_order(self, run: Run):
+        calls = [self.CALL.format(i).replace("Trigger", "SetBool") for i in range(3)]
+        text = source(self.THREE.replace("Trigger", "SetBool"), self.in_turn(*calls), self.MAIN)
+        assert codes(run(text)) == []
+
     def test_awaits_in_turn_are_to_be_sent_first(self, run: Run):
         apart = self.THREE.replace("')", "', callback_group=MutuallyExclusiveCallbackGroup())")
         awaits = "".join(f"    await self.client{i}.call_async(Trigger.Request())\n" for i in range(3))

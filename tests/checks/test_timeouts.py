@@ -40,6 +40,28 @@ def script(line: str) -> str:
     return SCRIPT.format(line=line)
 
 
+def test_a_method_that_nothing_calls_for_a_client_that_nothing_makes(judge: Judge):
+    code = """
+        import rclpy
+        from rclpy.node import Node
+        from std_srvs.srv import Trigger
+
+        class Robot(Node):
+            def __init__(self):
+                super().__init__('robot')
+                self.near = self.create_client(Trigger, 'near')
+
+            def ask(self):
+                rclpy.spin_until_future_complete(self, self.far.call_async(Trigger.Request()))
+                rclpy.spin_until_future_complete(self, self.near.call_async(Trigger.Request()))  # here
+
+        def main():
+            rclpy.init()
+            rclpy.spin(Robot())
+    """
+    judge("TMO003", code)
+
+
 class TestWaitWithoutTimeout:
     @pytest.mark.parametrize(
         "line",

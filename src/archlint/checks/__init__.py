@@ -22,6 +22,7 @@ MODULES: tuple[str, ...] = (
     "parameter_reads",
     "parameters",
     "polling",
+    "sequences",
     "service_cycles",
     "signatures",
     "slow_callbacks",

@@ -100,13 +100,15 @@ def _ready(call: ApiCall) -> str:
 
 @rule("TMO003")
 def spin_without_timeout(system: System, options: Options) -> Iterator[Finding]:
-    """Spins until a future is complete that nothing limits."""
+    """Spins until a future is complete that nothing limits.  Of a method that nothing calls, and of a client that
+    nothing is seen to make, nobody knows whether it is ever there."""
     told = spoken_of(system, options.distros)
     yield from one_for_each_place(
         _limitless_spin(system, call)
         for _, call in calls_of(system, (_SPIN, _EXECUTOR_SPIN))
         if waits_for_ever(call, "timeout_sec") and call.place not in told
         if not _own_future(call) or _waits_for_a_message(system, call)
+        if call.context.role != "method" or creations_of(argument(call, "future"))
     )
 
 

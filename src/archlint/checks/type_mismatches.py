@@ -49,15 +49,24 @@ def action_type_mismatch(system: System, options: Options) -> Iterator[Finding]:
 
 
 def _mismatches(code: str, system: System, connections: Mapping[str, Connection]) -> Iterator[Finding]:
+    missing = _missing_types(system)
     for connection in connections.values():
         if len(connection.types) < 2:
             continue
         pairs: dict[tuple[str, str], list[tuple[Endpoint, Endpoint]]] = {}
-        for one, other in clashing(system, all_endpoints(connection), _one_type):
+        there = [end for end in all_endpoints(connection) if end.type not in missing]
+        for one, other in clashing(system, there, _one_type):
             first, second = sorted((one.type or "", other.type or ""))
             pairs.setdefault((first, second), []).append((one, other))
         for types in sorted(pairs):
             yield _mismatch(code, connection, pairs[types])
+
+
+def _missing_types(system: System) -> set[str]:
+    """Types that no package defines, of which MSG002 speaks: what imports one does not even start."""
+    return {
+        f"{one.package}/{one.kind}/{one.name}" for program in system.programs for one in program.unknown_interfaces
+    }
 
 
 def _one_type(one: Endpoint, other: Endpoint) -> bool:

@@ -5,7 +5,7 @@ Names here are still as the code gives them (relative, ``~``); the load floor ex
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
 
@@ -98,6 +98,8 @@ class Frame:
     caller: str
     callee: str
     place: Place
+    body: Sequence[facts.Stmt] = field(default=(), compare=False, repr=False)
+    """Body of the caller."""
 
 
 @dataclass(eq=False)

@@ -217,7 +217,7 @@ class Run:
         frames = []
         for caller, callee in zip(self.activations, self.activations[1:], strict=False):
             if callee.call_place is not None:
-                frames.append(model.Frame(caller.qualified, callee.qualified, callee.call_place))
+                frames.append(model.Frame(caller.qualified, callee.qualified, callee.call_place, caller.body))
         return tuple(frames)
 
     def rounds(self) -> tuple[Place, ...]:

@@ -1,0 +1,156 @@
+"""SRV005: answers that are waited for one after the other, though nothing but the waiting needs that."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING
+
+from archlint.checks.blocking import AWAIT
+from archlint.checks.callback_roles import callback_words, runs_in_executor
+from archlint.checks.reach import endpoint_words, node_name, one_for_each_place
+from archlint.checks.registry import Options, finding, rule
+from archlint.checks.waits import Wait, waits
+from archlint.facts import model as facts
+from archlint.facts.walk import parts_of, statements_of
+from archlint.finding import Finding, Place, Related
+from archlint.program.interest import names_in
+from archlint.program.model import CLIENT
+
+if TYPE_CHECKING:
+    from archlint.program.model import Creation, Frame
+    from archlint.system.model import System
+
+
+@dataclass(frozen=True)
+class _Step:
+    """A wait on one of the ways to it: ``line`` is where the function that is looked at makes it, or calls what does.
+
+    ``client`` is the one that this way asks."""
+
+    line: Place
+    way: tuple[Frame, ...]
+    wait: Wait
+    client: Creation
+    body: Sequence[facts.Stmt]
+    """The body of that function."""
+
+
+@rule("SRV005", limit=3)
+def sequential_sync_calls(system: System, options: Options) -> Iterator[Finding]:
+    """Callbacks and loop bodies that wait for several servers in turn."""
+    limit = int(options.number("limit"))
+    yield from one_for_each_place(
+        _in_turn(system, steps)
+        for steps in _runs(system)
+        if _servers(steps) >= max(2, limit) and not _build_on_answers(steps)
+    )
+
+
+def _servers(steps: Sequence[_Step]) -> int:
+    """How many clients ask for something.  What one server is asked several times may well have an order, and so have
+    commands: goals of actions, and services that answer nothing or no more than that they have done it."""
+    return len({id(step.client) for step in steps if step.client.kind == CLIENT and step.client.type not in _COMMANDS})
+
+
+_COMMANDS = frozenset({"std_srvs/srv/Empty", "std_srvs/srv/SetBool"})
+
+
+def _build_on_answers(steps: Sequence[_Step]) -> bool:
+    """Whether what is done between the waits may decide about a later one: a test, a name that an answer got, or a
+    helper that waits several times."""
+    if len({step.line for step in steps}) < len(steps):
+        return True
+    first, last = steps[0].line, steps[-1].line
+    between = [
+        one
+        for one in statements_of(steps[0].body)
+        if not isinstance(one, facts.Global) and first.line <= one.span[0] <= last.line
+    ]
+    if any(isinstance(one, _DECIDES) and first.line < one.span[0] for one in between):
+        return True
+    answers: set[str] = set()
+    for one in between:
+        if not answers.isdisjoint(names_in(one.value if isinstance(one, facts.Assign) else one)):
+            return True
+        if isinstance(one, facts.Assign) and (_waits_here(one, steps) or "result" in names_in(one.value)):
+            answers.update(name for target in one.targets for name in names_in(target) - {"self"})
+    return False
+
+
+_DECIDES = (facts.If, facts.While, facts.Match, facts.Assert, facts.Return, facts.Raise)
+
+
+def _waits_here(statement: facts.Assign, steps: Sequence[_Step]) -> bool:
+    lines = {step.line.line for step in steps}
+    return any(line in lines for line in range(statement.span[0], statement.span[2] + 1))
+
+
+def _runs(system: System) -> Iterator[list[_Step]]:
+    """The waits of each callback, or of each loop of a program, that follow each other for certain."""
+    by_run: dict[tuple[object, ...], list[_Step]] = {}
+    for wait in waits(system):
+        call = wait.call
+        if not (runs_in_executor(call.context) or (call.looped and call.context.role in ("main", "thread"))):
+            continue
+        if call.context.role == "service":
+            continue  # SRV003 says of a handler that it waits, and for how many answers
+        if wait.kind != AWAIT and any(_retries(loop) for loop in call.loops):
+            continue
+        for way, rounds, clients in ((call.chain, call.rounds, ()), *call.ways):
+            # What is in the same arms of all branches runs together or not at all; a program that is no
+            # callback has to go round all of it.
+            round_ = rounds[:1] if not runs_in_executor(call.context) else ()
+            key = (id(wait.program), id(call.context), call.arms, round_)
+            client = clients[0] if clients else wait.client
+            by_run.setdefault(key, []).append(_Step(call.place, way, wait, client, call.body))
+    for steps in by_run.values():
+        yield from _sequences(steps)
+
+
+def _sequences(steps: list[_Step]) -> Iterator[list[_Step]]:
+    """One sequence a function that makes the waits, directly or through a helper each."""
+    by_function: dict[str, dict[tuple[Place, Place], _Step]] = {}
+    for step in steps:
+        call, way = step.wait.call, step.way
+        # The function that holds the call, and the one that calls the helper which does.
+        by_function.setdefault(f"{call.file}:{call.function}", {})[call.place, call.place] = step
+        if way:
+            last = way[-1]
+            by_caller = by_function.setdefault(f"{last.place.file}:{last.caller}", {})
+            by_caller[last.place, call.place] = replace(step, line=last.place, body=last.body)
+    for found in by_function.values():
+        yield [found[key] for key in sorted(found)]
+
+
+def _retries(loop: facts.While | facts.For) -> bool:
+    """Whether a loop goes round one wait: ``while not future.done()``."""
+    return isinstance(loop, facts.While) and any(
+        isinstance(part, facts.Attribute) and part.attr == "done" for part in parts_of(loop.test)
+    )
+
+
+def _in_turn(system: System, steps: list[_Step]) -> Finding:
+    first = steps[0].wait.call
+    callback = first.context
+    who = callback_words(callback) if runs_in_executor(callback) else f"a loop of {callback.name}()"
+    lines = {step.wait.call.place for step in steps}
+    awaits = all(step.wait.kind == AWAIT for step in steps)
+    return finding(
+        "SRV005",
+        # A helper with one waiting line is not what makes them several: whoever calls it again and again is.
+        first.place if len(lines) == len(steps) else steps[0].line,
+        f"{who} waits for the answers of {_servers(steps)} servers one after the other: the waits add up, "
+        "and one slow server slows all",
+        help="send all the requests with call_async() first, and then await their futures"
+        if awaits
+        else "send the requests with call_async() and go on when their futures are done",
+        related=[
+            Related(
+                step.way[-1].place if step.way else step.wait.call.place, f"waits for {endpoint_words(step.client)}"
+            )
+            for step in steps
+        ],
+        node=node_name(system, first.node),
+        identity=(callback.name, str(_servers(steps))),
+    )
