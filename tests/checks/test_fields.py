@@ -716,21 +716,3 @@ def test_a_message_that_a_package_of_the_workspace_lists_as_a_service(judge: Jud
         """,
     )
     assert found.message == "arm_interfaces defines no message 'SetMode'; there is arm_interfaces/srv/SetMode"
-
-
-@pytest.mark.parametrize(("name", "mark"), [("Triger", ""), ("SetBool", "  # here")])
-def test_a_type_that_is_not_there_is_no_type_of_a_service(judge: Judge, name: str, mark: str):
-    judge(
-        "SRV002",
-        f"""
-        import rclpy
-        from std_srvs.srv import Trigger, {name}
-
-        def main():
-            rclpy.init()
-            node = rclpy.create_node('motor')
-            node.create_service(Trigger, 'start', print)
-            node.create_client({name}, 'start'){mark}
-            rclpy.spin(node)
-        """,
-    )

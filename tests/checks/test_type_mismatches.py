@@ -7,12 +7,15 @@ import pytest
 from archlint.checks.registry import Options
 from archlint.checks.type_mismatches import action_type_mismatch, service_type_mismatch, topic_type_mismatch
 from archlint.finding import Finding
+from archlint.program.message_uses import UnknownInterface
 from archlint.system.model import System
 from system.builders import (
     action_client,
     action_server,
     client,
     node,
+    place,
+    programs,
     publisher,
     service,
     subscriber,
@@ -45,6 +48,17 @@ class TestTheTwoEnds:
         assert [related.place.file for related in finding.related] == ["src/demo/demo/a.py"]
         assert f"p/{kind}/One" in finding.message
         assert f"p/{kind}/Two" in finding.message
+
+    def test_of_a_type_that_its_package_does_not_define(
+        self, rule: Rule, provider: Callable, user: Callable, kind: str
+    ):
+        one = node("/a", provider("x", f"p/{kind}/One"))
+        other = node("/b", user("x", f"p/{kind}/Two"))
+        judged = system(one, other)
+        judged.programs = programs(*one.blueprints, *other.blueprints)
+        judged.programs[0].unknown_interfaces.append(UnknownInterface(place("b.py", 1), "p", kind, "Two"))
+
+        assert found(rule, judged) == []
 
     def test_of_one_type(self, rule: Rule, provider: Callable, user: Callable, kind: str):
         judged = system(node("/a", provider("x", f"p/{kind}/One")), node("/b", user("x", f"p/{kind}/One")))
