@@ -9,6 +9,7 @@ import pytest
 
 from archlint.config import Settings
 from archlint.session import Request, check
+from checks.judging import Judge
 
 LAUNCH = """
     from launch import LaunchDescription
@@ -58,3 +59,56 @@ def write_package(folder: Path, launch_files: list[str]) -> None:
         (folder / "launch" / f"{names.replace(' ', '_')}.launch.py").write_text(
             dedent(LAUNCH).format(nodes=nodes).lstrip()
         )
+
+
+BENCH = """
+    import subprocess
+
+    import rclpy
+    from std_msgs.msg import {type}
+
+
+    def measure():
+        {start}
+        rclpy.init()
+        node = rclpy.create_node('bench')
+        node.create_{end}
+        rclpy.spin(node)
+
+
+    if __name__ == '__main__':
+        measure()
+"""
+PARTNER = """
+    import rclpy
+    from rclpy.qos import DurabilityPolicy, QoSProfile
+    from std_msgs.msg import String
+
+
+    def main():
+        rclpy.init()
+        node = rclpy.create_node('partner')
+        latched = QoSProfile(depth=1, durability=DurabilityPolicy.TRANSIENT_LOCAL)
+        node.create_subscription(String, 'state', print, latched){mark}
+        rclpy.spin(node)
+
+
+    if __name__ == '__main__':
+        main()
+"""
+
+
+def test_a_script_that_starts_its_own_system_is_no_partner(judge: Judge):
+    bench = BENCH.replace("{type}", "String").replace("{end}", "publisher(String, 'state', 1)")
+
+    judge("QOS002", bench.replace("{start}", "print()"), PARTNER.replace("{mark}", "  # here"))
+    judge("QOS002", bench.replace("{start}", "subprocess.Popen(['planner'])"), PARTNER.replace("{mark}", ""))
+
+
+def test_two_publishers_that_nothing_starts_together_may_differ_in_type(judge: Judge):
+    other = PARTNER.replace("subscription(String, 'state', print, latched)", "publisher(String, 'state', 1)")
+    bench = BENCH.replace("{start}", "print()").replace("{type}", "Bool")
+
+    judge("TOP001", bench.replace("{end}", "publisher(Bool, 'state', 1)"), other.replace("{mark}", ""))
+    subscribed = bench.replace("{end}", "subscription(Bool, 'state', print, 1)")
+    judge("TOP001", subscribed, other.replace("{mark}", "  # here"))

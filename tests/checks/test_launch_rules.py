@@ -1361,3 +1361,47 @@ def test_the_namespace_that_an_including_file_gives(findings):
     files = {"launch/all.launch.xml": outer, **absolute("/left/words")}
     (found,) = findings("NME001", node(), **files)
     assert found.help == "write 'words': the launch file starts the node in '/left'"
+
+
+HANDED = """\
+
+def make():
+    node = rclpy.create_node('params')
+    node.declare_parameter('car', 'a')
+    return node
+
+def ask(node, name, other=None):
+    {line}
+    return node.get_parameter(name).value
+
+def read():
+    node = make()
+    return ask(node, 'car')
+
+def main():
+    rclpy.init()
+    car = read()
+    rclpy.spin(Talker())
+"""
+
+
+@pytest.mark.parametrize(
+    ("line", "clashes"),
+    [
+        ("pass", 0),
+        ("node.get_logger().info(name)", 0),
+        ("kept.append(node)", 1),
+        ("ask.node = node", 1),
+        ("other = node", 1),
+    ],
+)
+def test_a_node_that_a_helper_makes_and_another_is_lent(findings, line, clashes):
+    before, _, _ = TALKER.partition("\ndef main")
+    text = before + "\nkept = []\n" + HANDED.format(line=line)
+    assert len(findings("NME004", node(name="it"), **{"robot/talker.py": text})) == clashes
+
+
+def test_a_node_that_a_helper_makes_and_main_keeps(findings):
+    before, _, _ = TALKER.partition("\ndef main")
+    text = before + HANDED.format(line="pass").replace("car = read()", "asker = make()")
+    assert len(findings("NME004", node(name="it"), **{"robot/talker.py": text})) == 1

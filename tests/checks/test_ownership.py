@@ -1,6 +1,7 @@
 from __future__ import annotations
 
 from pathlib import Path
+from textwrap import dedent
 
 import pytest
 
@@ -48,6 +49,17 @@ class TestMultiplePublishers:
 
         assert finding.severity is Severity.INFO
         assert finding.message.endswith(", if they run together: no launch file here starts both")
+
+    def test_many_nodes_on_one_topic_have_it_for_all_of_them(self):
+        nodes = [node(f"/{name}", publisher("state")) for name in "abcd"]
+
+        assert owners(system(*nodes[:3], name="launch/robot.launch.py")) == [("/a", "/b", "/c")]
+        assert owners(system(*nodes, name="launch/robot.launch.py")) == []
+
+    def test_of_commands_one_is_obeyed_however_many_give_them(self):
+        nodes = [node(f"/{name}", publisher("cmd_vel", "geometry_msgs/msg/Twist")) for name in "abcd"]
+
+        assert owners(system(*nodes, name="launch/robot.launch.py")) == [("/a", "/b", "/c", "/d")]
 
     def test_in_a_closed_world_everything_runs_together(self):
         judged = system(node("/joystick", publisher("cmd_vel")), node("/planner", publisher("cmd_vel")), closed=True)
@@ -297,3 +309,82 @@ def test_publishers_in_files(
     report = check(Request((".",), load(tmp_path), cached=False, jobs=1))
 
     assert [one.severity for one in report.findings] == ([] if severity is None else [severity])
+
+
+TWO = """
+    import rclpy
+    from rclpy.executors import SingleThreadedExecutor
+    from rclpy.node import Node
+    from std_msgs.msg import String
+
+
+    class Said:
+        def __init__(self, node):
+            self.sayings = node.create_publisher(String, 'words', 10)
+
+        def say(self):
+            self.sayings.publish(String())
+
+
+    class One(Node):
+        def __init__(self):
+            super().__init__('one')
+            self.words = self.create_publisher(String, 'words', 10)
+            self.create_timer(1.0, self.speak)
+
+        def speak(self):
+            self.words.publish(String())
+
+
+    class Two(Node):
+        def __init__(self):
+            super().__init__('two')
+            self.said = Said(self)
+            self.create_timer(1.0, self.speak)
+
+        def speak(self):
+            {line}
+
+
+    def main():
+        rclpy.init()
+        executor = SingleThreadedExecutor()
+        for node in (One(), Two()):
+            executor.add_node(node)
+        executor.spin()
+
+
+    if __name__ == '__main__':
+        main()
+"""
+
+
+class TestLeftOver:
+    """A package, since only there it is known who else may use what an object holds."""
+
+    @pytest.fixture
+    def count(self, tmp_path: Path, monkeypatch: pytest.MonkeyPatch):
+        monkeypatch.chdir(tmp_path)
+
+        def run(line: str, other: str = "") -> int:
+            manifest = "<package format='3'><name>robot</name><version>0.0.1</version></package>"
+            (tmp_path / "package.xml").write_text(manifest, encoding="utf-8")
+            source = dedent(TWO).replace("{line}", line)
+            (tmp_path / "two.py").write_text(source, encoding="utf-8")
+            (tmp_path / "other.py").write_text(other, encoding="utf-8")
+            (tmp_path / "archlint.toml").write_text('select = ["OWN001"]', encoding="utf-8")
+            return len(check(Request((".",), load(tmp_path), cached=False, jobs=1)).findings)
+
+        return run
+
+    def test_a_publisher_that_only_a_method_uses_which_nothing_calls(self, count):
+        assert count("pass") == 0
+
+    @pytest.mark.parametrize(
+        "line", ["self.said.say()", "self.create_timer(1.0, self.said.say)", "getattr(self.said, 'say')()"]
+    )
+    def test_a_method_that_is_called_or_handed_on(self, count, line: str):
+        assert count(line) == 1
+
+    def test_a_method_that_another_file_names(self, count):
+        assert count("pass", other="def use(two):\n    two.said.say()\n") == 1

@@ -10,6 +10,7 @@ from collections.abc import Callable, Iterable, Iterator
 from itertools import combinations
 from typing import TYPE_CHECKING
 
+from archlint.checks.whole import called_names, facts_at
 from archlint.system.launched import key_of
 from archlint.system.model import exclusive, runs_along
 
@@ -98,7 +99,7 @@ def meet(system: System, one: Endpoint, other: Endpoint) -> bool:
         and one.node.name != other.node.name
         and not exclusive(one.creation.arms, other.creation.arms)
         and _started_alike(one.node, other.node)
-        and not (not seen_together(system, one.node, other.node) and _apart(one, other))
+        and not (not seen_together(system, one.node, other.node) and _apart(system, one, other))
     )
 
 
@@ -132,9 +133,21 @@ def _starters(node: Node) -> set[tuple[str | None, str]]:
     return {(node.package, executable) for executable in node.executables}
 
 
-def _apart(one: Endpoint, other: Endpoint) -> bool:
+def _apart(system: System, one: Endpoint, other: Endpoint) -> bool:
     """Whether two nodes of different executables are probably never started together."""
-    return _tries_out(one.node) or _tries_out(other.node) or _variants(one, other)
+    alone = any(_tries_out(end.node) or _starts_others(system, end.node) for end in (one, other))
+    return alone or _variants(one, other)
+
+
+def _starts_others(system: System, node: Node) -> bool:
+    """Whether a script that no launch file starts starts processes of its own: it chooses what runs along with it."""
+    if system.world is None or node.blueprint is None or key_of(node.blueprint) in system.world.started_by_launch:
+        return False
+    found = facts_at(system.world, node.blueprint.place.file)
+    return found is not None and not _STARTERS.isdisjoint(called_names(found))
+
+
+_STARTERS = frozenset({"Popen", "LaunchService"})
 
 
 def _tries_out(node: Node) -> bool:

@@ -19,17 +19,19 @@ _BY_NAME = frozenset({"getattr", "vars", "__dict__"})
 
 
 def is_left_over(world: World | None, endpoint: Endpoint) -> bool:
-    """Whether a publisher is kept in an attribute of ``self`` that its file never names again, nor another one of the
-    package that does not set an attribute of that name itself: it says nothing on its topic."""
+    """Whether a publisher is kept in an attribute of ``self`` that its file names again at most in methods that nothing
+    calls, and no other file of the package that does not set an attribute of that name itself: it says nothing on its
+    topic."""
     if world is None or world.loader is None or endpoint.kind != PUBLISHER:
         return False
-    name = _kept_as(world, endpoint.place)
-    if name is None:
-        return False
     loader, file, package = world.loader, endpoint.place.file, endpoint.node.package
-    if package is None:
+    kept = _kept_as(world, endpoint.place)
+    if kept is None or package is None:
         return False
-    others = (other for other in loader.python_files_of(package) if other != file)
+    name, methods = kept
+    others = [other for other in loader.python_files_of(package) if other != file]
+    if any(loader.mentions(other, method) for other in others for method in methods):
+        return False
     return not any(loader.mentions(other, name) and not _sets_itself(world, other, name) for other in others)
 
 
@@ -38,14 +40,18 @@ def _sets_itself(world: World, file: str, name: str) -> bool:
     return found is not None and name in _Uses.of(found).kept.values()
 
 
-def _kept_as(world: World, place: Place) -> str | None:
-    """The attribute of ``self`` that the call at a place is assigned to, if nothing else in the file uses it."""
+def _kept_as(world: World, place: Place) -> tuple[str, frozenset[str]] | None:
+    """The attribute of ``self`` that the call at a place is assigned to, if nothing else in the file uses it but
+    methods that the file does not name: these too."""
     found = facts_at(world, place.file)
     if found is None:
         return None
     uses = _Uses.of(found)
     name = uses.kept.get((place.line, place.column))
-    return name if name is not None and not uses.by_name and uses.count[name] == 1 else None
+    if name is None or uses.by_name:
+        return None
+    idle = {method: inside[name] for method, inside in uses.idle.items() if name in inside}
+    return (name, frozenset(idle)) if uses.count[name] == 1 + sum(idle.values()) else None
 
 
 class _Uses:
@@ -53,6 +59,7 @@ class _Uses:
 
     def __init__(self, found: facts.Facts) -> None:
         self.count: dict[str, int] = {}
+        self.names: set[str] = set()
         self.kept: dict[tuple[int, int], str] = {}
         unwritten = 0
         for item in walk(found.body):
@@ -61,6 +68,7 @@ class _Uses:
                 unwritten += item.attr in _BY_NAME
             elif isinstance(item, facts.Name):
                 unwritten += item.id in _BY_NAME
+                self.names.add(item.id)
             elif isinstance(item, facts.Call) and (name := _asked_by_name(item)) is not None:
                 self.count[name] = self.count.get(name, 0) + 1
                 unwritten -= 1
@@ -69,10 +77,43 @@ class _Uses:
                 if isinstance(target, facts.Attribute) and isinstance(target.value, facts.Name):
                     self.kept[item.value.span[0], item.value.span[1]] = target.attr
         self.by_name = unwritten > 0
+        self.idle = {method.name: _attributes(method) for method in self._methods(found) if self._is_idle(method)}
+        """The methods that nothing in the file names, with the attributes that they use and how often."""
+
+    @staticmethod
+    def _methods(found: facts.Facts) -> list[facts.Function]:
+        """The methods of classes whose bases, if any, do not call methods of their own accord."""
+        classes = [item for item in walk(found.body) if isinstance(item, facts.Class)]
+        plain = [one for one in classes if all(_text(base.value) in _PLAIN_BASES for base in one.bases)]
+        methods = [item for one in plain for item in one.body if isinstance(item, facts.Function)]
+        names = [method.name for method in methods]
+        return [method for method in methods if names.count(method.name) == 1]
+
+    def _is_idle(self, method: facts.Function) -> bool:
+        name = method.name
+        called = name.startswith("__") or name == "destroy_node" or bool(method.decorators)
+        return not called and name not in self.count and name not in self.names
 
     @staticmethod
     def of(found: facts.Facts) -> _Uses:
         return _uses(OneFile(found))
+
+
+_PLAIN_BASES = frozenset({"Node", "object"})
+
+
+def _text(value: facts.Expr) -> str | None:
+    if isinstance(value, facts.Attribute):
+        return value.attr
+    return value.id if isinstance(value, facts.Name) else None
+
+
+def _attributes(method: facts.Function) -> dict[str, int]:
+    found: dict[str, int] = {}
+    for item in walk(method.body):
+        if isinstance(item, facts.Attribute):
+            found[item.attr] = found.get(item.attr, 0) + 1
+    return found
 
 
 def _asked_by_name(call: facts.Call) -> str | None:

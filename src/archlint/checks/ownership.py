@@ -34,6 +34,8 @@ def multiple_publishers(system: System, options: Options) -> Iterator[Finding]:
         if _is_shared(connection, options):
             continue
         for owners in _several_owners(system, connection):
+            if _is_bus(owners):
+                continue
             if not _is_proven(system, owners) and (_has_launch_files(system) or _says_what_happens(connection.name)):
                 continue
             yield _finding(
@@ -53,6 +55,29 @@ def _is_shared(connection: Connection, options: Options) -> bool:
         or options.is_shared(connection.name)
         or (bool(connection.types) and set(connection.types) <= set(TYPES_SHARED_BY_DESIGN))
     )
+
+
+_COMMANDS = frozenset(
+    {
+        "ackermann_msgs/msg/AckermannDrive",
+        "ackermann_msgs/msg/AckermannDriveStamped",
+        "geometry_msgs/msg/Twist",
+        "geometry_msgs/msg/TwistStamped",
+        "trajectory_msgs/msg/JointTrajectory",
+    }
+)
+"""Of these, one at a time can be obeyed."""
+_MANY = 4
+
+
+def _is_bus(owners: list[Endpoint]) -> bool:
+    """Whether so many nodes publish a topic, or different ones with the help of one class, that it is evidently there
+    for all of them; of commands that is never so."""
+    if any(end.type in _COMMANDS for end in owners):
+        return False
+    classes = {end.node.blueprint.class_name for end in owners if end.node.blueprint is not None}
+    helped = len({end.place for end in owners}) == 1 and len(classes) > 1
+    return helped or len(_names(owners)) >= _MANY
 
 
 @rule("OWN002")

@@ -116,6 +116,17 @@ def _ours(world: World, found: facts.Facts) -> set[str]:
     return names
 
 
+def called_names(found: facts.Facts) -> frozenset[str]:
+    """The last names of all that a file calls."""
+    return _called(OneFile(found))
+
+
+@lru_cache(maxsize=10_000)
+def _called(file: OneFile) -> frozenset[str]:
+    calls = (item.func for item in walk(file.found.body) if isinstance(item, facts.Call))
+    return frozenset(name for name in map(_last, calls) if name is not None)
+
+
 def enclosing_function(world: World, place: Place) -> facts.Function | None:
     """The innermost function that a place is in."""
     found = facts_at(world, place.file)
@@ -141,4 +152,13 @@ def _every_class(file: OneFile) -> tuple[facts.Class, ...]:
     return tuple(item for item in walk(file.found.body) if isinstance(item, facts.Class))
 
 
-__all__ = ["declares_all", "enclosing_class", "enclosing_function", "facts_at", "in_sight", "is_whole", "walk"]
+__all__ = [
+    "called_names",
+    "declares_all",
+    "enclosing_class",
+    "enclosing_function",
+    "facts_at",
+    "in_sight",
+    "is_whole",
+    "walk",
+]

@@ -263,8 +263,9 @@ def create_node(run: Run, call: ApiUse) -> Value:
         known = new_blueprint(run, activation.qualified, place, key, activation.module.file.package)
         known.lifecycle = call.api.kind == "lifecycle"
         _set_names(run, known, call)
-        if short_lived.is_local(activation, call.expression):
-            activation.short_lived.append(known)
+        holder = short_lived.holder(run.activations, call.expression)
+        if holder is not None:
+            holder.short_lived.append(known)
     elif known.until is not None and known.until < len(run.nodes):
         known.until = None  # made again, beside nodes that came later
     return NodeValue(known, run.store.new_key())
