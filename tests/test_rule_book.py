@@ -8,6 +8,7 @@ from pathlib import Path
 import pytest
 
 from archlint.config import Settings, load
+from archlint.observed.read import read
 from archlint.rulebook import OFF, rules
 from archlint.selection import Layer
 from archlint.session import Request, check
@@ -23,7 +24,8 @@ def test_an_example_gives_exactly_the_findings_it_is_marked_with(
     example.write(tmp_path)
     monkeypatch.chdir(tmp_path)
 
-    report = check(Request((".",), _settings(tmp_path, example.page_code), cached=False, jobs=1))
+    observed = read("observed.json") if "observed.json" in example.files else None
+    report = check(Request((".",), _settings(tmp_path, example.page_code), cached=False, jobs=1, observed=observed))
 
     found = [(finding.place.file, finding.place.line, finding.code) for finding in report.findings]
     assert sorted(found) == sorted(example.expected)

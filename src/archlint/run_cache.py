@@ -66,6 +66,7 @@ class RunCache:
             ],
             "summary": vars(judged.summary),
             "notices": judged.notices,
+            "remarks": judged.remarks,
             "asked": self._asked(),
         }
         self._store.put_run(self._key, json.dumps(record).encode())
@@ -79,9 +80,8 @@ class RunCache:
             if any(self._tree.answer(question, path) != answer for question, path, answer in record["asked"]):
                 return None
             findings = [_finding(entry) for entry in record["findings"]]
-            return Judged(
-                findings, Summary(**record["summary"]), [str(notice) for notice in record["notices"]]
-            )
+            notices, remarks = ([str(text) for text in record[key]] for key in ("notices", "remarks"))
+            return Judged(findings, Summary(**record["summary"]), notices, remarks)
         except (ValueError, KeyError, TypeError, AttributeError, RecursionError):
             return None
 
@@ -112,7 +112,8 @@ class RunCache:
         problems = [astuple(problem) for problem in self._workspace.problems]
         request = self._request
         asked = [repr(request.paths), repr(request.settings), request.launch, request.launch_arguments]
-        decisive: list[object] = [own_code(), asked, inputs, problems]
+        observed = None if request.observed is None else (request.observed.file, request.observed.digest)
+        decisive: list[object] = [own_code(), asked, observed, inputs, problems]
         return hashlib.sha256(json.dumps(decisive).encode()).hexdigest()
 
 

@@ -23,6 +23,7 @@ if TYPE_CHECKING:
     from archlint.facts.files import FactsOfFiles
     from archlint.facts.store import NullStore, Store
     from archlint.finding import Finding
+    from archlint.observed.model import Comparison, Observed
     from archlint.program.launch.load import LaunchLoader
     from archlint.system.model import System
     from archlint.workspace.model import SourceFile, Workspace
@@ -44,6 +45,8 @@ class Request:
     launch: str | None = None
     """The launch file that is the only system, as a path from the working directory."""
     launch_arguments: tuple[tuple[str, str], ...] = ()
+    observed: Observed | None = None
+    """What a running system said of itself, to hold the system against."""
 
 
 def check(request: Request) -> Report:
@@ -65,7 +68,7 @@ def check(request: Request) -> Report:
     elapsed = time.perf_counter() - started
     summary = replace(judged.summary, elapsed_s=elapsed, cpp_packages=len(workspace.cpp_packages))
     notices = [*judged.notices, *_not_looked_at(request, workspace, summary)]
-    return Report(judged.findings, summary, Sources().line, notices)
+    return Report(judged.findings, summary, Sources().line, notices, remarks=judged.remarks)
 
 
 def _not_looked_at(request: Request, workspace: Workspace, summary: Summary) -> Iterator[str]:
@@ -218,7 +221,16 @@ def _systems(request: Request, workspace: Workspace, facts: FactsOfFiles, tree: 
     if not systems:  # only where one launch file was asked for: the open system is always there
         ros1 = loader.frontend(request.launch or "").ros1
         raise NothingToDo(f"{request.launch} {'is for ROS 1' if ros1 else 'starts nothing that can be read'}")
+    if request.observed is not None:
+        systems[0].compared = _compared(request, systems[0], request.observed)
     return systems
+
+
+def _compared(request: Request, system: System, observed: Observed) -> Comparison:
+    from archlint.checks.compared import compare
+    from archlint.checks.registry import options_for
+
+    return compare(system, observed, options_for(request.settings, ["GRF006"])["GRF006"].is_external)
 
 
 def _no_launch_file(request: Request, loader: LaunchLoader) -> str:
@@ -263,6 +275,9 @@ def _parts(request: Request, workspace: Workspace) -> list[Workspace]:
     from archlint.workspace.parts import parts
 
     found = [part for part in parts(workspace) if any(not file.context for file in part.files)] or [workspace]
+    if request.launch is None and request.observed is not None and len(found) > 1:
+        folders = ", ".join(sorted(part.root for part in found))
+        raise NothingToDo(f"--observed is of one system, and several workspaces stand side by side here: {folders}")
     if request.launch is None or len(found) == 1:
         return found
     return [part for part in found if any(file.relative == request.launch for file in part.files)][:1] or found[:1]
@@ -319,6 +334,7 @@ def _judged(request: Request, workspace: Workspace, facts: FactsOfFiles, tree: S
     from archlint.checks.merge import merged
     from archlint.checks.registry import failure, unreadable
     from archlint.looked_at import without_start
+    from archlint.observed.words import comparison_notices, comparison_words
     from archlint.render.json import unresolved
 
     known = _known(request, workspace, facts)
@@ -351,8 +367,10 @@ def _judged(request: Request, workspace: Workspace, facts: FactsOfFiles, tree: S
     notices = [*_passed_over(request, workspace, facts, loader)]
     if request.launch is not None:
         notices.extend(argument_notices(systems[0]))
+    notices.extend(comparison_notices(systems[0].compared))
     notices.extend(without_start(systems, {file.relative for file in workspace.files if file.context}))
-    return Judged(findings, summary, [*refused, *notices, *_idle(request.settings, systems)])
+    remarks = [*comparison_words(systems[0].compared)]
+    return Judged(findings, summary, [*refused, *notices, *_idle(request.settings, systems)], remarks)
 
 
 # --- judging
@@ -384,11 +402,14 @@ def _idle(settings: Settings, systems: Sequence[System]) -> list[str]:
 
 def _ran(request: Request, systems: Sequence[System]) -> frozenset[str]:
     """The codes of the rules that judged everything they can judge."""
+    from archlint.checks.merge import OF_RUNNING
+
     if request.launch is not None:
         return frozenset()
     closed = any(system.closed for system in systems)
     selection = request.settings.selection
-    return frozenset(code for code in selection.codes if selection.runs(code, closed))
+    unheld = frozenset() if request.observed is not None else frozenset(OF_RUNNING)
+    return frozenset(code for code in selection.codes if selection.runs(code, closed)) - unheld
 
 
 def _with_fixes(findings: Sequence[Finding], request: Request, workspace: Workspace) -> Sequence[Finding]:

@@ -39,6 +39,7 @@ MODULES: tuple[str, ...] = (
     "published",
     "qos",
     "required",
+    "run_time",
     "unmatched",
 )
 """The modules of this package that register rules; a new theme is a new row."""

@@ -39,10 +39,13 @@ _OF_CODE = ("LCH002", "NME002", "SRV004")
 _OF_LAUNCH_FILE = ("LCH001", "LCH003", "LCH004", "LCH005")
 """What these find stands in the launch file, whichever arguments it is given."""
 
+OF_RUNNING = ("GRF005", "GRF006", "GRF007")
+"""What these find was observed, under the arguments that it was started with."""
+
 
 def depends_on_arguments(code: str) -> bool:
     """Whether a rule may answer differently for the systems that one launch file makes."""
-    return depends_on_system(code) and code not in _OF_LAUNCH_FILE
+    return depends_on_system(code) and code not in (*_OF_LAUNCH_FILE, *OF_RUNNING)
 
 
 def depends_on_system(code: str) -> bool:

@@ -10,7 +10,7 @@ from typing import NoReturn
 
 from archlint.cli.exits import FAILED, INTERRUPTED, READER_GONE, UsageError
 
-COMMANDS = ("check", "graph", "explain", "rules", "config")
+COMMANDS = ("check", "graph", "observe", "explain", "rules", "config")
 """Each is a module of this package with ``parser()`` and ``run(arguments)``; a new command is a new row."""
 
 

@@ -15,10 +15,12 @@ from archlint.cli.options import (
     Parser,
     add_configuration,
     add_launch,
+    add_observed,
     add_paths,
     add_running,
     add_talking,
     launch_of,
+    observed_of,
     paths_of,
     settings_of,
 )
@@ -62,6 +64,7 @@ def parser() -> argparse.ArgumentParser:
     )
     levels.add_argument("--exit-zero", action="store_true", help="findings do not fail the run")
     add_launch(made)
+    add_observed(made)
     add_configuration(made)
     add_running(made)
     add_talking(made)
@@ -88,6 +91,7 @@ def run(arguments: argparse.Namespace) -> int:
         jobs=arguments.jobs,
         launch=launch,
         launch_arguments=launch_arguments,
+        observed=observed_of(arguments),
     )
     try:
         report = check(request)
@@ -134,6 +138,8 @@ def _tell(report: Report, request: Request, arguments: argparse.Namespace) -> No
     for notice in report.notices:
         console.note(f"archlint: warning: {notice}")
     sys.stdout.flush()
+    for remark in report.remarks:
+        console.note(remark)
     if arguments.statistics:
         console.note(statistics(report.findings))
         console.note(_shape(request))

@@ -13,10 +13,12 @@ from archlint.cli.options import (
     Parser,
     add_configuration,
     add_launch,
+    add_observed,
     add_paths,
     add_running,
     add_talking,
     launch_of,
+    observed_of,
     paths_of,
     settings_of,
 )
@@ -39,6 +41,7 @@ def parser() -> argparse.ArgumentParser:
     output.add_argument("-o", metavar="FILE", dest="file", help="write to FILE; its suffix chooses the format")
     output.add_argument("--all", action="store_true", help="with what rclpy makes for every node")
     add_launch(made)
+    add_observed(made)
     add_configuration(made)
     add_running(made)
     add_talking(made)
@@ -60,6 +63,7 @@ def run(arguments: argparse.Namespace) -> int:
         jobs=arguments.jobs,
         launch=launch,
         launch_arguments=launch_arguments,
+        observed=observed_of(arguments),
     )
     to_terminal = arguments.file in (None, "-")
     color = to_terminal and console.wants_color(arguments.color, sys.stdout)

@@ -8,7 +8,7 @@ from collections.abc import Sequence
 from dataclasses import replace
 from difflib import get_close_matches
 from pathlib import Path
-from typing import NoReturn
+from typing import TYPE_CHECKING, NoReturn
 
 from archlint.cli import COMMANDS
 from archlint.cli.exits import UsageError
@@ -16,6 +16,9 @@ from archlint.config import ConfigurationError, Settings, load
 from archlint.config_values import unknown_rule
 from archlint.rulebook import codes_of
 from archlint.selection import Layer
+
+if TYPE_CHECKING:
+    from archlint.observed.model import Observed
 
 
 class Parser(argparse.ArgumentParser):
@@ -60,6 +63,27 @@ def add_launch(parser: argparse.ArgumentParser) -> None:
         nargs="+",
         help="the system that this launch file starts, with these arguments, and no other",
     )
+
+
+def add_observed(parser: argparse.ArgumentParser) -> None:
+    parser.add_argument(
+        "--observed",
+        metavar="FILE",
+        help="hold the system against what a running one said of itself: a recording (`archlint observe`), the "
+        "metadata.yaml of a bag, or a Graph message of rosgraph_monitor_msgs as JSON",
+    )
+
+
+def observed_of(arguments: argparse.Namespace) -> Observed | None:
+    """What the file of ``--observed`` says.  Raises :class:`UsageError` where it cannot be read."""
+    if arguments.observed is None:
+        return None
+    from archlint.observed.read import CannotRead, read
+
+    try:
+        return read(arguments.observed)
+    except CannotRead as error:
+        raise UsageError(f"--observed: {error}") from None
 
 
 def launch_of(arguments: argparse.Namespace) -> tuple[str | None, tuple[tuple[str, str], ...]]:

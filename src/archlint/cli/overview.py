@@ -11,6 +11,8 @@ commands:
   check [PATH ...]    find what is wrong between nodes and inside their callbacks
                       (`archlint PATH` and `archlint` alone mean this)
   graph [PATH ...]    the communication graph: text, json, dot, svg, png, pdf, mermaid ...
+  observe             a script that writes down a running system; `check --observed FILE` and
+                      `graph --observed FILE` compare it with the source
   explain CODE        a rule's page: what it finds, why it matters, what to write instead
   rules               the table of rules
   config [PATH]       the effective configuration, and where each value came from

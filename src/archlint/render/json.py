@@ -17,6 +17,7 @@ from archlint.program.model import Creation, ParameterDeclaration, Qos
 from archlint.system.model import Connection, Endpoint, Node, System
 
 if TYPE_CHECKING:
+    from archlint.observed.model import Comparison, Difference
     from archlint.system.overrides import Setting
 
 VERSION = 1
@@ -43,7 +44,8 @@ def render(system: System) -> str:
 
 
 def document(system: System) -> dict[str, Any]:
-    """The whole graph as plain data."""
+    """The whole graph as plain data; with ``observed`` where it was held against a running system."""
+    compared = {} if system.compared is None else {"observed": _compared(system.compared)}
     return {
         "version": VERSION,
         "system": system.name,
@@ -55,6 +57,35 @@ def document(system: System) -> dict[str, Any]:
         "services": [_connection(c, "servers", "clients") for c in system.services.values()],
         "actions": [_connection(c, "servers", "clients") for c in system.actions.values()],
         "unresolved": unresolved(system),
+        **compared,
+    }
+
+
+def _compared(compared: Comparison) -> dict[str, Any]:
+    return {
+        "file": compared.observed.file,
+        "form": compared.observed.form,
+        "compared_with": compared.with_what,
+        "nodes": compared.nodes,
+        "endpoints": compared.ends,
+        "differences": [_difference(one) for one in compared.differences],
+        "left_open": list(compared.left_open),
+        "notes": list(compared.notes),
+    }
+
+
+def _difference(one: Difference) -> dict[str, Any]:
+    return {
+        "status": one.status,
+        "kind": one.kind,
+        "name": one.name,
+        "node": one.node,
+        "expected": one.expected or None,
+        "observed": one.observed or None,
+        "message": one.message,
+        "file": _file(one.place.file),
+        "line": one.place.line,
+        "column": one.place.column,
     }
 
 

@@ -6,6 +6,8 @@ from collections.abc import Callable, Iterable, Iterator, Sequence
 from functools import partial
 
 from archlint.checks.delivery import undelivered_on
+from archlint.observed.model import DIFFERENT, MISSING, UNEXPECTED, Difference
+from archlint.observed.words import comparison_words
 from archlint.program import model as program
 from archlint.program.model import Creation, ParameterDeclaration
 from archlint.render import json, look
@@ -27,7 +29,17 @@ _ENDS = {
     "service": ("served by", "called by"),
     "action": ("served by", "called by"),
 }
-_STYLES = {"plain": "", "title": "1", "node": "1;34", "name": "36", "quiet": "2", "alarm": "31"}
+_STYLES = {
+    "plain": "",
+    "title": "1",
+    "node": "1;34",
+    "name": "36",
+    "quiet": "2",
+    "alarm": "31",
+    "added": "32",
+    "changed": "33",
+}
+_STATUS = {MISSING: "alarm", UNEXPECTED: "added", DIFFERENT: "changed"}
 _WIDEST = 48
 """A text longer than this does not push its column aside for all others."""
 
@@ -47,6 +59,7 @@ def render(system: System, *, color: bool = False) -> str:
         _connections(system, "action", system.actions.values(), remapped, paint),
         _shape(system, paint),
         _unresolved(system, paint),
+        _compared(system, paint),
     ]
     blocks = [block for section in sections for block in section]
     return "\n\n".join(blocks or ["no nodes"]) + "\n"
@@ -221,6 +234,26 @@ def _unresolved(system: System, paint: Paint) -> Iterator[str]:
 def _unresolved_row(entry: dict[str, object]) -> Sequence[Cell]:
     kind = str(entry["kind"]).replace("_", " ")
     return [(f"{entry['file']}:{entry['line']}", "quiet"), (kind, "plain"), (str(entry["reason"]), "plain")]
+
+
+def _compared(system: System, paint: Paint) -> Iterator[str]:
+    """What came of holding the system against a running one."""
+    compared = system.compared
+    if compared is None:
+        return
+    yield paint("running system", "title")
+    yield "\n".join(f"  {paint(line, 'plain')}" for line in comparison_words(compared))
+    if compared.differences:
+        rows = sorted(compared.differences, key=lambda one: (one.status, one.message))
+        yield "\n".join(_table([_difference_row(one) for one in rows], paint))
+    quiet = [*(f"left open: {one}" for one in compared.left_open), *compared.notes]
+    if quiet:
+        yield "\n".join(f"  {paint(line, 'quiet')}" for line in quiet)
+
+
+def _difference_row(one: Difference) -> Sequence[Cell]:
+    place = f"{one.place.file}:{one.place.line}"
+    return [(one.status, _STATUS[one.status]), (one.message, "plain"), (place, "quiet")]
 
 
 def _table(rows: Sequence[Sequence[Cell]], paint: Paint) -> Iterator[str]:

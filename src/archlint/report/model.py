@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 from archlint.finding import Finding, Severity
 
@@ -46,6 +46,8 @@ class Report:
     notices: Sequence[str] = ()
     failing: Severity = Severity.WARNING
     folder: str = "."
+    remarks: Sequence[str] = ()
+    """What to tell beside them that is no warning."""
 
 
 @dataclass(frozen=True)
@@ -55,6 +57,7 @@ class Judged:
     findings: list[Finding]
     summary: Summary
     notices: list[str]
+    remarks: list[str] = field(default_factory=list)
 
 
 def summarise(

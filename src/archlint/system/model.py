@@ -13,6 +13,7 @@ if TYPE_CHECKING:
     from collections.abc import Iterable, Iterator
 
     from archlint.finding import Place
+    from archlint.observed.model import Comparison
     from archlint.program.launch.model import Launched, Started
     from archlint.program.model import (
         ApiCall,
@@ -182,6 +183,8 @@ class System:
     """For drawing: the nodes at the other end of what ``nodes`` have, that were not asked for, with these ends only."""
     apart: frozenset[frozenset[object]] = frozenset()
     """Pairs of node classes, each as ``(place, class name)``, that some launch file starts together."""
+    compared: Comparison | None = None
+    """What came of holding it against a running system, where one was recorded."""
     unowned: list[Node] = field(default_factory=list)
     """What is used by nodes that are not known.  Where ``nodes`` are given with such entries, these move here."""
 

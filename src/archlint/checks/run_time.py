@@ -1,0 +1,48 @@
+"""GRF005, GRF006 and GRF007: how a running system differs from its source, where `--observed` names a recording."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import replace
+from typing import TYPE_CHECKING
+
+from archlint.checks.registry import Options, finding, rule
+from archlint.finding import Finding, Related, Severity
+from archlint.observed.model import DIFFERENT, MISSING, UNEXPECTED
+
+if TYPE_CHECKING:
+    from archlint.system.model import System
+
+
+@rule("GRF005")
+def missing_at_run_time(system: System, options: Options) -> Iterator[Finding]:
+    """What the source says of a system, and the running one does not have."""
+    yield from _findings("GRF005", MISSING, system)
+
+
+@rule("GRF006")
+def unexpected_at_run_time(system: System, options: Options) -> Iterator[Finding]:
+    """What a running system has, and its source does not."""
+    yield from _findings("GRF006", UNEXPECTED, system)
+
+
+@rule("GRF007")
+def different_at_run_time(system: System, options: Options) -> Iterator[Finding]:
+    """What a running system has otherwise than its source."""
+    yield from _findings("GRF007", DIFFERENT, system)
+
+
+def _findings(code: str, status: str, system: System) -> Iterator[Finding]:
+    for one in system.compared.differences if system.compared is not None else ():
+        if one.status != status:
+            continue
+        found = finding(
+            code,
+            one.place,
+            one.message,
+            help=one.help,
+            related=[Related(place, words) for place, words in one.related],
+            node=one.node,
+            identity=(one.kind, one.name, one.node or ""),
+        )
+        yield replace(found, severity=Severity.INFO) if one.doubtful else found

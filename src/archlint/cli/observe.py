@@ -1,0 +1,34 @@
+"""``archlint observe``: the recorder that writes down a running system, to run where ROS is."""
+
+from __future__ import annotations
+
+import argparse
+from importlib.resources import files
+
+from archlint.cli import console
+from archlint.cli.exits import CLEAN, UsageError
+from archlint.cli.options import Parser
+
+_EPILOG = """\
+The script needs rclpy and nothing else. Run it where ROS 2 is sourced and the system runs, then compare:
+
+  archlint observe --print-script -o record.py
+  python3 record.py -o robot.json
+  archlint check --launch robot.launch.py --observed robot.json
+"""
+
+
+def parser() -> argparse.ArgumentParser:
+    made = Parser("observe", "Print the script that writes down what a running ROS 2 system says of itself.")
+    made.formatter_class = argparse.RawDescriptionHelpFormatter
+    made.epilog = _EPILOG
+    made.add_argument("--print-script", action="store_true", help="print the script")
+    made.add_argument("-o", metavar="FILE", dest="file", help="write it to FILE (default: standard output)")
+    return made
+
+
+def run(arguments: argparse.Namespace) -> int:
+    if not arguments.print_script:
+        raise UsageError("archlint runs no ROS itself: `archlint observe --print-script` prints the script to run")
+    console.write(files("archlint").joinpath("recorder.py").read_text("utf-8"), arguments.file)
+    return CLEAN

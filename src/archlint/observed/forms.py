@@ -1,0 +1,314 @@
+"""The forms that a file may have, as structures that are checked when they are read.
+
+Sources: rosbag2 ``qos.cpp`` and ``yaml.hpp`` (before version 9 profiles are a text of YAML with numbers, from then on
+a list with words); ``Graph.msg``, ``NodeInfo.msg``, ``Topic.msg`` and ``QosProfile.msg`` of
+rosgraph_monitor_msgs 0.2, and their successors in rosgraph_msgs; rmw ``types.h`` for the numbers of policies.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Sequence
+from typing import Any, TypeVar
+
+import msgspec
+from msgspec import Struct, field
+
+from archlint.facts.safe_yaml import YamlError, YamlReader
+from archlint.finding import Place
+from archlint.observed.model import BAG, MONITOR, RECORDING, Observed, SeenEnd, SeenNode, SeenParameter, SeenTopic
+from archlint.program import model as program
+from archlint.program.model import Qos
+
+VERSION = 1
+"""The newest version of a recording that is understood."""
+
+_HISTORY = ("system_default", "keep_last", "keep_all", "unknown")
+_RELIABILITY = ("system_default", "reliable", "best_effort", "unknown", "best_available")
+_DURABILITY = ("system_default", "transient_local", "volatile", "unknown", "best_available")
+_LIVELINESS = ("system_default", "automatic", "manual_by_node", "manual_by_topic", "unknown", "best_available")
+_NOT_TOLD = ("system_default", "unknown", "best_available")
+"""What a middleware says where it does not know, or has not decided."""
+_FOREVER_S = 1e9
+"""Several spellings of infinity are about; none of them is less than 30 years."""
+
+
+_Form = TypeVar("_Form")
+
+
+class NotOfThisForm(Exception):
+    """Nothing in the file says what it is."""
+
+
+class Malformed(Exception):
+    """The file says what it is, and is not; ``str()`` says where."""
+
+
+class _Duration(Struct):
+    sec: int = 0
+    nanosec: int = 0
+    nsec: int = 0
+
+    @property
+    def seconds(self) -> float | None:
+        """None for no bound."""
+        length = self.sec + (self.nanosec or self.nsec) / 1e9
+        return length if 0 < length < _FOREVER_S else None
+
+
+class _Qos(Struct):
+    """A profile in any of the forms: words or numbers, and durations as numbers or pairs."""
+
+    reliability: str | int | None = None
+    durability: str | int | None = None
+    liveliness: str | int | None = None
+    history: str | int | None = None
+    depth: int | None = None
+    deadline_s: float | None = None
+    lifespan_s: float | None = None
+    lease_s: float | None = None
+    deadline: _Duration = field(default_factory=_Duration)
+    lifespan: _Duration = field(default_factory=_Duration)
+    liveliness_lease_duration: _Duration = field(default_factory=_Duration)
+
+    def profile(self) -> Qos:
+        return Qos(
+            history=_policy(self.history, _HISTORY),
+            depth=self.depth,
+            reliability=_policy(self.reliability, _RELIABILITY),
+            durability=_policy(self.durability, _DURABILITY),
+            liveliness=_policy(self.liveliness, _LIVELINESS),
+            deadline=self.deadline_s or self.deadline.seconds,
+            lifespan=self.lifespan_s or self.lifespan.seconds,
+            liveliness_lease=self.lease_s or self.liveliness_lease_duration.seconds,
+        )
+
+
+def _policy(given: str | int | None, words: Sequence[str]) -> str | None:
+    if isinstance(given, int):
+        given = words[given] if 0 <= given < len(words) else None
+    return given if given in words and given not in _NOT_TOLD else None
+
+
+def observed(data: Any, file: str, text: str, digest: str) -> Observed:
+    """Raises :class:`NotOfThisForm` or :class:`Malformed`."""
+    if not isinstance(data, dict):
+        raise NotOfThisForm
+    if "archlint_observed" in data:
+        return _of_recording(_converted(data, _Recording), file, text, digest)
+    if "rosbag2_bagfile_information" in data:
+        return _of_bag(_converted(data, _BagFile).rosbag2_bagfile_information, file, text, digest)
+    if isinstance(data.get("msg"), dict):
+        data = data["msg"]
+    nodes = data.get("nodes")
+    if isinstance(nodes, list) and "..." in nodes:
+        raise Malformed("the message is cut short: let `ros2 topic echo` print all of it with --full-length")
+    if isinstance(nodes, list) and "version" not in data and all(_may_be_message(one) for one in nodes):
+        return _of_monitor(_converted(data, _Graph), file, text, digest)
+    raise NotOfThisForm
+
+
+def _converted(data: Any, type_: type[_Form]) -> _Form:
+    try:
+        return msgspec.convert(data, type_)
+    except msgspec.ValidationError as error:
+        raise Malformed(f"not as it should be: {error}") from None
+
+
+# ------------------------------------------------------------------------------------------ archlint's own recorder
+
+
+class _RecordedEnd(Struct):
+    name: str
+    type: str
+    qos: _Qos | None = None
+
+
+class _RecordedParameter(Struct):
+    name: str
+    type: str | None = None
+
+
+class _RecordedNode(Struct):
+    name: str
+    count: int = 1
+    publishers: list[_RecordedEnd] = []
+    subscribers: list[_RecordedEnd] = []
+    services: list[_RecordedEnd] = []
+    clients: list[_RecordedEnd] = []
+    action_servers: list[_RecordedEnd] = []
+    action_clients: list[_RecordedEnd] = []
+    parameters: list[_RecordedParameter] | None = None
+
+
+class _Recording(Struct):
+    archlint_observed: int
+    nodes: list[_RecordedNode]
+    settled: bool = True
+
+
+_ALL_KINDS = (
+    program.PUBLISHER,
+    program.SUBSCRIBER,
+    program.SERVICE,
+    program.CLIENT,
+    program.ACTION_SERVER,
+    program.ACTION_CLIENT,
+)
+
+
+def _of_recording(data: _Recording, file: str, text: str, digest: str) -> Observed:
+    if data.archlint_observed > VERSION:
+        raise Malformed("a newer archlint's recorder has written it: update archlint, or record again")
+    places = _Places(file, text)
+    return Observed(
+        file,
+        RECORDING,
+        digest,
+        nodes=tuple(_recorded_node(node, places) for node in data.nodes),
+        kinds=frozenset(_ALL_KINDS),
+        settled=data.settled,
+    )
+
+
+def _recorded_node(node: _RecordedNode, places: _Places) -> SeenNode:
+    lists = (
+        node.publishers,
+        node.subscribers,
+        node.services,
+        node.clients,
+        node.action_servers,
+        node.action_clients,
+    )
+    ends = [
+        SeenEnd(kind, end.name, end.type, end.qos.profile() if end.qos else None)
+        for kind, listed in zip(_ALL_KINDS, lists, strict=True)
+        for end in listed
+    ]
+    known = node.parameters
+    asked = None if known is None else tuple(SeenParameter(one.name, one.type) for one in known)
+    return SeenNode(node.name, tuple(ends), places.of(node.name), node.count, asked)
+
+
+# ---------------------------------------------------------------------------------------------- rosbag2 metadata.yaml
+
+
+class _TopicMetadata(Struct):
+    name: str
+    type: str
+    offered_qos_profiles: str | list[_Qos] | None = None
+
+
+class _BagTopic(Struct):
+    topic_metadata: _TopicMetadata
+
+
+class _Bag(Struct):
+    topics_with_message_count: list[_BagTopic]
+
+
+class _BagFile(Struct):
+    rosbag2_bagfile_information: _Bag
+
+
+def _of_bag(data: _Bag, file: str, text: str, digest: str) -> Observed:
+    places = _Places(file, text)
+    topics = [
+        SeenTopic(topic.name, topic.type, tuple(one.profile() for one in _offered(topic)), places.of(topic.name))
+        for topic in (one.topic_metadata for one in data.topics_with_message_count)
+    ]
+    return Observed(file, BAG, digest, topics=tuple(topics), kinds=frozenset([program.PUBLISHER]))
+
+
+def _offered(topic: _TopicMetadata) -> list[_Qos]:
+    given = topic.offered_qos_profiles
+    if not isinstance(given, str):
+        return given or []
+    try:
+        reader = YamlReader(given)
+        value = reader.value(reader.root) if reader.root is not None else []
+    except YamlError as error:
+        raise Malformed(f"the offered_qos_profiles of {topic.name}: {error.message}") from None
+    return _converted(value or [], list[_Qos])
+
+
+# ------------------------------------------------------------------- rosgraph_monitor_msgs/Graph, rosgraph_msgs/Graph
+
+
+class _TypeName(Struct):
+    name: str = ""
+
+
+class _Topic(Struct):
+    name: str
+    type: str | _TypeName = ""
+    qos: _Qos | None = None
+
+
+class _Service(Struct):
+    """Of services ``request_type`` is told, of actions too; which type they make together, only the name says."""
+
+    name: str
+    request_type: _TypeName = field(default_factory=_TypeName)
+
+
+class _Node(Struct):
+    name: str
+    publishers: list[_Topic] = []
+    subscriptions: list[_Topic] = []
+    service_servers: list[_Service] = []
+    service_clients: list[_Service] = []
+    action_servers: list[_Service] = []
+    action_clients: list[_Service] = []
+
+
+class _Graph(Struct):
+    nodes: list[_Node]
+
+
+def _may_be_message(node: Any) -> bool:
+    return isinstance(node, dict) and "name" in node and ("publishers" in node or "subscriptions" in node)
+
+
+def _of_monitor(data: _Graph, file: str, text: str, digest: str) -> Observed:
+    """What no node at all has of a kind, the monitor does not watch: as of 2025 it tells of topics only."""
+    places = _Places(file, text)
+    nodes = tuple(SeenNode(node.name, tuple(_ends_of(node)), places.of(node.name)) for node in data.nodes)
+    watched = {end.kind for node in nodes for end in node.ends} - {program.PUBLISHER, program.SUBSCRIBER}
+    return Observed(
+        file, MONITOR, digest, nodes=nodes, kinds=frozenset({program.PUBLISHER, program.SUBSCRIBER, *watched})
+    )
+
+
+def _ends_of(node: _Node) -> Iterable[SeenEnd]:
+    for kind, topics in ((program.PUBLISHER, node.publishers), (program.SUBSCRIBER, node.subscriptions)):
+        for one in topics:
+            type_ = one.type if isinstance(one.type, str) else one.type.name
+            yield SeenEnd(kind, one.name, type_ or None, one.qos.profile() if one.qos else None)
+    for kind, services in (
+        (program.SERVICE, node.service_servers),
+        (program.CLIENT, node.service_clients),
+        (program.ACTION_SERVER, node.action_servers),
+        (program.ACTION_CLIENT, node.action_clients),
+    ):
+        for service in services:
+            whole, suffix, _ = service.request_type.name.partition("_Request")
+            yield SeenEnd(kind, service.name, whole if suffix else None)
+
+
+# -------------------------------------------------------------------------------------------------------------- places
+
+
+class _Places:
+    """Finds the line of a file that names something."""
+
+    def __init__(self, file: str, text: str) -> None:
+        self._file = file
+        self._lines: dict[str, Place] = {}
+        for number, line in enumerate(text.splitlines(), 1):
+            for found in re.finditer(r"""["']?name["']?\s*:\s*["']?(/[\w/]*)""", line):
+                columns = (found.start(1) + 1, found.end(1) + 1)
+                self._lines.setdefault(found[1], Place(file, number, columns[0], number, columns[1]))
+
+    def of(self, name: str) -> Place:
+        return self._lines.get(name, Place(self._file, 1, 1, 1, 1))
