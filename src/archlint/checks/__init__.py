@@ -27,6 +27,7 @@ MODULES: tuple[str, ...] = (
     "signatures",
     "slow_callbacks",
     "spinning",
+    "starvation",
     "timeouts",
     "type_mismatches",
     "undeclared",

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 from archlint.checks.callback_roles import runs_in_executor
 from archlint.checks.reach import calls_of, endpoint_words, node_name, one_for_each_place, waits_for_ever
 from archlint.checks.registry import Options, finding, rule
+from archlint.checks.starvation import piling_up
 from archlint.checks.stuck import spoken_of
 from archlint.checks.timeouts import kind_of, name_of, way_to
 from archlint.finding import Finding
@@ -29,7 +30,7 @@ _UNKNOWN = "nobody knows"
 @rule("TMO002")
 def call_without_timeout(system: System, options: Options) -> Iterator[Finding]:
     """Blocking calls that wait for their answer without limit."""
-    told = spoken_of(system, options.distros)
+    told = spoken_of(system, options.distros) | {wait.call.place for wait in piling_up(system)}
     yield from one_for_each_place(
         _limitless_call(system, program, call, options.distros)
         for program, call in calls_of(system, (_CALL, _SEND_GOAL))

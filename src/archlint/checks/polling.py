@@ -68,10 +68,10 @@ def _how_often(call: ApiCall, rate: float) -> str | None:
     callback = call.context
     if callback.role == "timer" and not call.looped:
         period = callback.creation.period if callback.creation is not None else None
-        if period is None or period <= 0 or period * rate > 1 or not _unguarded(call) or _notes_that_it_ran(call):
+        if period is None or period <= 0 or period * rate > 1 or not unguarded(call) or notes_that_it_ran(call):
             return None
         return f"{1 / period:g} times a second" if period < 1 else "once a second"
-    if callback.role in ("main", "thread") and call.loops and _unpaced(call.loops[-1]) and _unguarded(call):
+    if callback.role in ("main", "thread") and call.loops and _unpaced(call.loops[-1]) and unguarded(call):
         return "as fast as the loop goes round"
     return None
 
@@ -89,7 +89,7 @@ def _unpaced(loop: facts.While | facts.For) -> bool:
     return endless and not leaves and all(called_name(call) not in _PAUSES for call in calls_in(loop.body))
 
 
-def _unguarded(call: ApiCall) -> bool:
+def unguarded(call: ApiCall) -> bool:
     """Whether nothing but the readiness of the service decides whether the request is sent."""
     body: Sequence[facts.Stmt] = call.loops[-1].body if call.loops else call.body
     if call.expression is None or call.chain[1:] or _reached(body, call.expression.span[:2]) is not True:
@@ -146,7 +146,7 @@ def _names_a_future(test: facts.Expr) -> bool:
     return "future" in name.lower()
 
 
-def _notes_that_it_ran(call: ApiCall) -> bool:
+def notes_that_it_ran(call: ApiCall) -> bool:
     """Whether a callback sets a flag: it may be asked before the next request, here or elsewhere."""
     return any(
         isinstance(s, facts.Assign)

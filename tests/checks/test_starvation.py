@@ -1,0 +1,112 @@
+"""EXE014: waits that can take all threads of an executor."""
+
+from __future__ import annotations
+
+import pytest
+
+from checks.callbacks import Run, codes, source
+
+FOUR = """
+def main():
+    rclpy.init()
+    executor = MultiThreadedExecutor(num_threads=4)
+    executor.add_node(Robot())
+    executor.spin()
+
+
+if __name__ == '__main__':
+    main()
+"""
+DEFAULT = FOUR.replace("num_threads=4", "")
+TWO = FOUR.replace("num_threads=4", "num_threads=2")
+
+
+def reentrant(wait: str, period: str = "0.1", before: str = "") -> tuple[str, str]:
+    constructor = f"""
+        self.on = False
+        group = ReentrantCallbackGroup()
+        self.client = self.create_client(SetBool, 'enable', callback_group=group)
+        self.timer = self.create_timer({period}, self.tick, callback_group=group)
+    """
+    return constructor, f"def tick(self):\n{before}    answer = self.client.{wait}\n    print(answer)\n"
+
+
+@pytest.mark.parametrize("main", [FOUR, DEFAULT])
+def test_a_timer_that_waits_without_limit_beside_itself(run: Run, main: str):
+    (found,) = run(source(*reentrant("call(SetBool.Request(data=self.on))"), main))
+    assert found.code == "EXE014"
+    assert "runs beside itself every 0.1 s while it waits for the service 'enable'" in found.message
+    assert "call_async() and go on in a done callback" in (found.help or "")
+
+
+@pytest.mark.parametrize(
+    ("limit", "period", "starves"),
+    [("1.0", "0.1", True), ("0.2", "0.1", False), ("0.4", "0.1", True), ("2.0", "0.5", True), ("1.5", "0.5", False)],
+)
+def test_a_limit_helps_where_it_ends_before_the_last_thread_is_taken(run: Run, limit: str, period: str, starves: bool):
+    found = run(source(*reentrant(f"call(SetBool.Request(data=self.on), timeout_sec={limit})", period), FOUR), "jazzy")
+    assert codes(found) == (["EXE014"] if starves else [])
+
+
+def test_how_many_threads_the_default_has_is_not_known(run: Run):
+    assert run(source(*reentrant("call(SetBool.Request(data=self.on), timeout_sec=1.0)"), DEFAULT), "jazzy") == []
+
+
+@pytest.mark.parametrize(
+    ("wait", "period", "before"),
+    [
+        ("call(SetBool.Request(data=self.on))", "5.0", ""),  # seldom
+        ("call(SetBool.Request(data=self.on))", "0.1", "    if self.on:\n        return\n"),  # not each time
+        ("call(SetBool.Request(data=self.on))", "0.1", "    self.timer.cancel()\n"),  # once
+    ],
+)
+def test_what_does_not_come_often_is_not_reported(run: Run, wait: str, period: str, before: str):
+    assert "EXE014" not in codes(run(source(*reentrant(wait, period, before), FOUR)))
+
+
+def test_a_done_callback_and_an_await_keep_no_thread(run: Run):
+    sent = "call_async(SetBool.Request(data=self.on)).add_done_callback(print)"
+    assert run(source(*reentrant(sent), FOUR)) == []
+    constructor, tick = reentrant("call_async(SetBool.Request(data=self.on))")
+    awaited = tick.replace("def tick", "async def tick").replace("answer = ", "answer = await ")
+    assert run(source(constructor, awaited, FOUR)) == []
+
+
+TWO_TIMERS = """
+    self.on = False
+    answers = MutuallyExclusiveCallbackGroup()
+    self.arm = self.create_client(SetBool, 'arm', callback_group=answers)
+    self.base = self.create_client(SetBool, 'base', callback_group=answers)
+    self.create_timer(2.0, self.ask_arm, callback_group=MutuallyExclusiveCallbackGroup())
+    self.create_timer(2.0, self.ask_base{group})
+"""
+ASK_BOTH = """
+    def ask_arm(self):
+        print(self.arm.call(SetBool.Request(data=self.on)))
+
+    def ask_base(self):
+        print(self.base.call(SetBool.Request(data=self.on)))
+"""
+
+
+def test_as_many_waiting_callbacks_as_threads(run: Run):
+    text = source(TWO_TIMERS.format(group=""), ASK_BOTH, TWO)
+    (found,) = [one for one in run(text) if one.code == "EXE014"]
+    assert text.splitlines()[found.place.line - 1].strip() == "executor = MultiThreadedExecutor(num_threads=2)"
+    assert "Robot.ask_arm and Robot.ask_base may wait at the same time" in found.message
+    assert found.help == "num_threads=3: one more than callbacks that wait"
+
+
+def test_a_thread_more_than_waiting_callbacks_is_enough(run: Run):
+    three = TWO.replace("num_threads=2", "num_threads=3")
+    assert "EXE014" not in codes(run(source(TWO_TIMERS.format(group=""), ASK_BOTH, three)))
+
+
+def test_callbacks_of_one_group_do_not_wait_at_the_same_time(run: Run):
+    one_group = TWO_TIMERS.replace("callback_group=MutuallyExclusiveCallbackGroup())", "callback_group=self.one)")
+    text = source(
+        "self.one = MutuallyExclusiveCallbackGroup()" + one_group.format(group=", callback_group=self.one"),
+        ASK_BOTH,
+        TWO,
+    )
+    assert "EXE014" not in codes(run(text))
