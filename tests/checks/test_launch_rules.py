@@ -827,7 +827,7 @@ def test_a_parameter_that_a_subclass_in_another_file_reads(findings, first, told
         ("'talker == robot.talker:main'", "it has '==' for '='", "write 'talker = robot.talker:main'"),
         (
             "'talker = robot.talker:main' 'other = robot.talker:main'",
-            "a comma is missing between 'talker' and 'other'",
+            "a comma is missing between 'talker' and 'other'; newer setuptools stop the build here",
             "write 'talker = robot.talker:main',",
         ),
     ],
@@ -976,6 +976,7 @@ from launch.actions import DeclareLaunchArgument
 from launch.conditions import IfCondition
 from launch.substitutions import LaunchConfiguration
 from launch_ros.actions import Node
+from elsewhere import unknown
 
 def is_real(context):
     return True
@@ -1002,7 +1003,7 @@ def generate_launch_description():
 def test_what_is_no_condition(findings, condition, what, wrap):
     (one,) = findings("LCH008", **{"launch/it.launch.py": ASKED.format(condition=condition)})
     assert one.message == f"condition= of this Node is {what}, which is no Condition"
-    assert (one.place.file, one.place.line) == ("launch/it.launch.py", 13)
+    assert (one.place.file, one.place.line) == ("launch/it.launch.py", 14)
     assert wrap in (one.help or "")
 
 
@@ -1018,6 +1019,53 @@ def test_what_is_no_condition(findings, condition, what, wrap):
 )
 def test_what_is_a_condition_or_may_be_one(findings, condition):
     assert findings("LCH008", **{"launch/it.launch.py": ASKED.format(condition=condition)}) == []
+
+
+NAMED = """\
+from launch import LaunchDescription
+from launch_ros.actions import Node
+{above}
+def generate_launch_description():
+    {line}
+    return LaunchDescription([Node(package='robot', executable='gone', {argument})])
+"""
+
+
+@pytest.mark.parametrize(
+    ("above", "line", "argument", "at"),
+    [
+        ("", "pass", "output=output", 6),
+        ("", "rate = rate_of(3)", "output='log'", 5),
+        ("rate = RATE", "pass", "output='log'", 3),
+        ("", "import os", "output=os.environ.get(OUTPUT)", 6),
+    ],
+)
+def test_a_name_that_nothing_defines_stops_the_launch(findings, above, line, argument, at):
+    files = {"launch/it.launch.py": NAMED.format(above=above, line=line, argument=argument)}
+    (one,) = findings("LCH008", **files)
+    assert one.message.endswith("is not defined: this launch file stops with a NameError before it starts anything")
+    assert (one.place.file, one.place.line) == ("launch/it.launch.py", at)
+    assert findings("LCH001", **files) == []  # it never comes to that node
+
+
+@pytest.mark.parametrize(
+    ("above", "line", "argument"),
+    [
+        ("output = 'log'", "pass", "output=output"),
+        ("from shared import *", "pass", "output=output"),
+        ("", "global output; output = 'log'", "output=output"),
+        ("def setup(output): pass", "pass", "output=str(output)"),  # bound elsewhere: let Python say it
+        ("", "output = [name for name in ('log',)][0]", "output=output"),
+        ("", "for output in ('log',): pass", "output=output"),
+        ("", "output: str = __file__", "output=output or other"),
+        ("", "with open('x') as output: pass", "output=output"),
+        ("", "(output := 'log')", "output=(lambda: later)() if False else output"),
+        ("import os.path", "if os.path.exists('x'): return None", "output=output"),
+    ],
+)
+def test_a_name_that_is_defined_or_may_be(findings, above, line, argument):
+    files = {"launch/it.launch.py": NAMED.format(above=above, line=line, argument=argument)}
+    assert findings("LCH008", **files) == []
 
 
 # ------------------------------------------------------------------------------------------------ NME004

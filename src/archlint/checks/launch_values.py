@@ -1,4 +1,4 @@
-"""LCH008: what an action of a launch file is given and cannot use."""
+"""LCH008: what stops a launch: an undefined name, a condition that launch cannot ask."""
 
 from __future__ import annotations
 
@@ -14,7 +14,15 @@ if TYPE_CHECKING:
 
 @rule("LCH008")
 def launch_description(system: System, options: Options) -> Iterator[Finding]:
-    """A ``condition=`` that has no ``evaluate`` for launch to call."""
+    """Names that nothing defines, and a ``condition=`` that has no ``evaluate`` for launch to call."""
+    for place, name in sorted(system.launched.undefined.items() if system.launched is not None else ()):
+        yield finding(
+            "LCH008",
+            place,
+            f"'{name}' is not defined: this launch file stops with a NameError before it starts anything",
+            help=f"define or import '{name}' above, or put it in quotes if it is meant as text",
+            identity=(place.file, name),
+        )
     for mistake in system.launched.mistakes if system.launched is not None else ():
         wrap = "launch.Condition(predicate=…)" if mistake.callable else "IfCondition(…)"
         yield finding(

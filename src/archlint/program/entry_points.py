@@ -248,7 +248,8 @@ def _script_text(installs: Installs, text: Value, where: Place, tree: Tree) -> N
     run_together = _run_together(text.origin, tree) if entry.wrong else []
     if run_together:
         names = " and ".join(f"'{one.name}'" for one in run_together)
-        entry = replace(run_together[0], wrong=f"a comma is missing between {names}")
+        wrong = f"a comma is missing between {names}; newer setuptools stop the build here"
+        entry = replace(run_together[0], wrong=wrong)
     for one in (entry, *run_together[1:]):
         place = text.origin or where
         installs.add(Executable(one.name, installs.package, place, one.module, one.function, wrong=one.wrong))

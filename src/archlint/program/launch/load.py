@@ -30,6 +30,7 @@ from archlint.program.launch.model import (
     why_unknown,
 )
 from archlint.program.launch.run import LaunchRun
+from archlint.program.launch.undefined import undefined_name
 from archlint.program.modules import ModuleIndex
 from archlint.program.store import Store
 from archlint.program.values import FunctionValue, Instance, Known, ListValue, OneOf, Value, reason
@@ -328,6 +329,11 @@ class LaunchLoader:
         module = None if file is None else self.index.module(file)
         if module is None:
             run.gap(f"{path} cannot be read")
+            return
+        lost = None if (found := self.facts_at(path)) is None else undefined_name(found, GENERATE)
+        if lost is not None:
+            run.result.undefined[Place(path, *lost.span)] = lost.id
+            run.gap(f"{path} stops where it reads '{lost.id}', which is not defined")
             return
         with run.root(module):
             run.import_module(module)

@@ -207,6 +207,8 @@ class Launched:
     references: list[FileReference] = field(default_factory=list)
     unknown_attributes: list[UnknownAttribute] = field(default_factory=list)
     mistakes: list[NotACondition] = field(default_factory=list)
+    undefined: dict[Place, str] = field(default_factory=dict)
+    """Names that a launch file reads and nothing defines, each where it stops the launch."""
     gaps: list[Gap] = field(default_factory=list)
     made: set[Place] = field(default_factory=set)
     """Where the run came past a node action, whether it is then started or not."""
