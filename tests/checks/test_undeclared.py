@@ -113,6 +113,27 @@ def test_what_a_package_of_the_workspace_needs_is_all_that_it_brings(lint: Lint)
     assert missing(lint(files)) == ["arm_msgs"]
 
 
+@pytest.mark.parametrize(
+    ("install", "expected"),
+    [
+        ("", []),
+        ("install(PROGRAMS tools/node.py DESTINATION lib/${PROJECT_NAME})", ["geometry_msgs"]),
+        ("install(DIRECTORY launch DESTINATION share/${PROJECT_NAME})", ["geometry_msgs"]),
+        ("ament_python_install_package(${PROJECT_NAME})", ["geometry_msgs"]),
+        ("include(${ours}/install.cmake)", ["geometry_msgs"]),
+    ],
+)
+def test_loose_scripts_of_a_package_that_installs_nothing(lint: Lint, install: str, expected: list[str]):
+    cmake = f"project(talk)\nfind_package(ament_cmake REQUIRED)\n{install}\nament_package()\n"
+    files = {
+        "package.xml": manifest("talk", *depends("rclpy")).replace("ament_python", "ament_cmake"),
+        "CMakeLists.txt": cmake,
+        "tools/node.py": node(POSE),
+        "talk/__init__.py": "",
+    }
+    assert missing(lint(files)) == expected
+
+
 def test_metapackages_of_a_launch_file(lint: Lint):
     launch = '<launch><node pkg="imu_filter_madgwick" exec="imu_filter_madgwick_node"/></launch>'
     files = {"launch/imu.launch.xml": launch, "talk/node.py": node()}

@@ -76,6 +76,8 @@ def uses_by_package(world: World, options: Options) -> dict[str, list[Use]]:
         package = known.home(use.place.file)
         if package is None or package.build_type == "catkin" or options.is_ignored_in(use.place.file):
             continue
+        if _installs_nothing(world, package):
+            continue
         if any(known.declares(file, use.needed) for file in (use.place.file, *use.also)):
             continue
         uses = found.setdefault(package.relative, [])
@@ -83,6 +85,18 @@ def uses_by_package(world: World, options: Options) -> dict[str, list[Use]]:
         if here not in uses:
             uses.append(here)
     return found
+
+
+def _installs_nothing(world: World, package: Package) -> bool:
+    """Whether a package is a folder of loose scripts, as far as its CMakeLists.txt goes: nothing of it is built, so
+    that nothing of it can be started with ROS."""
+    installs = world.installs.get(package.name)
+    if installs is None or installs.folder != package.relative or not installs.build_files:
+        return False
+    some = installs.executables or installs.files or installs.open_executables or installs.open_files
+    if package.build_type != "ament_cmake" or some or installs.mentioned:
+        return False
+    return not any("install" in word or word == "ament_auto_package" for word in installs.words)
 
 
 class _Known:
