@@ -217,6 +217,7 @@ def _systems(request: Request, workspace: Workspace, facts: FactsOfFiles, tree: 
         chosen=request.launch,
         arguments=dict(request.launch_arguments),
         configured=request.settings.launch,
+        distro=request.settings.distro,
     )
     if not systems:  # only where one launch file was asked for: the open system is always there
         ros1 = loader.frontend(request.launch or "").ros1

@@ -4,6 +4,7 @@ from archlint.system import qos
 from archlint.system.implicit import implicit_endpoints, implicit_names, with_implicit
 from archlint.system.instances import instantiate
 from archlint.system.model import Endpoint, Node
+from archlint.system.remap import RemapRule
 from system.builders import action_client, action_server, blueprint, exact, node, system, unknown
 
 
@@ -74,6 +75,24 @@ def test_the_hidden_half_of_an_action() -> None:
     assert [e.node.name for e in goal.users] == ["/client"]
     assert goal.types == ["p/action/Dock_SendGoal"]
     assert loaded.services["/dock/_action/cancel_goal"].types == ["action_msgs/srv/CancelGoal"]
+
+
+def test_what_rclpy_makes_is_remapped_like_what_the_code_makes() -> None:
+    rules = [RemapRule.parse(text) for text in ("~/get_parameters:=/asked", "/clock:=/simulated", "rosout:=log")]
+    started = instantiate(blueprint("n"), None, namespace="/ns", remaps=rules, overrides={"use_sim_time": True})
+    made = names(implicit_endpoints(started))
+    assert "/asked" in made
+    assert "/ns/n/get_parameters" not in made
+    assert "/simulated" in made
+    assert "/rosout" in made, "the rule is for /ns/rosout"
+
+
+def test_the_hidden_half_of_an_action_can_be_remapped_by_itself() -> None:
+    rule = RemapRule.parse("dock/_action/status:=state")
+    started = instantiate(blueprint("n", action_server("dock", "p/action/Dock")), None, remaps=[rule])
+    made = names(implicit_endpoints(started), "publisher")
+    assert "/state" in made
+    assert "/dock/_action/feedback" in made
 
 
 def test_what_a_node_may_serve_without_saying_so() -> None:

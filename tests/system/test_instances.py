@@ -36,6 +36,7 @@ def package(name: str, *dependencies: str, kind: str = "depend") -> Package:
 @dataclass
 class FakeSettings:
     closed_world: bool = False
+    distro: str | None = None
 
 
 def load(*runs: Program, packages: tuple[Package, ...] = ()) -> System:
@@ -166,6 +167,14 @@ class TestStartedByALaunchFile:
     def test_an_action_is_remapped_as_a_topic(self) -> None:
         made = blueprint("n", action_server("dock"))
         assert only(started(made, remaps=[RemapRule.parse("dock:=/base/dock")])).name == "/base/dock"
+
+    def test_humble_does_not_remap_an_action(self) -> None:
+        made = blueprint("n", action_server("dock"), publisher("dock"))
+        node = started(made, remaps=[RemapRule.parse("dock:=/base/dock")], distro="humble")
+        assert sorted((end.kind, end.name) for end in node.endpoints) == [
+            ("action_server", "/dock"),
+            ("publisher", "/base/dock"),
+        ]
 
     def test_the_nodes_own_arguments_come_first(self) -> None:
         made = blueprint("n", publisher("x"), cli_arguments=("--ros-args", "-r", "x:=mine", "-r", "__node:=me"))

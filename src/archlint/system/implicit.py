@@ -7,12 +7,13 @@ rcl_lifecycle ``com_interface.c``; rcl_action ``names.c``.
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass, replace
+from dataclasses import astuple, dataclass, replace
 
 from archlint.program import model as program
 from archlint.program.model import Blueprint, Creation, Qos, Text
 from archlint.system import names, qos
 from archlint.system.model import Endpoint, Node, System
+from archlint.system.resolution import FinalName, endpoint_name
 
 IMPLICIT = "implicit"
 """The ``api`` of the creations made here."""
@@ -116,11 +117,15 @@ def _endpoint(entity: _Entity, blueprint: Blueprint, node: Node) -> Endpoint:
     place = blueprint.place
     text = Text(entity.name, "exact")
     creation = Creation(entity.kind, IMPLICIT, blueprint, place, text, entity.type, qos=entity.qos)
-    if not entity.name.startswith("~"):
-        return Endpoint(creation, node, entity.name)
-    if node.name is None:
-        return Endpoint(creation, node, None, resolution="unknown", reason="the node's name is not known")
-    return Endpoint(creation, node, node.name + entity.name[1:], resolution=node.resolution)
+    return Endpoint(creation, node, *astuple(_name(node, text, entity.kind)))
+
+
+def _name(node: Node, text: Text, kind: str) -> FinalName:
+    """Remapped like any other, by what the node is started with."""
+    if text.text is not None and text.text.startswith("~") and node.name is None:
+        return FinalName(None, None, "unknown", reason="the node's name is not known")
+    assert node.own is not None, "a node with a blueprint has a name, known or not"
+    return endpoint_name(text, kind, node.own, node.rules)
 
 
 def _of_actions(node: Node) -> Iterable[Endpoint]:
@@ -133,6 +138,7 @@ def _of_actions(node: Node) -> Iterable[Endpoint]:
             kind, profile = _ACTION_PARTS[part]
             kind = kind if serves else _OTHER_END[kind]
             type_ = _action_type(endpoint.type, part)
+            name = _name(node, Text(name, endpoint.resolution, endpoint.parameter), kind).name or name
             text = replace(endpoint.creation.name, text=name)
             creation = replace(endpoint.creation, kind=kind, api=IMPLICIT, name=text, type=type_, qos=profile)
             creation.callbacks = {}

@@ -21,10 +21,13 @@ class Settings(Protocol):
     @property
     def closed_world(self) -> bool: ...
 
+    @property
+    def distro(self) -> str | None: ...
+
 
 def assemble(programs: Sequence[Program], workspace: Workspace, settings: Settings) -> list[System]:
     """Without launch files all nodes that the workspace can start make one system, each of them once."""
-    nodes = [_node_of_twins(twins) for twins in _twins(programs)]
+    nodes = [_node_of_twins(twins, settings.distro) for twins in _twins(programs)]
     return [
         System(
             name=None,
@@ -45,11 +48,13 @@ def instantiate(
     remaps: Sequence[RemapRule] = (),
     overrides: Mapping[str, object] | None = None,
     launched_by: str | None = None,
+    distro: str | None = None,
 ) -> Node:
     """The node that ``blueprint`` becomes in one started process.
 
     ``name`` and ``namespace`` are what ``-r __node`` and ``-r __ns`` say (None: nothing), ``remaps`` the
-    other rules of the process in the order of its command line, ``overrides`` parameter values by name.
+    other rules of the process in the order of its command line, ``overrides`` parameter values by name; ``distro``
+    is the one that is configured, if there is one.
     """
     local = rules_of_arguments(blueprint.cli_arguments)
     if not blueprint.use_global_arguments:
@@ -77,7 +82,9 @@ def instantiate(
         error=own.error,
         executables=executables,
     )
-    node.endpoints = _endpoints(blueprint, node, own, [*local, *remaps])
+    node.own = own
+    node.rules = [rule.in_distro(distro) for rule in (*local, *remaps)]
+    node.endpoints = _endpoints(blueprint, node, own, node.rules)
     return node
 
 
@@ -139,16 +146,16 @@ def _twins(programs: Iterable[Program]) -> list[list[Twin]]:
     return list(groups.values())
 
 
-def _node_of_twins(twins: list[Twin]) -> Node:
+def _node_of_twins(twins: list[Twin], distro: str | None) -> Node:
     """One node of all executables that start it.  What only tests do to it is left out."""
     ordered = sorted(twins, key=_twin_order)
     blueprint, program = ordered[0]
-    node = instantiate(blueprint, program)
+    node = instantiate(blueprint, program, distro=distro)
     node.merged = [twin for twin, _ in ordered[1:]]
     real = [(twin, run) for twin, run in ordered if twin.test == blueprint.test]
     found = {_endpoint_key(endpoint): endpoint for endpoint in node.endpoints}
     for twin, run in real[1:]:
-        for endpoint in instantiate(twin, run).endpoints:
+        for endpoint in instantiate(twin, run, distro=distro).endpoints:
             endpoint.node = node
             key = _endpoint_key(endpoint)
             if key not in found or (found[key].conditional and not endpoint.conditional):

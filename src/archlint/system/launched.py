@@ -99,11 +99,13 @@ class LaunchSystems:
         entries: Iterable[EntryPoint],
         parameters_of: Callable[[str], ParameterFacts],
         installs: Mapping[str, Installs],
+        distro: str | None = None,
     ) -> None:
         self.linker = linker
         self.entries = {(entry.package, entry.executable): entry for entry in entries}
         self.parameters_of = parameters_of
         self.installs = installs
+        self.distro = distro
         self._programs: dict[tuple[object, ...], Program | None] = {
             (*key, program.file): program for key, program in linker.started.items()
         }
@@ -172,6 +174,7 @@ class LaunchSystems:
             namespace=started.namespace,
             remaps=_rules(started),
             launched_by=launch_file,
+            distro=self.distro,
         )
         # The program has run with its parameters: its names are final.
         if blueprint.use_global_arguments:

@@ -29,6 +29,7 @@ def launch_systems(
     chosen: str | None = None,
     arguments: Mapping[str, str] | None = None,
     configured: Sequence[Glob] = (),
+    distro: str | None = None,
 ) -> list[System]:
     """The open system and one for each launch file (of those that are configured); only the chosen one, where
     one is named.
@@ -41,7 +42,7 @@ def launch_systems(
         world.launched = launched
         world.parameters_of = loader.parameters
         world.explicit = chosen is not None
-        maker = LaunchSystems(linker, entries, loader.parameters, loader.installs)
+        maker = LaunchSystems(linker, entries, loader.parameters, loader.installs, distro)
         dependencies = opened.package_dependencies
         parts = _parts(launched)
         systems = []

@@ -10,7 +10,7 @@ from archlint.program import model as program
 from archlint.program.launch.model import NOT_FOLLOWED
 
 if TYPE_CHECKING:
-    from collections.abc import Iterable, Iterator
+    from collections.abc import Iterable, Iterator, Sequence
 
     from archlint.finding import Place
     from archlint.observed.model import Comparison
@@ -26,6 +26,8 @@ if TYPE_CHECKING:
     )
     from archlint.system.launched import World
     from archlint.system.overrides import Setting
+    from archlint.system.remap import RemapRule
+    from archlint.system.resolution import NodeName
 
 
 @dataclass(eq=False)
@@ -111,6 +113,10 @@ class Node:
     """All executables that start this node; ``executable`` is the first of them."""
     started: Started | None = None
     """What the launch file says of it."""
+    own: NodeName | None = None
+    """Its name and namespace apart, as far as they are known; None for a node whose source is not here."""
+    rules: Sequence[RemapRule] = ()
+    """The remap rules that its names meet, in rcl's order."""
     merged: list[Blueprint] = field(default_factory=list)
     """The same node as other executables make it; ``endpoints`` hold what these add."""
 

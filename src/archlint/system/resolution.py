@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
-from archlint.program.model import CLIENT, SERVICE, Text
+from archlint.program.model import ACTION_CLIENT, ACTION_SERVER, CLIENT, SERVICE, Text
 from archlint.system import names, remap
 from archlint.system.names import InvalidName
 from archlint.system.remap import RemapRule
@@ -113,11 +113,9 @@ def _exact(name: str, weakest: Text, kind: str, own: NodeName, rules: Sequence[R
 
 
 def _rule_kind(kind: str) -> str:
-    """Which rules apply to a kind of endpoint.
-
-    An action is resolved as a topic since Kilted; in Humble, and in Jazzy up to rcl_action 9.2.8 at least, rules for
-    its base name do nothing (`make test-ros` tries both Jazzy and Kilted).
-    """
+    """Which rules apply to a kind of endpoint."""
+    if kind in (ACTION_SERVER, ACTION_CLIENT):
+        return remap.ACTION
     return remap.SERVICE if kind in (SERVICE, CLIENT) else remap.TOPIC
 
 
