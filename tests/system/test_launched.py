@@ -76,6 +76,35 @@ def test_names_and_remappings(robot):
     assert topics(system()) == {"/alice": ["/alice/state", "/words"]}
 
 
+NAMES = """\
+import rclpy
+from rclpy.node import Node
+from std_msgs.msg import String
+
+class Talker(Node):
+    def __init__(self):
+        super().__init__('talker')
+        self.create_publisher(String, f'/status/{self.get_name()}', 10)
+        self.create_publisher(String, self.get_fully_qualified_name() + '/full', 10)
+        self.create_publisher(String, '/map' + self.get_namespace(), 10)
+
+def main():
+    rclpy.init()
+    rclpy.spin(Talker())
+"""
+
+
+def test_a_node_that_asks_for_its_name_gets_the_one_of_the_launch_file(robot):
+    start = '<node pkg="robot" exec="talker" {}/>'
+    given = ('name="alice" namespace="a"', 'namespace="b"', 'name="$(env WHO)" namespace="c"')
+    robot("".join(map(start.format, given)), **{"robot/talker.py": NAMES})
+    assert topics(system()) == {
+        "/a/alice": ["/a/alice/full", "/map/a", "/status/alice"],
+        "/b/talker": ["/b/talker/full", "/map/b", "/status/talker"],
+        None: ["/c/*/full", "/map/c", "/status/*"],
+    }
+
+
 def test_remappings_on_the_command_line_come_first(robot):
     robot(
         '<node pkg="robot" exec="talker" args="--ros-args -r chatter:=first"><remap from="chatter" to="second"/></node>'

@@ -368,16 +368,18 @@ class ExecutorUse:
 
 @dataclass(frozen=True)
 class Overrides:
-    """The parameter values that one process gets from outside.
+    """What one process gets from outside: the values of parameters, and the names of its nodes.
 
     ``of_nodes`` are those of its nodes, by the name and namespace that their constructors give; ``others`` are
     for a node that is not among them.  ``settled`` are the parameters whose values are certain while the
-    process starts: set on every node that has them, or left to their defaults for sure.
+    process starts: set on every node that has them, or left to their defaults for sure.  ``names`` has the final
+    name and namespace of each node that is given others than its constructor's.
     """
 
     of_nodes: Mapping[tuple[str | None, str | None], Mapping[str, object]] = field(default_factory=dict)
     others: Mapping[str, object] = field(default_factory=dict)
     settled: frozenset[str] = frozenset()
+    names: Mapping[tuple[str | None, str | None], tuple[Text, Text]] = field(default_factory=dict)
 
     def of(self, node: Blueprint | None) -> Mapping[str, object]:
         """Values by parameter name."""
@@ -387,7 +389,8 @@ class Overrides:
     def key(self) -> tuple[object, ...]:
         """What tells two of them apart."""
         rows = [(repr(node), _rows(values)) for node, values in self.of_nodes.items()]
-        return (*sorted(rows), _rows(self.others), *sorted(self.settled))
+        names = [(repr(node), repr(names)) for node, names in self.names.items()]
+        return (*sorted(rows), _rows(self.others), *sorted(self.settled), *sorted(names))
 
 
 def _rows(values: Mapping[str, object]) -> tuple[tuple[str, str], ...]:
@@ -418,6 +421,8 @@ class Program:
     reads_command_line: bool = False
     parses_command_line: bool = False
     """Whether it looks at ``sys.argv``, and whether argparse divides that up for it."""
+    reads_node_names: bool = False
+    """Whether it asks a node for its name, which may be another than that in the code."""
     exhausted: bool = False
     """True where a bound on depth or steps cut the run short."""
     executable: bool = True

@@ -1,4 +1,4 @@
-"""Which parameter values from outside a program has to run again with."""
+"""Which parameter values and node names from outside a program has to run again with."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ from collections.abc import Callable, Iterable, Mapping, Sequence
 from typing import TYPE_CHECKING
 
 from archlint.program.launch.model import OpenParameters, ParameterFileUse, ParameterSetting
-from archlint.program.model import ENDPOINT_KINDS, Blueprint, Creation, Overrides, Program, node_key
+from archlint.program.model import ENDPOINT_KINDS, Blueprint, Creation, Overrides, Program, Text, node_key
 from archlint.system.instances import instantiate
 from archlint.system.overrides import overrides_of
 
@@ -30,14 +30,18 @@ def outside(
     parameters_of: Callable[[str], ParameterFacts],
     remaps: Sequence[RemapRule] = (),
 ) -> Overrides | None:
-    """What is set on the nodes of a process and can change what the program creates; None where nothing is.
+    """What is set on the nodes of a process, or named otherwise, and can change what the program creates; None where
+    nothing is.
 
     ``remaps`` are the rules of its command line: they may rename a node, and parameter files go by final names.
     """
     found: dict[tuple[str | None, str | None], Mapping[str, object]] = {}
+    names: dict[tuple[str | None, str | None], tuple[Text, Text]] = {}
     nodes = [blueprint for blueprint in program.nodes if not blueprint.test]
     for blueprint in nodes:
         node = instantiate(blueprint, program, name=started.name, namespace=started.namespace, remaps=remaps)
+        if program.reads_node_names and node.own is not None and node.own != instantiate(blueprint, program).own:
+            names[node_key(blueprint)] = (node.own.name, node.own.namespace)
         reached = blueprint.use_global_arguments
         found[node_key(blueprint)] = overrides_of(started, known_name(node), parameters_of) if reached else {}
     everything, mentioned = _decided_by(program)
@@ -46,10 +50,10 @@ def outside(
         for key, values in found.items()
     }
     defaults = _defaults_that_hold(started, nodes, found)
-    if not any(decisive.values()) and not (defaults and is_undecided(nodes)):
+    if not names and not any(decisive.values()) and not (defaults and is_undecided(nodes)):
         return None
     others = next(iter(decisive.values())) if len(decisive) == 1 else overrides_of(started, None, parameters_of)
-    return Overrides(decisive, others, _settled(nodes, decisive) | defaults)
+    return Overrides(decisive, others, _settled(nodes, decisive) | defaults, names)
 
 
 def is_undecided(nodes: Iterable[Blueprint]) -> bool:

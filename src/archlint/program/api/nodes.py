@@ -352,14 +352,20 @@ def get_name(run: Run, call: ApiUse) -> Value:
     node = known_node(run, call.receiver)
     if node is None:
         return Unknown("the name of a node that is not known")
-    return _as_value(node.name)
+    return _as_value(_final_names(run, node)[0])
+
+
+def _final_names(run: Run, node: model.Blueprint) -> tuple[model.Text, model.Text]:
+    """The name and the namespace that a node has in this process."""
+    run.program.reads_node_names = True
+    return run.overrides.names.get(model.node_key(node), (node.name, node.namespace))
 
 
 def get_namespace(run: Run, call: ApiUse) -> Value:
     node = known_node(run, call.receiver)
     if node is None:
         return Unknown("the namespace of a node that is not known")
-    value = _as_value(node.namespace)
+    value = _as_value(_final_names(run, node)[1])
     if isinstance(value, Known) and isinstance(value.value, str) and not value.value.startswith("/"):
         return Known("/" + value.value, value.via, kind="node_name")
     return value
