@@ -138,7 +138,7 @@ def test_quality_of_service_in_all_its_forms(execute):
         "/b": ("keep_last", 1, "reliable", "transient_local"),
         "/c": ("keep_last", 5, "best_effort", "volatile"),
         "/d": ("system_default", 0, "system_default", "system_default"),
-        "/e": ("keep_all", 0, "best_effort", "volatile"),
+        "/e": ("keep_all", 10, "best_effort", "volatile"),
     }
 
 

@@ -11,6 +11,7 @@ import inspect
 import json
 import os
 import pkgutil
+import random
 import re
 import sys
 import traceback
@@ -19,7 +20,7 @@ from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import Any
 
-from . import finder, interfaces, resume, sandbox, unknown
+from . import finder, interfaces, real, resume, sandbox, unknown
 from .record import recorder
 from .sandbox import TimeUp, limited
 from .unknown import Unknown, make, unpacked_by
@@ -34,7 +35,12 @@ _MOST_TASKS = 300
 
 def main() -> None:
     """Run the job that the command line names."""
-    job = json.loads(Path(sys.argv[1]).read_text(encoding="utf-8"))
+    execute(Path(sys.argv[1]))
+
+
+def execute(path: Path) -> None:
+    """Run one job, and end the process."""
+    job = json.loads(path.read_text(encoding="utf-8"))
     out = Path(job["out"]).open("a", encoding="utf-8")  # noqa: SIM115 - open until the process ends
     recorder.open(job["root"], out)
     _load_standins(job)
@@ -59,6 +65,8 @@ def _load_standins(job: dict[str, Any]) -> None:
     """Import each stand-in now, while this project is on the path, and make unknown what it lacks."""
     sys.path.insert(0, str(_STANDINS))
     for module in pkgutil.walk_packages([str(_STANDINS)]):
+        if job.get("real") and module.name.partition(".")[0] not in real.WITHOUT_WHEEL:
+            continue
         loaded = importlib.import_module(module.name)
         loaded.__getattr__ = _fallback(module.name)  # type: ignore[method-assign]
     sys.modules["ament_index_python.packages"].folders.update(job["packages"])
@@ -82,6 +90,7 @@ def _prepare(job: dict[str, Any]) -> None:
     own = [entry for entry in sys.path if entry and Path(entry).resolve() != here]
     sys.path[:] = [*job["path_first"], *own, *job["path_last"]]
     sys.dont_write_bytecode = True
+    random.seed(0)
     sys.pycache_prefix = str(Path.cwd() / "pycache")
     sys.argv = [job.get("file", "program")]
     sys.modules.pop("benchmarks", None)
@@ -89,6 +98,7 @@ def _prepare(job: dict[str, Any]) -> None:
     if job.get("resume"):
         resume.install()
     unknown.other_way = bool(job.get("other_way"))
+    real.lenient = bool(job.get("resume")) or job["kind"] in ("classes", "forced")
     if job["kind"] != "setup":
         sandbox.close(Path.cwd())
     sys.stdout = sys.stderr = Path(os.devnull).open("w", encoding="utf-8")  # noqa: SIM115
@@ -228,7 +238,7 @@ def _later(seen: set[int]) -> Iterator[tuple[Any, tuple[Any, ...]]]:
 
 
 def _state() -> Any:
-    return sys.modules["rclpy.lifecycle"].LifecycleState()
+    return sys.modules["rclpy.lifecycle"].LifecycleState("unconfigured", 1)
 
 
 def _quietly(function: Any, arguments: Any) -> None:

@@ -41,7 +41,7 @@ def expand(name: str, node: str, namespace: str) -> str:
     while found := re.search(r"\{([^}]*)\}", expanded):
         value = {"node": node, "ns": namespace, "namespace": namespace}.get(found[1])
         if value is None:
-            raise NameError_(name, f"unknown substitution {found[0]}")
+            raise UnknownSubstitution(name, f"unknown substitution {found[0]}")
         expanded = expanded.replace(found[0], value)
     if not expanded.startswith("/"):
         expanded = join(namespace, expanded)
@@ -70,35 +70,53 @@ def node_identity(name: str, namespace: str | None) -> tuple[str, str]:
     return name, namespace
 
 
+class UnknownSubstitution(NameError_):
+    """A substitution that there is none of, which rclpy tells by a plain ValueError."""
+
+
 class Remapping:
     """The remap rules and parameters of a node's own `cli_args`; the first rule that matches is taken."""
 
     def __init__(self, arguments: object) -> None:
-        self._rules: list[tuple[str | None, str, str]] = []
+        self._rules: list[tuple[str, str | None, str, str]] = []
         self.parameters: list[tuple[str, str]] = []
         words = [str(word) for word in arguments] if isinstance(arguments, (list, tuple)) else []
         inside = False
         for index, word in enumerate(words):
             inside = (inside or word == "--ros-args") and word != "--"
             following = words[index + 1] if index + 1 < len(words) else ""
-            if inside and ":=" in following:
-                left, _, right = following.partition(":=")
-                if word in ("-r", "--remap"):
-                    node, _, match = left.rpartition(":")
-                    self._rules.append((node or None, match, right))
-                elif word in ("-p", "--param"):
+            if inside and word in ("-r", "--remap", "-p", "--param"):
+                left, assigns, right = following.partition(":=")
+                if not (left and assigns):
+                    raise NameError_(following, "not a rule")
+                if word in ("-p", "--param"):
                     self.parameters.append((left, right))
+                else:
+                    self._add(left, right)
+
+    def _add(self, left: str, right: str) -> None:
+        kind, _, rest = left.rpartition("://")
+        node, _, match = rest.rpartition(":")
+        if match == "__ns":
+            _validate_full(right, _LONGEST_NAMESPACE)
+        elif not match.startswith("__"):
+            _validate_written(right)
+            if "//" in right:
+                raise NameError_(right, "must not contain repeated '/'")
+        self._rules.append((kind, node or None, match, right))
 
     def special(self, word: str, node: str) -> str | None:
         """What a rule for `__node` or `__ns` says."""
         wanted = {"__node": ("__node", "__name")}.get(word, (word,))
-        rules = [right for only, match, right in self._rules if match in wanted and only in (None, node)]
+        rules = [right for _, only, match, right in self._rules if match in wanted and only in (None, node)]
         return rules[0] if rules else None
 
-    def apply(self, full: str, node: str, namespace: str) -> str:
-        """The name under which a fully qualified name goes."""
-        for only, match, right in self._rules:
-            if only in (None, node) and not match.startswith("__") and expand(match, node, namespace) == full:
+    def apply(self, kind: str, full: str, node: str, namespace: str) -> str:
+        """The name under which the fully qualified name of an endpoint of a kind goes."""
+        of_kind = ("", "rosservice") if kind in ("service", "client") else ("", "rostopic")
+        for scheme, only, match, right in self._rules:
+            applies = scheme in of_kind and only in (None, node) and not match.startswith("__")
+            if applies and expand(match, node, namespace) == full:
                 return expand(right, node, namespace)
         return full
 

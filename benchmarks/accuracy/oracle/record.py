@@ -6,11 +6,13 @@ import ast
 import json
 import sys
 import types
+from array import array
 from collections import Counter
 from functools import cache, partial
 from pathlib import Path
 from typing import Any, TextIO
 
+from .later import nobody
 from .unknown import is_uncertain, pattern
 
 _MOST_AT_ONE_PLACE = 500  # more come from a loop without end
@@ -72,6 +74,19 @@ class Recorder:
             period_s=period,
         )
 
+    def parameter(self, node: Any, name: str, type_: str, value: object) -> None:
+        """Note one declared parameter with the value that it has from then on: None where none is known."""
+        if site := self.site():
+            self.write(
+                "parameter",
+                **site,
+                **known(name),
+                type=type_.lower(),
+                value=plain(value),
+                node=pattern(node.get_fully_qualified_name()),
+                **{"class": type(node).__qualname__},
+            )
+
     def refusal(self, kind: str, written: object, reason: str) -> None:
         """Note a create call that rcl would have refused."""
         if site := self.site():
@@ -127,8 +142,22 @@ def text(value: object) -> str | None:
     return pattern(value) if isinstance(value, str) else None
 
 
+def plain(value: object) -> object:
+    """A parameter's value as JSON has it: None where it is not known, or a part of it is not."""
+    if isinstance(value, (list, tuple, array)):
+        members = [plain(each) for each in value]
+        return None if None in members else members
+    if isinstance(value, (bytes, bytearray)):
+        return list(value)
+    if isinstance(value, str) and is_uncertain(value):
+        return None
+    return value if isinstance(value, (bool, int, float, str)) else None
+
+
 def callable_name(value: object) -> str | None:
     """The qualified name of a callback."""
+    if value is nobody:
+        return None
     if isinstance(value, partial):
         return callable_name(value.func)
     return getattr(value, "__qualname__", None)

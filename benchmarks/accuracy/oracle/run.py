@@ -4,8 +4,6 @@ they created."""
 from __future__ import annotations
 
 import json
-import subprocess
-import sys
 import tempfile
 from collections.abc import Iterable
 from concurrent.futures import ThreadPoolExecutor
@@ -13,23 +11,10 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
+from .processes import Pool, Python
 from .workspace import Source, Workspace, entry_point, is_test, read
 
-_PROJECT = Path(__file__).resolve().parents[3]
 _KILLED_AFTER = 120.0  # seconds; a job limits itself, this is for one that cannot
-
-_ENVIRONMENT = {
-    "PATH": "/usr/bin:/bin",
-    "LANG": "C.UTF-8",
-    "USER": "user",
-    "TERM": "dumb",
-    "PYTHONHASHSEED": "0",
-    "PYTHONDONTWRITEBYTECODE": "1",
-    "OPENBLAS_NUM_THREADS": "1",
-    "ROS_DISTRO": "jazzy",
-    "ROS_VERSION": "2",
-    "ROS_PYTHON_VERSION": "3",
-}
 
 Line = dict[str, Any]
 
@@ -52,19 +37,30 @@ class Job:
 class Oracle:
     """All runs of one repository."""
 
-    def __init__(self, root: Path, jobs: int = 2) -> None:
+    def __init__(self, root: Path, jobs: int = 2, processes: Pool | None = None) -> None:
+        self._processes = processes or Pool(Python())
+        self._close = processes is None
         self.workspace: Workspace = read(root.resolve())
         self._pool = ThreadPoolExecutor(jobs)
         self._jobs: list[Job] = []
 
-    def run(self) -> dict[str, Any]:
-        """Programs first, then the classes that no program made, then conditions turned over, then the rest."""
+    def run(self, *, plain: bool = False) -> dict[str, Any]:
+        """Programs first, then the classes that no program made, then conditions turned over, then the rest.
+
+        With ``plain``, the first two only, each once.
+        """
         programs = self._start(self._programs())
-        self._again(programs)
-        classes = self._start(self._classes())
-        self._again(classes)
-        self._start(self._other_way([*programs, *classes]))
-        self._start(self._untouched())
+        if plain:
+            self._start(self._classes())
+        else:
+            self._again(programs)
+            classes = self._start(self._classes())
+            self._again(classes)
+            self._start(self._other_way([*programs, *classes]))
+            self._start(self._untouched())
+        self._pool.shutdown()
+        if self._close:
+            self._processes.close()
         return _merged(self.workspace, self._jobs)
 
     def _start(self, jobs: Iterable[Job]) -> list[Job]:
@@ -91,27 +87,13 @@ class Oracle:
                 "out": str(out),
                 "scratch": scratch,
                 "kind": job.kind,
+                "real": self._processes.python.real,
                 "path_first": [],
                 "path_last": [],
                 **job.spec,
             }
             Path(scratch, "job.json").write_text(json.dumps(spec), encoding="utf-8")
-            command = [sys.executable, "-m", "benchmarks.accuracy.oracle.child", "job.json"]
-            environment = {**_ENVIRONMENT, "HOME": scratch, "TMPDIR": scratch, "PYTHONPATH": str(_PROJECT)}
-            noise: str | None = None
-            try:
-                done = subprocess.run(
-                    command,
-                    cwd=scratch,
-                    env=environment,
-                    timeout=_KILLED_AFTER,
-                    capture_output=True,
-                    check=False,
-                )
-                if done.returncode:
-                    noise = done.stderr.decode(errors="replace").strip()[-300:] or f"exit {done.returncode}"
-            except subprocess.TimeoutExpired:
-                noise = f"killed after {_KILLED_AFTER:.0f} s"
+            noise = self._processes.run(Path(scratch), _KILLED_AFTER)
             if out.exists():
                 job.lines = [
                     json.loads(line) for line in out.read_text(encoding="utf-8").splitlines() if line.endswith("}")
@@ -271,6 +253,7 @@ def _merged(workspace: Workspace, jobs: list[Job]) -> dict[str, Any]:
         "repository": workspace.root.name,
         "entities": entities,
         "nodes": _unique(line for job in jobs for line in job.lines if line["what"] == "node" and line.get("file")),
+        "parameters": _unique(line for job in jobs for line in job.lines if line["what"] == "parameter"),
         "refused": _unique(line for job in jobs for line in job.lines if line["what"] == "refused"),
         "runs": [_report(job) for job in jobs],
         "unreached": _unreached(workspace, entities),

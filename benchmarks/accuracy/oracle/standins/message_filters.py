@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
+from benchmarks.accuracy.oracle.later import nobody
 from benchmarks.accuracy.oracle.record import recorder
 from benchmarks.accuracy.oracle.unknown import Unknown
 from rclpy.qos import QoSProfile
@@ -31,7 +32,7 @@ class Subscriber(SimpleFilter):
     def __init__(self, node: Any, msg_type: Any, topic: Any, qos_profile: Any = None, **kwargs: Any) -> None:
         super().__init__()
         self.node, self.topic = node, topic
-        self.sub = node.create_subscription(msg_type, topic, None, qos_profile or QoSProfile(depth=10), **kwargs)
+        self.sub = node.create_subscription(msg_type, topic, nobody, qos_profile or QoSProfile(depth=10), **kwargs)
 
     def getTopic(self) -> Any:
         """The topic as it was written."""
@@ -77,4 +78,4 @@ class TimeSequencer(SimpleFilter):
     ) -> None:
         super().__init__()
         if node is not None:
-            node.create_timer(0.1, None)
+            node.create_timer(0.1, nobody)

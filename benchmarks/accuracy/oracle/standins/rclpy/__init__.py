@@ -26,14 +26,16 @@ class InitContextManager:
         return self
 
     def __exit__(self, *exc: object) -> None:
-        return None
+        self.context.shutdown()
 
 
 def init(
     *, args: Any = None, context: Any = None, domain_id: Any = None, signal_handler_options: Any = None
 ) -> InitContextManager:
     """Up."""
-    return InitContextManager(context or get_default_context())
+    context = context or get_default_context()
+    context.init()
+    return InitContextManager(context)
 
 
 def ok(*, context: Any = None) -> bool:
@@ -42,11 +44,13 @@ def ok(*, context: Any = None) -> bool:
 
 
 def shutdown(*, context: Any = None, uninstall_handlers: Any = None) -> None:
-    """Down; nothing depends on it."""
+    """Down."""
+    (context or get_default_context()).shutdown()
 
 
 def try_shutdown(*, context: Any = None, uninstall_handlers: Any = None) -> None:
-    """Down; nothing depends on it."""
+    """Down."""
+    (context or get_default_context()).shutdown()
 
 
 def create_node(node_name: str, **options: Any) -> Node:

@@ -12,17 +12,22 @@ class Context:
 
     def __init__(self, *_: object, **__: object) -> None:
         self._callbacks: list[Any] = []
+        self._up = False
         self.handle = self
 
     def init(self, *_: object, **__: object) -> None:
-        """Up."""
+        """Up; twice without an end in between is refused."""
+        if self._up:
+            raise RuntimeError("Context.init() must only be called once")
+        self._up = True
 
     def ok(self) -> bool:
         """Up, a few times at each place."""
         return still_up()
 
     def shutdown(self) -> None:
-        """Down; nothing depends on it."""
+        """Down; nothing depends on it, but that it may be up again."""
+        self._up = False
 
     try_shutdown = shutdown
 

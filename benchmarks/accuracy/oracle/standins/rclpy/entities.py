@@ -5,10 +5,11 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any
 
+from benchmarks.accuracy.oracle.later import finished
 from benchmarks.accuracy.oracle.sandbox import waited
 from benchmarks.accuracy.oracle.unknown import Unknown
 
-from .task import Future, finished
+from .task import Future
 
 
 class Entity:

@@ -3,6 +3,14 @@
 from __future__ import annotations
 
 
+class RCLError(RuntimeError):
+    """What rcl or the middleware refuses."""
+
+
+class RCLInvalidROSArgsError(RCLError):
+    """A command line after --ros-args that rcl does not understand."""
+
+
 class InvalidHandle(Exception):
     """A destroyed entity was used."""
 

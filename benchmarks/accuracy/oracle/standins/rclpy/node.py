@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import inspect
 from collections.abc import Callable
+from contextlib import suppress
 from typing import Any
 
 import yaml
-from benchmarks.accuracy.oracle.interfaces import interface, ros_type_of
-from benchmarks.accuracy.oracle.names import NameError_, Remapping, expand, node_identity
+from benchmarks.accuracy.oracle.interfaces import InterfaceType, interface, ros_type_of
+from benchmarks.accuracy.oracle.names import NameError_, Remapping, UnknownSubstitution, expand, node_identity
 from benchmarks.accuracy.oracle.record import recorder
 from benchmarks.accuracy.oracle.sandbox import waited
 from benchmarks.accuracy.oracle.unknown import Unknown, UnknownType, make
@@ -22,6 +24,8 @@ from .exceptions import (
     InvalidNodeNameException,
     InvalidServiceNameException,
     InvalidTopicNameException,
+    RCLError,
+    RCLInvalidROSArgsError,
 )
 from .logging import get_logger
 from .parameter import Parameter
@@ -54,7 +58,12 @@ class Node(ParameterStore):
         enable_logger_service: bool = False,
     ) -> None:
         name, space = _as_text(node_name), _as_text(namespace) if namespace else ""
-        remapping = self._oracle_remapping = Remapping(cli_args)
+        if name is None:
+            raise RCLError("node name argument is null")
+        try:
+            remapping = self._oracle_remapping = Remapping(cli_args)
+        except NameError_ as error:
+            raise RCLInvalidROSArgsError(str(error)) from None
         try:
             name, space = node_identity(name, space)
             name = remapping.special("__node", name) or name
@@ -183,7 +192,9 @@ class Node(ParameterStore):
         autostart: bool = True,
     ) -> Any:
         """Record a timer."""
-        period = None if isinstance(timer_period_sec, Unknown) else float(timer_period_sec)
+        period = None if isinstance(timer_period_sec, Unknown) else int(float(timer_period_sec) * 1e9) / 1e9
+        if period is not None and period < 0:
+            raise RCLError("failed to create timer: timer period must be non-negative")
         recorder.entity("timer", self, callback=callback, period=period)
         made = Timer(callback=callback, timer_period_ns=int((period or 0) * 1e9), clock=clock or self._oracle_clock)
         return self._oracle_keep("timers", made)
@@ -199,7 +210,10 @@ class Node(ParameterStore):
         return GuardCondition(callback=callback)
 
     def _oracle_record(self, kind: str, type_: Any, written: Any, profile: Any, callback: Any = None) -> str:
-        return record(self, kind, type_, written, _qos.normal_form(profile), callback)
+        if kind == "subscriber":
+            _check_callback(callback)
+        form = _qos.normal_form(profile, of_service=kind in ("service", "client"))
+        return record(self, kind, type_, written, form, callback)
 
     def _oracle_keep(self, what: str, entity: Any) -> Any:
         self._oracle_entities.setdefault(what, []).append(entity)
@@ -301,11 +315,14 @@ class Node(ParameterStore):
 
     def resolve_topic_name(self, topic: str, *, only_expand: bool = False) -> str:
         """The fully qualified name of a topic."""
-        return qualified(self, "publisher", topic)
+        return expand(topic, *self._oracle_identity()) if only_expand else qualified(self, "publisher", topic)
 
     def resolve_service_name(self, service: str, *, only_expand: bool = False) -> str:
         """The fully qualified name of a service."""
-        return qualified(self, "service", service)
+        return expand(service, *self._oracle_identity()) if only_expand else qualified(self, "service", service)
+
+    def _oracle_identity(self) -> tuple[str, str]:
+        return self.get_name(), self.get_namespace()
 
     def assert_liveliness(self) -> None:
         """Alive."""
@@ -318,9 +335,12 @@ def record(
     node: Node, kind: str, type_: Any, written: Any, profile: dict[str, object] | None, callback: Any = None
 ) -> str:
     """Note one named entity of a node, and give its fully qualified name."""
-    if not isinstance(type_, (Unknown, type, UnknownType)):
-        raise TypeError(f"{type_!r} is not an interface type")
+    if not isinstance(type_, (Unknown, InterfaceType, UnknownType)):
+        raise AttributeError(f"{type_!r} has no attribute '_TYPE_SUPPORT'")
     _check_kind(kind, ros_type_of(type_))
+    if written is None:
+        by_kind = {"publisher": RCLError, "subscriber": RCLError, "service": TypeError, "client": TypeError}
+        raise by_kind.get(kind, ValueError)("topic_name argument is null")
     name = qualified(node, kind, _as_text(written))
     recorder.entity(
         kind,
@@ -334,6 +354,15 @@ def record(
     return name
 
 
+def _check_callback(callback: Any) -> None:
+    """rclpy calls back with the message, or with the message and what came with it."""
+    for count in (1, 2):
+        with suppress(TypeError):
+            inspect.signature(callback).bind(*[None] * count)
+            return
+    raise RuntimeError("callback should be either be callable with one argument or two")
+
+
 def _check_kind(kind: str, ros_type: str | None) -> None:
     expected = {"publisher": "msg", "subscriber": "msg", "service": "srv", "client": "srv"}.get(kind, "action")
     if ros_type and f"/{expected}/" not in ros_type and "/action/" not in ros_type:
@@ -345,10 +374,12 @@ def qualified(node: Any, kind: str, written: str) -> str:
     try:
         name, namespace = node.get_name(), node.get_namespace()
         full = expand(written, name, namespace)
-        return full if kind.startswith("action") else node._oracle_remapping.apply(full, name, namespace)
+        return full if kind.startswith("action") else node._oracle_remapping.apply(kind, full, name, namespace)
     except NameError_ as error:
         recorder.refusal(kind, written, error.reason)
-        wrong = InvalidServiceNameException if kind in ("service", "client") else InvalidTopicNameException
+        wrong: type[Exception] = ValueError
+        if not kind.startswith("action") and not isinstance(error, UnknownSubstitution):
+            wrong = InvalidServiceNameException if kind in ("service", "client") else InvalidTopicNameException
         raise wrong(str(error)) from None
 
 

@@ -50,9 +50,19 @@ class Parameter:
 
         def check(self, value: Any) -> bool:
             """Whether a value is of this type."""
-            return _type_of(value) is self
+            kinds = Parameter.Type
+            if self is kinds.NOT_SET:
+                return value is None
+            if self in _PYTHON:
+                return isinstance(value, _PYTHON[self])
+            allowed: Any = bytes if self is kinds.BYTE_ARRAY else _PYTHON[kinds(self.value - 5)]
+            return hasattr(value, "__iter__") and all(isinstance(item, (allowed, Unknown)) for item in value)
 
     def __init__(self, name: str, type_: Any = None, value: Any = None) -> None:
+        if type_ is not None and not isinstance(type_, (Parameter.Type, Unknown)):
+            raise TypeError(f"type must be an instance of {Parameter.Type!r}")
+        if isinstance(type_, Parameter.Type) and not isinstance(value, Unknown) and not type_.check(value):
+            raise ValueError(f"Type {type_!r} and value {value!r} do not agree")
         self._name = name
         self._value = value
         self._type = type_ if isinstance(type_, Parameter.Type) else _type_of(value)
@@ -94,6 +104,14 @@ class Parameter:
         return cls(msg.name, value=parameter_value_to_python(msg.value))
 
 
+_PYTHON = {
+    Parameter.Type.BOOL: bool,
+    Parameter.Type.INTEGER: int,
+    Parameter.Type.DOUBLE: float,
+    Parameter.Type.STRING: str,
+}
+
+
 def _type_of(value: Any) -> Parameter.Type:
     kinds = Parameter.Type
     if value is None or isinstance(value, Unknown):
@@ -113,7 +131,7 @@ def _type_of(value: Any) -> Parameter.Type:
         if all(isinstance(item, bytes) for item in value):
             return kinds.BYTE_ARRAY
         for python, kind in scalars:
-            if all(type(item) is python or isinstance(item, Unknown) for item in value):
+            if all(isinstance(item, (python, Unknown)) for item in value):
                 return kinds(kind.value + 5)
     raise TypeError(f"The given value is not one of the allowed types '{value!r}'.")
 

@@ -5,11 +5,12 @@ from __future__ import annotations
 from typing import Any
 
 from benchmarks.accuracy.oracle.interfaces import interface
+from benchmarks.accuracy.oracle.later import finished
 from benchmarks.accuracy.oracle.unknown import Unknown
 
 from .node import Node, record
 from .qos import normal_form, qos_profile_parameter_events, qos_profile_services_default
-from .task import Future, finished
+from .task import Future
 
 _SERVICES = {
     "get_parameters": "GetParameters",

@@ -7,6 +7,9 @@ from typing import Any
 
 from benchmarks.accuracy.oracle.unknown import Unknown
 
+from .duration import Duration
+from .exceptions import RCLError
+
 
 class InvalidQoSProfileException(Exception):
     """A profile that lacks history or depth."""
@@ -98,35 +101,47 @@ _ORDER = (
     "history", "depth", "reliability", "durability", "lifespan", "deadline",
     "liveliness", "liveliness_lease_duration", "avoid_ros_namespace_conventions",
 )  # fmt: skip
+_POLICIES: dict[str, type[QoSPolicyEnum]] = {
+    "history": HistoryPolicy,
+    "reliability": ReliabilityPolicy,
+    "durability": DurabilityPolicy,
+    "liveliness": LivelinessPolicy,
+}
+_DEFAULTS: dict[str, Any] = {
+    "depth": 10,
+    "reliability": ReliabilityPolicy.RELIABLE,
+    "durability": DurabilityPolicy.VOLATILE,
+    "lifespan": None,
+    "deadline": None,
+    "liveliness": LivelinessPolicy.SYSTEM_DEFAULT,
+    "liveliness_lease_duration": None,
+    "avoid_ros_namespace_conventions": False,
+}
 
 
 class QoSProfile:
     """A profile; its policies may be assigned after construction."""
 
-    def __init__(self, *arguments: Any, **policies: Any) -> None:
-        for name, value in zip(_ORDER, arguments, strict=False):
-            policies[name] = value
+    def __init__(self, **policies: Any) -> None:
         unexpected = set(policies) - set(_ORDER)
         if unexpected:
-            raise AssertionError(f"Unexpected keyword arguments: {sorted(unexpected)}")
+            raise AssertionError(f"Invalid arguments passed to constructor: {sorted(unexpected)}")
         if "history" not in policies and "depth" not in policies:
             raise InvalidQoSProfileException("History and/or depth settings are required.")
-        history = policies.get("history", HistoryPolicy.KEEP_LAST)
-        if "depth" not in policies and history == HistoryPolicy.KEEP_LAST:
-            raise InvalidQoSProfileException("Depth is required with KEEP_LAST.")
-        self.history = history if isinstance(history, Unknown) else HistoryPolicy(history)
-        self.depth = policies.get("depth", 0)
-        if isinstance(self.depth, bool) or not isinstance(self.depth, (int, Unknown)):
-            raise AssertionError("depth must be an int")
-        if isinstance(self.depth, int) and self.depth < 0:
-            raise ValueError("depth must not be negative")
-        self.reliability = _policy(ReliabilityPolicy, policies.get("reliability", ReliabilityPolicy.RELIABLE))
-        self.durability = _policy(DurabilityPolicy, policies.get("durability", DurabilityPolicy.VOLATILE))
-        self.lifespan = policies.get("lifespan")
-        self.deadline = policies.get("deadline")
-        self.liveliness = _policy(LivelinessPolicy, policies.get("liveliness", LivelinessPolicy.SYSTEM_DEFAULT))
-        self.liveliness_lease_duration = policies.get("liveliness_lease_duration")
-        self.avoid_ros_namespace_conventions = policies.get("avoid_ros_namespace_conventions", False)
+        self.history = policies.get("history", HistoryPolicy.KEEP_LAST)
+        if "depth" not in policies and self.history == HistoryPolicy.KEEP_LAST:
+            raise InvalidQoSProfileException("History set to KEEP_LAST without a depth setting.")
+        for name, default in _DEFAULTS.items():
+            setattr(self, name, policies.get(name, default))
+
+    def __setattr__(self, name: str, value: Any) -> None:
+        if isinstance(value, Unknown) or name not in _ORDER:
+            object.__setattr__(self, name, value)
+            return
+        policy = _POLICIES.get(name)
+        expected: Any = int if policy or name == "depth" else bool if name == _ORDER[-1] else Duration
+        assert isinstance(value, expected) or (expected is Duration and value is None), f"{name} is {value!r}"
+        object.__setattr__(self, name, policy(value) if policy else value)
 
     def __eq__(self, other: object) -> bool:
         return isinstance(other, QoSProfile) and vars(self) == vars(other)
@@ -138,25 +153,26 @@ class QoSProfile:
         return self
 
 
-def _policy(kind: type[QoSPolicyEnum], value: Any) -> Any:
-    return value if isinstance(value, Unknown) else kind(value)
-
-
-def normal_form(value: object) -> dict[str, object]:
-    """What rclpy makes of a `qos_profile` argument: an int is a depth; anything but a profile is refused."""
+def normal_form(value: object, *, of_service: bool = False) -> dict[str, object]:
+    """What rclpy makes of a `qos_profile` argument: an int is a depth, but not for services; any other is refused."""
     if isinstance(value, Unknown):
         return {"history": None, "depth": None, "reliability": None, "durability": None}
+    if of_service and not isinstance(value, QoSProfile):
+        raise AttributeError(f"{type(value).__name__!r} object has no attribute 'get_c_qos_profile'")
     if isinstance(value, int):
         if value < 0:
             raise ValueError("history depth must be greater than or equal to zero")
         value = QoSProfile(depth=value)
     if not isinstance(value, QoSProfile):
         raise TypeError(f"Expected QoSProfile or int, but received {type(value)!r}")
+    words = {name: _word(_POLICIES[name], getattr(value, name)) for name in ("history", "reliability", "durability")}
+    if "unknown" in words.values() or (isinstance(value.depth, int) and value.depth < 0):
+        raise RCLError("the middleware has no such QoS")
     return {
-        "history": _word(HistoryPolicy, value.history),
-        "depth": None if isinstance(value.depth, Unknown) else value.depth,
-        "reliability": _word(ReliabilityPolicy, value.reliability),
-        "durability": _word(DurabilityPolicy, value.durability),
+        "history": words["history"],
+        "depth": None if isinstance(value.depth, Unknown) else int(value.depth),
+        "reliability": words["reliability"],
+        "durability": words["durability"],
     }
 
 

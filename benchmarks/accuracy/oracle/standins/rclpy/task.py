@@ -73,13 +73,6 @@ class Future:
         return True
 
 
-def finished(result: Any) -> Future:
-    """A future that already has its answer."""
-    future = Future()
-    future.set_result(result)
-    return future
-
-
 class Task(Future):
     """A callable that an executor runs later."""
 

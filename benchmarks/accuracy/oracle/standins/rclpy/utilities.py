@@ -17,6 +17,7 @@ def ok(*, context: Any = None) -> bool:
 
 def shutdown(*, context: Any = None) -> None:
     """Down."""
+    (context or get_default_context()).shutdown()
 
 
 try_shutdown = shutdown

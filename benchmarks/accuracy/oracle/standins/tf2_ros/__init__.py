@@ -5,11 +5,12 @@ from __future__ import annotations
 from typing import Any
 
 from benchmarks.accuracy.oracle.interfaces import interface
+from benchmarks.accuracy.oracle.later import finished, nobody
 from benchmarks.accuracy.oracle.unknown import Unknown
 from rclpy.action import ActionClient
 from rclpy.node import Node
 from rclpy.qos import DurabilityPolicy, QoSProfile
-from rclpy.task import Future, finished
+from rclpy.task import Future
 from rclpy.time import Time
 
 _TF = interface("tf2_msgs", "msg", "TFMessage")
@@ -101,7 +102,7 @@ class Buffer(BufferInterface):
     def __init__(self, cache_time: Any = None, node: Any = None, *_: object, **__: object) -> None:
         super().__init__()
         if isinstance(node, Node):
-            node.create_service(interface("tf2_msgs", "srv", "FrameGraph"), "tf2_frames", None)
+            node.create_service(interface("tf2_msgs", "srv", "FrameGraph"), "tf2_frames", nobody)
 
 
 class BufferClient(BufferInterface):
@@ -154,9 +155,9 @@ class TransformListener:
     ) -> None:
         self.buffer, self.node = buffer, node
         if not static_only:
-            node.create_subscription(_TF, tf_topic, None, qos or QoSProfile(depth=100))
+            node.create_subscription(_TF, tf_topic, nobody, qos or QoSProfile(depth=100))
         lasting = QoSProfile(depth=100, durability=DurabilityPolicy.TRANSIENT_LOCAL)
-        node.create_subscription(_TF, tf_static_topic, None, static_qos or lasting)
+        node.create_subscription(_TF, tf_static_topic, nobody, static_qos or lasting)
 
     def unregister(self) -> None:
         """It listened."""

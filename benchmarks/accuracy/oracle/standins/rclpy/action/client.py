@@ -4,13 +4,14 @@ from __future__ import annotations
 
 from typing import Any
 
+from benchmarks.accuracy.oracle.later import finished
 from benchmarks.accuracy.oracle.record import recorder
 from benchmarks.accuracy.oracle.sandbox import waited
 from benchmarks.accuracy.oracle.unknown import Unknown
 
 from rclpy.entities import Entity
 from rclpy.node import record
-from rclpy.task import Future, finished
+from rclpy.task import Future
 
 
 class ClientGoalHandle:

@@ -91,14 +91,16 @@ class ActionServer(Entity):
         result_timeout: Any = 900,
     ) -> None:
         super().__init__()
+        for callback in (goal_callback, handle_accepted_callback, cancel_callback, execute_callback):
+            if not callable(callback):
+                raise TypeError("Failed to register a callback: not callable")
         self._action_type = action_type
         record(node, "action_server", action_type, action_name, None, execute_callback)
         goal = getattr(action_type, "Goal", Unknown("Goal"))()
         handle = ServerGoalHandle(request=goal, goal_id=Unknown("goal_id"), status=2)
         recorder.tasks.append((goal_callback, (goal,)))
         recorder.tasks.append((handle_accepted_callback, (handle,)))
-        if execute_callback is not None:
-            recorder.tasks.append((execute_callback, (handle,)))
+        recorder.tasks.append((execute_callback, (handle,)))
 
     def _register(self, callback: Any) -> None:
         return None

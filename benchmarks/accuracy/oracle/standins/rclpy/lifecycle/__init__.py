@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from enum import Enum
-from typing import Any
+from typing import Any, NamedTuple
 
 from rclpy.entities import Publisher as _PlainPublisher
 from rclpy.node import Node as _PlainNode
@@ -17,11 +17,11 @@ class TransitionCallbackReturn(Enum):
     ERROR = 99
 
 
-class LifecycleState:
+class LifecycleState(NamedTuple):
     """A state."""
 
-    def __init__(self, label: str = "unconfigured", state_id: int = 1) -> None:
-        self.label, self.state_id = label, state_id
+    label: str
+    state_id: int
 
 
 State = LifecycleState
