@@ -3,7 +3,8 @@
 The answer to a request is an entity of the client's callback group.  It can be taken only while a thread of
 the executor is free and that group is not held; a mutually exclusive group is held from a callback's start
 until it has ended, also across ``await``.  The rows were gained by running rclpy's own executors of all
-supported distributions, and they differ only where a row says so.
+supported distributions, and they differ only where a row says so; ``benchmarks/executors`` tries them again on
+jazzy and kilted.
 """
 
 from __future__ import annotations
@@ -26,6 +27,7 @@ SPIN = "spin"
 LIMITED_SPIN = "spin with a limit"
 STEAL = "spin on another executor"
 """The callback spins its node on an executor that does not run it."""
+LIMITED_STEAL = "spin on another executor with a limit"
 RATE = "rate"
 """``Rate.sleep()``: the rate's timer has a group of its own."""
 RESULT = "result at once"
@@ -51,6 +53,9 @@ RAISES_NESTED = "raises 'Executor is already spinning'"
 STRANDS = "takes the node from its executor, so that none of its callbacks runs again"
 NONE_AT_ONCE = "gives None, for the answer is not there yet"
 UNKNOWN = "may hang"
+
+NESTED_SINCE = {"jazzy": "7.1.9", "kilted": "9.1.5"}
+"""The rclpy that first refuses a nested spin: before, these distributions let it in, as humble does."""
 
 Outcomes = Mapping[str, str]
 """The outcome in each distribution."""
@@ -98,7 +103,10 @@ MATRIX: dict[tuple[str, str, str], Outcomes] = {
     **{(LIMITED_SPIN, threads, SAME): _humble_and_later(TIMES_OUT, RAISES_NESTED) for threads in _THREADS},
     **{(LIMITED_SPIN, t, g): _humble_and_later(FINE, RAISES_NESTED) for t in _THREADS for g in _APART},
     **{(LIMITED_SPIN, threads, UNCLEAR): _humble_and_later(UNKNOWN, RAISES_NESTED) for threads in _THREADS},
-    **{(STEAL, threads, group): _everywhere(STRANDS) for threads in _THREADS for group in _GROUPS},
+    # Another executor takes the node along, and serves it while the callback spins; afterwards nobody does.
+    **{(STEAL, threads, SAME): _everywhere(HANGS) for threads in _THREADS},
+    **{(STEAL, threads, group): _everywhere(STRANDS) for threads in _THREADS for group in (*_APART, UNCLEAR)},
+    **{(LIMITED_STEAL, threads, group): _everywhere(STRANDS) for threads in _THREADS for group in _GROUPS},
     **{(RATE, ONE, group): _everywhere(HANGS) for group in _GROUPS},
     **{(RATE, SEVERAL, group): _everywhere(FINE) for group in _GROUPS},
     **{(RATE, threads, group): _everywhere(UNKNOWN) for threads in (NOBODY, ANY) for group in _GROUPS},
@@ -116,6 +124,8 @@ class Verdict:
 
     outcomes: Mapping[str, str]
     why: str
+    before: str | None = None
+    """What the first releases of the distributions of :data:`NESTED_SINCE` do, where that is something else."""
 
     @property
     def safe(self) -> bool:
@@ -131,8 +141,16 @@ class Verdict:
 
     @property
     def words(self) -> str:
-        """``hangs for ever``; where the distributions differ, which does what."""
-        return outcome_words(self.outcomes)
+        """``hangs for ever``; where the distributions and their releases differ, which does what."""
+        return outcome_words(self.outcomes) + self._before_words()
+
+    def _before_words(self) -> str:
+        if self.before is None:
+            return ""
+        if len(self.outcomes) == 1:
+            return f" ({self.before} before rclpy {NESTED_SINCE[next(iter(self.outcomes))]})"
+        releases = [f"{one} before rclpy {since}" for one, since in NESTED_SINCE.items() if one in self.outcomes]
+        return f" ({self.before} in {' and '.join(releases)})"
 
 
 def look_up(form: str, threads: str, relation: str, why: str, distros: Sequence[str] = DISTROS) -> Verdict:
@@ -141,7 +159,8 @@ def look_up(form: str, threads: str, relation: str, why: str, distros: Sequence[
     outcomes = {distro: row[distro] for distro in distros}
     if set(outcomes.values()) == {NO_SUCH_ARGUMENT}:
         why = "the argument came with jazzy"
-    return Verdict(outcomes, why)
+    changed = any(outcomes.get(distro) == RAISES_NESTED for distro in NESTED_SINCE)
+    return Verdict(outcomes, why, row["humble"] if changed else None)
 
 
 def outcome_words(outcomes: Mapping[str, str]) -> str:

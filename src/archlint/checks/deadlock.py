@@ -15,6 +15,7 @@ from archlint.checks.blocking import (
     FINE,
     LIMITED_CALL,
     LIMITED_SPIN,
+    LIMITED_STEAL,
     NOBODY,
     ONE,
     OTHER,
@@ -31,6 +32,7 @@ from archlint.checks.blocking import (
 )
 from archlint.config import DISTROS
 from archlint.finding import Related
+from archlint.program.model import FOR_A_MOMENT
 
 if TYPE_CHECKING:
     from archlint.program.model import ApiCall, Blueprint, Creation, ExecutorUse, Group, Program
@@ -185,19 +187,29 @@ def judge_spin(
         relation = SAME if callback.group is not None and callback.group.kind != "reentrant" else OTHER
     globally = call.api.startswith("rclpy.spin") and not _given(call, "executor")
     form = LIMITED_SPIN if limited else SPIN
+    # A spin without a future ends as soon as there is any work.
+    steal = LIMITED_STEAL if limited or "future" not in call.arguments else STEAL
     if globally and any(use.place is None for use in running):
         return look_up(form, ANY, relation, _NESTED, distros)
     if spun is None or node is None:
         return Verdict(dict.fromkeys(distros, UNKNOWN), "it is not known which node is spun")
     if spun is not node:
         if globally and any(spun in use.nodes for use in running):
-            return look_up(STEAL, ANY, relation, _STOLEN_FROM_US, distros)
+            return look_up(LIMITED_STEAL, ANY, relation, _STOLEN_FROM_US, distros)
         if not running or any(spun in use.nodes for use in running):
             return Verdict(dict.fromkeys(distros, UNKNOWN), "it is not known whether its executor is spinning already")
         return Verdict(dict.fromkeys(distros, FINE), _OWN_SPIN)
-    if globally and running:
-        return look_up(STEAL, ANY, relation, _STOLEN, distros)
+    if (globally and running) or _on_one_of_its_own(call, node, running):
+        return look_up(steal, ANY, relation, _STOLEN, distros)
     return look_up(form, ANY, relation, _NESTED, distros)
+
+
+def _on_one_of_its_own(call: ApiCall, node: Blueprint, running: Sequence[ExecutorUse]) -> bool:
+    """Whether a spin is given an executor that runs the node for as long as this spin lasts, and no longer."""
+    use = getattr(call.arguments.get("executor"), "use", None)
+    if use is None or all(other is use for other in running):
+        return False
+    return use not in running or use.lasts_for(node) == FOR_A_MOMENT
 
 
 def _given(call: ApiCall, name: str) -> bool:

@@ -41,8 +41,6 @@ def event_waits(system: System) -> list[EventWait]:
     for program, call in judged_calls(system):
         if call.api != _WAIT or not isinstance(call.receiver, Instance) or not runs_in_executor(call.context):
             continue
-        if call.context.role == "service":
-            continue
         by = setters.get(call.receiver.key, [])
         reasons = [_kept_out(call.context, setter, program) for setter in by]
         if by and all(reasons):

@@ -157,4 +157,8 @@ def _cost(wait: Wait) -> str:
     exclusive = handler.group is not None and handler.group.kind != "reentrant"
     if exclusive and any(other.group == handler.group and other.place != handler.place for other in others):
         return "its own caller waits, and no other callback of its group runs"
-    return "its own caller waits" + ("" if wait.kind == AWAIT else ", and one thread less is there for the others")
+    if wait.kind == AWAIT:
+        return "its own caller waits"
+    if handler.group is not None and handler.group.kind == "reentrant":
+        return "its own caller waits, and as many requests at once as there are threads leave none to take an answer"
+    return "its own caller waits, and one thread less is there for the others"

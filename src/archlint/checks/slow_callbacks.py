@@ -233,7 +233,7 @@ def rate_sleep_in_callback(system: System, options: Options) -> Iterator[Finding
             "EXE004",
             call.place,
             f"{callback_words(call.context)} sleeps on a Rate and {verdict.words}: the timer that wakes it needs the "
-            "thread that sleeps",
+            f"thread that sleeps{_unless_it_ran(call)}",
             help="let a timer do the work step by step, or spin the node with a MultiThreadedExecutor",
             related=tuple(related_to(call, program)),
             node=node_name(system, call.context.node),
@@ -244,6 +244,11 @@ def rate_sleep_in_callback(system: System, options: Options) -> Iterator[Finding
         for verdict in [_rate_verdict(call, program, options)]
         if not verdict.safe and not verdict.unknown
     )
+
+
+def _unless_it_ran(call: ApiCall) -> str:
+    """A Rate remembers that its timer ran while nobody slept: the first sleep after that ends at once."""
+    return "" if call.looped else "; if the timer ran before, it does not sleep at all"
 
 
 def _rate_verdict(call: ApiCall, program: Program, options: Options) -> blocking.Verdict:

@@ -322,8 +322,23 @@ def _callbacks(run: Run, call: ApiUse) -> Value:
     node = nodes.known_node(run, call.receiver)
     if node is None and isinstance(call.receiver, FutureValue) and call.receiver.creations:
         node = call.receiver.creations[0].node
-    callbacks.register_row(run, call, node, None)
+    if node is None and isinstance(call.receiver, ExecutorValue):
+        node = _node_of_a_task(run, call.receiver)
+    callbacks.register_row(run, call, node, None, _group(run, call))
     return Unknown(f"what {call.api.path}() gives")
+
+
+def _node_of_a_task(run: Run, executor: ExecutorValue) -> model.Blueprint | None:
+    """The node that hands its executor a task, or the only one that the executor has."""
+    served = executor.use.nodes
+    return run.context.node if run.context.node in served else served[0] if len(served) == 1 else None
+
+
+def _group(run: Run, call: ApiUse) -> model.Group | None:
+    """Parameters are set by services of the node, which are in its default group."""
+    if call.api.group is not None:
+        return entities.group_of(run, call.get(call.api.group))
+    return model.Group("default") if call.api.callbacks[0][1] == "parameter" else None
 
 
 _GET_INTERFACE = re.compile(r"^([a-z][a-z0-9_]*)/(?:(msg|srv|action)/)?([A-Z]\w*)$")

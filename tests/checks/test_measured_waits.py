@@ -1,0 +1,111 @@
+"""Waits whose outcome was not what one would think: each was tried on a real rclpy (benchmarks/executors)."""
+
+from __future__ import annotations
+
+import pytest
+
+from archlint.checks.blocking import HANGS, LIMITED_STEAL, ONE, OTHER, REENTRANT, SAME, SPIN, STEAL, STRANDS, look_up
+from checks.callbacks import ON_SEVERAL_THREADS, Run, codes, source
+
+CLIENT = "self.client = self.create_client(Trigger, 'check')\n"
+CALL = "answer = self.client.call(Trigger.Request(), timeout_sec=1.0)\nprint(answer)"
+OWN_EXECUTOR = """
+def main():
+    rclpy.init()
+    executor = SingleThreadedExecutor()
+    executor.add_node(Robot())
+    executor.spin()
+
+
+if __name__ == '__main__':
+    main()
+"""
+
+
+def method(signature: str, body: str) -> str:
+    lines = "\n".join(f"    {line}" for line in body.splitlines())
+    return f"def {signature}:\n{lines}\n"
+
+
+def test_the_callback_of_a_guard_condition_is_in_the_group_it_is_given(run: Run):
+    made = CLIENT + "self.guard = self.create_guard_condition(self.check{})"
+    text = source(made.format(""), method("check(self)", CALL), ON_SEVERAL_THREADS)
+    (found,) = run(text, "jazzy")
+    assert found.code == "CBG001"
+    assert "self.client.call(" in text.splitlines()[found.place.line - 1]
+    apart = made.format(", callback_group=MutuallyExclusiveCallbackGroup()")
+    assert run(source(apart, method("check(self)", CALL), ON_SEVERAL_THREADS), "jazzy") == []
+
+
+def test_a_parameter_callback_is_in_the_default_group(run: Run):
+    body = f"{CALL}\nreturn SetParametersResult(successful=True)"
+    register = "self.add_on_set_parameters_callback(self.on_set)"
+    text = source(CLIENT + register, method("on_set(self, parameters)", body), ON_SEVERAL_THREADS)
+    imported = "from rcl_interfaces.msg import SetParametersResult\n"
+    assert codes(run(imported + text, "jazzy")) == ["CBG001"]
+    apart = text.replace("'check')", "'check', callback_group=MutuallyExclusiveCallbackGroup())")
+    assert run(imported + apart, "jazzy") == []
+
+
+def test_a_task_holds_the_one_thread_of_the_executor_that_runs_it(run: Run):
+    made = CLIENT + "self.timer = self.create_timer(1.0, self.tick)"
+    tick = method("tick(self)", "self.executor.create_task(self.check)")
+    (found,) = run(source(made, tick + method("check(self)", CALL), OWN_EXECUTOR), "jazzy")
+    assert found.code == "EXE002"
+    assert "the executor has one thread" in found.message
+    assert run(source(made, tick + method("check(self)", CALL), ON_SEVERAL_THREADS), "jazzy") == []
+
+
+def test_a_service_handler_that_waits_for_an_event_that_it_keeps_out(run: Run):
+    made = """
+        self.came = threading.Event()
+        self.create_subscription(Empty, 'go', self.on_go, 10{})
+        self.create_service(Trigger, 'wait', self.serve)
+    """
+    serve = method("serve(self, request, response)", "self.came.wait()\nreturn response")
+    body = method("on_go(self, message)", "self.came.set()") + serve
+    (found,) = run(source(made.format(""), body))
+    assert found.code == "EXE002"
+    assert "the handler of the service 'wait' waits for an event" in found.message
+    apart = made.format(", callback_group=MutuallyExclusiveCallbackGroup()")
+    assert run(source(apart, body, ON_SEVERAL_THREADS)) == []
+
+
+@pytest.mark.parametrize(("group", "ends"), [("", "hangs for ever"), ("ReentrantCallbackGroup()", "takes the node")])
+def test_a_spin_on_an_executor_made_for_it(run: Run, group: str, ends: str):
+    groups = f", callback_group={group}" if group else ""
+    made = f"""
+        self.client = self.create_client(Trigger, 'check'{groups})
+        self.create_subscription(Empty, 'go', self.on_go, 10)
+    """
+    body = """\
+future = self.client.call_async(Trigger.Request())
+rclpy.spin_until_future_complete(self, future, executor=SingleThreadedExecutor())
+"""
+    found = [one for one in run(source(made, method("on_go(self, message)", body))) if one.code == "EXE001"]
+    assert len(found) == 1
+    assert f"its node is spun by another executor: this {ends}" in found[0].message
+
+
+def test_a_stolen_node_hangs_where_its_own_group_keeps_the_answer_out():
+    assert set(look_up(STEAL, ONE, SAME, "").outcomes.values()) == {HANGS}
+    assert set(look_up(STEAL, ONE, REENTRANT, "").outcomes.values()) == {STRANDS}
+    assert set(look_up(LIMITED_STEAL, ONE, SAME, "").outcomes.values()) == {STRANDS}
+
+
+def test_the_first_releases_let_a_nested_spin_in():
+    nested = look_up(SPIN, ONE, OTHER, "", ["jazzy"])
+    assert nested.words == "raises 'Executor is already spinning' (works before rclpy 7.1.9)"
+    everywhere = look_up(SPIN, ONE, SAME, "").words
+    assert everywhere.startswith("hangs for ever in humble and raises 'Executor is already spinning' from jazzy on")
+    assert everywhere.endswith("(hangs for ever in jazzy before rclpy 7.1.9 and kilted before rclpy 9.1.5)")
+    assert "before" not in look_up(SPIN, ONE, SAME, "", ["humble"]).words
+
+
+def test_a_rate_may_also_not_sleep_at_all(run: Run):
+    made = "self.rate = self.create_rate(10.0)\nself.create_subscription(Empty, 'go', self.on_go, 10)"
+    (once,) = run(source(made, method("on_go(self, message)", "self.rate.sleep()")))
+    assert once.code == "EXE004"
+    assert once.message.endswith("; if the timer ran before, it does not sleep at all")
+    (looped,) = run(source(made, method("on_go(self, message)", "for _ in range(9):\n    self.rate.sleep()")))
+    assert looped.message.endswith("needs the thread that sleeps")
