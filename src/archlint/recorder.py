@@ -26,6 +26,8 @@ from rclpy.utilities import get_rmw_implementation_identifier
 
 QUIET_S = 2.0
 """How long nothing new must be discovered until the picture counts as whole."""
+LATE_S = 6.0
+"""The same, where of some node nothing but its name has arrived."""
 STEP_S = 0.2
 ANSWER_S = 2.0
 """How long a node may take to tell its parameters."""
@@ -111,17 +113,18 @@ def written(nodes: list[Entity], settled: bool, arguments: argparse.Namespace) -
 
 
 def wait(node: Node, limit: float) -> bool:
-    """Waits for the discovery; whether it came to rest within ``limit`` seconds."""
+    """Waits for the discovery; whether it came to rest within ``limit`` seconds.  Nothing at all is no rest before."""
     start = changed = time.monotonic()
-    before: object = None
+    before: list[Any] = []
     while time.monotonic() - start < limit:
         found = [(name, count, ends(node, name)) for name, count in names(node).items()]
+        bare = any(not any(has.values()) for _, _, has in found)
         if found != before:
             before, changed = found, time.monotonic()
-        elif time.monotonic() - changed >= QUIET_S:
+        elif found and time.monotonic() - changed >= (LATE_S if bare else QUIET_S):
             return True
         time.sleep(STEP_S)
-    return False
+    return not before
 
 
 def names(node: Node) -> dict[str, int]:

@@ -123,8 +123,22 @@ def _vertices(graph: networkx.MultiDiGraph, ids: dict[Key, str]) -> Iterator[str
 
 def _vertex(graph: networkx.MultiDiGraph, key: Key, ids: dict[Key, str]) -> str:
     data = graph.nodes[key]
-    drawn = _node(data) if data["kind"] == NODE else _interface(data)
+    drawn = _observed(_node(data) if data["kind"] == NODE else _interface(data), data)
     return f"  {ids[key]} {_attributes(drawn)};"
+
+
+def _observed(drawn: dict[str, str], data: dict[str, Any]) -> dict[str, str]:
+    """A vertex that is otherwise when the system runs, in the colours that say so."""
+    status = data.get("observed")
+    if not status:
+        return drawn
+    colours = look.PALETTE[status]
+    return drawn | {
+        "style": drawn["style"].replace(",dashed", "") + (",dashed" if status == "missing" else ""),
+        "fillcolor": colours.fill,
+        "color": colours.line,
+        "fontcolor": colours.text,
+    }
 
 
 def _node(data: dict[str, Any]) -> dict[str, str]:
@@ -132,7 +146,7 @@ def _node(data: dict[str, Any]) -> dict[str, str]:
     aside = look.is_aside(node) or data["neighbour"]
     colours = look.PALETTE["wrong" if node.error else "aside" if aside else "node"]
     return {
-        "label": look.node_label(node),
+        "label": look.vertex_label(data),
         "tooltip": look.node_details(node),
         "shape": "box",
         "style": "rounded,filled" + (",dashed" if aside else ""),
@@ -150,7 +164,7 @@ def _interface(data: dict[str, Any]) -> dict[str, str]:
     wrong = data["error"] or len(data["types"]) > 1
     colours = look.PALETTE["wrong" if wrong else kind]
     drawn = {
-        "label": look.interface_label(data),
+        "label": look.vertex_label(data),
         "tooltip": look.interface_details(data),
         "shape": _SHAPES[kind],
         "style": "filled" if data["matched"] else "filled,dashed",
@@ -160,6 +174,12 @@ def _interface(data: dict[str, Any]) -> dict[str, str]:
         "fontsize": "10",
     }
     return drawn if kind == "topic" else {**drawn, "margin": "0,0", "height": "0"}
+
+
+def _observed_line(bundle: look.Bundle) -> dict[str, str]:
+    colour = look.PALETTE[bundle.observed].line
+    drawn = {"color": colour, "penwidth": "1.8", "style": "dashed" if bundle.observed == "missing" else "solid"}
+    return drawn | ({"label": bundle.remark, "fontsize": "9", "fontcolor": colour} if bundle.remark else {})
 
 
 def _edges(graph: networkx.MultiDiGraph, ids: dict[Key, str]) -> Iterator[str]:
@@ -176,6 +196,8 @@ def _edges(graph: networkx.MultiDiGraph, ids: dict[Key, str]) -> Iterator[str]:
         }
         if bundle.broken:
             line |= {"label": f"✕ {bundle.broken}", "fontsize": "9", "fontcolor": colours.line, "penwidth": "1.8"}
+        if bundle.observed:
+            line |= _observed_line(bundle)
         yield f"  {ids[bundle.tail]} -> {ids[bundle.head]} {_attributes(line)};"
     for node, interface in graph.graph["remapped"]:
         line = {

@@ -79,6 +79,10 @@ def _hash(text: str) -> str:
     return "sha256-" + base64.b64encode(hashlib.sha256(text.encode()).digest()).decode()
 
 
+def _details(edge: dict[str, Any]) -> str:
+    return ", ".join([look.endpoint_details(edge["endpoint"], edge["broken"]), *look.remarks([edge])])
+
+
 def _data(graph: networkx.MultiDiGraph) -> dict[str, Any]:
     """Vertices by the ids that the drawing gives them, and the details of each line."""
     ids = {key: f"n{number}" for number, key in enumerate(graph.nodes)}
@@ -87,12 +91,13 @@ def _data(graph: networkx.MultiDiGraph) -> dict[str, Any]:
         is_node = data["kind"] == NODE
         name = look.node_label(data["node"]) if is_node else visible(data["name"] or "?")
         details = look.node_details(data["node"]) if is_node else look.interface_details(data)
-        vertices[ids[key]] = {"kind": data["kind"], "name": name, "details": details.split("\n")}
+        observed = [f"when it runs: {data['observed']}"] if data.get("observed") else []
+        vertices[ids[key]] = {"kind": data["kind"], "name": name, "details": [*details.split("\n"), *observed]}
     lines = [
         {
             "tail": ids[tail],
             "head": ids[head],
-            "details": visible(look.endpoint_details(edge["endpoint"], edge["broken"])),
+            "details": visible(_details(edge)),
         }
         for tail, head, edge in graph.edges(data=True)
     ]

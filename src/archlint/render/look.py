@@ -33,8 +33,12 @@ PALETTE = {
     "action": Colours("#f3e8ff", "#7e22ce", "#3b0764"),
     "wrong": Colours("#fee2e2", "#b91c1c", "#450a0a"),
     "aside": Colours("#ffffff", "#94a3b8", "#475569"),
+    "missing": Colours("#fff1f2", "#e11d48", "#881337"),
+    "unexpected": Colours("#dcfce7", "#15803d", "#052e16"),
+    "different": Colours("#cffafe", "#0e7490", "#083344"),
 }
-"""``wrong`` marks types that differ and rejected names; ``aside`` neighbours and what :func:`is_aside` tells."""
+"""``wrong`` marks types that differ and rejected names; ``aside`` neighbours and what :func:`is_aside` tells; the last
+three what a running system has otherwise."""
 
 
 UNOWNED = "used by a node that is not known"
@@ -59,12 +63,23 @@ def condition_words(node: Node) -> str:
 def node_details(node: Node) -> str:
     """Class, package and place of a node, for a tooltip."""
     if node.blueprint is None:
-        return f"{node.package}/{node.executable}, not in this workspace"
+        return ", ".join(filter(None, [_started_as(node), "not in this workspace"]))
     place = node.blueprint.place
     executables = ", ".join(node.executables)
     started_by = f"{node.package or 'no package'}{': ' if executables else ''}{executables}"
     where = f"{place.file}:{place.line}"
     return _lines([node.blueprint.class_name, started_by, where, "test code" if node.test else ""])
+
+
+def _started_as(node: Node) -> str:
+    """``package/executable``, empty for a node that only runs."""
+    return f"{node.package}/{node.executable}" if node.package or node.executable else ""
+
+
+def vertex_label(data: dict[str, Any]) -> str:
+    """What stands in a shape: the label of a node or an interface, and how the running system differs there."""
+    label = node_label(data["node"]) if data["kind"] == NODE else interface_label(data)
+    return _lines([*label.split("\n"), data.get("observed", "")])
 
 
 def interface_label(data: dict[str, Any]) -> str:
@@ -155,6 +170,8 @@ def caption(graph: networkx.MultiDiGraph) -> str:
         sentences.append("dashed without an arrow: remapped, its source is not here")
     if any(edge["broken"] for _, _, edge in graph.edges(data=True)):
         sentences.append("red and crossed out: quality of service lets no message through")
+    if "compared" in graph.graph:
+        sentences.append("compared with a running system: red is missing, green unexpected, teal different")
     if any(edge["endpoint"].conditional for _, _, edge in graph.edges(data=True)):
         sentences.append("dotted: only under a condition")
     return "  ·  ".join(sentences)
@@ -198,6 +215,9 @@ class Bundle:
     conditional: bool
     broken: str
     details: str
+    observed: str = ""
+    """How the running system differs there, and ``remark`` the same in words; empty where it does not."""
+    remark: str = ""
 
 
 def bundles(graph: networkx.MultiDiGraph) -> list[Bundle]:
@@ -211,4 +231,11 @@ def bundles(graph: networkx.MultiDiGraph) -> list[Bundle]:
 def _bundle(tail: tuple[str, str], head: tuple[str, str], edges: list[dict[str, Any]]) -> Bundle:
     conditional = all(edge["endpoint"].conditional for edge in edges)
     broken = edges[0]["broken"] if all(edge["broken"] for edge in edges) else ""
-    return Bundle(tail, head, conditional, broken, _lines(endpoint_details(e["endpoint"], e["broken"]) for e in edges))
+    details = _lines([*(endpoint_details(e["endpoint"], e["broken"]) for e in edges), *remarks(edges)])
+    marked = next((edge for edge in edges if edge.get("observed")), {})
+    return Bundle(tail, head, conditional, broken, details, marked.get("observed", ""), marked.get("remark", ""))
+
+
+def remarks(edges: list[dict[str, Any]]) -> list[str]:
+    """What edges are otherwise when the system runs."""
+    return [f"when it runs: {edge['remark']}" for edge in edges if edge.get("remark")]

@@ -31,7 +31,7 @@ def render(system: System) -> str:
     graph = graph_of(system)
     ids = {key: f"n{number}" for number, key in enumerate(graph.nodes)}
     edges = list(_edges(graph, ids))
-    lines = ["flowchart LR", *_vertices(graph, ids), *edges, *_styles(graph, ids), *_broken_lines(graph)]
+    lines = ["flowchart LR", *_vertices(graph, ids), *edges, *_styles(graph, ids), *_coloured_lines(graph)]
     text = "\n".join(lines) + "\n"
     if len(edges) > EDGE_LIMIT:
         return f"%% {len(edges)} edges, and Mermaid draws {EDGE_LIMIT}: {_ADVICE}\n{text}"
@@ -59,7 +59,7 @@ def _vertices(graph: networkx.MultiDiGraph, ids: dict[Key, str]) -> Iterator[str
 
 def _vertex(graph: networkx.MultiDiGraph, key: Key, ids: dict[Key, str]) -> str:
     data = graph.nodes[key]
-    label = look.node_label(data["node"]) if data["kind"] == NODE else look.interface_label(data)
+    label = look.vertex_label(data)
     before, after = _SHAPES[data["kind"]]
     return f"  {ids[key]}{before}{escape(label)}{after}"
 
@@ -70,17 +70,23 @@ def _edges(graph: networkx.MultiDiGraph, ids: dict[Key, str]) -> Iterator[str]:
         arrow = "-->" if interface["matched"] and not bundle.conditional else "-.->"
         if bundle.broken:
             arrow = f'--x|"{escape(bundle.broken)}"|'
+        if bundle.observed:
+            line = "-.->" if bundle.observed == "missing" else "-->"
+            arrow = f'{line}|"{escape(bundle.remark)}"|' if bundle.remark else line
         yield f"  {ids[bundle.tail]} {arrow} {ids[bundle.head]}"
     for node, interface in graph.graph["remapped"]:
         yield f"  {ids[node]} -.- {ids[interface]}"
 
 
-def _broken_lines(graph: networkx.MultiDiGraph) -> Iterator[str]:
+def _coloured_lines(graph: networkx.MultiDiGraph) -> Iterator[str]:
     """Mermaid styles a line by its number."""
-    numbers = [str(number) for number, bundle in enumerate(look.bundles(graph)) if bundle.broken]
-    if numbers:
-        colours = look.PALETTE["wrong"]
-        yield f"  linkStyle {','.join(numbers)} stroke:{colours.line},color:{colours.line}"
+    numbers: dict[str, list[str]] = {}
+    for number, bundle in enumerate(look.bundles(graph)):
+        style = bundle.observed or ("wrong" if bundle.broken else "")
+        numbers.setdefault(style, []).append(str(number))
+    for style, colours in look.PALETTE.items():
+        if style in numbers:
+            yield f"  linkStyle {','.join(numbers[style])} stroke:{colours.line},color:{colours.line}"
 
 
 def _styles(graph: networkx.MultiDiGraph, ids: dict[Key, str]) -> Iterator[str]:
@@ -94,6 +100,8 @@ def _styles(graph: networkx.MultiDiGraph, ids: dict[Key, str]) -> Iterator[str]:
 
 
 def _style(data: dict[str, Any]) -> str:
+    if data.get("observed"):
+        return str(data["observed"])
     if data["kind"] == NODE:
         node = data["node"]
         return "wrong" if node.error else "aside" if look.is_aside(node) or data["neighbour"] else "node"

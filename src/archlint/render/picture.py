@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from archlint.checks.delivery import undelivered
+from archlint.render.observed import mark
 from archlint.system.graph import to_networkx
 from archlint.system.model import System
 
@@ -16,12 +17,14 @@ if TYPE_CHECKING:
 
 def graph_of(system: System) -> networkx.MultiDiGraph:
     """As :func:`~archlint.system.graph.to_networkx`; each edge also has ``broken``: why no message gets through, or
-    an empty text."""
+    an empty text.  Where the system was held against a running one, :mod:`archlint.render.observed` marks that."""
     graph = to_networkx(system)
     reasons = broken_ends(system)
     for _, _, attributes in graph.edges(data=True):
         attributes["broken"] = reasons.get(id(attributes["endpoint"]), "")
     graph.graph["broken"] = any(reasons.values())
+    if system.compared is not None:
+        mark(graph, system, system.compared)
     return graph
 
 

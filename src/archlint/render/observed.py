@@ -1,0 +1,115 @@
+"""Marks in a graph that is drawn how the running system differs from it, and adds what only that has.
+
+A vertex or an edge that differs has ``observed`` (``missing``, ``unexpected`` or ``different``); ``remark`` is what to
+write at an edge.
+"""
+
+from __future__ import annotations
+
+import re
+from typing import TYPE_CHECKING, Any
+
+from archlint.observed.model import DIFFERENT, MISSING, UNEXPECTED, Comparison, Difference, SeenEnd, SeenNode
+from archlint.program.model import Blueprint, Creation, Text
+from archlint.system.graph import INTERFACE_OF, NODE, TOPIC, Key, interface_key
+from archlint.system.implicit import implicit_names
+from archlint.system.model import Endpoint, Node
+from archlint.system.names import is_hidden
+
+if TYPE_CHECKING:
+    import networkx
+
+    from archlint.finding import Place
+    from archlint.system.model import System
+
+_PACKAGE = re.compile(r"^\w+/(msg|srv|action)/")
+"""What a picture leaves out of a type."""
+_TOWARDS_NODE = ("subscriber", "service", "action_server")
+
+
+def mark(graph: networkx.MultiDiGraph, system: System, compared: Comparison) -> None:
+    graph.graph["compared"] = compared.observed.file
+    for one in compared.differences:
+        if one.kind == NODE:
+            _mark_node(graph, system, one)
+        elif one.kind == TOPIC:
+            _interface(graph, (TOPIC, one.name), one.observed or None)
+        else:
+            _mark_end(graph, one)
+
+
+def _mark_node(graph: networkx.MultiDiGraph, system: System, one: Difference) -> None:
+    key = (NODE, one.name)
+    if isinstance(one.seen, SeenNode):
+        _add_node(graph, system, one.seen)
+    elif key in graph:
+        graph.nodes[key]["observed"] = MISSING if one.status == MISSING else DIFFERENT
+        for *_, edge in _edges_at(graph, key) if one.status == MISSING else ():
+            edge["observed"], edge["remark"] = MISSING, ""  # the node says it
+
+
+def _mark_end(graph: networkx.MultiDiGraph, one: Difference) -> None:
+    key = (NODE, one.node or "")
+    if key not in graph:  # not shown
+        return
+    for *_, edge in _edges_at(graph, key):
+        if edge["kind"] == one.kind and edge["endpoint"].name == one.name:
+            edge["observed"], edge["remark"] = one.status, _remark(one)
+    seen = one.seen
+    if isinstance(seen, SeenEnd) and (one.status == UNEXPECTED or seen.name != one.name):
+        _add_end(graph, key, graph.nodes[key]["node"], seen, one.status, one.place, one.status)
+
+
+def _edges_at(graph: networkx.MultiDiGraph, key: Key) -> list[tuple[Key, Key, dict[str, Any]]]:
+    return [*graph.in_edges(key, data=True), *graph.out_edges(key, data=True)]
+
+
+def _remark(one: Difference) -> str:
+    short = _PACKAGE.sub("", one.observed)
+    return f"{one.status}: {short}" if one.status == DIFFERENT else one.status
+
+
+def _add_node(graph: networkx.MultiDiGraph, system: System, seen: SeenNode) -> None:
+    """A node that runs and that the source does not have, with what it is an end of."""
+    node = Node(seen.name, None, None, None, "unknown", external=True, launch_place=seen.place)
+    key = (NODE, seen.name)
+    graph.add_node(
+        key, kind=NODE, name=seen.name, resolution="exact", node=node, neighbour=False, observed=UNEXPECTED
+    )
+    of_ros = implicit_names(system)
+    for end in seen.ends:
+        if not is_hidden(end.name) and end.name not in of_ros and not end.name.startswith(f"{seen.name}/"):
+            _add_end(graph, key, node, end, UNEXPECTED, seen.place, "")  # the node says it
+
+
+def _add_end(
+    graph: networkx.MultiDiGraph, key: Key, node: Node, seen: SeenEnd, status: str, place: Place, remark: str
+) -> None:
+    blueprint = node.blueprint or Blueprint("", Text(node.name, "exact"), Text("/", "exact"), place, None)
+    creation = Creation(seen.kind, "observed", blueprint, place, Text(seen.name, "exact"), seen.type, qos=seen.qos)
+    endpoint = Endpoint(creation, node, seen.name)
+    interface = interface_key(endpoint)
+    _interface(graph, interface, seen.type)
+    ends = (interface, key) if seen.kind in _TOWARDS_NODE else (key, interface)
+    graph.add_edge(
+        *ends,
+        kind=seen.kind,
+        type=seen.type,
+        file=place.file,
+        line=place.line,
+        endpoint=endpoint,
+        broken="",
+        observed=status,
+        remark=remark,
+    )
+
+
+def _interface(graph: networkx.MultiDiGraph, key: Key, type_: str | None) -> None:
+    """A topic, service or action that is only there when the system runs; one that is in the graph stays as it is."""
+    assert key[0] in INTERFACE_OF.values()
+    if key in graph:
+        return
+    types = [type_] if type_ else []
+    graph.add_node(
+        key, kind=key[0], name=key[1], resolution="exact", types=types, matched=True, error=None, observed=UNEXPECTED
+    )
