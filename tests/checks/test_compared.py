@@ -330,3 +330,97 @@ def test_workspaces_side_by_side_are_not_one_system(tmp_path, monkeypatch):
         (tmp_path / name / "src" / "robot" / "watcher.py").write_text(OPEN, encoding="utf-8")
     with pytest.raises(NothingToDo, match="several workspaces stand side by side here"):
         compared(watcher(), tmp_path, None)
+
+
+# -------------------------------------------------------------------------------------------------------- parameters
+
+
+@pytest.mark.parametrize(("type_", "differs"), [("bool", False), (None, False), ("string", True)])
+def test_a_parameter_of_another_type(open_folder, type_, differs):
+    seen = watcher(parameters=[{"name": "verbose", "type": type_, "value": None}, {"name": "use_sim_time"}])
+    words = "the parameter verbose of /watcher is of type string when it runs, and bool in the source"
+    assert told(compared(seen, open_folder, None)) == ([("GRF007", "watcher.py", 10, words)] if differs else [])
+
+
+# -------------------------------------------------------------------------------------------------------------- bags
+
+DRIVER = '''\
+import rclpy
+from geometry_msgs.msg import Twist
+from rclpy.node import Node
+from rclpy.qos import qos_profile_sensor_data
+from sensor_msgs.msg import LaserScan
+
+
+class Driver(Node):
+    def __init__(self):
+        super().__init__('driver')
+        self.scans = self.create_publisher(LaserScan, 'scan', qos_profile_sensor_data)
+        self.speed = self.create_publisher(Twist, 'speed', 10)
+
+
+def main():
+    rclpy.init()
+    rclpy.spin(Driver())
+
+
+if __name__ == '__main__':
+    main()
+'''
+
+
+def bag(folder: Path, *topics: tuple[str, str, str], source: str = DRIVER) -> Report:
+    (folder / "driver.py").write_text(source, encoding="utf-8")
+    entries = [
+        {"topic_metadata": {"name": name, "type": type_, "offered_qos_profiles": [{"reliability": reliability}]}}
+        for name, type_, reliability in topics
+    ]
+    record = {"rosbag2_bagfile_information": {"version": 9, "topics_with_message_count": entries}}
+    (folder / "metadata.yaml").write_text(json.dumps(record), encoding="utf-8")
+    return check(Request((".",), Settings(), cached=False, jobs=1, observed=read("metadata.yaml")))
+
+
+SCAN = ("/scan", "sensor_msgs/msg/LaserScan", "best_effort")
+SPEED = ("/speed", "geometry_msgs/msg/Twist", "reliable")
+
+
+@pytest.fixture
+def bag_folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    monkeypatch.chdir(tmp_path)
+    return tmp_path
+
+
+def test_a_bag_of_what_is_published(bag_folder):
+    report = bag(bag_folder, SCAN, SPEED, ("/rosout", "rcl_interfaces/msg/Log", "reliable"))
+    assert told(report) == []
+    assert report.remarks[1] == "2 topics on both sides; no difference."
+
+
+def test_a_topic_that_was_not_recorded_is_not_missing(bag_folder):
+    report = bag(bag_folder, SCAN)
+    assert told(report) == []
+    assert any("not recorded, so not compared: /speed" in notice for notice in report.notices)
+
+
+def test_what_was_offered_otherwise(bag_folder):
+    [found] = told(bag(bag_folder, (*SCAN[:2], "reliable"), SPEED))
+    assert found == ("GRF007", "driver.py", 11, "/scan was offered reliable, and is best effort in the source")
+
+
+def test_a_topic_of_another_type(bag_folder):
+    [found] = told(bag(bag_folder, SCAN, ("/speed", "geometry_msgs/msg/TwistStamped", "reliable")))
+    words = "/speed has the type geometry_msgs/msg/TwistStamped, and geometry_msgs/msg/Twist in the source"
+    assert found == ("GRF007", "driver.py", 12, words)
+
+
+def test_a_topic_that_nobody_publishes(bag_folder):
+    [found] = told(bag(bag_folder, ("/scans", *SCAN[1:])))
+    assert found[:3] == ("GRF006", "metadata.yaml", 1)
+    assert found[3].startswith("/scans (sensor_msgs/msg/LaserScan) was recorded, and no node here publishes it")
+
+
+def test_a_topic_that_may_be_one_of_a_name_that_is_not_known(bag_folder):
+    source = DRIVER.replace("'speed'", "input()")
+    report = bag(bag_folder, SCAN, ("/odd", "geometry_msgs/msg/Twist", "reliable"), source=source)
+    assert told(report) == []
+    assert any("/odd is in the bag; it may be the publisher of driver.py:12" in notice for notice in report.notices)

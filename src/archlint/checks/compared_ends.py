@@ -49,7 +49,32 @@ def ends_of(system: System, node: Node, seen: SeenNode, observed: Observed, whol
     for kind in VERBS:
         if kind in observed.kinds:
             _Kind(system, node, seen, kind, whole, result).compare()
+    result.differences += _parameters(node, seen)
     return result
+
+
+def _parameters(node: Node, seen: SeenNode) -> Iterator[Difference]:
+    """Declared parameters that have another type when the node runs; what it has beside them is not judged, for
+    launch files and libraries declare, too."""
+    there = {one.name: one.type for one in seen.parameters or ()}
+    for one in node.parameters:
+        name, type_ = one.name.text, None if one.dynamic else one.type
+        running = there.get(name or "")
+        if one.name.resolution != "exact" or name is None or type_ is None or running in (None, type_):
+            continue
+        yield Difference(
+            DIFFERENT,
+            "parameter",
+            name,
+            node.name,
+            f"the parameter {name} of {node.name} is of type {running} when it runs, and {type_} in the source",
+            _OTHER_BUILD,
+            one.place,
+            type_,
+            running or "",
+            ((seen.place, "this is what was observed"),),
+            seen,
+        )
 
 
 class _Kind:
