@@ -56,6 +56,14 @@ def test_a_difference_is_a_finding(recorded, capsys):
     assert "2 nodes and 5 endpoints on both sides; 1 missing." in said.err
 
 
+def test_a_picture_is_told_what_it_was_compared_with(recorded, tmp_path, capsys):
+    words = ["graph", "--no-cache", "--launch", LAUNCH, "--observed", str(recorded)]
+    assert main([*words, "-o", str(tmp_path / "robot.mmd")]) == 0
+    assert "2 nodes and 5 endpoints on both sides; 1 missing." in capsys.readouterr().err
+    assert main(words) == 0  # the text says it itself
+    assert capsys.readouterr().err == ""
+
+
 def test_quiet_says_the_findings_alone(recorded, capsys):
     assert main(["check", "--no-cache", "-q", "--launch", LAUNCH, "--observed", str(recorded)]) == 1
     assert capsys.readouterr().err == ""

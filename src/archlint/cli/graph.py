@@ -25,6 +25,7 @@ from archlint.cli.options import (
 from archlint.session import NothingToDo, Request, graph
 
 if TYPE_CHECKING:
+    from archlint.observed.model import Comparison
     from archlint.system.model import System
 
 
@@ -76,7 +77,18 @@ def run(arguments: argparse.Namespace) -> int:
     if not arguments.quiet:
         for notice in argument_notices(system):
             console.note(f"archlint: warning: {notice}")
+        if system.compared is not None and format != "text":  # which says so itself
+            _tell_comparison(system.compared)
     return _told_faults(system)
+
+
+def _tell_comparison(compared: Comparison) -> None:
+    from archlint.observed.words import comparison_notices, comparison_words
+
+    for sentence in comparison_words(compared):
+        console.note(sentence)
+    for notice in comparison_notices(compared):
+        console.note(f"archlint: warning: {notice}")
 
 
 def _told_faults(system: System) -> int:
