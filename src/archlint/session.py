@@ -23,7 +23,7 @@ if TYPE_CHECKING:
     from archlint.facts.files import FactsOfFiles
     from archlint.facts.store import NullStore, Store
     from archlint.finding import Finding
-    from archlint.observed.model import Comparison, Observed
+    from archlint.observed.model import Observed
     from archlint.program.launch.load import LaunchLoader
     from archlint.system.model import System
     from archlint.workspace.model import SourceFile, Workspace
@@ -223,15 +223,13 @@ def _systems(request: Request, workspace: Workspace, facts: FactsOfFiles, tree: 
         ros1 = loader.frontend(request.launch or "").ros1
         raise NothingToDo(f"{request.launch} {'is for ROS 1' if ros1 else 'starts nothing that can be read'}")
     if request.observed is not None:
-        systems[0].compared = _compared(request, systems[0], request.observed)
+        from archlint.checks.compared import compare
+        from archlint.checks.registry import options_for
+
+        is_external = options_for(request.settings, ["GRF006"])["GRF006"].is_external
+        context = {file.relative for file in workspace.files if file.context and request.launch is None}
+        systems[0].compared = compare(systems[0], request.observed, is_external, context)
     return systems
-
-
-def _compared(request: Request, system: System, observed: Observed) -> Comparison:
-    from archlint.checks.compared import compare
-    from archlint.checks.registry import options_for
-
-    return compare(system, observed, options_for(request.settings, ["GRF006"])["GRF006"].is_external)
 
 
 def _no_launch_file(request: Request, loader: LaunchLoader) -> str:

@@ -99,7 +99,14 @@ def test_two_nodes_of_one_name(recorded, tmp_path):
 
 
 @pytest.mark.parametrize(
-    "name", ["/_ros2cli_daemon_0_ab12", "/launch_ros_4711", "/transform_listener_impl_55d0c8b2a3f0", "/ns/_hidden"]
+    "name",
+    [
+        "/_ros2cli_daemon_0_ab12",
+        "/launch_ros_4711",
+        "/transform_listener_impl_55d0c8b2a3f0",
+        "/ns/_hidden",
+        "/rosbag2_recorder",
+    ],
 )
 def test_nodes_of_ros_own_tools_are_no_difference(recorded, tmp_path, name):
     recorded["nodes"].append({"name": name})
@@ -322,6 +329,16 @@ def test_a_changed_recording_is_not_answered_from_the_cache(open_folder):
 PACKAGE_XML = "<package format='3'><name>robot</name><version>0.1.0</version><description>it</description></package>"
 
 
+def test_what_was_not_asked_for_is_not_missed(recorded, tmp_path):
+    path = tmp_path / "robot.json"
+    recorded["nodes"].remove(node(recorded, "/motor_node"))
+    path.write_text(json.dumps(recorded), encoding="utf-8")
+    asked = f"{PACKAGE}/sensor_node.py"
+    report = check(Request((asked,), Settings(), cached=False, jobs=1, observed=read(str(path))))
+    assert told(report) == []
+    assert report.remarks[1] == "2 nodes and 5 endpoints on both sides; no difference."
+
+
 def test_workspaces_side_by_side_are_not_one_system(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     for name in ("one", "two"):
@@ -391,7 +408,9 @@ def bag_folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
 
 
 def test_a_bag_of_what_is_published(bag_folder):
-    report = bag(bag_folder, SCAN, SPEED, ("/rosout", "rcl_interfaces/msg/Log", "reliable"))
+    of_ros = ("/rosout", "rcl_interfaces/msg/Log", "reliable")
+    of_bags = ("/events/write_split", "rosbag2_interfaces/msg/WriteSplitEvent", "reliable")
+    report = bag(bag_folder, SCAN, SPEED, of_ros, of_bags)
     assert told(report) == []
     assert report.remarks[1] == "2 topics on both sides; no difference."
 

@@ -8,7 +8,8 @@ What ROS makes for every node is no difference, nor are the nodes and names that
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence, Set
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from archlint.checks.comparable import place_of, what_is_compared, whole_node
@@ -22,17 +23,22 @@ if TYPE_CHECKING:
     from archlint.finding import Place
     from archlint.system.model import Node, System
 
-_NAMED_BY_TOOLS = re.compile(r"/(launch_ros_\d+|(.*/)?transform_listener_impl_[0-9a-f]+)")
-"""Nodes that launch and tf2 start for themselves, under a name that is new each time."""
+_OF_TOOLS = re.compile(r"/(launch_ros_\d+|rosbag2_recorder|(.*/)?transform_listener_impl_[0-9a-f]+)")
+"""Nodes that launch and tf2 start for themselves, under a name that is new each time, and what records a bag."""
 
 IsExternal = Callable[[str], bool]
 
 
-def compare(system: System, observed: Observed, is_external: IsExternal = lambda name: False) -> Comparison:
-    """``is_external`` tells the names that the configuration says something outside provides."""
+def compare(
+    system: System, observed: Observed, is_external: IsExternal = lambda name: False, context: Set[str] = frozenset()
+) -> Comparison:
+    """``is_external`` tells the names that the configuration says something outside provides; of what is written in
+    ``context`` files, which were not asked for, no difference is told."""
     if observed.form == BAG:
-        return topics_of(system, observed, is_external)
-    return _Comparing(system, observed, is_external).result()
+        made = topics_of(system, observed, is_external)
+    else:
+        made = _Comparing(system, observed, is_external).result()
+    return replace(made, differences=tuple(one for one in made.differences if one.place.file not in context))
 
 
 class _Comparing:
@@ -173,7 +179,7 @@ class _Comparing:
 
 
 def _is_of_tools(name: str) -> bool:
-    return is_hidden(name) or _NAMED_BY_TOOLS.fullmatch(name) is not None
+    return is_hidden(name) or _OF_TOOLS.fullmatch(name) is not None
 
 
 def _is_started(node: Node) -> bool:

@@ -22,13 +22,17 @@ if TYPE_CHECKING:
     from archlint.system.model import Connection, Endpoint, System
 
 
+_OF_THE_RECORDER = "rosbag2_interfaces/"
+"""Types of what `ros2 bag record` itself publishes, such as /events/write_split."""
+
+
 def topics_of(system: System, observed: Observed, is_external: Callable[[str], bool]) -> Comparison:
     implicit = implicit_names(system)
     found: list[Difference] = []
     left_open: list[str] = []
     same = 0
     for topic in sorted(observed.topics, key=lambda one: one.name):
-        if is_hidden(topic.name) or topic.name in implicit:
+        if is_hidden(topic.name) or topic.name in implicit or topic.type.startswith(_OF_THE_RECORDER):
             continue
         connection = system.topics.get(topic.name)
         if connection is not None and connection.providers:
