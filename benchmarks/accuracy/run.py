@@ -7,7 +7,13 @@ import json
 import time
 from pathlib import Path
 
+from tests_ros.environments import OWN_INTERFACES
+
+from .environment import built, environment_of, real_python
+from .oracle.processes import Pool, Python
 from .oracle.run import Oracle
+
+EXAMPLES = OWN_INTERFACES / "example_interfaces"
 
 
 def main() -> None:
@@ -18,6 +24,8 @@ def main() -> None:
     parser.add_argument("-o", "--output", type=Path, default=Path("oracle-results"))
     parser.add_argument("--one", action="store_true", help="CHECKOUTS is itself one repository")
     parser.add_argument("--jobs", type=int, default=2)
+    parser.add_argument("--real", metavar="DISTRO", help="under rclpy itself, of .venv-ros-DISTRO")
+    parser.add_argument("--plain", action="store_true", help="programs and classes once, nothing forced")
     options = parser.parse_args()
     options.output.mkdir(parents=True, exist_ok=True)
     folders = (
@@ -27,7 +35,9 @@ def main() -> None:
         if options.names and folder.name not in options.names:
             continue
         started = time.monotonic()
-        result = Oracle(folder, options.jobs).run()
+        processes = Pool(_python(options.real, folder))
+        result = Oracle(folder, options.jobs, processes).run(plain=options.plain)
+        processes.close()
         target = options.output / f"{folder.resolve().name}.json"
         target.write_text(json.dumps(result, indent=1) + "\n", encoding="utf-8")
         ended = sum(run["ended"] for run in result["runs"])
@@ -37,6 +47,17 @@ def main() -> None:
             f"{len(result['unreached'])} create calls unreached, {time.monotonic() - started:.0f} s",
             flush=True,
         )
+
+
+def _python(distro: str | None, checkout: Path) -> Python:
+    """What to run a checkout with: under the stand-in, or a distribution's rclpy with the checkout's own interfaces."""
+    if distro is None:
+        return Python()
+    environment, not_built = environment_of(distro), list[str]()
+    prefixes = [*environment.interfaces(EXAMPLES), *built(environment, checkout, not_built)]
+    for reason in not_built:
+        print(f"not built: {reason}", flush=True)
+    return real_python(environment, prefixes)
 
 
 if __name__ == "__main__":

@@ -67,6 +67,8 @@ def _load_standins(job: dict[str, Any]) -> None:
     for module in pkgutil.walk_packages([str(_STANDINS)]):
         if job.get("real") and module.name.partition(".")[0] not in real.WITHOUT_WHEEL:
             continue
+        if job.get("real"):
+            sys.modules.pop(module.name, None)  # rclpy may have imported the real one
         loaded = importlib.import_module(module.name)
         loaded.__getattr__ = _fallback(module.name)  # type: ignore[method-assign]
     sys.modules["ament_index_python.packages"].folders.update(job["packages"])
