@@ -112,3 +112,39 @@ def test_several_nodes_on_one_executor_share_its_thread(run: Run):
     assert codes(run(source(setup, method, main))) == ["EXE002"]
     threaded = main.replace("executor.add_node(other)", "threading.Thread(target=rclpy.spin, args=(other,)).start()")
     assert codes(run(source(setup, method, threaded))) == []
+
+
+class TestACoroutineThatIsHandedToAnEventLoop:
+    """``asyncio.create_task(self.ask())`` makes a coroutine and returns: the callback waits for nothing."""
+
+    SETUP = CLIENT + "self.create_timer(5.0, self.tick)"
+    ASK = (
+        "async def ask(self):\n"
+        "    future = self.client.call_async(Trigger.Request())\n"
+        "    while not future.done():\n        await asyncio.sleep(0.1)\n"
+    )
+
+    @pytest.mark.parametrize(
+        "start",
+        [
+            "asyncio.create_task(self.ask())",
+            "asyncio.ensure_future(self.ask())",
+            "asyncio.run_coroutine_threadsafe(self.ask(), self.loop)",
+            "self.loop.create_task(self.ask(), name='ask')",
+        ],
+    )
+    def test_the_callback_goes_on(self, run: Run, start: str):
+        setup = self.SETUP + "\nself.loop = asyncio.new_event_loop()"
+
+        assert codes(run(source(setup, f"def tick(self):\n    {start}\n\n{self.ASK}", ON_ONE_THREAD))) == []
+
+    def test_a_callback_that_runs_it_to_its_end(self, run: Run):
+        tick = f"def tick(self):\n    asyncio.run(self.ask())\n\n{self.ASK}"
+
+        assert codes(run(source(self.SETUP, tick, ON_ONE_THREAD))) == ["EXE002"]
+
+    def test_what_it_is_given_is_still_asked_for_in_the_callback(self, run: Run):
+        note = "async def note(self, answer):\n    pass\n"
+        tick = f"def tick(self):\n    asyncio.create_task(self.note({CALL}))\n\n{note}"
+
+        assert codes(run(source(self.SETUP, tick, ON_ONE_THREAD))) == ["EXE002"]

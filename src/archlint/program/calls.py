@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 from archlint.facts import model as facts
 from archlint.finding import Place
-from archlint.program import escapes, hints, refusals, repeats
+from archlint.program import escapes, hints, refusals, repeats, tasks
 from archlint.program.api import effects
 from archlint.program.attributes import get_attribute
 from archlint.program.bindings import bound_names
@@ -51,9 +51,11 @@ def evaluate_call(run: Run, e: facts.Call) -> Value:
     if isinstance(e.func, facts.Name) and e.func.id in ("locals", "globals"):
         return Unknown("the variables as a dict")
     function = run.evaluate(e.func)
+    tasks.note_started(run, e, function)
     args, keywords, open_ = evaluate_arguments(run, e.args)
     refusals.check_call(run, function, args, keywords, open_)
-    return call(run, function, args, keywords, e, open_)
+    with tasks.apart(run, e, function):
+        return call(run, function, args, keywords, e, open_)
 
 
 def evaluate_arguments(run: Run, arguments: list[facts.Argument]) -> tuple[list[Value], dict[str, Value], bool]:

@@ -152,6 +152,8 @@ class Run:
         self.instances: dict[int, Instance] = {}
         self.argv: Value | None = None
         """The list ``sys.argv``, where the command line is known."""
+        self.coroutines: set[int] = set()
+        """The calls, by the id of their facts, whose coroutines another call starts."""
         self.opened: set[int] = set()
         """Objects whose empty collections no longer count as empty, by key."""
         self.escaped: dict[int, escapes.Escape] = {}
