@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import pytest
 
+from archlint.system.overrides import NOT_KNOWN, settings_of
 from program.launching import names, parameters, remaps
 
 
@@ -802,3 +803,71 @@ def test_each_entry_of_a_yaml_list_has_its_own_place(launches):
     assert [(name, place.line, place.column) for name, place in included.arguments] == [("a", 5, 8), ("b", 6, 7)]
     assert [remap.place.line for remap in started.remaps] == [12, 14]
     assert [parameter.place.line for parameter in started.parameters] == [16, 18]
+
+
+@pytest.mark.parametrize(
+    "folder",
+    [
+        "os.path.dirname(os.path.abspath(__file__))",
+        "os.path.dirname(os.path.dirname(os.path.realpath(__file__))) + '/launch'",
+        "str(Path(__file__).resolve().parent)",
+    ],
+)
+def test_a_launch_file_knows_where_it_is(launches, folder):
+    launches.file("robot/launch/p.yaml", "/**:\n  ros__parameters: {rate: 1}\n")
+    [node] = launches.python(
+        f"[Node(package='p', executable='e', parameters=[os.path.join({folder}, 'p.yaml')])]",
+        "from pathlib import Path",
+    ).started
+    [use] = node.parameters
+    assert (use.reference.source, use.reference.status) == ("robot/launch/p.yaml", "installed")
+
+
+FLAT = """\
+from glob import glob
+from setuptools import setup
+setup(name='robot', data_files=[('share/robot', glob('launch/*.py')), ('share/robot/config', glob('config/*'))])
+"""
+
+
+@pytest.mark.parametrize(("file", "status"), [("config/p.yaml", "installed"), ("config/q.yaml", "missing")])
+def test_the_way_from_a_launch_file_starts_where_it_is_installed(launches, file, status):
+    launches.file("robot/setup.py", FLAT)
+    launches.file("robot/config/p.yaml", "/**:\n  ros__parameters: {rate: 1}\n")
+    [node] = launches.python(
+        f"[Node(package='p', executable='e', parameters=[os.path.join(os.path.dirname(__file__), '{file}')])]"
+    ).started
+    [use] = node.parameters
+    assert use.reference.status == status
+
+
+def test_substitutions_in_a_parameter_file_keep_what_quotes_say(launches):
+    launches.file(
+        "robot/config/p.yaml",
+        "/**:\n  ros__parameters:\n"
+        "    plain: $(var number)\n"
+        "    quoted: '$(var number)'\n"
+        "    empty: \"$(var none)\"\n"
+        "    nothing: $(var none)\n"
+        "    joints: [$(var side)_hip, $(var side)_knee, fixed]\n"
+        "    numbers: [$(var number)]\n"
+        "    $(var side)_arm: {rate: 10}\n"
+        "    $(env ARM)_arm: {rate: 20}\n",
+    )
+    launches.file(
+        "robot/launch/it.launch.xml",
+        '<launch><arg name="number" default="5"/><arg name="none" default=""/><arg name="side" default="left"/>'
+        '<node pkg="p" exec="e"><param from="$(find-pkg-share robot)/config/p.yaml" allow_substs="true"/></node>'
+        "</launch>",
+    )
+    loader = launches.loader()
+    [started] = loader.launch("robot/launch/it.launch.xml").started
+    assert {one.name: one.value for one in settings_of(started, None, loader.parameters)} == {
+        "plain": 5,
+        "quoted": "5",
+        "empty": "",
+        "nothing": NOT_KNOWN,
+        "joints": ["left_hip", "left_knee", "fixed"],
+        "numbers": NOT_KNOWN,  # whether its item is quoted is not kept
+        "left_arm.rate": 10,
+    }

@@ -602,7 +602,7 @@ def test_substitutions_in_a_parameter_file(robot):
     )
     made = topics(system())
     assert made["/left/talker"] == ["/left/left_out", "/left/talker/state"]
-    assert made["/number"] == ["/number/state", None]  # a number or, with quotes, a text
+    assert made["/number"] == ["/number/state", None]  # without quotes it is a number, and no name
     assert not [code for code, _ in findings() if code == "PRM005"]
 
 

@@ -17,11 +17,13 @@ ROOT = "ros__parameters"
 
 @dataclass(frozen=True)
 class ParameterEntry:
-    """``name`` with ``.`` between the levels of nested maps; ``value`` is plain Python data."""
+    """``name`` with ``.`` between the levels of nested maps; ``value`` is plain Python data, of a text whether it is
+    ``quoted``."""
 
     name: str
     value: Any
     span: Span
+    quoted: bool = False
 
 
 @dataclass(frozen=True)
@@ -83,4 +85,5 @@ def _entries(reader: YamlReader, node: yaml.Node, prefix: str, found: list[Param
         if isinstance(value, yaml.MappingNode):
             _entries(reader, value, name, found, depth + 1)
         else:
-            found.append(ParameterEntry(name, reader.value(value, depth), span_of(key_node)))
+            quoted = isinstance(value, yaml.ScalarNode) and value.style in ("'", '"')
+            found.append(ParameterEntry(name, reader.value(value, depth), span_of(key_node), quoted))

@@ -101,6 +101,18 @@ class Installs:
                     if "**" not in row.source:
                         yield posixpath.normpath(source)
 
+    def places_of(self, source: str) -> Iterator[str]:
+        """Where a shown path is installed, below the prefix; nowhere for what is not."""
+        source = posixpath.normpath(source)
+        for row in self.files:
+            own = posixpath.normpath(row.source)
+            if row.folder:
+                below = "" if row.contents else posixpath.basename(own)
+                if source.startswith(own + "/"):
+                    yield posixpath.normpath(posixpath.join(row.destination, below, source[len(own) + 1 :]))
+            elif fnmatch.fnmatchcase(source, own):
+                yield posixpath.normpath(posixpath.join(row.destination, row.rename or posixpath.basename(source)))
+
 
 # --------------------------------------------------------------------------------------------------- CMake
 

@@ -282,7 +282,7 @@ class Run:
             try:
                 with self.store.at_base():
                     self.store.set(module.scope.key, "__name__", Known(module.name))
-                    self.store.set(module.scope.key, "__file__", Unknown("the path of the installed file"))
+                    self.store.set(module.scope.key, "__file__", self.path_of(module))
                     self.activations.append(
                         Activation(module.name, module, module.scope, module.facts.body, self.store.depth)
                     )
@@ -294,6 +294,10 @@ class Run:
                 module.state = "done"
             escapes.share(self, module)
         return ModuleValue(module)
+
+    def path_of(self, module: Module) -> Value:
+        """What a module knows as ``__file__``."""
+        return Unknown("the path of the installed file")
 
     def module_attribute(self, module: Module, name: str) -> Value | None:
         """``module.name``: a variable, or a submodule."""

@@ -94,10 +94,13 @@ def settings_of(started: Started, node: str | None, facts_of: Callable[[str], Pa
             for section in facts_of(file).sections:
                 nodes = substituted(section.key, parameter)
                 for entry in section.entries:
+                    name = substituted(entry.name, parameter)
+                    if name is None:
+                        continue  # which parameter it is, nobody can say
                     yield Setting(
                         section.key if nodes is None else nodes,
-                        entry.name,
-                        file_value(entry.value, parameter),
+                        name,
+                        file_value(entry.value, parameter, entry.quoted),
                         Place(file, *entry.span),
                         section.written,
                         parameter.shared,
@@ -114,18 +117,32 @@ def _own_key(started: Started) -> str:
     return names.join(namespace.text or "/", name.text or "") if known else EVERY_NODE
 
 
-def file_value(value: Any, use: ParameterFileUse) -> object:
+def file_value(value: Any, use: ParameterFileUse, quoted: bool = False) -> object:
     """A value of a parameter file; with ``allow_substs`` a ``$(var …)`` in a text is put in where that is known.
 
-    What looks like a number afterwards is one or not depending on quotes, which are not kept: it is not known.
+    A ``quoted`` text stays one; any other is read again, as what it is then.
     """
     if not use.substitutions or "$(" not in str(value):
         return value
+    if isinstance(value, list):
+        return _list_value(value, use)
     text = substituted(value, use) if isinstance(value, str) else None
-    return text if text is not None and _WORD.fullmatch(text) and plain_scalar(text) == text else NOT_KNOWN
+    if text is None or not _WORDS.fullmatch(text):
+        return NOT_KNOWN
+    if quoted:
+        return text
+    return plain_scalar(text) if _WORD.fullmatch(text) else NOT_KNOWN
 
 
-_WORD = re.compile(r"[\w/.~-]+")
+def _list_value(values: list[Any], use: ParameterFileUse) -> object:
+    """Of what stands in a list, quotes are not kept: a text is known where it is one without them, too."""
+    found = [file_value(one, use) for one in values]
+    changed = [now for one, now in zip(values, found, strict=True) if now is not one]
+    return found if all(isinstance(now, str) for now in changed) else NOT_KNOWN
+
+
+_WORD = re.compile(r"[\w/.~+-]+")
+_WORDS = re.compile(r"""[^'"\\\n]*""")
 _VARIABLE = re.compile(r"\$\(var ([^()\s]+)(?: [^()]*)?\)")
 
 

@@ -364,7 +364,7 @@ class LaunchLoader:
             source, status = self._in_package(package, rest)
         elif written.startswith("$(workspace)/"):
             package = self.package_of(run.file)
-            source, status = self._beside(written.removeprefix("$(workspace)/"), package)
+            source, status = self._beside(written.removeprefix("$(workspace)/"), package, run.file)
         else:
             return FileReference(kind, written, None, EXTERNAL, None, place, "a path of the machine", conditional)
         return FileReference(kind, written, source, status, package, place, None, conditional)
@@ -381,7 +381,7 @@ class LaunchLoader:
             return direct, INSTALLED if installs.open_files or not installs.build_files else NOT_INSTALLED
         return None, UNKNOWN if installs.open_files or not installs.build_files else MISSING
 
-    def _beside(self, source: str, package: str | None) -> tuple[str | None, str]:
+    def _beside(self, source: str, package: str | None, launch_file: str) -> tuple[str | None, str]:
         """A path that starts at the launch file itself."""
         source = posixpath.normpath(source)
         if self.tree.is_file(source):
@@ -390,12 +390,24 @@ class LaunchLoader:
         if installs is None:
             return None, UNKNOWN
         # The launch file runs from where it is installed: the same way from there.
-        folder = "" if installs.folder == "." else installs.folder + "/"
-        if source.startswith(folder):
-            found, status = self._in_package(installs.package, source[len(folder) :])
+        way = posixpath.relpath(source, posixpath.dirname(launch_file) or ".")
+        for place in (*installs.places_of(launch_file), self._beside_manifest(launch_file, installs)):
+            found, status = self._in_share(posixpath.normpath(posixpath.join(posixpath.dirname(place), way)))
             if found is not None:
                 return found, status
         return None, UNKNOWN if installs.open_files else MISSING
+
+    @staticmethod
+    def _beside_manifest(path: str, installs: Installs) -> str:
+        """A file as if the folders of its package were installed as they are."""
+        own = path if installs.folder == "." else path[len(installs.folder) + 1 :]
+        return f"share/{installs.package}/{own}"
+
+    def _in_share(self, path: str) -> tuple[str | None, str]:
+        """What is installed at a path below the prefix."""
+        share, _, below = path.partition("/")
+        package, _, rest = below.partition("/")
+        return self._in_package(package, rest or ".") if share == "share" and package else (None, MISSING)
 
 
 _SHARE = re.compile(r"^\$\(find-pkg-share ([\w.-]+)\)(.*)$", re.DOTALL)

@@ -76,6 +76,12 @@ class LaunchRun(Run):
         """The path of the current launch file, as its own code sees it."""
         return f"$(workspace)/{self.file}"
 
+    def path_of(self, module: Module) -> Value:
+        """A launch file runs from where it is installed; a Python module elsewhere, which is not known."""
+        if module.file.kind == "launch_python" or module.path in self.stack:
+            return Known(f"$(workspace)/{module.path}")
+        return super().path_of(module)
+
     @property
     def is_dormant(self) -> bool:
         return self.dormant > 0
