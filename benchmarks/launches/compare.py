@@ -1,0 +1,212 @@
+"""Holds what archlint says of launch files against what launch itself would start: ``python -m
+benchmarks.launches.compare RECORDS CHECKOUT… [--misses]``, where RECORDS is the folder that ``record`` wrote.
+
+Each node of each run (defaults, and one other value of one argument at a time) is compared in package, executable,
+name, namespace, remappings, parameters with their files, and presence: whether it is started under these arguments.
+*Equal* is a node with all of them equal. What archlint leaves *unknown* is not equal, except where the environment or
+a command's output decides the value: nobody can know these from the sources. *Wrong* is a node of which something
+known differs; one that only one side starts counts as one node.
+"""
+
+from __future__ import annotations
+
+import json
+import sys
+from collections import Counter
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+from benchmarks.launches.expected import UNKNOWN, Checkout, Row, recorded
+from benchmarks.launches.inside.guard import FROM_OUTSIDE, OUTPUT
+
+FIELDS = ("package", "executable", "name", "namespace", "remaps", "parameters", "presence")
+EQUAL, OPEN, WRONG = "equal", "unknown", "wrong"
+OUTSIDE = (OUTPUT, FROM_OUTSIDE)
+DOCUMENT = 500
+"""From this length on, a text is a document that code of the launch file has read, a robot's description mostly."""
+
+
+def main() -> None:
+    records, *roots = [Path(word).resolve() for word in sys.argv[1:] if not word.startswith("-")]
+    print(
+        "| checkout | launch files | do not load | runs | nodes | "
+        + " | ".join(FIELDS)
+        + " | equal | unknown | wrong |"
+    )
+    print("|---|" + "---|" * (len(FIELDS) + 7))
+    total: Counter[str] = Counter()
+    for root in roots:
+        counts, told = measure(json.loads((records / f"{root.name}.json").read_text()), Checkout(root))
+        total += counts
+        print(_line(root.name.replace("+", "/"), counts), flush=True)
+        if "--misses" in sys.argv:
+            print("".join(f"    {line}\n" for line in told), end="", flush=True)
+    print(_line("all", total))
+
+
+def measure(record: list[dict[str, Any]], checkout: Checkout) -> tuple[Counter[str], list[str]]:
+    counts: Counter[str] = Counter()
+    told: list[str] = []
+    for row in record:
+        counts["files"] += 1
+        whole = [run for run in row["runs"] if run["error"] is None]
+        if not whole:
+            counts["failed"] += 1
+            told.append(f"does not load: {row['file']}: {row['runs'][0]['error'][:300]!r}")
+        for run in whole:
+            counts["runs"] += 1
+            launched, ours = checkout.launch(row["file"], run["arguments"])
+            where = " ".join([row["file"], *(f"{name}:={value}" for name, value in run["arguments"].items())])
+            for verdicts, line in compared(recorded(run["nodes"]), ours, bool(run.get("environment"))):
+                counts["nodes"] += 1
+                worst = max(verdicts.values(), key=(EQUAL, OPEN, WRONG).index)
+                counts[worst] += 1
+                counts.update(name for name, verdict in verdicts.items() if verdict == EQUAL)
+                if worst != EQUAL:
+                    gaps = [] if launched is None else sorted({gap.reason for gap in launched.not_followed()})
+                    more = f"  [not followed: {'; '.join(gaps)[:200]}]" if gaps and "missing" in line else ""
+                    told.append(f"{worst}: {where}: {line}{more}" + (" [no launch file]" if launched is None else ""))
+    return counts, told
+
+
+def compared(real: list[Row], ours: list[Row], outside: bool = False) -> Iterator[tuple[dict[str, str], str]]:
+    """For each node the verdict on each field, and the differences in words.
+
+    ``outside`` where the launch file asked for variables that are not set: what is not known may hang on them.
+    """
+    pairs = _paired(real, ours)
+    for one, other in pairs:
+        verdicts = {name: verdict(one, other, name) for name in FIELDS[:-1]}
+        verdicts["presence"] = OPEN if other.undecided and not outside else EQUAL
+        if outside and verdicts["parameters"] == OPEN and _hangs_on_the_environment(one, other):
+            verdicts["parameters"] = EQUAL
+        yield verdicts, f"{_shown(one)} {other.where}: " + "; ".join(_differences(one, other, verdicts))
+    met = {id(one) for one, _ in pairs}
+    for one in real:
+        if id(one) not in met:
+            yield dict.fromkeys(FIELDS, WRONG), f"missing: {_shown(one)} {one.where or ''}"
+    met = {id(other) for _, other in pairs}
+    for other in ours:
+        if id(other) not in met and not (other.undecided and outside):
+            how = OPEN if other.undecided else WRONG
+            yield dict.fromkeys(FIELDS, how), f"more: {_shown(other)} {other.where}"
+
+
+def _paired(real: list[Row], ours: list[Row]) -> list[tuple[Row, Row]]:
+    """Which node of one side is which of the other: those with most fields equal first, in the order of launch."""
+    scores = []
+    for number, one in enumerate(real):
+        for index, other in enumerate(ours):
+            verdicts = [verdict(one, other, name) for name in FIELDS[:-1]]
+            same = one.fields["executable"] == other.fields["executable"] or UNKNOWN in (other.fields["executable"],)
+            if same and (one.kind == other.kind or "component" not in (one.kind, other.kind)):
+                scores.append(
+                    (-verdicts.count(EQUAL), verdicts.count(WRONG), other.undecided, abs(number - index), number, index)
+                )
+    left, free, found = set(range(len(real))), set(range(len(ours))), []
+    for *_, number, index in sorted(scores):
+        if number in left and index in free:
+            left.remove(number)
+            free.remove(index)
+            found.append((number, index))
+    return [(real[number], ours[index]) for number, index in sorted(found)]
+
+
+def verdict(real: Row, ours: Row, name: str) -> str:
+    if name == "parameters":
+        return _of_parameters(real, ours)
+    return same(real.fields[name], ours.fields[name])
+
+
+def same(real: object, ours: object) -> str:
+    if ours is UNKNOWN:
+        return EQUAL if _is_outside(real) else OPEN
+    if isinstance(real, list) and isinstance(ours, list):
+        if len(real) != len(ours):
+            return EQUAL if _is_outside(real) and all(one is UNKNOWN for one in ours) else WRONG
+        return max(
+            (same(*pair) for pair in zip(real, ours, strict=True)), key=(EQUAL, OPEN, WRONG).index, default=EQUAL
+        )
+    return EQUAL if type(real) is type(ours) and (real == ours or real != real) else WRONG
+
+
+def _is_outside(value: object) -> bool:
+    if isinstance(value, list):
+        return any(map(_is_outside, value))
+    return isinstance(value, str) and (len(value) > DOCUMENT or any(word in value for word in OUTSIDE))
+
+
+def _of_parameters(real: Row, ours: Row) -> str:
+    unseen, wrong = _of_each(real, ours)
+    found = [WRONG] if wrong or (unseen and not _may_have_more(ours)) else [OPEN] if unseen else []
+    if real.kind != "component":
+        files = same(real.fields["files"], ours.fields["files"])
+        found.append(OPEN if files == WRONG and ours.open else files)
+    found += [how for how, _ in _values(real, ours)]
+    return max(found, key=(EQUAL, OPEN, WRONG).index, default=EQUAL)
+
+
+def _may_have_more(ours: Row) -> bool:
+    """Whether archlint says that there may be parameters that it does not know."""
+    files = ours.fields["files"]
+    return bool(ours.open) or (isinstance(files, list) and UNKNOWN in files)
+
+
+def _hangs_on_the_environment(real: Row, ours: Row) -> bool:
+    """Whether all that is not known is not known for want of a variable, which Python then writes as ``None``."""
+    if any("environment" in why for why in ours.open):
+        return True
+    open_values = [line for how, line in _values(real, ours) if how == OPEN]
+    return bool(open_values) and all("None" in line for line in open_values) and not any(_of_each(real, ours))
+
+
+def _of_each(real: Row, ours: Row) -> tuple[list[Any], list[Any]]:
+    """The parameters that only one side sets."""
+    first, second = real.fields["parameters"], ours.fields["parameters"]
+    assert isinstance(first, dict) and isinstance(second, dict)
+    return [key for key in first if key not in second], [key for key in second if key not in first]
+
+
+def _values(real: Row, ours: Row) -> Iterator[tuple[str, str]]:
+    first, second = real.fields["parameters"], ours.fields["parameters"]
+    assert isinstance(first, dict) and isinstance(second, dict)
+    for key, value in first.items():
+        if key in second:
+            yield same(value, second[key]), f"{'.'.join(key)} is {_short(value)}, not {_short(second[key])}"
+
+
+def _differences(real: Row, ours: Row, verdicts: dict[str, str]) -> Iterator[str]:
+    for name, how in verdicts.items():
+        if name == "parameters" and how != EQUAL:
+            for only, side in zip(_of_each(real, ours), ("not seen", "not there"), strict=True):
+                if only:
+                    yield f"parameters {side}: {only[:4]} ({len(only)})"
+            yield from [line for verdict, line in _values(real, ours) if verdict != EQUAL][:3]
+            if real.kind != "component" and same(real.fields["files"], ours.fields["files"]) != EQUAL:
+                yield f"files {_short(real.fields['files'])}, not {_short(ours.fields['files'])}"
+            yield from (f"open: {why}" for why in ours.open)
+        elif name == "presence" and how != EQUAL:
+            yield "not known whether it is started"
+        elif how != EQUAL:
+            yield f"{name} {_short(real.fields[name])}, not {_short(ours.fields[name])}"
+
+
+def _short(value: object) -> str:
+    text = repr(value)
+    return text if len(text) < 300 else f"{text[:300]}…"
+
+
+def _shown(row: Row) -> str:
+    return f"{row.kind} {row.fields['package']}/{row.fields['executable']}"
+
+
+def _line(name: str, counts: Counter[str]) -> str:
+    nodes = counts["nodes"] or 1
+    cells = [str(counts[key]) for key in ("files", "failed", "runs", "nodes")]
+    cells += [f"{100 * counts[key] / nodes:.1f} %" for key in (*FIELDS, EQUAL)]
+    return f"| {name} | " + " | ".join([*cells, str(counts[OPEN]), str(counts[WRONG])]) + " |"
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,161 @@
+"""What archlint says a launch file starts, in the words of the records."""
+
+from __future__ import annotations
+
+import os
+import posixpath
+import re
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, field
+from pathlib import Path
+
+from archlint.config import Settings
+from archlint.program.entry_points import read_installs
+from archlint.program.launch.load import LaunchLoader
+from archlint.program.launch.model import Launched, OpenParameters, ParameterFileUse, ParameterSetting, Started
+from archlint.program.model import Text
+from archlint.session import Request, _compiled, _found, _parts, _store
+from archlint.system import names
+from archlint.system.overrides import NOT_KNOWN, applied, settings_of
+from archlint.workspace.tree import SourceTree
+
+
+class Unknown:
+    """Stands for what archlint does not know."""
+
+    def __repr__(self) -> str:
+        return "?"
+
+
+UNKNOWN = Unknown()
+
+
+@dataclass
+class Row:
+    """One started node, from either side."""
+
+    kind: str
+    fields: dict[str, object]
+    where: str | None = None
+    undecided: bool = False
+    open: list[str] = field(default_factory=list)
+    """Why there may be more parameters."""
+
+
+class Checkout:
+    def __init__(self, root: Path) -> None:
+        os.chdir(root)
+        request = Request((".",), Settings(), cached=False, jobs=1)
+        workspace = _found(request)
+        facts = _compiled(request, workspace, _store(request))
+        tree = SourceTree(Path.cwd(), Path(workspace.root))
+        self.loaders: list[LaunchLoader] = []
+        for part in _parts(request, workspace):
+            installs = read_installs(part.packages, part.files, facts.facts_of, tree)
+            old = frozenset(package.name for package in part.packages if package.ros1)
+            loader = LaunchLoader(part.files, facts.facts_of, installs, tree, facts.relevant, ros1_packages=old)
+            self.loaders.append(loader)
+
+    def launch(self, file: str, arguments: Mapping[str, str]) -> tuple[Launched | None, list[Row]]:
+        """A launch file under arguments; None where archlint takes it for none."""
+        for loader in self.loaders:
+            if loader.is_launch_file(file):
+                launched = loader.launch(file, arguments)
+                started = [one for one in launched.started if one.kind != "process" and not one.dormant]
+                return launched, [self._row(loader, one) for one in started]
+        return None, []
+
+    def _row(self, loader: LaunchLoader, started: Started) -> Row:
+        shown = _Shown(loader)
+        uses = [one for one in started.parameters if isinstance(one, ParameterFileUse)]
+        given = started.namespace is not None
+        fields: dict[str, object] = {
+            "package": shown.text(started.package),
+            "executable": shown.text(started.executable),
+            "name": None if started.name is None else shown.text(started.name),
+            "namespace": shown.text(started.namespace) if given and started.namespace is not None else None,
+            "remaps": [[shown.text(one.source), shown.text(one.target)] for one in started.remaps],
+            "parameters": self._parameters(loader, started, shown),
+        }
+        fields["files"] = [UNKNOWN if use.reference.written is None else shown(use.reference.written) for use in uses]
+        why = [one.reason for one in started.parameters if isinstance(one, OpenParameters)]
+        if any(isinstance(one, ParameterSetting) and one.name is None for one in started.parameters):
+            why.append("a parameter whose name is not known")
+        return Row(started.kind, fields, f"{started.place.file}:{started.place.line}", bool(started.arms), why)
+
+    @staticmethod
+    def _parameters(loader: LaunchLoader, started: Started, shown: _Shown) -> dict[tuple[str, str], object]:
+        if started.kind == "component":
+            name = started.name.text if started.name is not None else None
+            namespace = started.namespace.text if started.namespace is not None else "/"
+            full = names.join(namespace or "/", name) if name else None
+            rows = [("", one.name, one.value) for one in applied(started, full, loader.parameters)]
+        else:
+            rows = [(one.key, one.name, one.value) for one in settings_of(started, None, loader.parameters)]
+        return {(key.strip("/"), name): UNKNOWN if value is NOT_KNOWN else shown(value) for key, name, value in rows}
+
+
+_WORKSPACE = re.compile(r"\$\(workspace\)/([^\s:;,]*)")
+_PACKAGE_PATH = re.compile(r"(\$\(find-pkg-(?:share|prefix) [\w.-]+\))((?:/[^\s:;,/]*)+)")
+
+
+def normal(text: str) -> str:
+    """A text with the paths in it in their shortest form."""
+    return _PACKAGE_PATH.sub(lambda found: _path(found[1], found[2]), text)
+
+
+def _path(start: str, rest: str) -> str:
+    found = posixpath.normpath(rest)
+    return start if found == "/" else start + found
+
+
+class _Shown:
+    def __init__(self, loader: LaunchLoader) -> None:
+        folders = ((installs.folder, name) for name, installs in loader.installs.items())
+        self._folders = sorted(folders, key=lambda row: (-len(row[0]), row))
+
+    def text(self, text: Text) -> object:
+        known = text.text is not None and text.resolution in ("exact", "parameter")
+        return self(text.text) if known else UNKNOWN
+
+    def __call__(self, value: object) -> object:
+        if isinstance(value, str):
+            return normal(_WORKSPACE.sub(lambda found: self._installed(found[1]), value))
+        if isinstance(value, (list, tuple)):
+            return [self(item) for item in value]
+        return value
+
+    def _installed(self, path: str) -> str:
+        path = posixpath.normpath(path)
+        for folder, name in self._folders:
+            below = (
+                path
+                if folder == "."
+                else path[len(folder) :].lstrip("/")
+                if f"{path}/".startswith(folder + "/")
+                else None
+            )
+            if below is not None:
+                return f"$(find-pkg-share {name})/{below}".rstrip("/")
+        return path
+
+
+def recorded(nodes: Iterable[Mapping[str, object]]) -> list[Row]:
+    """The rows of a record."""
+    found = []
+    for node in nodes:
+        fields = {
+            name: _plain(node[name]) for name in ("package", "executable", "name", "namespace", "remaps", "files")
+        }
+        rows = node["parameters"]
+        assert isinstance(rows, list)
+        fields["parameters"] = {(key.strip("/"), name): _plain(value) for key, name, value in rows}
+        line = node.get("line")
+        found.append(Row(str(node["kind"]), fields, line if isinstance(line, str) else None))
+    return found
+
+
+def _plain(value: object) -> object:
+    if isinstance(value, str):
+        return normal(value)
+    return [_plain(item) for item in value] if isinstance(value, list) else value

@@ -1,0 +1,1 @@
+"""What runs in the environment that has launch: it imports nothing of archlint."""
