@@ -94,12 +94,12 @@ def settings_of(started: Started, node: str | None, facts_of: Callable[[str], Pa
             for section in facts_of(file).sections:
                 nodes = substituted(section.key, parameter)
                 for entry in section.entries:
-                    name = substituted(entry.name, parameter)
-                    if name is None:
+                    set_here = substituted(entry.name, parameter)
+                    if set_here is None:
                         continue  # which parameter it is, nobody can say
                     yield Setting(
                         section.key if nodes is None else nodes,
-                        name,
+                        set_here,
                         file_value(entry.value, parameter, entry.quoted),
                         Place(file, *entry.span),
                         section.written,
