@@ -64,11 +64,11 @@ def execute(path: Path) -> None:
 def _load_standins(job: dict[str, Any]) -> None:
     """Import each stand-in now, while this project is on the path, and make unknown what it lacks."""
     sys.path.insert(0, str(_STANDINS))
+    for name in [each for each in sys.modules if each.partition(".")[0] in real.WITHOUT_WHEEL]:
+        del sys.modules[name]  # rclpy has imported the real one
     for module in pkgutil.walk_packages([str(_STANDINS)]):
         if job.get("real") and module.name.partition(".")[0] not in real.WITHOUT_WHEEL:
             continue
-        if job.get("real"):
-            sys.modules.pop(module.name, None)  # rclpy may have imported the real one
         loaded = importlib.import_module(module.name)
         loaded.__getattr__ = _fallback(module.name)  # type: ignore[method-assign]
     sys.modules["ament_index_python.packages"].folders.update(job["packages"])

@@ -379,6 +379,12 @@ def _task(callback: Any, arguments: Any, keywords: Any) -> Any:
     return _module("rclpy.task").Future()
 
 
+def _answered(type_: Any, part: str) -> Any:
+    """A part of an interface that came in; unknown where the interface is only a substitute."""
+    substitutes = [getattr(_module(module), name) for module, name in SUBSTITUTES.values()]
+    return Unknown(part) if type_ in substitutes else received(getattr(type_, part))
+
+
 def _do_not_send() -> None:
     client, action_client = _module("rclpy.client").Client, _module("rclpy.action").ActionClient
     _module("rclpy.publisher").Publisher.publish = lambda self, msg: None
@@ -386,14 +392,14 @@ def _do_not_send() -> None:
     client.service_is_ready = action_client.server_is_ready = lambda self: True
 
     def answer(self: Any) -> Any:
-        return received(self.srv_type.Response)
+        return _answered(self.srv_type, "Response")
 
     client.call = lambda self, request, timeout_sec=None: answer(self)
     client.call_async = lambda self, request: finished(answer(self))
 
     def accepted(self: Any) -> Any:
         handle, response = Unknown("goal_handle"), Unknown("result response")
-        response.status, response.result = 4, received(self._action_type.Result)
+        response.status, response.result = 4, _answered(self._action_type, "Result")
         handle.accepted, handle.status = True, 4
         handle.get_result, handle.get_result_async = lambda: response, lambda: finished(response)
         handle.cancel_goal_async = lambda: finished(Unknown("cancel response"))
