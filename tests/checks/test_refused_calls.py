@@ -71,3 +71,37 @@ def test_a_node_is_what_its_constructor_means_it_to_be(run: Run):
     create = "self.prepare()\nself.create_subscription(Empty, 'stop', print, 10)\nself.create_timer(5.0, self.tick)\n"
     methods = "def prepare(self, port):\n    pass\n\ndef tick(self):\n    time.sleep(2.0)\n"
     assert codes(run(source(create, methods))) == ["EXE003"]
+
+
+@pytest.mark.parametrize(
+    ("call", "expected"),
+    [
+        pytest.param("self.get_logger('tick')", [], id="one too many"),
+        pytest.param("self.create_client(Trigger)", [], id="one too few"),
+        pytest.param("self.create_publisher(Empty, 'out', 10, qos_profile=10)", [], id="given twice"),
+        pytest.param("self.get_logger().info('tick')", ["EXE003"], id="it fits"),
+        pytest.param("self.get_logger(*load())", ["EXE003"], id="nobody knows how many"),
+        pytest.param("self.get_parameter(name='speed')", ["EXE003"], id="by name"),
+    ],
+)
+def test_methods_of_a_node_refuse_as_well(run: Run, call: str, expected: list[str]):
+    assert [one for one in codes(run(refused(f"{call}\n    time.sleep(2.0)", ""))) if one == "EXE003"] == expected
+
+
+def test_a_node_may_have_a_method_of_its_own(run: Run):
+    methods = "def get_logger(self, text=''):\n    return Node.get_logger(self)\n"
+    assert codes(run(refused("self.get_logger('tick')\n    time.sleep(2.0)", methods))) == ["EXE003"]
+
+
+@pytest.mark.parametrize(
+    ("imported", "expected"),
+    [
+        ("import rclpy.node as Node", []),
+        ("from rclpy import node as Node", []),
+        ("from rclpy.node import Node", ["EXE003"]),
+    ],
+)
+def test_no_class_inherits_from_a_module(run: Run, imported: str, expected: list[str]):
+    text = refused("time.sleep(2.0)", "").replace("from rclpy.node import Node", imported)
+    assert imported in text
+    assert codes(run(text)) == expected

@@ -51,6 +51,26 @@ def test_a_loop_makes_a_long_sleep_of_short_ones(run: Run):
     assert codes(run(source(TIMER, timer(body) + "\ndef moving(self):\n    return read()\n"))) == ["EXE003"]
 
 
+@pytest.mark.parametrize(
+    ("after", "expected"),
+    [
+        ("break", []),
+        ("return", []),
+        ("raise RuntimeError('stuck')", []),
+        ("if item:\n                break", ["EXE003"]),
+        ("continue", ["EXE003"]),
+        ("pass", ["EXE003"]),
+        ("for part in item:\n                break", ["EXE003"]),
+    ],
+)
+def test_what_is_always_left_is_no_loop(run: Run, after: str, expected: list[str]):
+    method = timer(
+        f"for item in self.items:\n        if item:\n            self.pause()\n            {after}\n\n"
+        "def pause(self):\n    time.sleep(0.05)\n"
+    )
+    assert codes(run(source("self.items = load()\n" + TIMER, method))) == expected
+
+
 def test_a_callback_alone_in_its_group_holds_up_nobody_under_several_threads(run: Run):
     apart = "self.create_timer(5.0, self.tick, callback_group=MutuallyExclusiveCallbackGroup())\n"
     assert codes(run(source(apart, timer("time.sleep(1.0)"), ON_SEVERAL_THREADS))) == []

@@ -83,6 +83,8 @@ def test_only_the_server_ends_it(judge: Judge, lines: tuple[str, ...]):
         ("for attempt in range(5):", f"    if {WAIT}:", "        break"),
         (f"while not {WAIT}:", "    give_up_after_a_while()"),
         (f"while {WAIT}:", "    print('still there')"),
+        (f"while not {WAIT}:", "    node.get_logger('waiting')"),
+        ("def wait(seconds):", "    time.sleep(seconds)", f"while not {WAIT}:", "    wait()"),
     ],
     ids=[
         "ok",
@@ -96,6 +98,8 @@ def test_only_the_server_ends_it(judge: Judge, lines: tuple[str, ...]):
         "bounded",
         "a call that may raise",
         "until it goes away",
+        "a method that refuses its argument",
+        "a function that lacks its argument",
     ],
 )
 def test_something_else_ends_it(judge: Judge, lines: tuple[str, ...]):

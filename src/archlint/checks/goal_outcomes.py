@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 from archlint.checks.assumptions import MOST, NOTHING, Known, after, dotted, variables, within
 from archlint.checks.handlers import handlers_of, only_a_stub, related_handler
-from archlint.checks.paths import ends_of
+from archlint.facts.paths import ends_of
 from archlint.checks.reach import (
     calls_of,
     endpoint_words,

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from archlint.checks.paths import Ends, ends_of
+from archlint.facts.paths import Ends, ends_of
 from archlint.checks.reach import endpoint_words, node_name, one_for_each_place
 from archlint.checks.registry import Options, finding, rule
 from archlint.facts import model as facts

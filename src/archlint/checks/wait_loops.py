@@ -18,7 +18,8 @@ from archlint.checks.registry import Options, finding, rule
 from archlint.checks.stuck import clients_of_handlers
 from archlint.checks.timeouts import READY, WAIT_FOR_SERVER, WAIT_FOR_SERVICE, way_to
 from archlint.facts import model as facts
-from archlint.finding import Finding, Severity
+from archlint.facts.walk import calls_in
+from archlint.finding import Finding, Place, Severity
 
 if TYPE_CHECKING:
     from archlint.program.model import ApiCall
@@ -41,9 +42,11 @@ def endless_wait_loop(system: System, options: Options) -> Iterator[Finding]:
     """Loops that go round until a server appears, and that nothing else ends."""
     asked = clients_of_handlers(system, options.distros)
     loops: dict[tuple[str, facts.Span], list[ApiCall]] = {}
-    for _, call in calls_of(system, (WAIT_FOR_SERVICE, WAIT_FOR_SERVER, *READY)):
+    for program, call in calls_of(system, (WAIT_FOR_SERVICE, WAIT_FOR_SERVER, *READY)):
         if not (call.api in READY or has_limit(call, "timeout_sec")) or not _only_the_server_ends(call):
             continue
+        if any(Place.of(call.file, one.span) in program.refused for one in calls_in(call.loops[-1].body)):
+            continue  # a TypeError ends the loop
         # A handler that asks the server afterwards is SRV003's: this is part of the same wait.
         if asked.isdisjoint((call.context.place, client.place) for client in creations_of(call.receiver)):
             loops.setdefault((call.place.file, call.loops[-1].span), []).append(call)
@@ -162,25 +165,13 @@ def _leaves_when_there(block: Sequence[facts.Stmt]) -> bool:
 
 def _may_raise(fact: object) -> bool:
     """Whether something calls what is no mere pastime."""
-    return any(_called(call) not in _PASTIMES for call in _calls_within(fact))
+    return any(_called(call) not in _PASTIMES for call in calls_in(fact))
 
 
 def _called(call: facts.Call) -> str:
     if isinstance(call.func, facts.Attribute):
         return call.func.attr
     return call.func.id if isinstance(call.func, facts.Name) else ""
-
-
-def _calls_within(fact: object) -> Iterator[facts.Call]:
-    stack = [fact]
-    while stack:
-        item = stack.pop()
-        if isinstance(item, facts.Call):
-            yield item
-        if isinstance(item, (list, tuple)):
-            stack.extend(item)
-        elif isinstance(item, facts.Base):
-            stack.extend(getattr(item, name) for name in item.__struct_fields__)
 
 
 def _within(block: Sequence[facts.Stmt]) -> Iterator[facts.Stmt]:

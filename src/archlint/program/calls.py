@@ -53,7 +53,7 @@ def evaluate_call(run: Run, e: facts.Call) -> Value:
     function = run.evaluate(e.func)
     tasks.note_started(run, e, function)
     args, keywords, open_ = evaluate_arguments(run, e.args)
-    refusals.check_call(run, function, args, keywords, open_)
+    refusals.check_call(run, function, args, keywords, e, open_)
     with tasks.apart(run, e, function):
         return call(run, function, args, keywords, e, open_)
 

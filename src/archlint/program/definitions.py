@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from archlint.facts import model as facts
-from archlint.program import escapes, hints
+from archlint.program import escapes, hints, refusals
 from archlint.program.api import effects, rclpy_names
 from archlint.program.attributes import bind, class_lookup, get_attribute
 from archlint.program.values import (
@@ -97,7 +97,10 @@ def define_class(run: Run, s: facts.Class) -> Value:
     bases: list[Value] = []
     for argument in s.bases:
         if argument.keyword is None and not argument.star:
-            bases.append(_single_base(run.evaluate(argument.value)))
+            base = run.evaluate(argument.value)
+            if refusals.is_module(base):
+                return Unknown("no class can inherit from a module")
+            bases.append(_single_base(base))
         elif argument.keyword is not None:
             run.evaluate(argument.value)
     decorators: set[str] = set()

@@ -225,7 +225,7 @@ class ApiCall:
     expression: facts.Call | None = None
     statement: facts.Stmt | None = None
     loops: tuple[facts.While | facts.For, ...] = ()
-    """Enclosing loops in the same function, outermost first."""
+    """The loops of the same function that go round it, outermost first: not those that it always leaves."""
     body: list[facts.Stmt] = field(default_factory=list)
     """Body of the enclosing function."""
     conditional: bool = False
@@ -418,6 +418,8 @@ class Program:
     callers: dict[Place, set[Place | None]] = field(default_factory=dict)
     """Where the functions that use fields of their parameters are called; None for code that is not here."""
     unknown_interfaces: list[UnknownInterface] = field(default_factory=list)
+    refused: set[Place] = field(default_factory=set)
+    """The calls that Python refuses: the arguments do not fit."""
     reads_command_line: bool = False
     parses_command_line: bool = False
     """Whether it looks at ``sys.argv``, and whether argparse divides that up for it."""

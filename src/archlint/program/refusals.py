@@ -1,4 +1,4 @@
-"""What Python refuses with a TypeError: a call whose arguments do not fit, a loop over a number.
+"""What Python refuses with a TypeError: a call whose arguments do not fit, a loop over a number, a module as a base.
 
 What stands behind it on the same path never runs.  Only callbacks are cut short there: a program whose start fails is
 noticed by whoever starts it, and what its nodes would create still says what they are meant to be.
@@ -10,7 +10,20 @@ from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING
 
 from archlint.facts import model as facts
-from archlint.program.values import BoundMethod, FunctionValue, Known, Value
+from archlint.program.api import rclpy_names, signatures, tables
+from archlint.program.values import (
+    ApiMethod,
+    BoundMethod,
+    ClassValue,
+    External,
+    FunctionValue,
+    Instance,
+    Known,
+    ModuleValue,
+    NodeValue,
+    Value,
+    alternatives,
+)
 
 if TYPE_CHECKING:
     from archlint.program.run import Run
@@ -26,12 +39,39 @@ class Refused(Exception):
 
 
 def check_call(
-    run: Run, function: Value, args: Sequence[Value], keywords: Mapping[str, Value], open_arguments: bool
+    run: Run,
+    function: Value,
+    args: Sequence[Value],
+    keywords: Mapping[str, Value],
+    expression: facts.Call,
+    open_arguments: bool,
 ) -> None:
-    """Raise Refused where a call of a function of the workspace cannot bind its arguments, if the statement always
-    comes to that call."""
-    if not open_arguments and _is_certain(run) and _refuses(function, len(args), keywords):
+    """Raise Refused where a call of a function of the workspace, or of a node's method, cannot bind its arguments, if
+    the statement always comes to that call; note the place of the call in any case."""
+    if open_arguments or not _is_certain(run) or not _refuses(function, len(args), keywords):
+        return
+    run.program.refused.add(run.place(expression.span))
+    if run.context.role not in _AT_START:
         raise Refused
+
+
+_MODULES = frozenset(
+    ".".join(parts[:length])
+    for row in tables.ROWS
+    if row.path.startswith("rclpy.")
+    for parts in [row.path.split(".")]
+    for length in range(1, len(parts))
+    if parts[length - 1].islower()
+)
+"""The modules of rclpy."""
+
+
+def is_module(base: Value) -> bool:
+    """Whether a class is to inherit from a module: ``import rclpy.node as Node``, then ``class Robot(Node)``."""
+    return all(
+        isinstance(option, ModuleValue) or (isinstance(option, External) and option.path in _MODULES)
+        for option in alternatives(base)
+    )
 
 
 def refuses_to_iterate(run: Run, iterable: Value) -> bool:
@@ -42,12 +82,14 @@ def refuses_to_iterate(run: Run, iterable: Value) -> bool:
 
 def _is_certain(run: Run) -> bool:
     activation = run.activation
-    if run.context.role in _AT_START or activation.scope.kind == "comprehension":
-        return False
-    return activation.settled == len(run.arms)
+    return activation.scope.kind != "comprehension" and activation.settled == len(run.arms)
 
 
 def _refuses(function: Value, given: int, keywords: Mapping[str, Value]) -> bool:
+    if isinstance(function, ApiMethod):
+        owner, _, name = function.path.rpartition(".")
+        of_node = owner in rclpy_names.NODE_CLASSES and _is_node(function.self_value)
+        return of_node and signatures.refuses(name, given, keywords)
     if isinstance(function, BoundMethod):
         function, given = function.function, given + 1
     if not isinstance(function, FunctionValue):
@@ -58,6 +100,19 @@ def _refuses(function: Value, given: int, keywords: Mapping[str, Value]) -> bool
     ):
         return False
     return not _binds(ir.params, given, keywords)
+
+
+def _is_node(value: Value) -> bool:
+    """Whether a value is a node for certain, whose methods are rclpy's own where the workspace defines none."""
+    if isinstance(value, NodeValue):
+        return not value.blueprint.held
+    if not isinstance(value, Instance) or not isinstance(value.cls, ClassValue):
+        return False
+    known = rclpy_names.NODE_CLASSES | rclpy_names.PLAIN_BASES
+    return all(
+        isinstance(base, ClassValue) or (isinstance(base, External) and rclpy_names.canonical(base.path) in known)
+        for base in value.cls.mro
+    )
 
 
 def _binds(params: Sequence[facts.Param], given: int, keywords: Mapping[str, Value]) -> bool:

@@ -11,6 +11,7 @@ from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any
 
 from archlint.facts import model as facts
+from archlint.facts.paths import comes_round
 from archlint.faults import Faults
 from archlint.finding import Place
 from archlint.program import model
@@ -202,6 +203,8 @@ class Run:
         self.runs: dict[int, int] = {}
         self.executed: set[tuple[int, int]] = set()
         """Functions that ran, as ``(instance key or 0, id of the function's facts)``."""
+        self.comes_round: dict[tuple[int, int], bool] = {}
+        """Whether a loop may go round again after a statement in it, by their ids."""
         self.ran: set[int] = set()
         """Functions that ran on anything."""
 
@@ -224,7 +227,22 @@ class Run:
 
     def rounds(self) -> tuple[Place, ...]:
         """The loops that go round what runs now, those of the callers first."""
-        return tuple(one.place(loop.span) for one in self.activations for loop in one.loops)
+        return tuple(one.place(loop.span) for one in self.activations for loop in self.loops_of(one))
+
+    def loops_of(self, activation: Activation) -> list[facts.While | facts.For]:
+        """The loops of a function that go round its present statement: what is always followed by ``break`` or
+        ``return`` runs once."""
+        statement = activation.statement
+        if not activation.loops or statement is None:
+            return activation.loops
+        found = []
+        for loop in activation.loops:
+            key = id(loop), id(statement)
+            if key not in self.comes_round:
+                self.comes_round[key] = comes_round(loop, statement)
+            if self.comes_round[key]:
+                found.append(loop)
+        return found
 
     # ----------------------------------------------------------------------------------------- variables
 

@@ -210,3 +210,18 @@ def _never_returns(s: facts.Stmt) -> bool:
         and isinstance(called.value, facts.Name)
         and (called.value.id, called.attr) in _EXITS
     )
+
+
+def comes_round(loop: facts.While | facts.For, statement: facts.Stmt) -> bool:
+    """Whether a loop may go round again after a statement in it has run: not where ``break``, ``return`` or ``raise``
+    always follows it."""
+    if statement is loop or isinstance(statement, facts.Global):
+        return True
+    inside = statement.span
+
+    def step(state: bool, fact: facts.Base) -> bool:
+        span = getattr(fact, "span", None)
+        return state or (span is not None and inside[:2] <= span[:2] and span[2:] <= inside[2:])
+
+    flow = _Walk(step, None).block(loop.body, frozenset({False}))
+    return True in flow.next | flow.continues
