@@ -680,6 +680,36 @@ def test_a_file_that_the_build_leaves_out_is_to_be_listed(judge: Judge):
     assert unknown.help == "the import fails when the node starts; flags.msg has A, B"
 
 
+MISSING = """
+import rclpy
+from rclpy.node import Node
+from std_srvs.srv import Trigger
+
+
+class Caller(Node):
+    def __init__(self):
+        super().__init__('caller')
+        self.client = self.create_client(Trigger, 'go')
+        self.create_timer(5.0, self.call)
+
+    def call(self):
+        from std_srvs.srv import {name}  # here
+        self.client.call_async({name}())
+
+
+rclpy.init()
+rclpy.spin(Caller())
+"""
+
+
+def test_nothing_is_known_of_an_interface_that_is_not_there(judge: Judge):
+    [found] = judge("MSG002", MISSING.format(name="TriggerRequest"))
+    assert found.help.startswith("the import fails when that function runs; ")
+    judge("TOP005", MISSING.format(name="TriggerRequest").replace("  # here", ""))
+    there = MISSING.format(name="SetBool").replace("  # here", "")
+    judge("TOP005", there.replace("SetBool())", "SetBool())  # here"))
+
+
 def test_the_package_that_has_the_interface_is_named(judge: Judge):
     lay_out(judge, interfaces("rover", "srv/Stop.srv", files=("srv/Stop.srv",)))
     lay_out(judge, interfaces("arm", "srv/Trigger.srv", files=("srv/Trigger.srv",)))

@@ -204,7 +204,8 @@ def _cure(one: UnknownInterface, names: Sequence[str]) -> str:
         return f"write `from {one.elsewhere[0]}.{one.kind} import {one.name}`: that package defines it"
     if one.elsewhere and len(names) == len(one.others):
         return f"import it from a package that defines it: {_listed(one.elsewhere)}"
-    return f"the import fails when the node starts; {one.package}.{one.kind} has {_listed(names)}"
+    when = "that function runs" if one.in_function else "the node starts"
+    return f"the import fails when {when}; {one.package}.{one.kind} has {_listed(names)}"
 
 
 def _listed(names: Sequence[str]) -> str:

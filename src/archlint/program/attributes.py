@@ -241,7 +241,9 @@ def _of_external(run: Run, value: External, name: str) -> Value:
     if constant is not None:
         return constant
     known = rclpy_names.CONSTANTS.get(rclpy_names.canonical(path))
-    return Known(known) if known is not None else External(path, value.via)
+    if known is not None:
+        return Known(known)
+    return messages.missing_interface(run, path) or External(path, value.via)
 
 
 def _interface_constant(run: Run, path: str, name: str) -> Value | None:

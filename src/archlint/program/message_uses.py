@@ -60,3 +60,5 @@ class UnknownInterface:
     """True where its file is there, but the package does not generate it."""
     elsewhere: tuple[str, ...] = ()
     """The packages of the workspace that define an interface of that kind and name."""
+    in_function: bool = False
+    """Whether a function imports it, when it runs."""

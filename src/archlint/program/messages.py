@@ -15,7 +15,7 @@ from archlint.program import model
 from archlint.program.api import rclpy_names
 from archlint.program.api.guards import guard_of
 from archlint.program.message_uses import FieldUse, Passed, UnknownInterface
-from archlint.program.values import EachValue, Known, MessageValue, OneOf, Value
+from archlint.program.values import EachValue, Known, MessageValue, OneOf, Unknown, Value
 
 if TYPE_CHECKING:
     from archlint.facts.model import Span
@@ -180,7 +180,7 @@ def note_interface(run: Run, path: str, span: Span) -> None:
     if run.interfaces is None or interface is None or part or not _imported_for_sure(run) or run.arms:
         return
     package, kind, name = interface.split("/")
-    if rclpy_names.is_part_of_interface(name) or run.interfaces.defines(package, kind, name) is not False:
+    if not is_missing(run, path):
         return
     others = tuple(
         f"{package}/{other}/{name}"
@@ -196,8 +196,26 @@ def note_interface(run: Run, path: str, span: Span) -> None:
             (*others, *run.interfaces.of_package(package, kind)),
             run.interfaces.is_left_out(package, kind, name),
             run.interfaces.packages_with(kind, name),
+            run.activation.scope.kind != "module",
         )
     )
+
+
+def is_missing(run: Run, path: str) -> bool:
+    """Whether a dotted path names an interface that its package certainly does not define: nothing is known of it."""
+    interface, part = rclpy_names.interface_and_part(path)
+    if run.interfaces is None or interface is None or part:
+        return False
+    package, kind, name = interface.split("/")
+    return not rclpy_names.is_part_of_interface(name) and run.interfaces.defines(package, kind, name) is False
+
+
+def missing_interface(run: Run, path: str) -> Value | None:
+    """What stands for an interface that is missing; None where it is there, or not known."""
+    if not is_missing(run, path):
+        return None
+    package, _, name = path.split(".")[:3]
+    return Unknown(f"{package} defines no '{name}'")
 
 
 def _certain(run: Run) -> bool:

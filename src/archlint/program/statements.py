@@ -342,7 +342,9 @@ def _import_from(run: Run, s: facts.ImportFrom) -> Status:
             below = run.index.find(importer, f"{s.module}.{name}" if s.module else name, s.level)
             if below is None:
                 messages.note_interface(run, f"{dotted}.{name}", s.span)
-            value = External(f"{dotted}.{name}") if below is None else run.import_module(below)
+                value = messages.missing_interface(run, f"{dotted}.{name}") or External(f"{dotted}.{name}")
+            else:
+                value = run.import_module(below)
         run.assign_name(bound, value)
     return None
 
