@@ -8,7 +8,6 @@ from typing import TYPE_CHECKING
 
 from archlint.checks.assumptions import MOST, NOTHING, Known, after, dotted, variables, within
 from archlint.checks.handlers import handlers_of, only_a_stub, related_handler
-from archlint.facts.paths import ends_of
 from archlint.checks.reach import (
     calls_of,
     endpoint_words,
@@ -19,6 +18,7 @@ from archlint.checks.reach import (
 )
 from archlint.checks.registry import Options, finding, rule
 from archlint.facts import model as facts
+from archlint.facts.paths import ends_of
 from archlint.facts.walk import called_name, parts_of, statements_of
 from archlint.finding import Finding, Place
 

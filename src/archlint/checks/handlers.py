@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from archlint.facts.paths import Ends, ends_of
 from archlint.checks.reach import endpoint_words, node_name, one_for_each_place
 from archlint.checks.registry import Options, finding, rule
 from archlint.facts import model as facts
+from archlint.facts.paths import Ends, ends_of
 from archlint.finding import Finding, Place, Related
 from archlint.workspace.test_code import is_test_file
 
