@@ -70,8 +70,8 @@ def real(environment: Environment) -> Iterator[Callable[[Path], Pool]]:
 def test_the_stand_in_makes_what_rclpy_makes(
     folder: Path, stand_in: Pool, real: Callable[[Path], Pool], environment: Environment
 ):
-    expected = Oracle(folder, processes=real(folder)).run(plain=True)
-    recorded = Oracle(folder, processes=stand_in).run(plain=True)
+    expected = Oracle(folder, processes=real(folder), patience=5).run(plain=True)
+    recorded = Oracle(folder, processes=stand_in, patience=5).run(plain=True)
     for jazzy, here in OTHERWISE_IN[environment.distro].items():
         recorded = json.loads(json.dumps(recorded).replace(jazzy, here))
 

@@ -99,6 +99,7 @@ def _prepare(job: dict[str, Any]) -> None:
     finder.install()
     if job.get("resume"):
         resume.install()
+    sandbox.patience = job.get("patience", 1.0)
     unknown.other_way = bool(job.get("other_way"))
     real.lenient = bool(job.get("resume")) or job["kind"] in ("classes", "forced")
     if job["kind"] != "setup":

@@ -37,7 +37,8 @@ class Job:
 class Oracle:
     """All runs of one repository."""
 
-    def __init__(self, root: Path, jobs: int = 2, processes: Pool | None = None) -> None:
+    def __init__(self, root: Path, jobs: int = 2, processes: Pool | None = None, patience: float = 1.0) -> None:
+        self._patience = patience
         self._processes = processes or Pool(Python())
         self._close = processes is None
         self.workspace: Workspace = read(root.resolve())
@@ -88,6 +89,7 @@ class Oracle:
                 "scratch": scratch,
                 "kind": job.kind,
                 "real": self._processes.python.real,
+                "patience": self._patience,
                 "path_first": [],
                 "path_last": [],
                 **job.spec,

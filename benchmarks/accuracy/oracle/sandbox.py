@@ -45,6 +45,9 @@ from .unknown import Unknown, VaryingInt, is_tainted
 _PATIENCE = 10  # how often one place may wait before it is interrupted
 _SPINS = 3  # how often one place hears that ROS is still up
 
+patience = 1.0
+"""How many times longer than usual each step may take: on a machine that does many other things."""
+
 _waits: Counter[tuple[CodeType, int]] = Counter()
 _oks: Counter[tuple[CodeType, int]] = Counter()
 
@@ -99,6 +102,7 @@ def limited(seconds: float) -> Iterator[None]:
         raise TimeUp(f"after {seconds} s")
 
     outer = []
+    seconds *= patience
     for timer, number, clock, factor in _CLOCKS:
         before = signal.signal(number, expire)
         left, _ = signal.setitimer(timer, seconds * factor)
