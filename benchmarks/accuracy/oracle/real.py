@@ -226,7 +226,7 @@ def _or_refused(kind: str, written: Any, create: Callable[[], Any]) -> Any:
         recorder.refusal(kind, written, str(error).splitlines()[0])
         raise
     except ValueError as error:  # of actions, and of substitutions
-        if "name" in str(error):
+        if isinstance(written, str) and "name" in str(error):
             recorder.refusal(kind, written, str(error).splitlines()[0])
         raise
 
