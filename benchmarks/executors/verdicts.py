@@ -1,0 +1,99 @@
+"""What archlint says of the wait in the program of each cell, and whether what was seen bears it out."""
+
+from __future__ import annotations
+
+import os
+import re
+import tempfile
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
+from pathlib import Path
+
+from archlint.checks import blocking
+from archlint.config import Settings
+from archlint.finding import Finding
+from archlint.session import Request, check
+from benchmarks.executors.cells import Cell, program
+from benchmarks.executors.running import HANGS, NOTHING, SOME, STOPS, STRANDS, WORKS
+
+JUDGES = ("SRV003", "EXE001", "EXE002", "EXE004", "EXE014", "CBG001")
+"""The rules that say what becomes of a wait in a callback."""
+TIMEOUT = "raises TimeoutError"
+OPEN = "may hang"
+STARVES = "starves if answers are late"
+NO_SLEEP = "hangs, or does not sleep"
+
+_MANIFEST = "<package format='3'><name>{name}</name><version>0.0.0</version></package>"
+_SAID = (
+    ("it does not sleep at all", NO_SLEEP),
+    ("none is left", STARVES),
+    ("leave none to take an answer", STARVES),
+    (blocking.RAISES_NESTED, "raises RuntimeError"),
+    (blocking.STRANDS, STRANDS),
+    (blocking.RAISES_TIMEOUT, TIMEOUT),
+    (blocking.TIMES_OUT, NOTHING),
+    ("so it is None", NOTHING),
+    (blocking.HANGS, HANGS),
+    ("may never come", OPEN),
+    ("works here", WORKS),
+)
+"""What messages say, the most telling first."""
+_BEFORE = {"works": WORKS, blocking.HANGS: HANGS, blocking.TIMES_OUT: NOTHING}
+_ALSO = {
+    STARVES: {WORKS, HANGS, NOTHING, TIMEOUT, SOME, STOPS},
+    NO_SLEEP: {WORKS, HANGS, STOPS},
+    HANGS: {STOPS},
+}
+"""Outcomes that are no other than what was said."""
+
+
+def verdicts(cells: Sequence[Cell], distros: Sequence[str]) -> dict[str, dict[Cell, str]]:
+    """By distribution, what archlint says becomes of each cell: the words of the findings, ``works`` without one."""
+    with tempfile.TemporaryDirectory() as name, _working_in(Path(name)) as folder:
+        for cell in cells:
+            package = folder / cell.name
+            package.mkdir()
+            words = re.sub(r"\W", "_", cell.name)
+            (package / "package.xml").write_text(_MANIFEST.format(name=words))
+            (package / "asker.py").write_text(program(cell))
+        return {distro: _verdicts(cells, Settings(distro=distro, cache_dir="cache")) for distro in distros}
+
+
+def _verdicts(cells: Sequence[Cell], settings: Settings) -> dict[Cell, str]:
+    found: dict[str, list[Finding]] = {cell.name: [] for cell in cells}
+    for finding in check(Request((".",), settings, jobs=1)).findings:
+        if finding.code in JUDGES:
+            found[finding.place.file.partition("/")[0]].append(finding)
+    return {cell: meaning([one.message for one in found[cell.name]]) for cell in cells}
+
+
+def meaning(messages: Sequence[str]) -> str:
+    """A word for what the findings of one program say."""
+    if not messages:
+        return WORKS
+    for text, word in _SAID:
+        if any(text in message for message in messages):
+            return word + _before(messages)
+    return f"says else: {messages[0]}"
+
+
+def _before(messages: Sequence[str]) -> str:
+    """Older releases of a distribution may do something else: ``raises RuntimeError, before: works``."""
+    found = [match for message in messages if (match := re.search(r"\(([^()]+) before rclpy", message))]
+    return f", before: {_BEFORE[found[0].group(1)]}" if found else ""
+
+
+def agrees(said: str, seen: str) -> bool:
+    """Whether what was seen of a cell is what archlint says; of two releases, the wheels have the older one."""
+    said = said.partition(", before: ")[2] or said
+    return seen == said or seen in _ALSO.get(said, ())
+
+
+@contextmanager
+def _working_in(folder: Path) -> Iterator[Path]:
+    before = Path.cwd()
+    os.chdir(folder)
+    try:
+        yield folder
+    finally:
+        os.chdir(before)
