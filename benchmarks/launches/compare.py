@@ -11,6 +11,7 @@ known differs; one that only one side starts counts as one node.
 from __future__ import annotations
 
 import json
+import re
 import sys
 from collections import Counter
 from collections.abc import Iterator
@@ -134,7 +135,12 @@ def same(real: object, ours: object) -> str:
 def _is_outside(value: object) -> bool:
     if isinstance(value, list):
         return any(map(_is_outside, value))
-    return isinstance(value, str) and (len(value) > DOCUMENT or any(word in value for word in OUTSIDE))
+    outside = isinstance(value, str) and (any(word in value for word in OUTSIDE) or _SANDBOX.search(value))
+    return bool(outside) or (isinstance(value, str) and len(value) > DOCUMENT)
+
+
+_SANDBOX = re.compile(r"/launches-\w+/work\b")
+"""The home folder of a run, and what it makes up for temporary files."""
 
 
 def _of_parameters(real: Row, ours: Row) -> str:

@@ -59,7 +59,8 @@ def _package(folder: Path) -> Package | None:
         "catkin" in tools and not any(kind.strip().startswith("ament") for kind in kinds)
     ):
         return None
-    return Package(name, folder, (folder / "setup.py").is_file(), (folder / "CMakeLists.txt").is_file())
+    cmake = (folder / "CMakeLists.txt").is_file() and not any(kind.strip() == "ament_python" for kind in kinds)
+    return Package(name, folder, (folder / "setup.py").is_file(), cmake)
 
 
 # ------------------------------------------------------------------------------------------------------ CMake

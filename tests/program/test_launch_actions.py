@@ -871,3 +871,10 @@ def test_substitutions_in_a_parameter_file_keep_what_quotes_say(launches):
         "numbers": NOT_KNOWN,  # whether its item is quoted is not kept
         "left_arm.rate": 10,
     }
+
+
+@pytest.mark.parametrize(("variable", "shown"), [("ROBOT", "spare"), ("USER", None)])
+def test_the_default_of_a_variable_that_each_machine_has(launches, variable, shown):
+    launched = launches.xml(f'<node pkg="robot" exec="talker" name="$(env {variable} spare)"/>')
+    [name] = [started.name for started in launched.started]
+    assert name.text == shown

@@ -175,7 +175,13 @@ def _environment(run: LaunchRun, value: Instance) -> Value:
         return found
     unknown = Unknown(f"the environment variable {name.value!s}")
     default = value.arguments.get("default_value")
-    return unknown if default is None or default == Known(None) else perform(run, default)
+    if default is None or default == Known(None) or name.value in _SET_EVERYWHERE:
+        return unknown
+    return perform(run, default)
+
+
+_SET_EVERYWHERE = frozenset({"HOME", "LOGNAME", "PATH", "PWD", "SHELL", "USER"})
+"""Variables that a login sets: their default is for the machine that has none."""
 
 
 def package_share(name: str) -> Known:
