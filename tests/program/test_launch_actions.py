@@ -878,3 +878,13 @@ def test_the_default_of_a_variable_that_each_machine_has(launches, variable, sho
     launched = launches.xml(f'<node pkg="robot" exec="talker" name="$(env {variable} spare)"/>')
     [name] = [started.name for started in launched.started]
     assert name.text == shown
+
+
+def test_two_processes_of_one_helper_in_a_handler_are_two(launches):
+    launched = launches.python(
+        "[first, RegisterEventHandler(OnProcessExit(target_action=first, on_exit=[spawner('a'), spawner('b')]))]",
+        "def spawner(controller):\n"
+        "    return Node(package='controller_manager', executable='spawner', arguments=[controller])\n"
+        "first = Node(package='robot', executable='talker')",
+    )
+    assert [started.arguments for started in launched.started] == [[], ["a"], ["b"]]

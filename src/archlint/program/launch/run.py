@@ -103,7 +103,10 @@ class LaunchRun(Run):
     def start(self, started: Started) -> None:
         """Note a process.  What an event handler starts at a place that starts it otherwise, too, is the same
         process, started again."""
-        process = (started.place, started.kind, started.package, started.executable, started.name, started.namespace)
+        process = (
+            *(started.place, started.kind, started.package, started.executable, started.name, started.namespace),
+            tuple(started.arguments),
+        )
         known = process in self._started
         self._started[process] = self._started.get(process, False) or self.in_handler
         if not (known and self._started[process]):
