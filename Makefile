@@ -1,4 +1,5 @@
-# Two commands on a fresh Debian machine with Python 3.10 or newer: `make demo` and `make test`.
+# On a fresh Debian machine with Python 3.10 or newer: `make demo`, `make test` and `make test-ros`; all tests, as .ci/run
+# has them: `make --keep-going --jobs 3 --output-sync=target test test-ros`.
 
 PYTHON ?= python3
 VENV   := .venv
@@ -40,7 +41,8 @@ test-ros: $(STAMP)  ## against running nodes, on the ROS 2 distributions that Py
 	  echo "installing cmake and g++, which build interfaces" >&2; \
 	  sudo=; test "$$(id -u)" = 0 || sudo=sudo; \
 	  $$sudo apt-get update -qq && $$sudo apt-get install -qq -y cmake g++; } || true
-	@$(MAKE) --no-print-directory --jobs 2 --keep-going --output-sync=target test-ros-jazzy test-ros-kilted
+	@$(MAKE) --no-print-directory $(if $(findstring jobserver,$(MAKEFLAGS)),,--jobs 2) --keep-going --output-sync=target \
+	  test-ros-jazzy test-ros-kilted
 
 test-ros-%: $(STAMP)
 	@$(BIN)/python scripts/ros_environment $*

@@ -2,17 +2,12 @@
 
 from __future__ import annotations
 
-import json
-import os
-import subprocess
-import sys
 from collections import Counter
 from dataclasses import dataclass, field
 from fnmatch import fnmatchcase
-from pathlib import Path
 from typing import Any
 
-from tests_ros.environments import ROOT
+from tests_ros.reading import Entity
 from tests_ros.running import Observed
 
 ENDS = ("publishers", "subscribers", "services", "clients", "action_servers", "action_clients")
@@ -22,55 +17,20 @@ SAID = ("exact", "parameter")
 OF_EVERY_NODE = {"use_sim_time", "start_type_description_service"}
 """Parameters that rclpy declares for every node."""
 
-Entity = dict[str, Any]
-
-counted: Counter[str] = Counter()
-"""Over all comparisons of a test run: ``runs``, ``compared`` and ``left open``."""
-
 
 @dataclass
 class Comparison:
     """What came of one comparison.
 
-    ``compared``: nodes, endpoints, timers and parameters that both sides have, with all that is known of them equal;
+    ``compared``, by kind: nodes, endpoints, timers and parameters that both sides have, with all that is known equal;
     ``left_open``: running ones that archlint lists without a name (a pattern, or unknown); ``never_ran``: what archlint
     lists at a line that this run did not come to; ``differences``: everything else, a sentence each.
     """
 
-    compared: int = 0
+    compared: Counter[str] = field(default_factory=Counter)
     left_open: int = 0
     never_ran: list[str] = field(default_factory=list)
     differences: list[str] = field(default_factory=list)
-
-
-def graph(folder: Path, *words: str) -> list[Entity]:
-    """The nodes that archlint lists when it is called with ``words`` in ``folder``."""
-    done = subprocess.run(
-        [
-            sys.executable,
-            "-m",
-            "archlint",
-            "graph",
-            *words,
-            "--format",
-            "json",
-            "--all",
-            "--no-cache",
-            "--jobs",
-            "1",
-            "--quiet",
-        ],
-        cwd=folder,
-        env=os.environ | {"PYTHONPATH": str(ROOT / "src")},
-        text=True,
-        capture_output=True,
-        timeout=120,
-        check=False,
-    )
-    if done.returncode:
-        raise RuntimeError(f"archlint graph {' '.join(words)}: {done.stderr}")
-    nodes: list[Entity] = json.loads(done.stdout)["nodes"]
-    return [node for node in nodes if node["is_node"] and not node["external"]]
 
 
 def compare(nodes: list[Entity], observed: Observed) -> Comparison:
@@ -83,7 +43,7 @@ def compare(nodes: list[Entity], observed: Observed) -> Comparison:
         if not candidates:
             result.differences.append(f"{name} runs, and is not in the graph")
             continue
-        result.compared += 1
+        result.compared["nodes"] += 1
         _compare_node(name, candidates, observed, result)
     for node in nodes:
         if not any(may_be(node["name"], name) for name in observed.nodes):
@@ -106,13 +66,12 @@ def _compare_node(name: str, nodes: list[Entity], observed: Observed, result: Co
         profiles = {(one, type_): [q for n, t, q in running[kind] if (n, t) == (one, type_)] for one, type_ in seen}
         for (one, type_), count in sorted(Counter(seen).items()):
             if "/_action/" not in one:
-                _compare_end(
-                    f"{name}: {kind[:-1]} {one} {type_}", one, type_, count, profiles[one, type_], listed, result
-                )
+                what = f"{name}: {kind[:-1]} {one} {type_}"
+                _compare_end(kind, what, one, type_, count, profiles[one, type_], listed, result)
         for end in listed:
             there = any(may_be(end["name"], one) and may_be(end["type"], type_) for one, type_ in seen)
             if not there and end["error"]:
-                result.compared += 1  # refused by both
+                result.compared[kind] += 1  # refused by both
             elif not there and not (running["gone"] and end["name"] in _by_rcl(name)):
                 _not_there(f"{name}: {kind[:-1]} {end['name']} {end['type']}", end, observed, result)
     _compare_timers(name, [timer for node in nodes for timer in node["timers"]], running["timers"], observed, result)
@@ -127,6 +86,7 @@ def _by_rcl(node: str) -> tuple[str, str]:
 
 
 def _compare_end(
+    kind: str,
     what: str,
     name: str,
     type_: str,
@@ -144,7 +104,7 @@ def _compare_end(
         return
     for profile in profiles or [None]:
         if profile is None or any(_same_qos(end["qos"], profile) for end in exact):
-            result.compared += 1
+            result.compared[kind] += 1
         else:
             result.differences.append(f"{what} has {profile}, the graph says {[end['qos'] for end in exact]}")
 
@@ -191,17 +151,22 @@ def _never_run(node: Entity, observed: Observed, result: Comparison) -> None:
 def _compare_timers(
     name: str, listed: list[Entity], running: list[float], observed: Observed, result: Comparison
 ) -> None:
-    known = Counter(round(timer["period_s"], 9) for timer in listed if timer["period_s"] is not None)
+    known = Counter(_shown(timer["period_s"]) for timer in listed if timer["period_s"] is not None)
     unknown = sum(timer["period_s"] is None for timer in listed)
-    for period, count in sorted(Counter(round(one, 9) for one in running).items()):
-        result.compared += min(count, known[period])
+    for period, count in sorted(Counter(_shown(one) for one in running).items()):
+        result.compared["timers"] += min(count, known[period])
         if count > known[period] and unknown:
             result.left_open += count - known[period]
         elif count > known[period]:
             result.differences.append(f"{name}: {count} timers of {period} s run, {known[period]} are in the graph")
     for timer in listed:
-        if timer["period_s"] is not None and round(timer["period_s"], 9) not in [round(one, 9) for one in running]:
+        if timer["period_s"] is not None and _shown(timer["period_s"]) not in [_shown(one) for one in running]:
             _not_there(f"{name}: timer {timer['period_s']}", timer, observed, result)
+
+
+def _shown(period_s: float) -> float:
+    """rclpy cuts a period off after the nanoseconds."""
+    return round(period_s, 6)
 
 
 def _compare_parameters(
@@ -217,7 +182,7 @@ def _compare_parameters(
                 result.differences.append(f"{name}: parameter {parameter} runs, and is not in the graph")
             continue
         if any(_same_parameter(one, type_.lower(), value) for one in said):
-            result.compared += 1
+            result.compared["parameters"] += 1
         else:
             shown = [(one["type"], one["default"], one.get("override")) for one in said]
             result.differences.append(

@@ -16,6 +16,8 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parents[1]
 OWN_INTERFACES = ROOT / "tests_ros" / "interfaces"
 """Packages without a wheel, with those of their interfaces that the fixtures use."""
+OWN_CMAKE = ROOT / "tests_ros" / "cmake"
+"""rosidl's generators, less those for C++, which takes half of the time and nothing here uses."""
 
 _LOCAL = {
     "ROS_AUTOMATIC_DISCOVERY_RANGE": "LOCALHOST",
@@ -42,6 +44,16 @@ class Environment:
     def ready(self) -> bool:
         return any(self.folder.glob(".installed-*"))
 
+    def version(self, package: str) -> tuple[int, ...]:
+        """What a ROS package says of itself; its wheel may count otherwise."""
+        text = ElementTree.parse(self.folder / "share" / package / "package.xml").getroot().findtext("version", "")
+        return tuple(map(int, text.split(".")))
+
+    @property
+    def remaps_actions(self) -> bool:
+        """Whether a rule for an action's name does anything: rcl_action resolves it since 9.2.8, of October 2025."""
+        return self.version("rcl_action") >= (9, 2, 8)
+
     def variables(self, prefixes: list[Path], domain: int, logs: Path) -> dict[str, str]:
         """What a ROS process gets: nothing of the caller's that ROS reads, and the installed ``prefixes``."""
         kept = {name: os.environ[name] for name in _KEPT if name in os.environ}
@@ -62,10 +74,7 @@ class Environment:
 
     def interfaces(self, *folders: Path) -> list[Path]:
         """The install prefixes of all interface packages below ``folders``, built where that was not done before."""
-        found = [
-            path.parent for folder in folders for path in sorted(folder.rglob("package.xml")) if is_interfaces(path)
-        ]
-        return [self._built(package) for package in found]
+        return [self._built(package) for package in packages_of_interfaces(*folders)]
 
     def _built(self, package: Path) -> Path:
         name = package.name
@@ -82,6 +91,7 @@ class Environment:
         variables = {"PATH": f"{self.folder / 'bin'}:{os.environ['PATH']}", "HOME": os.environ.get("HOME", "/")}
         variables |= {"AMENT_PREFIX_PATH": str(self.folder), "CMAKE_PREFIX_PATH": str(self.folder)}
         options = [f"-DCMAKE_INSTALL_PREFIX={prefix}", f"-DPython3_EXECUTABLE={self.python}", "-DBUILD_TESTING=OFF"]
+        options += [f"-Drosidl_default_generators_DIR={OWN_CMAKE}"]
         options += ["-DCMAKE_CXX_FLAGS=-O0 -w", "-DCMAKE_C_FLAGS=-O0 -w"]
         for command in (
             ["cmake", "-S", str(package), "-B", str(build), *options],
@@ -100,6 +110,11 @@ class Environment:
             if done.returncode:
                 raise RuntimeError(f"{package.name} cannot be built: {' '.join(command[:2])}\n{done.stdout[-3000:]}")
         shutil.rmtree(build)
+
+
+def packages_of_interfaces(*folders: Path) -> list[Path]:
+    """The folders of all packages of interfaces below ``folders``."""
+    return [path.parent for folder in folders for path in sorted(folder.rglob("package.xml")) if is_interfaces(path)]
 
 
 def is_interfaces(manifest: Path) -> bool:

@@ -8,9 +8,10 @@ import os
 import signal
 import subprocess
 import tempfile
+import threading
 import time
-from collections.abc import Iterator
-from contextlib import contextmanager, suppress
+from collections.abc import Callable, Iterator, Mapping
+from contextlib import ExitStack, contextmanager, suppress
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import IO, Any
@@ -18,9 +19,17 @@ from typing import IO, Any
 from tests_ros.environments import Environment
 
 INSIDE = Path(__file__).parent / "inside"
-LIMIT_S = 60
+PATIENCE_S = 60
+"""How long programs may take until they are what is expected of them: much more than they need on a busy machine."""
+LIMIT_S = 180
+"""After how many seconds a process that was forgotten ends itself."""
+QUIET_S = 0.5
+"""How long nothing new must come up once everything is as expected."""
+LOOK_S = 0.1
 DOMAINS = range(1, 100)
 """Of 0 to 101, which never meet the ports that Linux gives away; 0 is everybody's."""
+MARK = "ARCHLINT_ROS_TEST"
+"""A variable in the environment of every process that is started here."""
 
 Kinds = dict[str, list[Any]]
 """What a node has, by ``publishers``, ``services``, ``parameters`` and so on."""
@@ -41,23 +50,29 @@ class Observed:
     """What was seen of programs that ran together.
 
     ``nodes``: from inside, with QoS, timers and parameters; ``graph``: from outside, through the middleware; ``lines``:
-    executed lines as (file relative to the root, line); ``ended``: what the programs that ended raised, or "".
+    executed lines as (file relative to the root, line); ``settled``: whether all programs spin, wait or have ended, and
+    nothing new comes up; ``said``: what each program raised or printed, for a message.
     """
 
     nodes: dict[str, Kinds] = field(default_factory=dict)
     graph: dict[str, Kinds] = field(default_factory=dict)
     lines: set[tuple[str, int]] = field(default_factory=set)
-    ended: dict[str, str] = field(default_factory=dict)
+    settled: bool = False
+    said: dict[str, str] = field(default_factory=dict)
 
 
-class Observer:
-    """The process that asks the running graphs, one after the other."""
+class Server:
+    """A warm process with the interfaces of some install prefixes, which forks programs and observers."""
 
     def __init__(self, environment: Environment, prefixes: list[Path], folder: Path) -> None:
-        with (folder / "observer.log").open("w") as log:
+        self._variables = environment.variables(prefixes, 0, folder)
+        self._lock = threading.Lock()
+        folder.mkdir(parents=True)
+        self._log = folder / "server.log"
+        with self._log.open("w") as log:
             self._process = subprocess.Popen(
-                [environment.python, INSIDE / "observer.py"],
-                env=environment.variables(prefixes, 0, folder),
+                [environment.python, INSIDE / "server.py"],
+                env=self._variables | {MARK: str(os.getpid()), "OPENBLAS_NUM_THREADS": "1"},
                 stdin=subprocess.PIPE,
                 stdout=subprocess.PIPE,
                 stderr=log,
@@ -65,89 +80,130 @@ class Observer:
                 start_new_session=True,
             )
 
-    def join(self, domain: int) -> None:
-        self._ask({"domain": domain})
+    @property
+    def pid(self) -> int:
+        return self._process.pid
 
-    def graph(self, expected: dict[str, Kinds]) -> dict[str, Kinds]:
-        """The domain's nodes, as soon as what is expected can be seen; leaves the domain."""
-        answer: dict[str, Kinds] = json.loads(self._ask({"nodes": expected, "limit": 15}))
-        return answer
-
-    def _ask(self, question: dict[str, Any]) -> str:
+    def start(
+        self,
+        job: str,
+        words: list[Any],
+        record: Path,
+        domain: int,
+        variables: Mapping[str, str] | None = None,
+        path: tuple[Path, ...] = (),
+    ) -> int:
+        """Forks a ``program`` or an ``observer`` that writes to ``record``; its process id."""
+        order = {
+            "job": job,
+            "words": [str(record), *words],
+            "folder": str(record.parent),
+            "log": str(log_of(record)),
+            "limit": LIMIT_S,
+            "variables": {"ROS_DOMAIN_ID": str(domain), "ROS_LOG_DIR": str(record.parent), **(variables or {})},
+            "path": [str(one) for one in path],
+        }
         assert self._process.stdin is not None and self._process.stdout is not None
-        self._process.stdin.write(json.dumps(question) + "\n")
-        self._process.stdin.flush()
-        return self._process.stdout.readline()
+        with self._lock:
+            self._process.stdin.write(json.dumps(order) + "\n")
+            self._process.stdin.flush()
+            answer = self._process.stdout.readline()
+        if not answer:
+            raise RuntimeError(f"no process can be started: {self._log.read_text()[-2000:]}")
+        return int(answer)
 
     def close(self) -> None:
+        """Ends the server, and with it all that it has started."""
         kill(self._process)
 
 
-def observe(
-    environment: Environment, prefixes: list[Path], programs: list[Program], root: Path, observer: Observer
-) -> Observed:
-    """Starts ``programs`` together, looks at them once all have settled, and ends them.
+class Servers:
+    """The servers of one distribution, each started when it is first asked for; several threads may ask."""
 
-    Raises:
-        TimeoutError: One of them has not made a node in time; with what it printed.
+    def __init__(self, environment: Environment, folder: Path) -> None:
+        self.environment = environment
+        self._folder = folder
+        self._lock = threading.Lock()
+        self._servers: dict[tuple[Path, ...], Server] = {}
+
+    def of(self, prefixes: list[Path]) -> Server:
+        with self._lock:
+            key = tuple(prefixes)
+            if key not in self._servers:
+                self._servers[key] = Server(self.environment, prefixes, self._folder / str(len(self._servers)))
+            return self._servers[key]
+
+    def close(self) -> None:
+        for server in self._servers.values():
+            server.close()
+
+
+def observe(server: Server, programs: list[Program], root: Path, agrees: Callable[[Observed], bool]) -> Observed:
+    """Starts ``programs`` together and ends them once they have settled and ``agrees`` says that all is there.
+
+    What does not agree after :data:`PATIENCE_S` will not: the difference is in what is returned.
     """
-    with domain_of_its_own() as domain, tempfile.TemporaryDirectory() as name:
-        folder = Path(name)
-        processes: list[subprocess.Popen[bytes]] = []
-        observer.join(domain)
-        observed = Observed()
-        try:
-            for index, program in enumerate(programs):
-                processes.append(start(environment, prefixes, program, root, domain, folder / str(index)))
-            for index, program in enumerate(programs):
-                collect(observed, program, folder / str(index))
-        finally:
-            observed.graph = observer.graph(
-                {name: kinds for name, kinds in observed.nodes.items() if not kinds["gone"]}
-            )
-            for process in processes:
-                kill(process)
-        return observed
+    with ExitStack() as stack:
+        domain = stack.enter_context(domain_of_its_own())
+        folder = Path(stack.enter_context(tempfile.TemporaryDirectory(prefix="archlint-ros-")))
+        watched = folder / "outside"
+        records = [folder / str(number) for number in range(len(programs))]
+        stack.callback(end, server.start("observer", [], watched, domain))
+        for program, record in zip(programs, records, strict=True):
+            words = [str(root), program.target, list(program.arguments)]
+            variables = dict(program.variables)
+            stack.callback(end, server.start("program", words, record, domain, variables, program.folders))
+        return _wait(watched, dict(zip(records, programs, strict=True)), agrees)
 
 
-def start(
-    environment: Environment, prefixes: list[Path], program: Program, root: Path, domain: int, record: Path
-) -> subprocess.Popen[bytes]:
-    variables = environment.variables(prefixes, domain, record.parent)
-    variables["PYTHONPATH"] = os.pathsep.join([*map(str, program.folders), variables["PYTHONPATH"]])
-    variables |= dict(program.variables)
-    command = [environment.python, INSIDE / "runner.py", record, root, str(LIMIT_S), program.target, *program.arguments]
-    with log_of(record).open("wb") as log:
-        return subprocess.Popen(
-            command,
-            env=variables,
-            cwd=record.parent,
-            stdin=subprocess.DEVNULL,
-            stdout=log,
-            stderr=log,
-            start_new_session=True,
-        )
+def _wait(watched: Path, programs: dict[Path, Program], agrees: Callable[[Observed], bool]) -> Observed:
+    patient_until = time.monotonic() + PATIENCE_S
+    texts: list[str] = []
+    since, judged = time.monotonic(), False
+    observed = Observed()
+    while time.monotonic() < patient_until:
+        now = [_text(path) for path in (watched, *programs)]
+        if now != texts:
+            texts, since, judged = now, time.monotonic(), False
+            observed = _observed(texts, programs)
+        if observed.settled and not judged and time.monotonic() - since > QUIET_S:
+            if agrees(observed):
+                break
+            judged = True
+        time.sleep(LOOK_S)
+    return observed
 
 
-def collect(observed: Observed, program: Program, record: Path) -> None:
-    end = time.monotonic() + LIMIT_S / 2
-    ended = record.with_name(record.name + ".ended")
-    while not record.exists():
-        if ended.exists():
-            end = min(end, time.monotonic() + 3)
-        if time.monotonic() > end:
-            said = ended.read_text() if ended.exists() else "still going"
-            raise TimeoutError(f"{program.target} made no node: {said}\n{log_of(record).read_text()[-2000:]}")
-        time.sleep(0.05)
-    written = json.loads(record.read_text())
-    observed.nodes |= written["nodes"]
-    observed.lines |= {(file, line) for file, line in written["lines"]}
-    if ended.exists():
-        observed.ended[program.target] = ended.read_text()
+def _text(path: Path) -> str:
+    try:
+        return path.read_text("utf-8")
+    except FileNotFoundError:
+        return ""
+
+
+def _observed(texts: list[str], programs: dict[Path, Program]) -> Observed:
+    outside, *records = [json.loads(text) if text else None for text in texts]
+    observed = Observed(graph=outside or {}, settled=outside is not None and None not in records)
+    for (path, program), written in zip(programs.items(), records, strict=True):
+        if written is not None:
+            observed.nodes |= written["nodes"]
+            observed.lines |= {(file, line) for file, line in written["lines"]}
+            observed.settled = observed.settled and written["settled"]
+        raised = (written or {}).get("ended")
+        observed.said[program.target] = raised or _text(log_of(path))[-1000:]
+    return observed
 
 
 def log_of(record: Path) -> Path:
     return record.with_name(record.name + ".log")
+
+
+def end(leader: int) -> None:
+    """Ends a fork of a server and all that it started, and waits until they are gone."""
+    with suppress(ProcessLookupError):
+        while True:
+            os.killpg(leader, signal.SIGKILL)
+            time.sleep(0.01)
 
 
 def kill(process: subprocess.Popen[Any]) -> None:
@@ -158,6 +214,17 @@ def kill(process: subprocess.Popen[Any]) -> None:
     for stream in (process.stdin, process.stdout):
         if stream is not None:
             stream.close()
+
+
+def marked() -> list[int]:
+    """The processes that run because of this one, by the variable that they were started with."""
+    wanted = f"{MARK}={os.getpid()}".encode()
+    found = []
+    for folder in Path("/proc").glob("[0-9]*"):
+        with suppress(OSError):
+            if wanted in (folder / "environ").read_bytes().split(b"\0"):
+                found.append(int(folder.name))
+    return sorted(found)
 
 
 @contextmanager

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -9,7 +10,7 @@ from xml.sax.saxutils import quoteattr
 
 import yaml
 
-from tests_ros.comparing import Entity
+from tests_ros.reading import Entity
 
 
 @dataclass(frozen=True)
@@ -51,41 +52,62 @@ class Variation:
     parameters: str | None = None
     """The key that the parameter file has for the node: ``/**``, or ``node`` for its full name; None: no file."""
 
-    def of(self, nodes: list[Entity], folder: Path, kinds: tuple[str, ...]) -> Settings:
+    def of(self, nodes: list[Entity], file: Path, names: list[str]) -> Settings:
         """The settings for a process with these nodes, as archlint knows them under their defaults.
 
-        ``folder`` is the launch file's; ``kinds`` are those of the endpoints that get rules.
+        ``file`` is the parameter file that is written if there is anything for it; ``names`` are those that get rules,
+        as they are written in the code.
         """
-        name = f"{self.rename}_{nodes[0]['name'].rpartition('/')[2]}" if self.rename and len(nodes) == 1 else None
+        if not nodes:
+            return Settings(self.namespace)
+        name = f"{self.rename}_{own_name(nodes[0])}" if self.rename and len(nodes) == 1 else None
         key = self.parameters
         if key == "node":
-            key = f"{self.namespace or ''}/{name or nodes[0]['name'].rpartition('/')[2]}"
-        return Settings(self.namespace, name, tuple(self._rules(nodes, kinds)), self._file(nodes, key, folder))
+            key = f"{self.namespace or ''}/{name or own_name(nodes[0])}"
+        written = self._write(nodes, key, file)
+        return Settings(self.namespace, name, tuple(self._rules(names)), written)
 
-    def _rules(self, nodes: list[Entity], kinds: tuple[str, ...]) -> list[tuple[str, str]]:
-        """A rule for every other name that the code writes, as it writes it."""
-        written = sorted({end["written"] for node in nodes for kind in kinds for end in node[kind] if is_plain(end)})[
-            ::2
-        ]
+    def _rules(self, names: list[str]) -> list[tuple[str, str]]:
         if self.remap == "relative":
-            return [(one, f"moved/{one.lstrip('~/')}") for one in written]
+            return [(one, f"moved/{one.lstrip('~/')}") for one in names]
         if self.remap == "absolute":
-            return [(one, f"/far/away/{one.lstrip('~/')}") for one in written]
+            return [(one, f"/far/away/{one.lstrip('~/')}") for one in names]
         return []
 
-    def _file(self, nodes: list[Entity], key: str | None, folder: Path) -> Path | None:
-        values = {one["name"]: other(one["default"]) for node in nodes for one in node["parameters"] if one["name"]}
+    def _write(self, nodes: list[Entity], key: str | None, file: Path) -> Path | None:
+        values = {one["name"]: other(one["default"]) for node in nodes for one in node["parameters"] if is_set(one)}
         if key is None or not values:
             return None
-        path = folder / f"{nodes[0]['name'].rpartition('/')[2]}.yaml"
-        path.write_text(yaml.safe_dump({key: {"ros__parameters": values}}))
-        return path
+        file.write_text(yaml.safe_dump({key: {"ros__parameters": values}}))
+        return file
+
+
+def every_other_name(nodes: list[Entity], kinds: tuple[str, ...]) -> list[str]:
+    """Half of the names that the code of some nodes writes for ends of these ``kinds``, as it writes them: what is
+    remapped for one of the nodes is remapped for all."""
+    return sorted({end["written"] for node in nodes for kind in kinds for end in node[kind] if is_plain(end)})[::2]
+
+
+def own_name(node: Entity) -> str:
+    """Without its namespace."""
+    return str(node["name"]).rpartition("/")[2]
 
 
 def is_plain(end: Entity) -> bool:
-    """Whether an endpoint's name is written out in the code, and is not rclpy's own."""
-    own = end["name"] in ("/rosout", "/parameter_events") or "_parameter" in (end["name"] or "")
-    return bool(end["written"]) and end["resolution"] == "exact" and not own and "type_description" not in end["name"]
+    """Whether an endpoint's name is written out in the code, so that a rule can name it, and is not rclpy's own."""
+    name, written = end["name"] or "", end["written"] or ""
+    own = name in ("/rosout", "/parameter_events") or any(word in name for word in RCLPY_S_OWN)
+    in_a_rule = re.fullmatch(r"(~/|/)?[A-Za-z][A-Za-z0-9/]*(_[A-Za-z0-9/]+)*", written)
+    return bool(in_a_rule) and end["resolution"] == "exact" and not own
+
+
+RCLPY_S_OWN = ("_parameter", "type_description", "/_action/")
+"""In names that rclpy makes for a node or an action."""
+
+
+def is_set(parameter: Entity) -> bool:
+    """Whether a parameter file can set it to another value of its type."""
+    return parameter["name"] is not None and parameter["default"] not in (None, [])
 
 
 def other(value: Any) -> Any:
@@ -94,7 +116,9 @@ def other(value: Any) -> Any:
         return not value
     if isinstance(value, (int, float)):
         return value + 2
-    return f"{value}_given" if isinstance(value, str) else value
+    if isinstance(value, list):
+        return [other(one) for one in value]
+    return f"{value}_given"
 
 
 VARIATIONS = (

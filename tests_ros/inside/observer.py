@@ -1,17 +1,14 @@
-"""Asks a running graph from outside, through the middleware: a server that ``tests_ros/running.py`` starts.
+"""Asks a running graph from outside, through the middleware.
 
-``{"domain": 7}`` on a line of the standard input joins a domain; ``{"nodes": {name: {kind: [[name, type], …]}},
-"limit": 10}`` on the next asks: the answer, a line too, has what each node of the domain has, as soon as all that is
-expected is there, or after ``limit`` seconds.
+``main`` runs in a fork of ``server.py``: it joins a domain and writes to the record, as JSON, what each node of the
+domain has, whenever that has changed, until the process is killed.
 """
 
 from __future__ import annotations
 
-import ctypes
 import json
-import signal
-import sys
 import time
+from pathlib import Path
 from typing import Any
 
 import rclpy
@@ -21,53 +18,22 @@ from rclpy.action import (
 )
 from rclpy.node import Node
 
-QUIET_S = 0.3
-"""How long nothing new must arrive once all that is expected is there."""
-LATE_S = 3.0
-"""The same, where a node has no /rosout: it may have been told to have none."""
+LOOK_S = 0.4
 OBSERVER = "/graph_observer"
-KINDS = ("publishers", "subscribers", "services", "clients", "action_servers", "action_clients")
 
 
-def main() -> None:
-    ctypes.CDLL(None).prctl(1, signal.SIGKILL)  # PR_SET_PDEATHSIG: not to outlive the tests
-    for line in sys.stdin:
-        context = rclpy.Context()
-        rclpy.init(context=context, domain_id=json.loads(line)["domain"])
-        node = Node(OBSERVER[1:], context=context, start_parameter_services=False, enable_rosout=False)
-        print("here", flush=True)
-        question = json.loads(sys.stdin.readline())
-        print(json.dumps(answer(node, **question)), flush=True)
-        node.destroy_node()
-        rclpy.shutdown(context=context)
-
-
-def answer(node: Node, nodes: dict[str, Any], limit: float) -> dict[str, Any]:
-    start = covered = time.monotonic()
-    before: dict[str, Any] = {}
+def main(record: str) -> None:
+    rclpy.init()
+    node = Node(OBSERVER[1:], start_parameter_services=False, enable_rosout=False)
+    written = ""
     while True:
-        found, now = graph(node), time.monotonic()
-        if found != before or not covers(found, nodes):
-            covered = now
-        before = found
-        quiet = QUIET_S if all(logs(found[name]) for name in nodes if name in found) else LATE_S
-        if now - covered > quiet or now - start > limit:
-            return found
-        time.sleep(0.1)
-
-
-def logs(kinds: dict[str, Any]) -> bool:
-    """Whether what rcl makes for almost every node, without the node's knowing, has arrived."""
-    return any(end[0] == "/rosout" for end in kinds["publishers"])
-
-
-def covers(seen: dict[str, Any], expected: dict[str, Any]) -> bool:
-    return all(
-        name in seen
-        and {tuple(one[:2]) for one in expected[name][kind]} <= {tuple(one[:2]) for one in seen[name][kind]}
-        for name in expected
-        for kind in KINDS
-    )
+        text = json.dumps(graph(node), sort_keys=True)
+        if text != written:
+            part = Path(record + ".part")
+            part.write_text(text)
+            part.rename(record)
+            written = text
+        time.sleep(LOOK_S)
 
 
 def graph(node: Node) -> dict[str, Any]:
@@ -104,7 +70,3 @@ def ends(node: Node, name: str, namespace: str) -> dict[str, Any]:
 def policies(profile: Any) -> dict[str, str]:
     """What the middleware passes on of a profile; history and depth are not."""
     return {"reliability": profile.reliability.name.lower(), "durability": profile.durability.name.lower()}
-
-
-if __name__ == "__main__":
-    main()

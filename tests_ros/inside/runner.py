@@ -1,21 +1,18 @@
 """Runs one program under a real rclpy and writes down, from inside, which nodes it has.
 
-``runner.py RECORD ROOT LIMIT TARGET [argument …]``, as ``tests_ros/running.py`` starts it: TARGET is
-``module:function``, as in an entry point, or a script.  RECORD gets JSON as soon as the program spins, or has ended,
-and nothing new has come up for a while.  The program goes on, to be looked at from outside, and is killed after LIMIT
-seconds.  ROOT is the folder whose executed lines are noted.
+``main`` runs in a fork of ``server.py``: the target is ``module:function``, as in an entry point, or a script.  The
+record gets JSON whenever something has changed, until the process is killed: a program that has ended is kept, to be
+looked at from outside.
 """
 
 from __future__ import annotations
 
 import contextlib
 import copy
-import ctypes
 import importlib
 import json
 import os
 import runpy
-import signal
 import sys
 import threading
 import time
@@ -38,30 +35,33 @@ from rclpy.service import Service
 from rclpy.subscription import Subscription
 
 QUIET_S = 0.6
-"""How long nothing new must come up until a program that spins counts as started."""
-WAITING_S = 15.0
-"""How long nothing new must come up until a program that does not spin counts as waiting for something for ever."""
+"""How long nothing new must come up until a program that spins counts as settled."""
+WAITING_S = 6.0
+"""How long nothing new must come up until a program that does not spin counts as waiting for something."""
+LOOK_S = 0.2
 
 lines: set[tuple[str, int]] = set()
+"""Executed lines of files below the root."""
 nodes: list[Node] = []
 """All nodes that were made, which keeps them alive."""
 seen: dict[str, dict[str, Any]] = {}
 """Each node by its name, as it last was before it was destroyed or shut down."""
 going = threading.Event()
 """That an executor of the program spins, or that the program has ended: the constructors are through."""
+ended: list[str] = []
+"""What the program raised, or "", once it has ended."""
 
 
-def main() -> None:
-    record, root, limit, target, *arguments = sys.argv[1:]
-    ctypes.CDLL(None).prctl(1, signal.SIGKILL)  # PR_SET_PDEATHSIG: not to outlive the test
-    signal.alarm(int(limit))
-    note_lines(root)
+def main(record: str, root: str, target: str, arguments: list[str]) -> None:
     note_objects()
-    threading.Thread(target=watch, args=(Path(record), root), daemon=True).start()
-    error = run(target, arguments)
+    trace = tracer(root)
+    threading.Thread(target=watch, args=(Path(record), root, trace), daemon=True).start()
+    threading.settrace(trace)
+    sys.settrace(trace)
+    ended.append(run(target, arguments))
+    sys.settrace(None)
     going.set()
-    Path(record + ".ended").write_text(error)
-    time.sleep(float(limit))
+    threading.Event().wait()
 
 
 def run(target: str, arguments: list[str]) -> str:
@@ -78,7 +78,9 @@ def run(target: str, arguments: list[str]) -> str:
     return ""
 
 
-def note_lines(root: str) -> None:
+def tracer(root: str) -> Callable[[FrameType, str, Any], Any]:
+    """Notes the executed lines of what is below ``root``."""
+
     def on_call(frame: FrameType, event: str, argument: Any) -> Any:
         return on_line if frame.f_code.co_filename.startswith(root) else None
 
@@ -86,8 +88,7 @@ def note_lines(root: str) -> None:
         lines.add((frame.f_code.co_filename, frame.f_lineno))
         return on_line
 
-    threading.settrace(on_call)
-    sys.settrace(on_call)
+    return on_call
 
 
 def note_objects() -> None:
@@ -117,27 +118,48 @@ def keep_profile(end: Any) -> None:
     end.profile_when_made = copy.copy(end.qos_profile)
 
 
-def watch(record: Path, root: str) -> None:
-    while not settled():
-        time.sleep(0.1)
-    if [node.trigger_configure() and node.trigger_activate() for node in alive() if isinstance(node, LifecycleNode)]:
-        settled()
-    ran = sorted([os.path.relpath(file, root), line] for file, line in lines.copy())
-    written = record.with_suffix(".part")
-    written.write_text(json.dumps({"nodes": seen, "lines": ran}))
-    written.rename(record)
-
-
-def settled() -> bool:
-    """Looks until nothing new comes up.  Whether a node is there at all."""
-    quiet_since, before = time.monotonic(), ""
-    while time.monotonic() - quiet_since < (QUIET_S if going.is_set() else WAITING_S):
+def watch(record: Path, root: str, trace: Callable[[FrameType, str, Any], Any]) -> None:
+    """Writes the record for as long as the process lives."""
+    written, before, since = "", "", time.monotonic()
+    brought_up = False
+    while True:
         look(nodes)
         now = json.dumps(seen, sort_keys=True)
         if now != before:
-            quiet_since, before = time.monotonic(), now
-        time.sleep(0.05)
-    return bool(seen)
+            before, since = now, time.monotonic()
+        quiet = time.monotonic() - since > (QUIET_S if going.is_set() else WAITING_S)
+        if seen and quiet and not brought_up:
+            brought_up = True
+            since = bring_up(trace) or since
+            continue
+        text = written_down(root, settled=quiet and bool(seen))
+        if text != written:
+            write(record, text)
+            written = text
+        time.sleep(LOOK_S)
+
+
+def bring_up(trace: Callable[[FrameType, str, Any], Any]) -> float | None:
+    """Configures and activates the lifecycle nodes, as whoever starts them would; when, if there are any."""
+    sys.settrace(trace)
+    managed = [node for node in alive() if isinstance(node, LifecycleNode)]
+    for node in managed:
+        node.trigger_configure()
+        node.trigger_activate()
+    sys.settrace(None)
+    return time.monotonic() if managed else None
+
+
+def written_down(root: str, settled: bool) -> str:
+    ran = sorted([os.path.relpath(file, root), line] for file, line in lines.copy())
+    return json.dumps({"nodes": seen, "lines": ran, "settled": settled, "ended": ended[0] if ended else None})
+
+
+def write(record: Path, text: str) -> None:
+    """In one step, for whoever reads it at the same time."""
+    part = record.with_name(record.name + ".part")
+    part.write_text(text)
+    part.rename(record)
 
 
 def look(at: list[Node], gone: bool = False) -> None:
@@ -193,7 +215,3 @@ def profile(end: Any) -> dict[str, Any]:
 
 def plain(value: Any) -> Any:
     return value if value is None or isinstance(value, (bool, int, float, str)) else [plain(one) for one in value]
-
-
-if __name__ == "__main__":
-    main()
