@@ -91,6 +91,7 @@ class Preparation:
     environment: Environment
     folder: Path
     _forms: dict[str | None, tuple[list[Entity], dict[str, Program]]] = field(default_factory=dict)
+    _workspaces: dict[Path, list[Entity]] = field(default_factory=dict)
 
     def ready(self, case: Case) -> Ready:
         if case.name in SCRIPTS or case.name in PACKAGES:
@@ -116,15 +117,8 @@ class Preparation:
         return graph(FORMS, distro=self.environment.distro), self._programs_of_forms(FORMS)
 
     def _started_forms(self, variation: Variation, root: Path) -> tuple[list[Entity], dict[str, Program]]:
-        """All forms in one workspace, and one launch file that starts them: the scripts as executables of a package."""
-        for name in (*PACKAGES, *(one.name for one in packages_of_interfaces(FORMS))):
-            shutil.copytree(FORMS / name, root / name)
-        package = root / "forms"
-        package.mkdir()
-        for name in SCRIPTS:
-            shutil.copy(FORMS / name, package)
-        (package / "CMakeLists.txt").write_text(CMAKE.format(scripts=" ".join(SCRIPTS)))
-        (package / "package.xml").write_text(MANIFEST)
+        """All forms in one workspace, and one launch file that starts them."""
+        copy_forms(root)
         plain, _ = self._forms.setdefault(None, self._plain_forms())
         actions, started = [], {}
         for name, program in self._programs_of_forms(root).items():
@@ -163,8 +157,8 @@ class Preparation:
         root = FIXTURES / case.name
         if case.variation is None:
             programs = [program for program, _ in programs_below(root).values()]
-            return Ready(programs, root, graph(root, distro=distro), needed(root, FIXTURES / case.name))
-        plain = graph(root, distro=distro)
+            return Ready(programs, root, self._plain(root), needed(root, FIXTURES / case.name))
+        plain = self._plain(root)
         root = self._copy(case)
         names = every_other_name(plain, self._kinds())
         actions, started = [], []
@@ -176,6 +170,12 @@ class Preparation:
         (root / "all.launch.xml").write_text(f"<launch>{''.join(actions)}</launch>")
         nodes, _ = launched(root, "all.launch.xml", {}, root, distro)
         return Ready(started, root, nodes, needed(root, FIXTURES / case.name))
+
+    def _plain(self, root: Path) -> list[Entity]:
+        """The nodes of a workspace under their defaults."""
+        if root not in self._workspaces:
+            self._workspaces[root] = graph(root, distro=self.environment.distro)
+        return self._workspaces[root]
 
     def _launched(self, case: Case) -> Ready:
         assert case.launch is not None
@@ -196,6 +196,18 @@ class Preparation:
     def _kinds(self) -> tuple[str, ...]:
         """The kinds of endpoints that get remap rules."""
         return ENDS if self.environment.remaps_actions else ENDS[:4]
+
+
+def copy_forms(root: Path) -> None:
+    """Makes a workspace of the forms, the scripts being executables of a package ``forms``."""
+    for name in (*PACKAGES, *(one.name for one in packages_of_interfaces(FORMS))):
+        shutil.copytree(FORMS / name, root / name)
+    package = root / "forms"
+    package.mkdir()
+    for name in SCRIPTS:
+        shutil.copy(FORMS / name, package)
+    (package / "CMakeLists.txt").write_text(CMAKE.format(scripts=" ".join(SCRIPTS)))
+    (package / "package.xml").write_text(MANIFEST)
 
 
 def needed(code: Path, workspace: Path) -> tuple[Path, ...]:

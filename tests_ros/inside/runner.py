@@ -39,6 +39,8 @@ QUIET_S = 0.6
 WAITING_S = 6.0
 """How long nothing new must come up until a program that does not spin counts as waiting for something."""
 LOOK_S = 0.2
+SELDOM_S = 0.5
+"""How often a program is looked at, and one that has settled."""
 
 lines: set[tuple[str, int]] = set()
 """Executed lines of files below the root."""
@@ -136,7 +138,7 @@ def watch(record: Path, root: str, trace: Callable[[FrameType, str, Any], Any]) 
         if text != written:
             write(record, text)
             written = text
-        time.sleep(LOOK_S)
+        time.sleep(SELDOM_S if brought_up and quiet else LOOK_S)
 
 
 def bring_up(trace: Callable[[FrameType, str, Any], Any]) -> float | None:
