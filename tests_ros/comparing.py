@@ -58,7 +58,7 @@ def may_be(pattern: str | None, name: str) -> bool:
 
 
 def _compare_node(name: str, nodes: list[Entity], observed: Observed, result: Comparison) -> None:
-    running, outside = observed.nodes[name], observed.graph.get(name, {})
+    running, outside = observed.nodes[name], (observed.graph or {}).get(name, {})
     for kind in ENDS:
         listed = [end for node in nodes for end in node[kind] if "/_action/" not in (end["name"] or "")]
         seen = [tuple(end[:2]) for end in running[kind]]
@@ -72,7 +72,7 @@ def _compare_node(name: str, nodes: list[Entity], observed: Observed, result: Co
             there = any(may_be(end["name"], one) and may_be(end["type"], type_) for one, type_ in seen)
             if not there and end["error"]:
                 result.compared[kind] += 1  # refused by both
-            elif not there and not (running["gone"] and end["name"] in _by_rcl(name)):
+            elif not there and not ((running["gone"] or observed.graph is None) and end["name"] in _by_rcl(name)):
                 _not_there(f"{name}: {kind[:-1]} {end['name']} {end['type']}", end, observed, result)
     _compare_timers(name, [timer for node in nodes for timer in node["timers"]], running["timers"], observed, result)
     _compare_parameters(
@@ -202,7 +202,7 @@ def _same_parameter(said: Entity, type_: str, value: Any) -> bool:
 def _from_outside(observed: Observed, result: Comparison) -> None:
     """What a node has of itself must be what the others see of it, and a policy that goes over the wire the same."""
     for name, kinds in sorted(observed.nodes.items()):
-        if kinds["gone"]:
+        if kinds["gone"] or observed.graph is None:
             continue
         if name not in observed.graph:
             result.differences.append(f"{name} cannot be seen from outside")

@@ -33,10 +33,10 @@ def test_a_program_and_what_it_started_are_gone_when_it_has_been_looked_at(envir
 
     def agrees(observed) -> bool:
         running.extend(set(marked()) - before)
-        return "/stubborn" in observed.nodes and "/stubborn" in observed.graph
+        return "/stubborn" in observed.nodes and (observed.graph is None or "/stubborn" in observed.graph)
 
     observed = observe(server, [Program(str(script))], tmp_path, agrees)
-    assert "/stubborn" in observed.graph
+    assert "/stubborn" in (observed.graph or {})
     assert len(set(running)) >= 4, "the server, the observer, the program and its child"
     left = set(running) & set(marked())
     assert left == {server.pid}

@@ -48,6 +48,9 @@ nodes: list[Node] = []
 """All nodes that were made, which keeps them alive."""
 seen: dict[str, dict[str, Any]] = {}
 """Each node by its name, as it last was before it was destroyed or shut down."""
+left: list[Node] = []
+"""Those that were destroyed or shut down."""
+looking = threading.RLock()
 going = threading.Event()
 """That an executor of the program spins, or that the program has ended: the constructors are through."""
 ended: list[str] = []
@@ -165,10 +168,14 @@ def write(record: Path, text: str) -> None:
 
 
 def look(at: list[Node], gone: bool = False) -> None:
-    for node in at.copy():
-        with contextlib.suppress(Exception):  # half made, or being destroyed: the next look will tell
-            if node in alive():
-                seen[node.get_fully_qualified_name()] = everything_of(node) | {"gone": gone}
+    """Notes what nodes have; of one that is ``gone`` after this, for the last time."""
+    with looking:
+        for node in at.copy():
+            with contextlib.suppress(Exception):  # half made, or being destroyed: the next look will tell
+                if node in alive() and node not in left:
+                    seen[node.get_fully_qualified_name()] = everything_of(node) | {"gone": gone}
+                    if gone:
+                        left.append(node)
 
 
 def alive() -> list[Node]:
