@@ -137,18 +137,10 @@ class Preparation:
     def _programs_of_forms(self, root: Path) -> dict[str, Program]:
         """Scripts by their names, those of packages as ``package/executable``."""
         folder = root if root == FORMS else root / "forms"
-        scripts = {name: self._script(folder, name) for name in SCRIPTS if name not in CANNOT_RUN}
+        scripts = {name: script(name, self.folder, folder) for name in SCRIPTS if name not in CANNOT_RUN}
         below = {package: programs_below(root / package) for package in PACKAGES}
         packages = {f"{name}/{one}": program for name, found in below.items() for one, (program, _) in found.items()}
         return scripts | packages
-
-    def _script(self, folder: Path, name: str) -> Program:
-        """One form, with the words of its command line if it wants any."""
-        if name != "patterns.py":
-            return Program(str(folder / name))
-        settings = self.folder / "settings.json"
-        settings.write_text(json.dumps({"topic": "from_settings", "robots": ["one", "two"]}))
-        return Program(str(folder / name), (), ("falcon", str(settings)), (("ROBOT_NAME", "tern"),))
 
     # ------------------------------------------------------------------------------------------------ workspaces
 
@@ -196,6 +188,15 @@ class Preparation:
     def _kinds(self) -> tuple[str, ...]:
         """The kinds of endpoints that get remap rules."""
         return ENDS if self.environment.remaps_actions else ENDS[:4]
+
+
+def script(name: str, scratch: Path, folder: Path = FORMS) -> Program:
+    """One form of ``folder``, with the words of its command line if it wants any; files for it go to ``scratch``."""
+    if name != "patterns.py":
+        return Program(str(folder / name))
+    settings = scratch / "settings.json"
+    settings.write_text(json.dumps({"topic": "from_settings", "robots": ["one", "two"]}))
+    return Program(str(folder / name), (), ("falcon", str(settings)), (("ROBOT_NAME", "tern"),))
 
 
 def copy_forms(root: Path) -> None:

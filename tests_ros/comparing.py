@@ -80,9 +80,9 @@ def _compare_node(name: str, nodes: list[Entity], observed: Observed, result: Co
     )
 
 
-def _by_rcl(node: str) -> tuple[str, str]:
+def _by_rcl(node: str) -> tuple[str, ...]:
     """What rcl makes for a node without rclpy's knowing: to be seen from outside only."""
-    return "/rosout", f"{node}/get_type_description"
+    return "/rosout", f"{node}/get_type_description", f"{node}/transition_event"
 
 
 def _compare_end(

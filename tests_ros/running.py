@@ -10,7 +10,7 @@ import subprocess
 import tempfile
 import threading
 import time
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import ExitStack, contextmanager, suppress
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -138,13 +138,40 @@ class Servers:
             server.close()
 
 
-def observe(server: Server, programs: list[Program], root: Path, agrees: Callable[[Observed], bool]) -> Observed:
-    """Starts ``programs`` together, looks at them from outside once they have settled, and ends them.
+@dataclass(frozen=True)
+class Running:
+    """Programs that run together in a domain; ``folder`` is for what is written meanwhile."""
 
-    ``agrees`` says of what was seen from inside, and then of all, whether everything is there: it is asked again
-    whenever something has changed. What does not agree after :data:`PATIENCE_S` will not: the difference is in what is
-    returned.
-    """
+    domain: int
+    folder: Path
+    records: dict[Path, Program]
+
+    def seen(self, agrees: Callable[[Observed], bool], outside: Path | None = None) -> Observed:
+        """What can be seen of them once they have settled and ``agrees`` says that all is there, or in the end.
+
+        It is asked again whenever something has changed; what does not agree after :data:`PATIENCE_S` will not.
+        ``outside`` is the record of an observer.
+        """
+        patient_until = time.monotonic() + PATIENCE_S
+        texts: list[str] = []
+        since, judged = time.monotonic(), False
+        observed = Observed()
+        while time.monotonic() < patient_until:
+            now = [_text(path) for path in (*self.records, *([outside] if outside else []))]
+            if now != texts:
+                texts, since, judged = now, time.monotonic(), False
+                observed = _observed(self.records, texts[: len(self.records)], texts[-1] if outside else None)
+            if observed.settled and not judged and time.monotonic() - since > QUIET_S:
+                if agrees(observed):
+                    break
+                judged = True
+            time.sleep(LOOK_S)
+        return observed
+
+
+@contextmanager
+def running(server: Server, programs: Sequence[Program], root: Path) -> Iterator[Running]:
+    """Starts ``programs`` together in a domain of their own, and ends them; ``root`` is what the lines are noted of."""
     with ExitStack() as stack:
         domain = stack.enter_context(domain_of_its_own())
         folder = Path(stack.enter_context(tempfile.TemporaryDirectory(prefix="archlint-ros-")))
@@ -153,32 +180,27 @@ def observe(server: Server, programs: list[Program], root: Path, agrees: Callabl
             words = [str(root), program.target, list(program.arguments)]
             variables = dict(program.variables)
             stack.callback(end, server.start("program", words, record, domain, variables, program.folders))
-        observed = _wait(None, records, agrees)
+        yield Running(domain, folder, records)
+
+
+def observe(server: Server, programs: Sequence[Program], root: Path, agrees: Callable[[Observed], bool]) -> Observed:
+    """Starts ``programs`` together, looks at them from outside once they have settled, and ends them.
+
+    ``agrees`` says of what was seen from inside, and then of all, whether everything is there; where it does not, the
+    difference is in what is returned.
+    """
+    with running(server, programs, root) as started:
+        observed = started.seen(agrees)
         if not agrees(observed):
             return observed
         # Who comes late gets each participant's last word about its nodes; who is there from the start may miss it when
         # the words follow each other fast (seen with Fast DDS 3.2, on a machine with more to do than it can).
-        watched = folder / "outside"
-        stack.callback(end, server.start("observer", [], watched, domain))
-        return _wait(watched, records, agrees)
-
-
-def _wait(watched: Path | None, programs: dict[Path, Program], agrees: Callable[[Observed], bool]) -> Observed:
-    patient_until = time.monotonic() + PATIENCE_S
-    texts: list[str] = []
-    since, judged = time.monotonic(), False
-    observed = Observed()
-    while time.monotonic() < patient_until:
-        now = [_text(path) for path in (*programs, *([watched] if watched else []))]
-        if now != texts:
-            texts, since, judged = now, time.monotonic(), False
-            observed = _observed(programs, texts[: len(programs)], texts[-1] if watched else None)
-        if observed.settled and not judged and time.monotonic() - since > QUIET_S:
-            if agrees(observed):
-                break
-            judged = True
-        time.sleep(LOOK_S)
-    return observed
+        outside = started.folder / "outside"
+        observer = server.start("observer", [], outside, started.domain)
+        try:
+            return started.seen(agrees, outside)
+        finally:
+            end(observer)
 
 
 def _text(path: Path) -> str:

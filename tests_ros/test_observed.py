@@ -7,7 +7,6 @@ import os
 import shutil
 import subprocess
 import sys
-import tempfile
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
@@ -15,10 +14,10 @@ from typing import Any
 
 import pytest
 
-from tests_ros.environments import OWN_INTERFACES, ROOT, Environment
-from tests_ros.running import Observed, Program, collect, domain_of_its_own, kill, start
-from tests_ros.test_graph import CANNOT_RUN, FIXTURES, FORMS, SCRIPTS, WORKSPACES, programs
-from tests_ros.test_graph import script as script_of
+from tests_ros.cases import CANNOT_RUN, FIXTURES, FORMS, SCRIPTS, WORKSPACES, needed, programs_below
+from tests_ros.cases import script as script_of
+from tests_ros.environments import ROOT, Environment
+from tests_ros.running import Program, Servers, domain_of_its_own, running
 
 LESSON = FIXTURES / "lesson"
 LAUNCH = "src/my_first_package/launch/robot.launch.py"
@@ -53,31 +52,23 @@ def archlint(*words: str, folder: Path) -> str:
 class Recorder:
     """Starts programs in a domain of their own, and records what they say of themselves."""
 
-    environment: Environment
+    servers: Servers
     script: Path
     folder: Path
 
     def __call__(self, started: Sequence[Program], root: Path, *words: str) -> dict[str, Any]:
-        prefixes = self.environment.interfaces(root, OWN_INTERFACES)
-        with domain_of_its_own() as domain, tempfile.TemporaryDirectory() as name:
-            logs = Path(name)
-            processes = []
-            try:
-                for number, one in enumerate(started):
-                    processes.append(start(self.environment, prefixes, one, root, domain, logs / str(number)))
-                observed = Observed()
-                for number, one in enumerate(started):
-                    collect(observed, one, logs / str(number))
-                variables = self.environment.variables(prefixes, domain, logs)
-                there = {name for name, kinds in observed.nodes.items() if not kinds["gone"]}
-                return self._recorded(there, variables, *words)
-            finally:
-                for process in processes:
-                    kill(process)
+        environment = self.servers.environment
+        prefixes = environment.interfaces(*needed(root, root))
+        with running(self.servers.of(prefixes), started, root) as together:
+            observed = together.seen(lambda now: now.settled)
+            assert observed.settled, observed.said
+            there = {name for name, kinds in observed.nodes.items() if not kinds["gone"]}
+            return self._recorded(there, environment.variables(prefixes, together.domain, together.folder), *words)
 
     def _recorded(self, there: set[str], variables: dict[str, str], *words: str) -> dict[str, Any]:
         """The recording in which all nodes are that are there; a busy machine discovers slowly, so a few are tried."""
-        command = [self.environment.python, self.script, "--seconds", "30", "-o", self.folder / "robot.json", *words]
+        python = self.servers.environment.python
+        command = [python, self.script, "--seconds", "30", "-o", self.folder / "robot.json", *words]
         record: dict[str, Any] = {}
         for _ in range(TRIES):
             subprocess.run(command, env=variables, timeout=90, check=True)
@@ -104,12 +95,12 @@ class Recorder:
 
 
 @pytest.fixture
-def record(environment: Environment, script: Path, tmp_path: Path) -> Recorder:
-    return Recorder(environment, script, tmp_path)
+def record(servers: Servers, script: Path, tmp_path: Path) -> Recorder:
+    return Recorder(servers, script, tmp_path)
 
 
 def started(root: Path) -> dict[str, Program]:
-    return {executable: program for executable, (program, _) in programs(root).items()}
+    return {executable: program for executable, (program, _) in programs_below(root).items()}
 
 
 @pytest.mark.parametrize("name", WHERE_ALL_START)
