@@ -67,9 +67,13 @@ def _in_other_branches(one: Node, other: Node) -> bool:
 
 
 def _gone_before(one: Node, other: Node) -> bool:
-    """Whether a process has freed a node before it makes another."""
+    """Whether a process has destroyed or freed a node before it makes another."""
     first, second = one.blueprint, other.blueprint
-    if first is None or second is None or first.until is None or any(c.callbacks for c in first.creations):
+    if first is None or second is None:
+        return False
+    if first.destroyed_at is not None and first.made_by is second.made_by and second.number >= first.destroyed_at:
+        return True
+    if first.until is None or any(c.callbacks for c in first.creations):
         return False
     return second.number >= first.until
 
@@ -114,6 +118,8 @@ def _of_two_actions(system: System, several: list[Twins]) -> Iterator[Finding]:
     shared = f"two nodes of this system are called '{names[0]}'"
     if len(names) > 1:
         shared = f"two launch actions start nodes of the same names: {', '.join(names)}"
+    if one.launch_place == other.launch_place:
+        shared = f"this line makes several actions, and each starts a node that is called '{names[0]}'"
     sole = all(sum(node.started is twin.started for node in system.nodes) == 1 for twin in (one, other))
     yield finding(
         "NME004",

@@ -299,6 +299,11 @@ class Blueprint:
     """How many nodes the program had made before this one."""
     until: int | None = None
     """How many it had made when this one was freed, as the function that held it returned; None where it may stay."""
+    made_by: Callback | None = None
+    """What ran as it was made: ``main``, or a callback."""
+    destroyed_at: int | None = None
+    """How many nodes the program had made when ``destroy_node()`` ran on this one, whatever branch was taken, in what
+    ``made_by`` is; None where it may live on."""
     enable_rosout: bool = True
     start_parameter_services: bool = True
     use_global_arguments: bool = True

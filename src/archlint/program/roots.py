@@ -192,7 +192,9 @@ def _run_methods(run: Run) -> bool:
             continue
         for function, owner in _methods(run, cls):
             ir = function.ir
-            if (instance.key, id(ir)) in run.executed or not isinstance(ir, facts.Function):
+            # What runs on the class, or on nothing, is the same for every object of it.
+            on = 0 if {"classmethod", "staticmethod"}.intersection(function.decorators) else instance.key
+            if (on, id(ir)) in run.executed or not isinstance(ir, facts.Function):
                 continue
             special = ir.name.startswith("__") and ir.name != "__call__"
             if special or "abstract" in function.decorators:

@@ -381,6 +381,7 @@ EFFECTS: dict[str, Effect] = {
     "none": _none,
     "create_node": nodes.create_node,
     "node_init": nodes.node_init,
+    "destroy_node": nodes.destroy_node,
     "endpoint": entities.endpoint,
     "timer": entities.timer,
     "rate": entities.rate,

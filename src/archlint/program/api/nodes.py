@@ -45,6 +45,7 @@ def new_blueprint(run: Run, class_name: str, place: Place, key: str, package: st
         key=key,
         number=len(run.nodes),
         arms=frozenset(run.arms),
+        made_by=run.context,
     )
     run.nodes[key] = blueprint
     run.program.nodes.append(blueprint)
@@ -268,6 +269,7 @@ def create_node(run: Run, call: ApiUse) -> Value:
             holder.short_lived.append(known)
     elif known.until is not None and known.until < len(run.nodes):
         known.until = None  # made again, beside nodes that came later
+    known.destroyed_at = None
     return NodeValue(known, run.store.new_key())
 
 
@@ -277,6 +279,14 @@ def node_init(run: Run, call: ApiUse) -> Value:
     if isinstance(receiver, Instance) and isinstance(receiver.cls, ClassValue):
         blueprint = blueprint_of_instance(run, receiver)
         _set_names(run, blueprint, call)
+    return Known(None)
+
+
+def destroy_node(run: Run, call: ApiUse) -> Value:
+    """``node.destroy_node()``: from here on there is no such node, if no branch leaves it alive."""
+    node = known_node(run, call.receiver)
+    if node is not None and node.made_by is run.context and node.arms.issuperset(run.arms):
+        node.destroyed_at = len(run.nodes)
     return Known(None)
 
 

@@ -483,6 +483,7 @@ ROWS = [
     _row("rclpy.node.Node.resolve_topic_name", "topic * only_expand", effect="resolve_name"),
     _row("rclpy.node.Node.resolve_service_name", "service * only_expand", effect="resolve_name"),
     # ---- destroying
+    _row("rclpy.node.Node.destroy_node", "", effect="destroy_node"),
     _row("rclpy.node.Node.destroy_publisher", "entity", effect="destroy", watched=True),
     _row("rclpy.node.Node.destroy_subscription", "entity", effect="destroy", watched=True),
     _row("rclpy.node.Node.destroy_client", "entity", effect="destroy", watched=True),

@@ -110,6 +110,50 @@ class Started:
     container: Text | None = None
     includes: tuple[Place, ...] = ()
     """The includes that lead to the file it is in, outermost first."""
+    visited: tuple[tuple[int, int], ...] = ()
+    """The actions that lead to it, itself included, each with the number of its visit."""
+
+
+def once_more(one: Started, other: Started) -> bool:
+    """Whether two processes come from one action that was met twice, as in both arms of an ``if`` that nothing
+    decides.  Launch refuses to execute such an action a second time: one of them is started.
+
+    Source: launch 3.x, ``ExecuteLocal.execute`` raises RuntimeError ("executed more than once").
+    """
+    visits = dict(one.visited)
+    return any(visits.get(action, visit) != visit for action, visit in other.visited)
+
+
+def merge(one: Started, other: Started) -> bool:
+    """Make one process of what is met twice and started alike, under what both visits have in common; False where
+    it is not alike, or where no visit covers the other and they do not exclude each other."""
+    if not one.arms <= other.arms and not other.arms <= one.arms and not _opposite(one.arms, other.arms):
+        return False
+    if any(getattr(one, name) != getattr(other, name) for name in _ALIKE):
+        return False
+    one.arms &= other.arms
+    one.dormant = one.dormant and other.dormant
+    return True
+
+
+_ALIKE = (
+    "kind",
+    "package",
+    "executable",
+    "name",
+    "namespace",
+    "remaps",
+    "parameters",
+    "arguments",
+    "ros_arguments",
+    "container",
+    "includes",
+)
+
+
+def _opposite(one: Arms, other: Arms) -> bool:
+    """Whether two sets of branches are the two sides of one condition, and otherwise the same."""
+    return [branch for branch, _ in one - other] == [branch for branch, _ in other - one] != []
 
 
 @dataclass(frozen=True)

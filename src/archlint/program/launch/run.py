@@ -20,6 +20,8 @@ from archlint.program.launch.model import (
     Started,
     UndeclaredUse,
     UnknownAttribute,
+    merge,
+    once_more,
 )
 from archlint.program.modules import Module, ModuleIndex
 from archlint.program.run import FEW_STEPS, PROGRAM_STEPS, Run
@@ -58,11 +60,14 @@ class LaunchRun(Run):
         self.stack: list[str] = []
         self.includes: list[Place] = []
         """Where the files of the stack are included; nothing for the first."""
+        self.visiting: list[tuple[int, int]] = []
+        """The actions around what is visited now, outermost first, each with the number of its visit."""
         self.names = ArgumentNames()
         self._values: dict[str, list[str]] = {}
         self._seen: set[object] = set()
         self._started: dict[object, bool] = {}
         """What has been started, and whether an event handler does that."""
+        self._by_place: dict[Place, list[Started]] = {}
         self.in_handler = False
         self.performing = 0
         """How deep the text is nested that is performed now, and ``performed`` of how many parts it has been."""
@@ -102,16 +107,24 @@ class LaunchRun(Run):
 
     def start(self, started: Started) -> None:
         """Note a process.  What an event handler starts at a place that starts it otherwise, too, is the same
-        process, started again."""
+        process, started again; and an action that is met again is started once."""
         process = (
             *(started.place, started.kind, started.package, started.executable, started.name, started.namespace),
             tuple(started.arguments),
         )
         known = process in self._started
         self._started[process] = self._started.get(process, False) or self.in_handler
-        if not (known and self._started[process]):
-            started.includes = tuple(self.includes)
-            self.result.started.append(started)
+        if known and self._started[process]:
+            return
+        started.includes, started.visited = tuple(self.includes), tuple(self.visiting)
+        again = [one for one in self._by_place.setdefault(started.place, []) if once_more(one, started)]
+        if any(merge(one, started) for one in again):
+            return
+        for one in again:
+            branch = f"one visit of {len(self.result.started)}"
+            one.arms, started.arms = one.arms | {(branch, 0)}, started.arms | {(branch, 1)}
+        self._by_place[started.place].append(started)
+        self.result.started.append(started)
 
     def note_undeclared(self, use: UndeclaredUse) -> None:
         if use not in self._seen:

@@ -145,6 +145,7 @@ def _visit_one(run: LaunchRun, entity: Instance) -> None:
     place = entity.place or run.place_now
     kept = run.place_now
     run.place_now = place
+    run.visiting.append((entity.key, run.visits))
     try:
         with run.under(own, verdict, place):
             act = ACTIONS.get(kind)
@@ -153,6 +154,7 @@ def _visit_one(run: LaunchRun, entity: Instance) -> None:
             elif kind not in _IGNORED:
                 run.gap(f"{entity.note or kind or 'an object'} is no action that is followed")
     finally:
+        run.visiting.pop()
         run.place_now = kept
 
 

@@ -1,0 +1,162 @@
+"""NME004: what is started once, or gone by then, shares its name with nobody."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from archlint.config import load
+from archlint.finding import Finding
+from archlint.session import Request, check
+
+SETUP = """\
+from glob import glob
+from setuptools import setup
+setup(
+    name='robot',
+    data_files=[('share/robot/launch', glob('launch/*'))],
+    entry_points={'console_scripts': ['talker = robot.talker:main']},
+)
+"""
+TALKER = """\
+import rclpy
+from rclpy.node import Node
+
+class Talker(Node):
+    def __init__(self, rate=1.0):
+        super().__init__('talker')
+        self.create_timer(rate, self.tick)
+
+    def tick(self):
+        pass
+
+def main():
+    rclpy.init()
+    {}
+"""
+LAUNCH = """\
+import os
+from launch import LaunchDescription
+from launch.actions import GroupAction, OpaqueFunction, TimerAction
+from launch.substitutions import LaunchConfiguration
+from launch_ros.actions import Node, PushRosNamespace
+
+def setup(context):
+    talker = Node(package='robot', executable='talker', name='talker')
+    other = Node(package='robot', executable='talker', name='talker')
+    nodes = []
+    {}
+    return nodes
+
+def generate_launch_description():
+    return LaunchDescription([OpaqueFunction(function=setup)])
+"""
+
+
+@pytest.fixture
+def findings(tmp_path: Path, monkeypatch: pytest.MonkeyPatch):
+    monkeypatch.chdir(tmp_path)
+
+    def run(lines: list[str] | None = None, main: list[str] | None = None) -> list[Finding]:
+        texts = {
+            "archlint.toml": 'select = ["NME004"]',
+            "package.xml": "<package format='3'><name>robot</name><exec_depend>rclpy</exec_depend>"
+            "<export><build_type>ament_python</build_type></export></package>",
+            "setup.py": SETUP,
+            "robot/talker.py": TALKER.replace("{}", "\n    ".join(main or ["rclpy.spin(Talker())"])),
+            "launch/it.launch.py": LAUNCH.replace("{}", "\n    ".join(lines or ["nodes.append(talker)"])),
+        }
+        for name, text in texts.items():
+            path = tmp_path / name
+            path.parent.mkdir(parents=True, exist_ok=True)
+            path.write_text(text)
+        return check(Request((".",), load(tmp_path), cached=False, jobs=1)).findings
+
+    return run
+
+
+UNDECIDED = "if os.environ.get('LATE'):"
+LATE = "    nodes.append(TimerAction(period=5.0, actions=[{}]))"
+
+
+@pytest.mark.parametrize(
+    "lines",
+    [
+        pytest.param([UNDECIDED, LATE.format("talker"), "else:", "    nodes.append(talker)"], id="bare or later"),
+        pytest.param(
+            [
+                UNDECIDED,
+                LATE.format("talker"),
+                "else:",
+                "    nodes.append(talker)",
+                "    nodes.append(PushRosNamespace('x'))",
+            ],
+            id="and more in one arm",
+        ),
+        pytest.param(
+            [
+                UNDECIDED,
+                "    nodes.append(GroupAction([PushRosNamespace('a'), talker]))",
+                "else:",
+                "    nodes.append(talker)",
+                "    nodes.append(Node(package='robot', executable='talker', name='talker', namespace='b'))",
+            ],
+            id="in a namespace or not",
+        ),
+    ],
+)
+def test_one_action_in_both_arms_of_an_undecided_if_is_started_once(findings, lines):
+    assert findings(lines) == []
+
+
+@pytest.mark.parametrize(
+    ("lines", "at", "related"),
+    [
+        (["nodes += [talker, other]"], 9, [8]),
+        ([UNDECIDED, LATE.format("talker"), "else:", "    nodes.append(talker)", "nodes.append(other)"], 9, [8]),
+        ([UNDECIDED, LATE.format("talker, other"), "else:", "    nodes.append(talker)"], 9, [8]),
+        (["for _ in range(2):", "    nodes.append(Node(package='robot', executable='talker'))"], 12, []),
+    ],
+)
+def test_two_actions_of_one_name_are_told(findings, lines, at, related):
+    (found,) = findings(lines)
+    assert (found.place.line, [one.place.line for one in found.related]) == (at, related)
+
+
+READER = ["reader = Node('reader')", "rate = reader.declare_parameter('rate', 1.0).value"]
+
+
+@pytest.mark.parametrize(
+    ("main", "told"),
+    [
+        pytest.param([*READER, "reader.destroy_node()", "rclpy.spin(Talker(rate))"], False, id="destroyed"),
+        pytest.param([*READER, "rclpy.spin(Talker(rate))", "reader.destroy_node()"], True, id="destroyed later"),
+        pytest.param(
+            [*READER, "if rate > 2:", "    reader.destroy_node()", "rclpy.spin(Talker(rate))"], True, id="perhaps"
+        ),
+        pytest.param(
+            ["old = Talker()", "rclpy.spin_once(old)", "old.destroy_node()", "rclpy.spin(Node('talker'))"],
+            False,
+            id="with callbacks",
+        ),
+    ],
+)
+def test_a_node_that_is_destroyed_before_the_next_is_made_is_gone(findings, main, told):
+    assert bool(findings(None, main)) is told
+
+
+def test_a_callback_makes_its_node_before_main_destroys_the_first(findings):
+    """``destroy_node()`` stands above nothing that runs later: the callback runs while main spins."""
+    two = ["class Two(Talker):", "    def tick(self):", "        self.helper = Node('helper')"]
+    (found,) = findings(None, [*two, "node = Two()", "rclpy.spin(node)", "node.destroy_node()"])
+    assert len(found.related) == 2
+
+
+@pytest.mark.parametrize(("decorator", "argument"), [("@classmethod", "cls"), ("@staticmethod", "")])
+def test_a_class_method_that_main_has_run_makes_no_second_node(findings, decorator, argument):
+    runner = ["class Runner(Talker):", f"    {decorator}", f"    def main({argument}):"]
+    body = ["        node = Runner()", "        rclpy.spin(node)"]
+    assert findings(None, [*runner, *body, "Runner.main()"]) == []
+    more = ["Runner.main()", "other = Runner()", "rclpy.spin(other)"]
+    assert len(findings(None, [*runner, "        global node", *body, *more])) == 1
