@@ -1120,6 +1120,7 @@ def test_two_launch_actions_are_one_finding_with_all_names(findings):
     (sole,) = findings("NME004", f"{node()}\n{node()}")
     assert (sole.message, "a name or namespace" in sole.help) == ("two nodes of this system are called '/talker'", True)
 
+
 TWO = """\
 from launch import LaunchDescription
 from launch.actions import DeclareLaunchArgument
@@ -1453,3 +1454,42 @@ def test_a_node_that_a_helper_makes_and_main_keeps(findings):
     before, _, _ = TALKER.partition("\ndef main")
     text = before + HANDED.format(line="pass").replace("car = read()", "asker = make()")
     assert len(findings("NME004", node(name="it"), **{"robot/talker.py": text})) == 1
+
+
+DECLARATIVE = """\
+import rclpy
+from rclpy.node import Node
+
+class Field:
+    def __init__(self, default):
+        self.default = default
+
+    def start(self, node):
+        node.declare_parameter(self.name, self.default)
+
+class Talker(Node):
+    speed = Field(1.0)
+
+    def __init__(self):
+        super().__init__('talker')
+        self.declare_parameter('rate', 1.0)
+
+def main():
+    rclpy.init()
+    rclpy.spin(Talker())
+"""
+
+
+def test_what_declares_parameters_on_a_node_that_is_not_known_may_do_so_on_this_one(findings):
+    """Also where the program runs again with the parameters of the launch file, of which one decides a name."""
+    given = node('<param name="rate" value="2.0"/><param name="speed" value="2.0"/>')
+    fields, talker = DECLARATIVE.split("class Talker(Node)")
+    talker = "from robot.fields import Field\nimport rclpy\nfrom rclpy.node import Node\n\nclass Talker(Node)" + talker
+    named = talker.replace(
+        "('rate', 1.0)", "('rate', 1.0)\n        self.create_timer(self.get_parameter('rate').value, print)"
+    )
+    for text in (talker, named):
+        assert findings("PRM004", given, **{"robot/talker.py": text, "robot/fields.py": fields}) == []
+        plain = text.replace("    speed = Field(1.0)\n", "").replace("import Field", "import rclpy")
+        (found,) = findings("PRM004", given, **{"robot/talker.py": plain, "robot/fields.py": fields})
+        assert "'speed'" in found.message

@@ -397,6 +397,24 @@ class TestInvalidName:
     def test_a_text_that_is_not_finished(self, judge: Judge, lines: tuple[str, ...]):
         judge("NME002", script(*lines, "node.create_publisher(String, topic, 10)"))
 
+    @pytest.mark.parametrize(
+        "topic",
+        [
+            "str(given.get('topic', '') or '')",
+            "given.get('topic', '')",
+            "given['topic'] if 'topic' in given else '?'",
+        ],
+    )
+    def test_what_stands_where_a_file_does_not_say(self, judge: Judge, topic: str):
+        lines = ["import json", "given = json.load(open('a.json'))", f"topic = {topic}"]
+        judge("NME002", script(*lines, "node.create_publisher(String, topic, 10)"))
+
+    @pytest.mark.parametrize("topic", ["''", "str('' or '')", "'?'"])
+    def test_a_bad_name_that_is_the_only_one(self, judge: Judge, topic: str):
+        create = f"node.create_publisher(String, {topic}, 10)  # here"
+        judge("NME002", script(create))
+        judge("NME002", script("if len(sys.argv) > 1:", f"    {create}"))
+
     def test_a_text_of_which_either_form_is_finished(self, judge: Judge):
         judge(
             "NME002",

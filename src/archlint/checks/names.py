@@ -17,7 +17,6 @@ from archlint.program.model import (
     SUBSCRIBER,
 )
 from archlint.system import names
-from archlint.system.model import exclusive
 
 if TYPE_CHECKING:
     from archlint.finding import Place
@@ -82,7 +81,7 @@ def _invalid_endpoints(node: Node) -> Iterator[Finding]:
             continue
         if endpoint.resolution == "parameter" and creation.conditional:
             continue  # with that value of the parameter the branch may not be taken
-        if _is_unfinished(endpoint):
+        if _is_one_of_several(endpoint):
             continue
         shown, word = endpoint.written or "", WORDS[endpoint.kind]
         default = f", the default of the parameter '{endpoint.parameter}'" if endpoint.resolution == "parameter" else ""
@@ -100,13 +99,19 @@ def _invalid_endpoints(node: Node) -> Iterator[Finding]:
         )
 
 
-def _is_unfinished(endpoint: Endpoint) -> bool:
-    """Whether another form of the name goes on where this one ends: that a loop over unknown words adds none to it is
-    only one of its ways."""
-    text = endpoint.written or ""
-    return bool(endpoint.creation.arms) and any(
-        other.place == endpoint.place
-        and (other.written is None or (other.written.startswith(text) and other.written != text))
-        and exclusive(endpoint.creation.arms, other.creation.arms)
+def _is_one_of_several(endpoint: Endpoint) -> bool:
+    """Whether the call has another name, too, that only data decides, or that goes on where this one ends: what ROS
+    rejects may then be what stands there until somebody fills it in, or what is left where a file does not say."""
+    creation, text = endpoint.creation, endpoint.written or ""
+    return bool(creation.arms or creation.conditional) and any(
+        other is not endpoint and other.place == endpoint.place and _is_open(other, text)
         for other in endpoint.node.endpoints
     )
+
+
+def _is_open(other: Endpoint, text: str) -> bool:
+    """Whether a name is not wholly known, or begins with ``text`` and goes on."""
+    written = other.written
+    if written is None or other.resolution in ("partial", "unknown"):
+        return True
+    return written.startswith(text) and written != text

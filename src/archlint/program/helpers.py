@@ -54,22 +54,29 @@ def settle_helpers(programs: Sequence[model.Program], holders: Holders) -> None:
         program.nodes[:] = [node for node in program.nodes if not _is_nothing(node, program)]
 
 
-def note_unfollowed(programs: Sequence[model.Program], names_in_file: Callable[[str], frozenset[str]]) -> None:
+def helpers_in(programs: Sequence[model.Program]) -> list[model.Blueprint]:
+    """What works on a node that is not known, outside of tests."""
+    return [node for program in programs for node in program.nodes if node.held and not node.test]
+
+
+def note_unfollowed(
+    programs: Sequence[model.Program],
+    names_in_file: Callable[[str], frozenset[str]],
+    others: Sequence[model.Blueprint] = (),
+) -> None:
     """A node that may be the one which a helper works on is not complete: those of its program, and those whose file
-    speaks of it."""
-    for program in programs:
-        for helper in program.nodes:
-            if helper.held and not helper.test:
-                name = helper.class_name.rpartition(".")[2]
-                gap = (helper.place, f"the node that {helper.class_name} works on is not known")
-                for node in (node for other in programs for node in other.nodes):
-                    if (
-                        not node.held
-                        and gap not in node.gaps
-                        and (node in program.nodes or name in names_in_file(node.place.file))
-                    ):
-                        node.complete = False
-                        node.gaps.append(gap)
+    speaks of it.  ``others`` are helpers of programs that were run before these."""
+    known = [(helper, program) for program in programs for helper in helpers_in([program])]
+    for helper, home in [*known, *((helper, None) for helper in others)]:
+        name = helper.class_name.rpartition(".")[2]
+        gap = (helper.place, f"the node that {helper.class_name} works on is not known")
+        for program in programs:
+            for node in program.nodes:
+                if node.held or gap in node.gaps:
+                    continue
+                if program is home or name in names_in_file(node.place.file):
+                    node.complete = False
+                    node.gaps.append(gap)
 
 
 def _names_by_place(made: Iterable[_Made]) -> dict[Place, set[str | None]]:
@@ -149,4 +156,4 @@ def _is_uncalled(creation: model.Creation) -> bool:
     )
 
 
-__all__ = ["Holders", "note_holders", "note_unfollowed", "prune_uncalled", "settle_helpers"]
+__all__ = ["Holders", "helpers_in", "note_holders", "note_unfollowed", "prune_uncalled", "settle_helpers"]

@@ -18,7 +18,7 @@ from archlint.finding import Place
 from archlint.program import calls, definitions, escapes, model
 from archlint.program.api import command_line, nodes
 from archlint.program.attributes import class_lookup
-from archlint.program.helpers import Holders, note_holders, note_unfollowed, prune_uncalled, settle_helpers
+from archlint.program.helpers import Holders, helpers_in, note_holders, note_unfollowed, prune_uncalled, settle_helpers
 from archlint.program.interest import interesting, names_in
 from archlint.program.modules import Module, ModuleIndex
 from archlint.program.roots import enter_root, finish, flags_of, run_callbacks, run_pending
@@ -96,6 +96,8 @@ class Linker:
         """Classes of which an object was made, and their bases."""
         self.holders: Holders = {}
         """The nodes that objects of a class were seen to hold in an attribute."""
+        self.helpers: list[model.Blueprint] = []
+        """What works on nodes that are not known, once all programs have run."""
         self._settled = False
 
     # ----------------------------------------------------------------------------------------- programs
@@ -119,6 +121,7 @@ class Linker:
         prune_uncalled(self.programs)
         settle_helpers(self.programs, self.holders)
         note_unfollowed(self.programs, self._names_in_file)
+        self.helpers = helpers_in(self.programs)
         self._settled = True
         return [p for p in self.programs if p.nodes or p.calls or p.callbacks or p.unknown_interfaces or p.field_uses]
 
@@ -207,7 +210,7 @@ class Linker:
             _make_handed_out(run)
         if self._settled:
             settle_helpers([run.program], {})
-            note_unfollowed([run.program], self._names_in_file)
+            note_unfollowed([run.program], self._names_in_file, self.helpers)
         return run.program
 
     def _names_in_file(self, file: str) -> frozenset[str]:
