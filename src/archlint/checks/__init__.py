@@ -20,6 +20,7 @@ MODULES: tuple[str, ...] = (
     "packages",
     "circles",
     "parameter_reads",
+    "parameter_overrides",
     "parameters",
     "polling",
     "sequences",

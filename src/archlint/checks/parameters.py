@@ -1,14 +1,14 @@
-"""PRM002, PRM004, PRM005 and PRM008: parameters that are declared and set, and how these fit together."""
+"""PRM002, PRM005 and PRM008: parameters that are declared and set, and how these fit together."""
 
 from __future__ import annotations
 
 import posixpath
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator
 from typing import TYPE_CHECKING
 
 from archlint.checks.near import did_you_mean, listed
 from archlint.checks.registry import Options, finding, rule
-from archlint.checks.whole import declares_all, enclosing_function, in_sight, walk
+from archlint.checks.whole import enclosing_function, in_sight, walk
 from archlint.facts import model as facts
 from archlint.finding import Finding, Place, Related
 from archlint.program.launch.model import EXTERNAL, ParameterFileUse, Started
@@ -71,7 +71,7 @@ def _type_of(value: object) -> str | None:
 @rule("PRM002")
 def parameter_type_mismatch(system: System, options: Options) -> Iterator[Finding]:
     """Values from outside whose type is not the declared one."""
-    for node, settings in _set_nodes(system):
+    for node, settings in set_nodes(system):
         if _dynamic(system.world, node):
             continue
         declared: dict[str | None, list[ParameterDeclaration]] = {}
@@ -88,7 +88,7 @@ def parameter_type_mismatch(system: System, options: Options) -> Iterator[Findin
             yield finding(
                 "PRM002",
                 setting.place,
-                f"parameter '{setting.name}' of {_called(node)} is declared as {rows[0].type} and set to "
+                f"parameter '{setting.name}' of {called(node)} is declared as {rows[0].type} and set to "
                 f"{_shown(setting.value)}, of type {given}",
                 help=_write(setting.value, rows[0].type),
                 related=[Related(rows[0].place, "it is declared here")],
@@ -119,12 +119,12 @@ def _write(value: object, wanted: str | None) -> str:
     return f"give it a value of type {wanted}: the node stops with an exception when it declares the parameter"
 
 
-def _called(node: Node) -> str:
+def called(node: Node) -> str:
     """The name of a node, or its class where the name is not known."""
     return node.name or (node.blueprint.class_name if node.blueprint is not None else "the node")
 
 
-def _set_nodes(system: System) -> Iterator[tuple[Node, list[Setting]]]:
+def set_nodes(system: System) -> Iterator[tuple[Node, list[Setting]]]:
     """The nodes of a launched system whose source is here, with what is set on each."""
     world = system.world
     if system.launched is None or world is None or world.parameters_of is None:
@@ -135,96 +135,12 @@ def _set_nodes(system: System) -> Iterator[tuple[Node, list[Setting]]]:
             yield node, applied(node.started, full, world.parameters_of)
 
 
-# ------------------------------------------------------------------------------------------------- PRM004
+# ------------------------------------------------------------------------------------------------- PRM005
 
 
-@rule("PRM004")
-def unknown_parameter_override(system: System, options: Options) -> Iterator[Finding]:
-    """Values for parameters that the node does not declare."""
-    every: dict[tuple[str, str], set[str] | None] = {}
-    said: set[tuple[str | None, Place, str]] = set()
-    for node, settings in _set_nodes(system):
-        declared = declared_by(node)
-        assert node.blueprint is not None
-        if declared is None or not declares_all(system.world, node.blueprint) or not followed(node):
-            continue
-        siblings = [other for other in system.entries if other.started is node.started and other is not node]
-        others = [declared_by(other) for other in siblings]
-        for setting in settings:
-            if setting.name in declared or always_declared(setting.name) or setting.shared:
-                continue
-            if _for_another_choice(setting.name, declared, settings):
-                continue
-            if any(names is None or setting.name in names for names in others):
-                continue
-            if setting.written is not None:
-                section = setting.place.file, setting.key
-                if section not in every:
-                    every[section] = _every_declared(system, *section)
-                shared = every[section]
-                if shared is None or setting.name in shared:
-                    continue
-            if (node.name, setting.place, setting.name) in said:
-                continue
-            said.add((node.name, setting.place, setting.name))
-            yield finding(
-                "PRM004",
-                setting.place,
-                f"{_called(node)} declares no parameter '{setting.name}', so this value is never used"
-                + did_you_mean(setting.name, declared.keys() - {one.name for one in settings}),
-                help=f"it declares {listed(sorted(declared))}",
-                related=[Related(node.blueprint.place, "the node is defined here")],
-                node=node.name,
-                identity=(node.name or "", setting.name),
-            )
-
-
-def _for_another_choice(
-    name: str, declared: Mapping[str, Sequence[ParameterDeclaration]], settings: Sequence[Setting]
-) -> bool:
-    """Whether a node would declare a parameter if another one had another value: of ``devices.a.ip``, where ``a`` is
-    such a value, ``devices.b.ip`` differs in that part alone."""
-    parts = name.split(".")
-    for known, rows in declared.items():
-        chosen_by = rows[0].name.parameter if rows[0].name.resolution == "parameter" else None
-        others = known.split(".")
-        if chosen_by is None or len(others) != len(parts):
-            continue
-        values = {str(row.default) for row in declared.get(chosen_by, ())}
-        values |= {str(setting.value) for setting in settings if setting.name == chosen_by}
-        differing = [other for one, other in zip(parts, others, strict=True) if one != other]
-        if len(differing) == 1 and differing[0] in values:
-            return True
-    return False
-
-
-def _every_declared(system: System, file: str, key: str) -> set[str] | None:
-    """The names that any node declares which a section of a parameter file is for, in all systems that load the
-    file; None where some node's source is not here, or others may share what is for all."""
-    world = system.world
-    shared = "*" in key
-    if world is None or (shared and _others_are_not_run(world)):
-        return None
-    found: set[str] = set()
-    for other in world.systems:
-        if other is not system and (other.launched is None or file not in _files_of(other)):
-            continue
-        for node in other.nodes:
-            if not shared and not key_matches(key, node.name):
-                continue
-            declared = None if node.external else declared_by(node)
-            if declared is None:
-                return None
-            found |= set(declared)
-    return found
-
-
-def _others_are_not_run(world: World) -> bool:
+def others_are_not_run(world: World) -> bool:
     """Whether only one of several launch files was asked for: the others may load the same files."""
     return world.explicit and world.loader is not None and len(world.loader.launch_files()) > 1
-
-
-# ------------------------------------------------------------------------------------------------- PRM005
 
 
 @rule("PRM005")
@@ -233,7 +149,7 @@ def parameters_for_unknown_node(system: System, options: Options) -> Iterator[Fi
     world = system.world
     if system.launched is None or world is None or world.parameters_of is None:
         return
-    for file in _files_of(system):
+    for file in files_of(system):
         started = _names_of_nodes(world, file)
         if started is None:
             continue
@@ -247,7 +163,7 @@ def parameters_for_unknown_node(system: System, options: Options) -> Iterator[Fi
             if right:
                 message += f"; did you mean '{right[0]}'?"
                 help = f"a key is the full name: write '{right[0]}:', or '/**/{last}:' for any namespace"
-            elif _others_are_not_run(world):
+            elif others_are_not_run(world):
                 continue
             else:
                 meant = did_you_mean(section.key, started)
@@ -257,7 +173,7 @@ def parameters_for_unknown_node(system: System, options: Options) -> Iterator[Fi
             yield finding("PRM005", Place(file, *section.span), message, help=help, identity=(file, section.key))
 
 
-def _files_of(system: System) -> list[str]:
+def files_of(system: System) -> list[str]:
     files: dict[str, None] = {}
     for started in system.launched.started if system.launched is not None else ():
         files.update(dict.fromkeys(_files_of_process(started)))
@@ -296,7 +212,7 @@ def _names_of_nodes(world: World, file: str) -> set[str] | None:
     """The names of all nodes of the launches that load a file; None where one of them is not known."""
     found: set[str] = set()
     for system in world.systems:
-        if system.launched is None or file not in _files_of(system):
+        if system.launched is None or file not in files_of(system):
             continue
         if system.launched.gaps or any(started.dormant for started in system.launched.started):
             return None

@@ -58,6 +58,8 @@ class Setting:
     place: Place
     written: str | None = None
     shared: bool = False
+    within: tuple[tuple[str, Place], ...] = ()
+    """The keys of the dicts that launch took apart to come to the name, as in ``ParameterSetting``."""
 
 
 def overrides_of(started: Started, node: str | None, facts_of: Callable[[str], ParameterFacts]) -> dict[str, object]:
@@ -88,7 +90,7 @@ def settings_of(started: Started, node: str | None, facts_of: Callable[[str], Pa
         if isinstance(parameter, ParameterSetting) and parameter.name is not None:
             key = EVERY_NODE if parameter.shared else own
             value = parameter.value if parameter.known else NOT_KNOWN
-            yield Setting(key, parameter.name, value, parameter.place, shared=parameter.shared)
+            yield Setting(key, parameter.name, value, parameter.place, shared=parameter.shared, within=parameter.within)
         elif isinstance(parameter, ParameterFileUse) and parameter.reference.source is not None:
             file = parameter.reference.source
             for section in facts_of(file).sections:

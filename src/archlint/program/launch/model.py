@@ -39,6 +39,8 @@ class ParameterSetting:
     known: bool
     place: Place
     shared: bool = False
+    within: tuple[tuple[str, Place], ...] = ()
+    """The keys of the dicts around it, the outermost first: the name that launch makes of each, and its place."""
 
 
 @dataclass(frozen=True)

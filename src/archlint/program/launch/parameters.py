@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from archlint.facts.safe_yaml import YamlError, YamlReader, plain_scalar
@@ -31,6 +32,9 @@ if TYPE_CHECKING:
     from archlint.program.launch.run import LaunchRun
 
 Parameter = ParameterSetting | ParameterFileUse | OpenParameters
+
+Within = tuple[tuple[str, Place], ...]
+"""The keys of the dicts around an entry: the name that each comes to, and its place."""
 
 CONSTANT_LIMIT = 20_000
 NESTED = 10
@@ -67,7 +71,7 @@ def _one(run: LaunchRun, item: Value, place: Place) -> Iterator[Parameter]:
         for option in item.values:
             yield from _one(run, option, place)
     elif isinstance(item, DictValue):
-        yield from _entries(run, item, "", place, _Room())
+        yield from _entries(run, item, (), place, _Room())
     elif kind == "Parameter":
         yield setting(run, perform(run, argument(item, "name")), _given(item, "value"), place)
     elif kind == "ParameterFile":
@@ -103,7 +107,7 @@ class _Room:
         self.depth = 0
 
 
-def _entries(run: LaunchRun, item: DictValue, prefix: str, place: Place, room: _Room) -> Iterator[Parameter]:
+def _entries(run: LaunchRun, item: DictValue, within: Within, place: Place, room: _Room) -> Iterator[Parameter]:
     from archlint.program import containers
 
     room.left -= 1
@@ -114,14 +118,14 @@ def _entries(run: LaunchRun, item: DictValue, prefix: str, place: Place, room: _
     for key, value in entries.entries.values():
         name = perform(run, key)
         where = key.origin if isinstance(key, Known) and key.origin is not None else place
-        if isinstance(name, Known) and prefix:
-            name = Known(f"{prefix}.{name.value!s}")
+        if isinstance(name, Known) and within:
+            name = Known(f"{within[-1][0]}.{name.value!s}")
         if isinstance(value, DictValue) and isinstance(name, Known):
             room.depth += 1
-            yield from _entries(run, value, str(name.value), where, room)
+            yield from _entries(run, value, (*within, (str(name.value), where)), where, room)
             room.depth -= 1
         else:
-            yield setting(run, name, value, where)
+            yield replace(setting(run, name, value, where), within=within)
     if entries.open:
         yield OpenParameters("a dict of parameters with entries that are not known", place)
 

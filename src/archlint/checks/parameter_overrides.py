@@ -1,0 +1,187 @@
+"""PRM004: values for parameters that a node does not declare."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import replace
+from typing import TYPE_CHECKING
+
+from archlint.checks.folding import folds
+from archlint.checks.near import did_you_mean, listed
+from archlint.checks.parameters import (
+    always_declared,
+    called,
+    declared_by,
+    files_of,
+    followed,
+    others_are_not_run,
+    set_nodes,
+)
+from archlint.checks.registry import Options, finding, rule
+from archlint.checks.whole import declares_all
+from archlint.finding import Finding, Place, Related
+from archlint.system.overrides import Setting, key_matches
+
+if TYPE_CHECKING:
+    from archlint.program.model import Blueprint, ParameterDeclaration
+    from archlint.system.model import Node, System
+
+
+@rule("PRM004")
+def unknown_parameter_override(system: System, options: Options) -> Iterator[Finding]:
+    """Values for parameters that the node does not declare."""
+    every: dict[tuple[str, str], set[str] | None] = {}
+    said: set[tuple[str | None, Place, str]] = set()
+    taken_apart: dict[tuple[str | None, str, str, Place | None], tuple[Node, list[Setting]]] = {}
+    for node, settings in set_nodes(system):
+        declared = declared_by(node)
+        assert node.blueprint is not None
+        if declared is None or not declares_all(system.world, node.blueprint) or not followed(node):
+            continue
+        siblings = [other for other in system.entries if other.started is node.started and other is not node]
+        others = [declared_by(other) for other in siblings]
+        for setting in settings:
+            if setting.name in declared or always_declared(setting.name) or setting.shared:
+                continue
+            if _for_another_choice(setting.name, declared, settings):
+                continue
+            if any(names is None or setting.name in names for names in others):
+                continue
+            if setting.written is not None:
+                section = setting.place.file, setting.key
+                if section not in every:
+                    every[section] = _every_declared(system, *section)
+                shared = every[section]
+                if shared is None or setting.name in shared:
+                    continue
+            if (node.name, setting.place, setting.name) in said:
+                continue
+            said.add((node.name, setting.place, setting.name))
+            whole = _declared_dict(setting, declared)
+            if whole is None:
+                yield _never_used(node, node.blueprint, setting, declared, settings)
+            else:
+                name, place = whole
+                taken_apart.setdefault((node.name, setting.place.file, name, place), (node, []))[1].append(setting)
+    for (_, _, name, place), (node, parts) in taken_apart.items():
+        yield _taken_apart(node, name, place or parts[0].place, parts)
+
+
+def _never_used(
+    node: Node,
+    blueprint: Blueprint,
+    setting: Setting,
+    declared: Mapping[str, Sequence[ParameterDeclaration]],
+    settings: Sequence[Setting],
+) -> Finding:
+    meant = did_you_mean(setting.name, declared.keys() - {one.name for one in settings})
+    return finding(
+        "PRM004",
+        setting.place,
+        f"{called(node)} declares no parameter '{setting.name}', so this value is never used{meant}",
+        help=f"it declares {listed(sorted(declared))}",
+        related=[Related(blueprint.place, "the node is defined here")],
+        node=node.name,
+        identity=(node.name or "", setting.name),
+        # A misspelt name has advice of its own.
+        group=() if meant else (called(node), setting.place.file, setting.key),
+    )
+
+
+@folds("PRM004")
+def _one_for_a_node(several: Sequence[Finding]) -> Finding:
+    """One finding for all that one file sets on a node which declares none of it."""
+    first = several[0]
+    names = list(dict.fromkeys(one.identity[1] for one in several))
+    if len(names) == 1:
+        return first
+    node = first.identity[0] or "the node"
+    others = [Related(one.place, f"'{one.identity[1]}'") for one in several[1 : SHOWN + 1]]
+    return replace(
+        first,
+        message=f"{node} declares none of these {len(names)} parameters, so their values are never used: "
+        f"{listed(names)}",
+        related=(*others, *first.related),
+        identity=(first.identity[0], *names),
+    )
+
+
+SHOWN = 20
+"""How many more places one finding shows."""
+
+
+def _declared_dict(
+    setting: Setting, declared: Mapping[str, Sequence[ParameterDeclaration]]
+) -> tuple[str, Place | None] | None:
+    """The parameter that a node declares and that is given a dict, of which launch or a parameter file makes this
+    setting; with the place where a launch file gives it."""
+    parts = setting.name.split(".")
+    prefixes = (".".join(parts[:count]) for count in range(1, len(parts)))
+    name = next((prefix for prefix in prefixes if prefix in declared), None)
+    if name is None or (not setting.within and setting.written is None):
+        return None
+    if setting.written is None:
+        return next(((key, place) for key, place in setting.within if key == name), None)
+    return name, None
+
+
+def _taken_apart(node: Node, name: str, place: Place, parts: Sequence[Setting]) -> Finding:
+    rows = [row for row in node.parameters if row.name.text == name]
+    text = bool(rows) and rows[0].type == "string"
+    in_launch = parts[0].written is None
+    more = f" and {len(parts) - 1} more" if len(parts) > 1 else ""
+    advice = f"give it one value of type {rows[0].type}" if rows and rows[0].type else "give it one value"
+    if text:
+        # Without its type, launch_ros reads a text as YAML and comes to a dict again.
+        wrapped = "ParameterValue(json.dumps(…), value_type=str)"
+        advice = f"give it as one text: {wrapped}" if in_launch else "give it as one text: put it in quotes"
+    return finding(
+        "PRM004",
+        place,
+        f"'{name}' is given a dict, which {'launch' if in_launch else 'ROS'} takes apart: it sets "
+        f"'{parts[0].name}'{more}, which {called(node)} does not declare, and '{name}' keeps its default",
+        help=advice,
+        related=[Related(row.place, f"'{name}' is declared here") for row in rows[:1]],
+        node=node.name,
+        identity=(node.name or "", name),
+    )
+
+
+def _for_another_choice(
+    name: str, declared: Mapping[str, Sequence[ParameterDeclaration]], settings: Sequence[Setting]
+) -> bool:
+    """Whether a node would declare a parameter if another one had another value: of ``devices.a.ip``, where ``a`` is
+    such a value, ``devices.b.ip`` differs in that part alone."""
+    parts = name.split(".")
+    for known, rows in declared.items():
+        chosen_by = rows[0].name.parameter if rows[0].name.resolution == "parameter" else None
+        others = known.split(".")
+        if chosen_by is None or len(others) != len(parts):
+            continue
+        values = {str(row.default) for row in declared.get(chosen_by, ())}
+        values |= {str(setting.value) for setting in settings if setting.name == chosen_by}
+        differing = [other for one, other in zip(parts, others, strict=True) if one != other]
+        if len(differing) == 1 and differing[0] in values:
+            return True
+    return False
+
+
+def _every_declared(system: System, file: str, key: str) -> set[str] | None:
+    """The names that any node declares which a section of a parameter file is for, in all systems that load the
+    file; None where some node's source is not here, or others may share what is for all."""
+    world = system.world
+    shared = "*" in key
+    if world is None or (shared and others_are_not_run(world)):
+        return None
+    found: set[str] = set()
+    for other in world.systems:
+        if other is not system and (other.launched is None or file not in files_of(other)):
+            continue
+        for node in other.nodes:
+            if not shared and not key_matches(key, node.name):
+                continue
+            declared = None if node.external else declared_by(node)
+            if declared is None:
+                return None
+            found |= set(declared)
+    return found

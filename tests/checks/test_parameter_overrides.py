@@ -1,0 +1,144 @@
+"""PRM004: one finding for one cause, where the cause is."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from archlint.config import load
+from archlint.finding import Finding
+from archlint.session import Request, check
+
+SETUP = """\
+from glob import glob
+from setuptools import setup
+setup(
+    name='robot',
+    data_files=[('share/robot/launch', glob('launch/*')), ('share/robot/config', glob('config/*'))],
+    entry_points={'console_scripts': ['talker = robot.talker:main']},
+)
+"""
+TALKER = """\
+import rclpy
+from rclpy.node import Node
+
+class Talker(Node):
+    def __init__(self):
+        super().__init__('talker')
+        self.declare_parameter('limits', '')
+        self.declare_parameter('gain', 1.0)
+
+def main():
+    rclpy.init()
+    rclpy.spin(Talker())
+"""
+LAUNCH = """\
+import json
+import os
+from ament_index_python.packages import get_package_share_directory
+from launch import LaunchDescription
+from launch_ros.actions import Node
+from launch_ros.parameter_descriptions import ParameterValue
+
+LIMITS = {'left': {'min': 0.0, 'max': 1.0}, 'right': {'max': 2.0}}
+
+def generate_launch_description():
+    file = os.path.join(get_package_share_directory('robot'), 'config', 'p.yaml')
+    return LaunchDescription([
+        Node(
+            package='robot',
+            executable='talker',
+            parameters=[
+                {}
+            ],
+        ),
+    ])
+"""
+FIRST = 17
+
+
+@pytest.fixture
+def findings(tmp_path: Path, monkeypatch: pytest.MonkeyPatch):
+    monkeypatch.chdir(tmp_path)
+
+    def run(*parameters: str, yaml: str = "", talker: str = TALKER) -> list[Finding]:
+        texts = {
+            "archlint.toml": 'select = ["PRM004"]',
+            "package.xml": "<package format='3'><name>robot</name><exec_depend>rclpy</exec_depend>"
+            "<export><build_type>ament_python</build_type></export></package>",
+            "setup.py": SETUP,
+            "robot/talker.py": talker,
+            "launch/it.launch.py": LAUNCH.replace("{}\n", "\n".join(parameters) + "\n"),
+            "config/p.yaml": yaml,
+        }
+        for name, text in texts.items():
+            path = tmp_path / name
+            path.parent.mkdir(parents=True, exist_ok=True)
+            path.write_text(text)
+        return check(Request((".",), load(tmp_path), cached=False, jobs=1)).findings
+
+    return run
+
+
+def test_a_dict_for_a_parameter_that_the_node_declares_is_told_at_its_key(findings):
+    (found,) = findings("{", "'limits': LIMITS,", "'gain': 2.0,", "}")
+    assert found.message == (
+        "'limits' is given a dict, which launch takes apart: it sets 'limits.left.min' and 2 more, which "
+        "/talker does not declare, and 'limits' keeps its default"
+    )
+    assert (found.place.file, found.place.line) == ("launch/it.launch.py", FIRST + 1)
+    assert found.help == "give it as one text: ParameterValue(json.dumps(…), value_type=str)"
+    assert [(one.place.file, one.place.line) for one in found.related] == [("robot/talker.py", 7)]
+
+
+def test_the_advice_works(findings):
+    assert findings("{'limits': ParameterValue(json.dumps(LIMITS), value_type=str)}") == []
+
+
+def test_a_dict_whose_parts_the_node_declares(findings):
+    more = "".join(
+        f"        self.declare_parameter('limits.{part}', 0.0)\n" for part in ("left.min", "left.max", "right.max")
+    )
+    assert findings("{'limits': LIMITS}", talker=TALKER.replace("\ndef main", f"{more}\ndef main")) == []
+
+
+def test_a_number_that_is_given_a_dict(findings):
+    (found,) = findings("{'gain': {'p': 1.0}}")
+    assert "it sets 'gain.p', which /talker does not declare" in found.message
+    assert found.help == "give it one value of type double"
+
+
+def test_a_dict_in_a_parameter_file(findings):
+    (found,) = findings("file", yaml="talker:\n  ros__parameters:\n    limits:\n      a: 1.0\n      b: 2.0\n")
+    assert (found.place.file, found.place.line) == ("config/p.yaml", 4)
+    assert "which ROS takes apart: it sets 'limits.a' and 1 more" in found.message
+    assert found.help == "give it as one text: put it in quotes"
+    quoted = """talker:\n  ros__parameters:\n    limits: '{"a": 1.0}'\n"""
+    assert findings("file", yaml=quoted) == []
+
+
+def test_what_one_file_sets_on_one_node_is_one_finding(findings):
+    (found,) = findings("{'speed': 1.0,", "'frame': 'map',", "'device': '/dev/ttyS0'}")
+    assert found.message == (
+        "/talker declares none of these 3 parameters, so their values are never used: speed, frame, device"
+    )
+    assert found.place.line == FIRST
+    assert [(one.place.line, one.message) for one in found.related[:2]] == [
+        (FIRST + 1, "'frame'"),
+        (FIRST + 2, "'device'"),
+    ]
+
+
+def test_a_misspelt_name_has_a_finding_of_its_own(findings):
+    found = findings("{'speed': 1.0,", "'gian': 2.0,", "'device': '/dev/ttyS0'}")
+    assert [(one.place.line, "did you mean 'gain'?" in one.message) for one in found] == [
+        (FIRST, False),
+        (FIRST + 1, True),
+    ]
+
+
+def test_a_comment_hides_one_of_several(findings):
+    lines = "    speed: 1.0  # archlint: ignore[PRM004]\n    frame: map\n"
+    (found,) = findings("file", yaml=f"talker:\n  ros__parameters:\n{lines}")
+    assert found.message.startswith("/talker declares no parameter 'frame'")
