@@ -339,7 +339,7 @@ def test_a_loop_of_spins_that_lasts_is_the_executor_that_runs(run: Run):
 def test_a_nested_call_that_cannot_deadlock_is_a_warning_that_says_so(run: Run):
     method = """
     def handle(self, request, response):
-        answer = self.client.call(Trigger.Request(), timeout_sec=1.0)
+        answer = self.client.call(Trigger.Request())
         response.success = answer is not None
         return response
     """

@@ -187,6 +187,123 @@ class TestExecutorsAndGroups:
         assert found.severity is Severity.WARNING
 
 
+class TestCarefulCode:
+    """A limit, several threads, a group apart, and a caller that needs the answer: there is nothing to mend."""
+
+    BOUNDED = (
+        "answer = self.motor.call(SetBool.Request(), timeout_sec=1.0)  # here",
+        "response.success = answer.success",
+        "return response",
+    )
+    POLLED = (
+        "future = self.motor.call_async(SetBool.Request())",
+        "deadline = time.monotonic() + 2.0",
+        "while not future.done() and time.monotonic() < deadline:  # here",
+        "    time.sleep(0.01)",
+        "response.success = future.done()",
+        "return response",
+    )
+    SIGNALLED = (
+        "ready = threading.Event()",
+        "future = self.motor.call_async(SetBool.Request())",
+        "future.add_done_callback(lambda _: ready.set())",
+        "response.success = ready.wait(2.0)  # here",
+        "return response",
+    )
+
+    def careful(self, body: tuple[str, ...], service: str = "", more: str = "", extra: str = "") -> str:
+        text = gripper(list(body), THREADS, ", callback_group=self.apart", service, extra)
+        text = text.replace("    import rclpy\n", "    import threading\n    import time\n\n    import rclpy\n", 1)
+        created = SERVICE.format(group=service)
+        return text.replace(created, f"{created}\n            {more}", 1)
+
+    def test_it_is_information(self, judge: Judge):
+        for body in (self.BOUNDED, self.POLLED, self.SIGNALLED):
+            [found] = judge("SRV003", self.careful(body))
+
+            assert found.severity is Severity.INFO
+
+    def test_a_wait_without_a_limit_stays_a_warning(self, judge: Judge):
+        body = ("answer = self.motor.call(SetBool.Request())  # here", *self.BOUNDED[1:])
+        [found] = judge("SRV003", self.careful(body))
+
+        assert found.severity is Severity.WARNING
+
+    def test_an_answer_that_nobody_looks_at_stays_a_warning(self, judge: Judge):
+        body = ("self.motor.call(SetBool.Request(), timeout_sec=1.0)  # here", "return response")
+        [found] = judge("SRV003", self.careful(body))
+
+        assert found.severity is Severity.WARNING
+
+    STOP = """
+        def stop(self, request, response):
+            return response
+
+        def look(self):
+            pass
+"""
+
+    def test_who_waits_in_the_same_group_is_named(self, judge: Judge):
+        more = "self.create_service(Trigger, 'stop', self.stop)\n            self.create_timer(1.0, self.look)"
+        [found] = judge("SRV003", self.careful(self.BOUNDED, more=more, extra=self.STOP))
+
+        assert found.severity is Severity.WARNING
+        assert found.message.endswith(
+            "its own caller waits, and so does what is in its callback group: the service 'stop' and Gripper.look"
+        )
+        assert found.help.startswith("give the service 'close_gripper' a callback group of its own")
+
+    def test_what_is_in_other_groups_waits_for_nothing(self, judge: Judge):
+        more = "self.create_service(Trigger, 'stop', self.stop, callback_group=MutuallyExclusiveCallbackGroup())"
+        [found] = judge("SRV003", self.careful(self.BOUNDED, more=more, extra=self.STOP))
+
+        assert found.severity is Severity.INFO
+
+    MOTOR = """
+    import rclpy
+    from rclpy.callback_groups import ReentrantCallbackGroup
+    from rclpy.executors import MultiThreadedExecutor
+    from rclpy.node import Node
+    from std_srvs.srv import SetBool
+
+
+    class Motor(Node):
+        def __init__(self):
+            super().__init__('motor')
+            self.power = self.create_client(SetBool, 'power', callback_group=ReentrantCallbackGroup())
+            self.create_service(SetBool, 'enable_motor', self.enable)
+
+        def enable(self, request, response):
+            {body}
+            return response
+
+
+    def main():
+        rclpy.init()
+        executor = MultiThreadedExecutor()
+        executor.add_node(Motor())
+        executor.spin()
+
+
+    if __name__ == '__main__':
+        main()
+    """
+
+    def test_a_handler_behind_it_that_waits_itself_is_named(self, judge: Judge):
+        waits = self.MOTOR.format(body="response.success = self.power.call(request, timeout_sec=3.0).success  # here")
+        outer, inner = judge("SRV003", self.careful(self.BOUNDED), waits)
+
+        assert outer.severity is Severity.WARNING
+        assert "(the handler of /enable_motor waits for /power in its turn)" in outer.message
+        assert outer.help == "let the limit here be longer than what /enable_motor may wait in all"
+        assert inner.severity is Severity.INFO
+
+    def test_a_handler_behind_it_that_answers_at_once(self, judge: Judge):
+        [found] = judge("SRV003", self.careful(self.BOUNDED), self.MOTOR.format(body="self.power.call_async(request)"))
+
+        assert found.severity is Severity.INFO
+
+
 class TestOneFindingAHandler:
     STEPS = (
         "while not self.motor.wait_for_service(timeout_sec=1.0):",
@@ -243,11 +360,12 @@ class TestOneFindingAHandler:
         answer = ["answer = self.motor.call(SetBool.Request())  # here", "response.success = answer.success"]
         [needs] = judge("SRV003", gripper([*answer, "return response"]))
         [sends] = judge("SRV003", gripper(["self.motor.call(SetBool.Request())  # here", "return response"]))
-        [bounded] = judge("SRV003", gripper(CALL, THREADS, client=apart))
+        waits = ["answer = self.motor.call(SetBool.Request(), timeout_sec=1.0)  # here", *answer[1:]]
+        [bounded] = judge("SRV003", gripper([*waits, "return response"], THREADS, client=apart))
 
         assert "and await call_async(…)" in needs.help
         assert sends.help.startswith("send the request with call_async(), return, and report")
-        assert bounded.help.startswith("where the caller can do without the outcome")
+        assert bounded.help.startswith("keep the limit, and let whoever asks for the service 'close_gripper' wait longer")
 
     def test_what_hangs_hangs_at_the_first_wait(self, judge: Judge):
         [found] = judge("SRV003", gripper(list(self.STEPS)))

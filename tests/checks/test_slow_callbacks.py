@@ -132,6 +132,9 @@ def test_a_handler_may_look_for_a_server_for_a_limited_time(run: Run):
     assert (found.code, found.severity) == ("EXE003", Severity.INFO)
     asks = method.replace("    return", "    self.client.call(Trigger.Request())\n    return")
     assert codes(run(source(create + TIMER, asks + "\n" + timer("pass")))) == ["SRV003"]
+    shared = asks.replace("def handle(self, request, response):", "def handle(self, request=None, response=None):")
+    assert "SRV003" in codes(run(source(create + TIMER, shared + "\n" + timer("self.handle()"))))
+    assert "EXE003" not in codes(run(source(create + TIMER, shared + "\n" + timer("self.handle()"))))
 
 
 def test_a_node_beside_it_on_the_same_executor_is_held_up(run: Run):

@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from itertools import pairwise
 from typing import TYPE_CHECKING
 
+from archlint.checks.callback_roles import runs_in_executor
 from archlint.checks.deadlock import AWAIT, CALL, SPIN, Verdict, related_executor
 from archlint.checks.reach import (
     endpoint_words,
@@ -17,8 +18,9 @@ from archlint.checks.reach import (
     same_expression,
 )
 from archlint.checks.registry import Options, finding, rule
+from archlint.checks.service_cycles import Edge, waits_behind
 from archlint.checks.stuck import nested_waits
-from archlint.checks.waits import Wait
+from archlint.checks.waits import BLOCKING_CALLS, Wait
 from archlint.facts import model as facts
 from archlint.finding import Finding, Related, Severity
 from archlint.program.model import ACTION_CLIENT
@@ -34,6 +36,9 @@ _NAMES_SHOWN = 3
 
 _GO_ON = "send the request with call_async(), return, and report the outcome on a topic from the done callback"
 _AWAIT = "make the handler async, give the client a callback group of its own, and await {}: no thread waits"
+_APART = "give {} a callback group of its own, so that the others run meanwhile"
+_LONGER = "let the limit here be longer than what {} may wait in all"
+_KEEP = "keep the limit, and let whoever asks for {} wait longer than it"
 _IF_IT_CAN = "where the caller can do without the outcome, return, and report it on a topic from the done callback"
 _GROUP = "give the client a callback group of its own (callback_group=MutuallyExclusiveCallbackGroup())"
 
@@ -69,17 +74,20 @@ def _nested(system: System, rows: list[_Row]) -> Finding:
     further = [row[0] for row in rows if row[0] is not wait]
     service = endpoint_words(handler.creation)
     awaited = _all_words([wait, *further]) if verdict.safe else endpoint_words(wait.client)
+    held_up = _held_up(wait)
+    behind = waits_behind(system, wait) if verdict.safe else []
     found = finding(
         "SRV003",
         call.place,
-        f"the handler of {service} {_waits_for(wait, verdict, awaited)}{_outcome(wait, verdict)}",
-        help=_help(wait, verdict),
+        f"the handler of {service} {_waits_for(wait, verdict, awaited)}{_outcome(wait, verdict, held_up, behind)}",
+        help=_help(wait, verdict, held_up, behind),
         related=[
             Related(handler.place, f"{handler.name} handles {service}"),
             *related_chain(call),
             *related_creation(wait.client),
             *related_executor(handler.node, wait.program),
             *(Related(one.call.place, f"it waits for {endpoint_words(one.client)}, too") for one in further),
+            *(Related(edge.wait.call.place, f"here the handler of {edge.server.name} waits") for edge in behind[:1]),
             *_other_handlers(handler, others),
         ],
         node=node_name(system, handler.node),
@@ -87,7 +95,36 @@ def _nested(system: System, rows: list[_Row]) -> Finding:
     )
     # What becomes of the spin of another node is not always known: that the caller waits, is.
     mild = verdict.safe or (wait.kind == SPIN and verdict.unknown)
+    if verdict.safe and not held_up and not behind and all(_careful(one) for one in (wait, *further)):
+        return replace(found, severity=Severity.INFO)
     return replace(found, severity=Severity.WARNING) if mild else found
+
+
+def _careful(wait: Wait) -> bool:
+    """Whether a wait has an end, and what it brings is looked at: there is nothing to do but to know of it."""
+    return wait.limited and wait.kind != SPIN and not _thrown_away(wait)
+
+
+def _thrown_away(wait: Wait) -> bool:
+    """Whether nobody looks at the answer: ``self.client.call(request)`` as a line of its own."""
+    statement = wait.call.statement
+    return (
+        wait.call.api in BLOCKING_CALLS
+        and isinstance(statement, facts.Expression)
+        and same_expression(statement.value, wait.call.expression)
+    )
+
+
+def _held_up(wait: Wait) -> list[Callback]:
+    """The callbacks that cannot run meanwhile: those of the handler's own exclusive group, which it holds to its end."""
+    handler = wait.call.context
+    if handler.node is None or handler.group is None or handler.group.kind == "reentrant":
+        return []
+    found: dict[Place, Callback] = {}
+    for other in sorted(handler.node.callbacks, key=lambda one: (one.place, one.name)):
+        if other.group == handler.group and other.place != handler.place and runs_in_executor(other):
+            found.setdefault(other.place, other)
+    return list(found.values())
 
 
 def _waits_for(wait: Wait, verdict: Verdict, awaited: str) -> str:
@@ -116,16 +153,19 @@ def _on_one_way(waits: list[Wait]) -> bool:
     return all(longer[: len(shorter)] == shorter for shorter, longer in pairwise(arms))
 
 
-def _help(wait: Wait, verdict: Verdict) -> str:
+def _help(wait: Wait, verdict: Verdict, held_up: Sequence[Callback], behind: Sequence[Edge]) -> str:
     """What to do: whoever looks at the answer needs it before the handler returns."""
     if wait.kind == AWAIT:
         return _IF_IT_CAN if verdict.safe else _GROUP
+    if wait.kind == CALL and _thrown_away(wait):
+        return _GO_ON
+    service = endpoint_words(wait.call.context.creation)
+    if verdict.safe and wait.limited and wait.kind != SPIN:
+        if behind:
+            return _LONGER.format(behind[0].server.name)
+        return _APART.format(service) if held_up else _KEEP.format(service)
     if verdict.safe and wait.limited:
         return _IF_IT_CAN
-    statement = wait.call.statement
-    thrown_away = isinstance(statement, facts.Expression) and same_expression(statement.value, wait.call.expression)
-    if wait.kind == CALL and thrown_away:
-        return _GO_ON
     return _AWAIT.format("send_goal_async(…)" if wait.client.kind == ACTION_CLIENT else "call_async(…)")
 
 
@@ -140,9 +180,9 @@ def _other_handlers(first: Callback, waits: list[Wait]) -> Iterator[Related]:
             yield Related(handler.place, f"{handler.name}, which handles {service}, gets there too")
 
 
-def _outcome(wait: Wait, verdict: Verdict) -> str:
+def _outcome(wait: Wait, verdict: Verdict, held_up: Sequence[Callback], behind: Sequence[Edge]) -> str:
     if verdict.safe:
-        return f", which works here ({verdict.why}), but meanwhile {_cost(wait)}"
+        return f"{_second_level(behind)}, which works here ({verdict.why}), but meanwhile {_cost(wait, held_up)}"
     if wait.kind == SPIN:
         return f", and {verdict.why}" + ("" if verdict.unknown else f": this {verdict.words}")
     if verdict.unknown:
@@ -150,15 +190,29 @@ def _outcome(wait: Wait, verdict: Verdict) -> str:
     return f" and {verdict.words}: {verdict.why}"
 
 
-def _cost(wait: Wait) -> str:
+def _second_level(behind: Sequence[Edge]) -> str:
+    if not behind:
+        return ""
+    names = list(dict.fromkeys(edge.target[1] for edge in behind))
+    further = f" and {len(names) - 1} more" if len(names) > 1 else ""
+    return f" (the handler of {behind[0].server.name} waits for {names[0]}{further} in its turn)"
+
+
+def _cost(wait: Wait, held_up: Sequence[Callback]) -> str:
     """What a wait costs that ends well."""
     handler = wait.call.context
-    others = handler.node.callbacks if handler.node is not None else []
-    exclusive = handler.group is not None and handler.group.kind != "reentrant"
-    if exclusive and any(other.group == handler.group and other.place != handler.place for other in others):
-        return "its own caller waits, and no other callback of its group runs"
+    if held_up:
+        return f"its own caller waits, and so does what is in its callback group: {_names_of(held_up)}"
     if wait.kind == AWAIT:
         return "its own caller waits"
     if handler.group is not None and handler.group.kind == "reentrant":
         return "its own caller waits, and as many requests at once as there are threads leave none to take an answer"
     return "its own caller waits, and one thread less is there for the others"
+
+
+def _names_of(callbacks: Sequence[Callback]) -> str:
+    """``the service 'stop' and tick``."""
+    words = [endpoint_words(one.creation) if one.role == "service" else one.name for one in callbacks]
+    if len(words) > _NAMES_SHOWN:
+        words[_NAMES_SHOWN - 1 :] = [f"{len(words) - _NAMES_SHOWN + 1} more"]
+    return words[0] if len(words) == 1 else f"{', '.join(words[:-1])} and {words[-1]}"

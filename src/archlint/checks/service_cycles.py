@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from archlint.checks.reach import one_for_each_place
+from archlint.checks.reach import once_for_each_system, one_for_each_place
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.waits import Wait, waits
 from archlint.finding import Finding, Related
@@ -23,7 +23,7 @@ _Key = tuple[str, str]
 
 
 @dataclass(frozen=True)
-class _Edge:
+class Edge:
     """The handler of one server waits for another."""
 
     server: Endpoint
@@ -31,10 +31,24 @@ class _Edge:
     wait: Wait
 
 
+def waits_behind(system: System, wait: Wait) -> list[Edge]:
+    """What the handler waits for, in its turn, that a wait of another handler asks."""
+    edges = waits_of_handlers(system)
+    return [
+        behind
+        for row in edges.values()
+        for edge in row
+        if edge.wait is wait
+        for behind in edges.get(edge.target, ())
+        if behind.wait.call.context is not wait.call.context
+        and system.together(behind.server.node, edge.server.node)
+    ]
+
+
 @rule("SRV006")
 def service_call_cycle(system: System, options: Options) -> Iterator[Finding]:
     """Circles of handlers, each of which waits for the next."""
-    edges = _edges(system)
+    edges = waits_of_handlers(system)
     seen: set[frozenset[_Key]] = set()
     found = []
     for start in sorted(edges):
@@ -46,10 +60,11 @@ def service_call_cycle(system: System, options: Options) -> Iterator[Finding]:
     yield from one_for_each_place(found)
 
 
-def _edges(system: System) -> dict[_Key, list[_Edge]]:
-    """For each server, the servers that its handler waits for."""
+@once_for_each_system
+def waits_of_handlers(system: System) -> dict[_Key, list[Edge]]:
+    """For each server, by kind and full name, the servers that its handler waits for."""
     ends = {id(end.creation): end for end in system.endpoints if end.resolved and not end.node.test}
-    found: dict[_Key, list[_Edge]] = {}
+    found: dict[_Key, list[Edge]] = {}
     for wait in waits(system):
         handler = wait.call.context
         kind = _HANDLES.get(handler.role)
@@ -57,14 +72,14 @@ def _edges(system: System) -> dict[_Key, list[_Edge]]:
         client = ends.get(id(wait.client))
         if kind is None or server is None or client is None or server.name is None or client.name is None:
             continue
-        edge = _Edge(server, (_SERVER_OF[client.kind], client.name), wait)
+        edge = Edge(server, (_SERVER_OF[client.kind], client.name), wait)
         found.setdefault((kind, server.name), []).append(edge)
     return found
 
 
-def _circles(start: _Key, edges: dict[_Key, list[_Edge]], system: System) -> Iterator[list[_Edge]]:
+def _circles(start: _Key, edges: dict[_Key, list[Edge]], system: System) -> Iterator[list[Edge]]:
     """The circles through ``start`` in which each server is met once."""
-    waiting: list[list[_Edge]] = [[edge] for edge in edges[start]]
+    waiting: list[list[Edge]] = [[edge] for edge in edges[start]]
     while waiting:
         path = waiting.pop()
         target = path[-1].target
@@ -79,7 +94,7 @@ def _circles(start: _Key, edges: dict[_Key, list[_Edge]], system: System) -> Ite
                 waiting.append([*path, edge])
 
 
-def _circle(circle: list[_Edge]) -> Finding:
+def _circle(circle: list[Edge]) -> Finding:
     ordered = sorted(circle, key=lambda edge: edge.wait.call.place)
     last = ordered[-1]
     at = circle.index(last)

@@ -20,7 +20,7 @@ from archlint.checks.reach import (
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.rounds import around_future, in_loops
 from archlint.checks.sleeps import Stay, longest, stay_of
-from archlint.checks.stuck import clients_of_handlers
+from archlint.checks.stuck import clients_of_handlers, functions_that_ask
 from archlint.checks.timeouts import MAKE_IT_EARLIER, made_here
 from archlint.finding import Finding, Related, Severity
 from archlint.program.model import ACTION_SERVER, GUARD, SERVICE, SUBSCRIBER, TIMER
@@ -53,6 +53,7 @@ _Row = tuple["Program", "ApiCall", Stay]
 def slow_callback(system: System, options: Options) -> Iterator[Finding]:
     """Sleeps and waits for the world outside that callbacks reach: one finding for the function that holds them."""
     asked = clients_of_handlers(system, options.distros)
+    told = functions_that_ask(system, options.distros)
     functions: dict[tuple[str, str], dict[Place, _Row]] = {}
     for program, call, stay in _stays(system):
         if call.context.role == "service" and stay.kind == "sleep":
@@ -61,6 +62,8 @@ def slow_callback(system: System, options: Options) -> Iterator[Finding]:
             continue  # a transition may take its time, and the node does nothing until it is over
         if not asked.isdisjoint((call.context.place, client.place) for client in creations_of(call.receiver)):
             continue  # a handler that asks the server afterwards is SRV003's: this is part of the same wait
+        if any((call.file, call.function, client.place) in told for client in creations_of(call.receiver)):
+            continue  # other callbacks get to the same two waits, of which SRV003 speaks
         rows = functions.setdefault((call.file, call.function), {})
         known = rows.get(call.place)
         if known is None or len(call.chain) < len(known[1].chain):

@@ -36,6 +36,15 @@ def clients_of_handlers(system: System, distros: Sequence[str]) -> frozenset[tup
     )
 
 
+def functions_that_ask(system: System, distros: Sequence[str]) -> frozenset[tuple[str, str, Place]]:
+    """The functions with a wait that SRV003 speaks of, each with the clients that it asks: file, function, client."""
+    return frozenset(
+        (wait.call.file, wait.call.function, creation.place)
+        for wait, _ in nested_waits(system, distros)
+        for creation in creations_of(wait.call.receiver) or (wait.client,)
+    )
+
+
 def stuck_waits(system: System, distros: Sequence[str]) -> Iterator[tuple[Wait, Verdict]]:
     """The waits of other callbacks that do not end well, for certain (EXE002, CBG001; spins are EXE001's)."""
     for wait in waits(system):

@@ -9,7 +9,9 @@ from archlint.facts import model as facts
 from archlint.program.attributes import set_attribute
 from archlint.program.containers import entries_of, hashable, items_of, iterate
 from archlint.program.operators import compare_values, is_object
+from archlint.program.type_tests import classes_of, is_any
 from archlint.program.values import (
+    Builtin,
     DictValue,
     External,
     Holed,
@@ -64,6 +66,8 @@ def narrow(run: Run, test: facts.Expr, holds: bool) -> None:
         _keep(run, test, lambda value: _raw_truth(run, value) in (None, holds))
     elif isinstance(test, facts.Assigned):
         narrow(run, test.target, holds)
+    elif isinstance(test, facts.Call):
+        _narrow_class(run, test, holds)
     elif isinstance(test, facts.Compare) and len(test.ops) == 1:
         op, other = test.ops[0], test.comparators[0]
         if op in ("is not", "!=", "not in"):
@@ -75,6 +79,18 @@ def narrow(run: Run, test: facts.Expr, holds: bool) -> None:
         right = run.evaluate(other)
         proven = right if holds and op == "==" and isinstance(right, Known) else None
         _keep(run, test.left, lambda value: compare_values(run, op, value, right) in (None, holds), proven)
+
+
+def _narrow_class(run: Run, test: facts.Call, holds: bool) -> None:
+    """``isinstance(self.robot, Mock)``: keep the alternatives that are, or may be, of the class, or not of it."""
+    if len(test.args) != 2 or any(argument.keyword is not None or argument.star for argument in test.args):
+        return
+    subject, of = (argument.value for argument in test.args)
+    if not isinstance(subject, (facts.Name, facts.Attribute)) or run.evaluate(test.func) != Builtin("isinstance"):
+        return
+    classes = classes_of(run, run.evaluate(of))
+    if classes is not None:
+        _keep(run, subject, lambda value: is_any(value, classes) in (None, holds))
 
 
 def _raw_truth(run: Run, value: Value) -> bool | None:

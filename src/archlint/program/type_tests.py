@@ -68,17 +68,17 @@ def isinstance_of(run: Run, args: list[Value], keywords: dict[str, Value], e: fa
     """``isinstance(value, classes)``; what is not known of the value or of a class leaves it open."""
     if len(args) != 2:
         return Unknown("isinstance() without a type")
-    classes = _classes(run, args[1])
+    classes = classes_of(run, args[1])
     if classes is None:
         return Unknown("isinstance() of a type that is not known")
-    verdicts = {_is_any(value, classes) for value in alternatives(args[0])}
+    verdicts = {is_any(value, classes) for value in alternatives(args[0])}
     if len(verdicts) == 1 and None not in verdicts:
         return TRUE if True in verdicts else FALSE
     return Unknown("the type of the value is not known")
 
 
-def _classes(run: Run, given: Value) -> list[Value] | None:
-    """The classes of a test, those in nested tuples too."""
+def classes_of(run: Run, given: Value) -> list[Value] | None:
+    """The classes of a test, those in nested tuples too; None where not all of them are known."""
     from archlint.program import containers
 
     items = containers.iterate(run, given) if isinstance(given, ListValue) else Items((given,))
@@ -86,14 +86,15 @@ def _classes(run: Run, given: Value) -> list[Value] | None:
         return None
     found: list[Value] = []
     for item in items.values:
-        inner = _classes(run, item) if isinstance(item, ListValue) else [item]
+        inner = classes_of(run, item) if isinstance(item, ListValue) else [item]
         if inner is None:
             return None
         found += inner
     return found
 
 
-def _is_any(value: Value, classes: list[Value]) -> bool | None:
+def is_any(value: Value, classes: list[Value]) -> bool | None:
+    """Whether a value is of one of some classes; None where that is not known."""
     verdicts = [_is_a(value, cls) for cls in classes]
     return True if True in verdicts else None if None in verdicts else False
 
