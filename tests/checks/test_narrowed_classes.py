@@ -50,7 +50,11 @@ ARM = """
 NEVER = {
     "a test that returns": ["if isinstance(self.arm, Mock):", "    return response", "self.arm.move()"],
     "its negation": ["if not isinstance(self.arm, Mock):", "    self.arm.move()"],
-    "a negation in a guard": ["if request is None or isinstance(self.arm, Mock):", "    return response", "self.arm.move()"],
+    "one of several reasons to leave": [
+        "if request is None or isinstance(self.arm, Mock):",
+        "    return response",
+        "self.arm.move()",
+    ],
     "a tuple of classes": ["if isinstance(self.arm, (Mock, str)):", "    raise RuntimeError", "self.arm.move()"],
     "an elif": [
         "if request is None:",

@@ -365,7 +365,7 @@ class TestOneFindingAHandler:
 
         assert "and await call_async(…)" in needs.help
         assert sends.help.startswith("send the request with call_async(), return, and report")
-        assert bounded.help.startswith("keep the limit, and let whoever asks for the service 'close_gripper' wait longer")
+        assert bounded.help.startswith("keep the limit, and let whoever asks for the service 'close_gripper' wait")
 
     def test_what_hangs_hangs_at_the_first_wait(self, judge: Judge):
         [found] = judge("SRV003", gripper(list(self.STEPS)))

@@ -116,7 +116,7 @@ def _thrown_away(wait: Wait) -> bool:
 
 
 def _held_up(wait: Wait) -> list[Callback]:
-    """The callbacks that cannot run meanwhile: those of the handler's own exclusive group, which it holds to its end."""
+    """The callbacks that cannot run meanwhile: those of the exclusive group that the handler holds to its end."""
     handler = wait.call.context
     if handler.node is None or handler.group is None or handler.group.kind == "reentrant":
         return []
