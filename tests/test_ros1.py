@@ -92,3 +92,59 @@ def test_without_a_package_the_habits_of_ros_1_decide(run, tmp_path):
     (tmp_path / "package.xml").unlink()
     report = check(Request((".",), load(tmp_path), cached=False, jobs=1))
     assert said(report)[1] == ["old.launch is for ROS 1 and passed over"]
+
+
+PORTED_IMPORT = "import rclpy\nfrom std_srvs.srv import Empty, EmptyRequest, EmptyResponse\n"
+CATKIN_BUILD = "project(robot)\nfind_package(\n    catkin\n    REQUIRED COMPONENTS std_srvs)\ncatkin_python_setup()\n"
+AMENT_BUILD = "project(robot)\nfind_package(ament_cmake REQUIRED)\nament_package()\n"
+
+
+@pytest.mark.parametrize("manifest", [CATKIN, "<depend>rclpy</depend>"])
+def test_a_package_that_catkin_builds_is_passed_over_whatever_it_imports(tmp_path, monkeypatch, manifest):
+    """The imports were replaced, the package was not ported: nothing of ROS 2 builds it."""
+    monkeypatch.chdir(tmp_path)
+    texts = {
+        "old/package.xml": MANIFEST.format(name="old", more=manifest),
+        "old/CMakeLists.txt": CATKIN_BUILD,
+        "old/src/one.py": PORTED_IMPORT,
+        "old/src/bad.py": "import rclpy\nprint 1\n",
+        "new/package.xml": MANIFEST.format(name="new", more=AMENT),
+        "new/two.py": "import rclpy\n",
+    }
+    for name, text in texts.items():
+        (tmp_path / name).parent.mkdir(parents=True, exist_ok=True)
+        (tmp_path / name).write_text(text)
+    (tmp_path / "old/src/gone.py").symlink_to("nowhere.py")
+
+    report = check(Request((".",), load(tmp_path), cached=False, jobs=1))
+    assert said(report) == ([], ["2 Python files are for ROS 1 and passed over"])
+
+
+@pytest.mark.parametrize(
+    ("manifest", "build"),
+    [
+        (AMENT, CATKIN_BUILD),
+        ("<depend>rclpy</depend>", AMENT_BUILD),
+        (EITHER, f"if($ENV{{ROS_VERSION}} EQUAL 1)\n{CATKIN_BUILD}else()\n{AMENT_BUILD}endif()\n"),
+        ("<depend>rclpy</depend>", f"# {CATKIN_BUILD.splitlines()[0]}\n"),
+        ("<depend>rclpy</depend>", "# find_package(catkin)\nproject(robot)\n"),
+    ],
+)
+def test_a_package_that_was_ported_is_judged(run, manifest, build):
+    report = run(manifest, **{"src/one.py": PORTED_IMPORT, "CMakeLists.txt": build})
+    assert "MSG002" in [finding.code for finding in report.findings]
+    assert report.notices == [] or "ROS 1" not in report.notices[0]
+
+
+def test_a_link_into_a_submodule_that_is_not_checked_out(run, tmp_path):
+    def told() -> list[tuple[str, str, str]]:
+        report = run(AMENT, **{".gitmodules": '[submodule "x"]\n\tpath = external/x\n\turl = https://example.org/x\n'})
+        return [(one.message, one.help, one.severity.name) for one in report.findings]
+
+    link = tmp_path / "gamestate.py"
+    link.symlink_to("external/x/python/gamestate.py")
+    message = "is a symbolic link into the git submodule 'external/x', which is not checked out"
+    assert told() == [(message, "git submodule update --init", "INFO")]
+    link.unlink()
+    link.symlink_to("external/xx/gamestate.py")
+    assert told() == [("is a symbolic link to nothing", "", "WARNING")]

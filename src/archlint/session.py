@@ -170,7 +170,7 @@ def _compiled(request: Request, workspace: Workspace, store: Store | NullStore) 
     from archlint.facts.files import FactsOfFiles
 
     facts = FactsOfFiles(store, request.jobs)
-    facts.prepare(_python(workspace))
+    facts.prepare(_python(workspace), {package.name for package in workspace.packages if package.catkin_code})
     return facts
 
 
@@ -430,8 +430,10 @@ def _problems(workspace: Workspace, files: Sequence[SourceFile], facts: FactsOfF
     """What could not be read: LNT002, or LNT003 where the fault is ours."""
     from archlint.checks.registry import unreadable
 
+    old = tuple(f"{package.relative}/" for package in workspace.packages if package.catkin_code)
     for problem in workspace.problems:
-        yield unreadable(problem.file, problem.line, problem.column, problem.message)
+        if not problem.file.startswith(old):
+            yield unreadable(problem.file, problem.line, problem.column, problem.message, problem.help)
     for file in files:
         found = facts.facts_of(file)
         if found is None or not found.problems:

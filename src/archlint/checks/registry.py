@@ -239,13 +239,15 @@ def failure(fault: Fault) -> Finding:
     )
 
 
-def unreadable(file: str, line: int, column: int, message: str) -> Finding:
-    """The LNT002 finding for what could not be read, or LNT003 where reading failed by a fault of ours."""
+def unreadable(file: str, line: int, column: int, message: str, help: str | None = None) -> Finding:
+    """The LNT002 finding for what could not be read, or LNT003 where reading failed by a fault of ours; information
+    where ``help`` says what brings the file."""
     from archlint.facts.compile import INTERNAL_ERROR
 
     place = Place(file, line, column, line, column)
     if not message.startswith(INTERNAL_ERROR):
-        return finding("LNT002", place, message, identity=(message,))
+        found = finding("LNT002", place, message, help=help or "", identity=(message,))
+        return found if help is None else replace(found, severity=Severity.INFO)
     what = f"reading this file failed with {message.removeprefix(INTERNAL_ERROR).lstrip(': ')}"
     return finding("LNT003", place, f"{what}; everything else was checked", help=_REPORT, identity=(message,))
 

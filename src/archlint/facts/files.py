@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Sequence
+from collections.abc import Collection, Iterable, Sequence
 from typing import TYPE_CHECKING, Protocol
 
 from archlint.facts import gate
@@ -50,9 +50,12 @@ class FactsOfFiles:
         self.lasting = True
         """False where a file failed for a passing reason: nothing may be concluded for the next run."""
 
-    def prepare(self, files: Sequence[SourceFile]) -> None:
-        """Make sure that each file is known: cached, screened out, or compiled now."""
-        self._prepare(files)
+    def prepare(self, files: Sequence[SourceFile], ros1: Collection[str] = ()) -> None:
+        """Make sure that each file is known: cached, screened out, or compiled now.  The files of the packages
+        ``ros1`` are for ROS 1, whatever they import."""
+        old = [file for file in files if file.package in ros1]
+        self._payloads.update((file.path, _ROS1) for file in old)
+        self._prepare(file for file in files if file.package not in ros1)
         self._widen(files)
         self._look_ahead(files)
 

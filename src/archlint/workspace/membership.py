@@ -3,7 +3,10 @@
 from __future__ import annotations
 
 import os
+import re
 from collections.abc import Collection, Iterable, Mapping
+from contextlib import suppress
+from dataclasses import replace
 
 from archlint.workspace.installed_modules import installed_modules
 from archlint.workspace.manifest import read_manifest
@@ -35,7 +38,9 @@ def place(
         packages[os.path.dirname(file.path)] = None if isinstance(package, Problem) else package
         if isinstance(package, Problem) and not file.context:
             problems.append(package)
-    names = _names_by_root(packages, files)
+    texts = _build_files(packages, files)
+    packages = {root: _as_built(package, texts.get(root)) for root, package in packages.items()}
+    names = _names_by_root(packages, files, texts)
     homes: dict[str, str | None] = {}
     placed = []
     for file in files:
@@ -97,17 +102,41 @@ def package_of(file: SourceFile) -> Package | Problem:
     return read_manifest(file, data, os.path.dirname(file.path), os.path.dirname(file.relative) or ".")
 
 
-def _names_by_root(
-    packages: Mapping[str, Package | None], files: Iterable[SourceFile]
-) -> dict[str | None, ModuleNames]:
-    inits = set()
-    installed: dict[str, dict[str, str]] = {}
+def _build_files(packages: Mapping[str, Package | None], files: Iterable[SourceFile]) -> dict[str, str]:
+    """The text of each package's own CMakeLists.txt, by its folder."""
+    found: dict[str, str] = {}
     for file in files:
-        folder, _, name = file.path.rpartition(os.sep)
-        if name == "__init__.py":
-            inits.add(folder)
-        elif file.kind == "cmake" and (package := packages.get(folder)) is not None:
-            installed[folder] = _installed(file, folder, package.name)
+        folder = os.path.dirname(file.path)
+        if file.kind == "cmake" and packages.get(folder) is not None:
+            with suppress(OSError):
+                found[folder] = _read(file).decode("utf-8", "replace")
+    return found
+
+
+_COMMENT = re.compile(r"#[^\n]*")
+_CATKIN = re.compile(r"\bfind_package\s*\(\s*catkin\b", re.IGNORECASE)
+
+
+def _as_built(package: Package | None, text: str | None) -> Package | None:
+    """A package whose manifest names no build type is one of catkin where its CMakeLists.txt looks for that, and for
+    nothing of ament: such packages are left over from a port, and nothing of ROS 2 builds them."""
+    if package is None or text is None or package.build_type != "catkin":
+        return package
+    code = _COMMENT.sub("", text)
+    if _CATKIN.search(code) is None or "ament" in code:
+        return package
+    return replace(package, ros1=True, catkin_code=True)
+
+
+def _names_by_root(
+    packages: Mapping[str, Package | None], files: Iterable[SourceFile], build_files: Mapping[str, str]
+) -> dict[str | None, ModuleNames]:
+    inits = {os.path.dirname(file.path) for file in files if os.path.basename(file.path) == "__init__.py"}
+    installed = {
+        folder: _installed(text, folder, package.name)
+        for folder, text in build_files.items()
+        if (package := packages.get(folder)) is not None
+    }
     names: dict[str | None, ModuleNames] = {
         root: ModuleNames(root, package.name if package else None, inits, installed.get(root, {}))
         for root, package in packages.items()
@@ -116,11 +145,7 @@ def _names_by_root(
     return names
 
 
-def _installed(file: SourceFile, folder: str, package: str) -> dict[str, str]:
-    try:
-        text = _read(file).decode("utf-8", "replace")
-    except OSError:
-        return {}
+def _installed(text: str, folder: str, package: str) -> dict[str, str]:
     return {
         os.path.normpath(os.path.join(folder, below)): name
         for below, name in installed_modules(text, package).items()

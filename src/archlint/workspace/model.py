@@ -13,6 +13,8 @@ class Problem:
     line: int
     column: int
     message: str
+    help: str | None = None
+    """What brings the file, where that is known; it is no fault of the workspace then."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -72,6 +74,8 @@ class Package:
     format: int = 1
     ros1: bool = False
     """Whether it is built by catkin alone, the build system of ROS 1."""
+    catkin_code: bool = False
+    """Whether its CMakeLists.txt says so: its Python is then of ROS 1, too, whatever it imports by now."""
 
     def runtime_dependencies(self) -> frozenset[str]:
         """Names this package needs to run, or to build and run (``depend``)."""

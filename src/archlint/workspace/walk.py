@@ -12,6 +12,7 @@ from archlint.workspace.ignore import Ignores, clones_in, ignores_above
 from archlint.workspace.kinds import has_python_shebang, kind_of, may_be_script
 from archlint.workspace.model import Problem, SourceFile
 from archlint.workspace.pruning import is_pruned_by_content, is_pruned_by_name
+from archlint.workspace.submodules import submodule_of
 
 CPP_SUFFIXES = (".cpp", ".cc", ".cxx")
 
@@ -145,8 +146,8 @@ class Walk:
         try:
             status = entry.stat()
         except OSError as error:
-            if kind is not None and not folder.context and (message := _why_unreadable(entry, error)):
-                self._problem(shown, message)
+            if kind is not None and not folder.context and (why := _why_unreadable(entry, error)):
+                self._problem(shown, *why)
             return
         if kind is None:
             if not _is_python_script(entry, folder.name, status):
@@ -205,8 +206,8 @@ class Walk:
     def _is_excluded(self, shown: str) -> bool:
         return self._excluded is not None and self._excluded(shown)
 
-    def _problem(self, shown: str, message: str) -> None:
-        self.problems.setdefault(shown, Problem(shown, 1, 1, message))
+    def _problem(self, shown: str, message: str, help: str | None = None) -> None:
+        self.problems.setdefault(shown, Problem(shown, 1, 1, message, help))
 
 
 def _clones_depth(name: str, around: str) -> int:
@@ -221,10 +222,14 @@ def _is_python_script(entry: os.DirEntry[str], folder_name: str, status: os.stat
     )
 
 
-def _why_unreadable(entry: os.DirEntry[str], error: OSError) -> str | None:
-    """What to say of a file whose status cannot be had; None for one that has just been removed."""
+def _why_unreadable(entry: os.DirEntry[str], error: OSError) -> tuple[str, str | None] | None:
+    """What to say of a file whose status cannot be had, and what brings it; None for one that has just been removed."""
     if error.errno == errno.ENOENT:
-        return "is a symbolic link to nothing" if entry.is_symlink() else None
+        submodule = submodule_of(entry.path) if entry.is_symlink() else None
+        if submodule is not None:
+            message = f"is a symbolic link into the git submodule '{submodule}', which is not checked out"
+            return message, "git submodule update --init"
+        return ("is a symbolic link to nothing", None) if entry.is_symlink() else None
     if error.errno == errno.ELOOP:
-        return "is a symbolic link that leads back to itself"
-    return f"cannot be read: {error.strerror}"
+        return "is a symbolic link that leads back to itself", None
+    return f"cannot be read: {error.strerror}", None
