@@ -2,6 +2,8 @@ from __future__ import annotations
 
 import pytest
 
+from archlint.config import load
+from archlint.session import Request, check
 from checks.judging import Judge
 
 NODE = """
@@ -703,7 +705,7 @@ rclpy.spin(Caller())
 
 
 def test_nothing_is_known_of_an_interface_that_is_not_there(judge: Judge):
-    [found] = judge("MSG002", MISSING.format(name="TriggerRequest"))
+    [found] = judge("MSG002", MISSING.format(name="Switch"))
     assert found.help.startswith("the import fails when that function runs; ")
     judge("TOP005", MISSING.format(name="TriggerRequest").replace("  # here", ""))
     there = MISSING.format(name="SetBool").replace("  # here", "")
@@ -746,3 +748,26 @@ def test_a_message_that_a_package_of_the_workspace_lists_as_a_service(judge: Jud
         """,
     )
     assert found.message == "arm_interfaces defines no message 'SetMode'; there is arm_interfaces/srv/SetMode"
+
+
+def test_the_parts_of_a_service_that_ros_1_had_apart(judge: Judge):
+    code = "import rclpy\nfrom std_srvs.srv import {}  # here\nrclpy.create_node('x')\n"
+    [both] = judge("MSG002", code.format("Empty, EmptyRequest, EmptyResponse"))
+    assert both.message == "std_srvs defines no services 'EmptyRequest' and 'EmptyResponse'"
+    assert both.help == "ROS 2 has it in the service: import Empty and write Empty.Request()"
+    [response] = judge("MSG002", code.format("SetBoolResponse"))
+    assert response.message == "std_srvs defines no service 'SetBoolResponse'"
+    assert response.help == "ROS 2 has it in the service: import SetBool and write SetBool.Response()"
+    [other] = judge("MSG002", code.format("PressRequest"))
+    assert other.help.startswith("the import fails when the node starts")
+
+
+def test_a_misspelt_interface_keeps_its_advice(judge: Judge):
+    code = "import rclpy\nfrom std_srvs.srv import (\n    Triger,\n    SetBol,\n)\n"
+    (judge.folder / "node.py").write_text(code)
+    (judge.folder / "archlint.toml").write_text('select = ["MSG002"]')
+    found = check(Request((".",), load(judge.folder), cached=False, jobs=1)).findings
+    assert sorted(one.message.rpartition("; ")[2] for one in found) == [
+        "did you mean 'SetBool'?",
+        "did you mean 'Trigger'?",
+    ]

@@ -419,6 +419,23 @@ def test_a_configuration_behind_a_condition_may_be_set_by_then(findings):
     assert findings("LCH003", '<arg name="x"/>' + node(name="$(var y)", **{"if": "$(var x)"})) == []
 
 
+def test_the_advice_is_written_in_the_language_of_the_launch_file(findings):
+    (xml,) = findings("LCH003", node(name="$(var y)"))
+    assert xml.help == 'declare it before it is read: <arg name="y" default="…"/>'
+    yaml = "launch:\n- node: {pkg: robot, exec: talker, name: $(var y)}\n"
+    (other,) = findings("LCH003", **{"launch/b.launch.yaml": yaml})
+    assert other.help == "declare it before it is read: - arg: {name: y, default: …}"
+
+
+def test_an_argument_of_an_action_that_it_does_not_have_stops_the_whole_file(findings):
+    (xml,) = findings("LCH005", node(nodename="y"))
+    assert xml.help == "launch refuses this file as it reads it, before anything that it describes is started"
+    code = "from launch import LaunchDescription\nfrom launch_ros.actions import Node\n\n"
+    code += "def generate_launch_description():\n    return LaunchDescription([Node(package='robot', node_name='x')])\n"
+    (python,) = findings("LCH005", **{"launch/b.launch.py": code})
+    assert python.help == "this call raises TypeError, before anything that it describes is started"
+
+
 def test_one_forgotten_argument_is_told(findings):
     (found,) = findings("LCH003", '<arg name="x" default="a"/>' + node(name="$(var y)"))
     assert "no launch argument 'y' is declared" in found.message

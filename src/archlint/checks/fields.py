@@ -179,7 +179,7 @@ def unknown_interface(system: System, options: Options) -> Iterator[Finding]:
 def _unknown_interface(one: UnknownInterface) -> Finding:
     moved = [other for other in one.others if "/" in other]
     names = [other for other in one.others if "/" not in other]
-    hint = f"; there is {moved[0]}" if moved else did_you_mean(one.name, names)
+    hint = f"; there is {moved[0]}" if moved else "" if _part(one) else did_you_mean(one.name, names)
     what = {"msg": "message", "srv": "service", "action": "action"}[one.kind]
     if one.left_out:
         hint = f": {_file(one)} is not given to rosidl_generate_interfaces in its CMakeLists.txt"
@@ -189,7 +189,30 @@ def _unknown_interface(one: UnknownInterface) -> Finding:
         f"{one.package} defines no {what} '{one.name}'{hint}",
         help=_cure(one, names),
         identity=(one.package, one.kind, one.name),
+        group=() if hint else (one.place.file, str(one.place.line), one.package, one.kind),
     )
+
+
+@folds("MSG002")
+def of_one_import(findings: Sequence[Finding]) -> Finding:
+    """The finding for all that one line imports in vain; the advice is that for the first."""
+    first = findings[0]
+    names = list(dict.fromkeys(one.identity[2] for one in findings))
+    if len(names) == 1:
+        return first
+    package, kind, _ = first.identity
+    listed = f"{', '.join(repr(name) for name in names[:-1])} and {names[-1]!r}"
+    several = {"msg": "messages", "srv": "services", "action": "actions"}[kind]
+    return replace(first, message=f"{package} defines no {several} {listed}", identity=(package, kind, *names))
+
+
+def _part(one: UnknownInterface) -> tuple[str, str] | None:
+    """The service and its part that ROS 1 gave a class of its own: ``Empty`` and ``Request`` of ``EmptyRequest``."""
+    for part in ("Request", "Response"):
+        service = one.name.removesuffix(part)
+        if one.kind == "srv" and service != one.name and service in one.others:
+            return service, part
+    return None
 
 
 def _file(one: UnknownInterface) -> str:
@@ -200,6 +223,8 @@ def _cure(one: UnknownInterface, names: Sequence[str]) -> str:
     """The import line to write where the interface is found elsewhere, what the build lacks, or what there is."""
     if one.left_out:
         return f'add "{_file(one)}" to rosidl_generate_interfaces in the CMakeLists.txt of {one.package}'
+    if (part := _part(one)) is not None:
+        return f"ROS 2 has it in the service: import {part[0]} and write {part[0]}.{part[1]}()"
     if len(one.elsewhere) == 1 and len(names) == len(one.others):
         return f"write `from {one.elsewhere[0]}.{one.kind} import {one.name}`: that package defines it"
     if one.elsewhere and len(names) == len(one.others):

@@ -286,12 +286,14 @@ def unknown_launch_attribute(system: System, options: Options) -> Iterator[Findi
             continue  # what one distribution of ROS refuses, another wants
         renamed = _RENAMED.get(wrong.name)
         hint = f"; it is called '{renamed}'" if renamed in wrong.known else did_you_mean(wrong.name, wrong.known)
-        kind = "attribute" if wrong.action.startswith("<") else "argument"
+        in_xml = wrong.action.startswith("<")
+        kind = "attribute" if in_xml else "argument"
+        why = "launch refuses this file as it reads it" if in_xml else "this call raises TypeError"
         yield finding(
             "LCH005",
             wrong.place,
             f"{wrong.action} has no {kind} '{wrong.name}'{hint}",
-            help="launch stops with an error when it comes to this action",
+            help=f"{why}, before anything that it describes is started",
             identity=(wrong.action, wrong.name),
         )
 

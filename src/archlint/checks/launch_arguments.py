@@ -61,7 +61,7 @@ def _undeclared_uses(system: System, launched: Launched) -> Iterator[Finding]:
             yield _never_added(use, left_out)
             continue
         message = f"no launch argument '{use.name}' is declared, and nothing sets it" + did_you_mean(use.name, declared)
-        help = f"declare it before it is read: DeclareLaunchArgument('{use.name}', default_value=…)"
+        help = f"declare it before it is read: {_declaration(use)}"
         if later:
             message = f"the launch argument '{use.name}' is read before it is declared"
             help = "actions run in their order: put the declaration in front"
@@ -69,6 +69,15 @@ def _undeclared_uses(system: System, launched: Launched) -> Iterator[Finding]:
             message = f"no launch argument '{use.name}' is declared by then, and nothing sets it"
         related = [Related(place, "it is declared here" if later else "declared here, later") for place in places[:1]]
         yield finding("LCH003", use.place, message, help=help, related=related, identity=(use.file, use.name))
+
+
+def _declaration(use: UndeclaredUse) -> str:
+    """What declares an argument, in the language of the launch file that reads it."""
+    if use.file.endswith(".py"):
+        return f"DeclareLaunchArgument('{use.name}', default_value=…)"
+    if use.file.endswith((".yaml", ".yml")):
+        return f"- arg: {{name: {use.name}, default: …}}"
+    return f'<arg name="{use.name}" default="…"/>'
 
 
 def _left_out(launched: Launched, use: UndeclaredUse) -> Place | None:
