@@ -13,7 +13,7 @@ from archlint.finding import Finding, Related
 from archlint.program.model import ACTION_CLIENT, ACTION_SERVER, CLIENT, SERVICE
 
 if TYPE_CHECKING:
-    from archlint.system.model import Endpoint, System
+    from archlint.system.model import Endpoint, Node, System
 
 _SERVER_OF = {CLIENT: SERVICE, ACTION_CLIENT: ACTION_SERVER}
 _HANDLES = {"service": SERVICE, "execute": ACTION_SERVER}
@@ -41,8 +41,12 @@ def waits_behind(system: System, wait: Wait) -> list[Edge]:
         if edge.wait is wait
         for behind in edges.get(edge.target, ())
         if behind.wait.call.context is not wait.call.context
-        and system.together(behind.server.node, edge.server.node)
+        and _meet(system, behind.server.node, edge.server.node)
     ]
+
+
+def _meet(system: System, one: Node, other: Node) -> bool:
+    return system.together(one, other) or system.started_together(one, other)
 
 
 @rule("SRV006")

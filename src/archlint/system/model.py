@@ -208,7 +208,8 @@ class System:
         """The entries, then the neighbours."""
         return [*self.entries, *self.neighbours]
 
-    def _started_together(self, one: Node, other: Node) -> bool:
+    def started_together(self, one: Node, other: Node) -> bool:
+        """Whether a launch file starts both nodes, in a system that is judged by itself."""
         if not self.apart or one.blueprint is None or other.blueprint is None:
             return False
         pair = [(b.place, b.class_name) for b in (one.blueprint, other.blueprint)]
@@ -256,7 +257,7 @@ class System:
             return False
         if exclusive(one.alternatives, other.alternatives):
             return False
-        if self.name is None and self._started_together(one, other):
+        if self.name is None and self.started_together(one, other):
             return False  # the launch file's own system judges them, under their final names
         if self.name is not None or self.closed:
             return True
