@@ -388,3 +388,78 @@ class TestLeftOver:
 
     def test_a_method_that_another_file_names(self, count):
         assert count("pass", other="def use(two):\n    two.said.say()\n") == 1
+
+
+WAKING = """
+import rclpy
+from rclpy.node import Node
+from std_msgs.msg import {type}
+
+
+class Sensor(Node):
+    def __init__(self, name):
+        super().__init__(name)
+        self.waking = self.create_publisher({type}, '{topic}', 10)
+        self.create_timer(1.0, self.look)
+
+    def look(self):
+        {publish}
+
+
+class Ear(Sensor):
+    pass
+
+
+class Eye(Sensor):
+    def __init__(self):
+        super().__init__('eye')
+        self.other = self.create_publisher({type}, '{topic}', 10)
+        self.create_timer(1.0, self.wave)
+
+    def wave(self):
+        message = {type}()
+        {fill}
+        self.other.publish(message)
+
+
+class Listener(Node):
+    def __init__(self):
+        super().__init__('listener')
+        self.create_subscription({type}, '{topic}', print, 10)
+
+
+def main():
+    rclpy.init()
+    nodes = [Ear('ear'), Eye(), Listener()]
+    executor = rclpy.executors.SingleThreadedExecutor()
+    for node in nodes:
+        executor.add_node(node)
+    executor.spin()
+
+
+if __name__ == '__main__':
+    main()
+"""
+
+
+@pytest.mark.parametrize(
+    ("type_", "topic", "publish", "fill", "expected"),
+    [
+        ("Bool", "wake_word_detected", "Bool(data=True)", "message.data = True", 0),
+        ("Empty", "button_pressed", "Empty()", "pass", 0),
+        ("String", "door/alerts", "String(data='open')", "message.data = 'shut'", 0),
+        ("Bool", "obstacle_detected", "Bool(data=True)", "message.data = self.sees()", 1),
+        ("Bool", "obstacle_detected", "Bool(data=False)", "message.data = True", 1),
+        ("Bool", "motors_enabled", "Bool(data=True)", "message.data = True", 1),
+        ("Float64", "goal_reached", "Float64(data=1.0)", "message.data = 2.0", 1),
+    ],
+)
+def test_what_has_happened_may_be_told_by_several(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, type_: str, topic: str, publish: str, fill: str, expected: int
+):
+    code = f"self.waking.publish({publish})"
+    text = WAKING.format(type=type_, topic=topic, publish=code, fill=fill)
+    (tmp_path / "node.py").write_text(text, encoding="utf-8")
+    monkeypatch.chdir(tmp_path)
+    found = check(Request((".",), load(tmp_path), cached=False, jobs=1)).findings
+    assert [one.code for one in found].count("OWN001") == expected

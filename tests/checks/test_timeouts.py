@@ -2,6 +2,7 @@ from __future__ import annotations
 
 import pytest
 
+from archlint.finding import Severity
 from checks.judging import Judge
 
 SCRIPT = """
@@ -38,6 +39,34 @@ SPIN_IN_A_THREAD = "threading.Thread(target=rclpy.spin, args=(node,), daemon=Tru
 
 def script(line: str) -> str:
     return SCRIPT.format(line=line)
+
+
+def test_a_script_may_wait_for_what_it_needs(judge: Judge):
+    [script_waits] = judge("TMO001", script("client.wait_for_service()  # here"))
+    assert script_waits.severity is Severity.INFO
+    [of_message] = judge("TMO001", script("wait_for_message(String, node, 'words')  # here"))
+    assert of_message.severity is Severity.WARNING
+    lines = "node.create_timer(1.0, lambda: client.wait_for_service())  # here\n        rclpy.spin(node)"
+    [in_callback] = judge("TMO001", script(lines))
+    assert in_callback.severity is Severity.WARNING
+    constructor = """
+        import rclpy
+        from rclpy.node import Node
+        from std_srvs.srv import Trigger
+
+        class Robot(Node):
+            def __init__(self):
+                super().__init__('robot')
+                self.create_client(Trigger, 'near').wait_for_service()  # here
+
+        def main():
+            rclpy.init()
+            rclpy.spin(Robot())
+
+        main()
+    """
+    [in_constructor] = judge("TMO001", constructor)
+    assert in_constructor.severity is Severity.WARNING
 
 
 def test_a_method_that_nothing_calls_for_a_client_that_nothing_makes(judge: Judge):
@@ -239,6 +268,21 @@ class TestSpinWithoutTimeout:
     )
     def test_with_a_limit(self, judge: Judge, line: str):
         judge("TMO003", script(line))
+
+    def test_the_goal_and_its_result_are_one_finding(self, judge: Judge):
+        lines = (
+            "goal = action.send_goal_async(Fibonacci.Goal())",
+            "rclpy.spin_until_future_complete(node, goal)  # here",
+            "result = goal.result().get_result_async()",
+            "rclpy.spin_until_future_complete(node, result)",
+        )
+        [found] = judge("TMO003", script("\n        ".join(lines)))
+        assert found.message.endswith("; the same holds for another line of main")
+        assert [one.message for one in found.related if one.place.line > found.place.line] == [
+            "here it spins without limit, too"
+        ]
+        left = [lines[0], lines[1].replace("  # here", "  # archlint: ignore[TMO003]"), lines[2], f"{lines[3]}  # here"]
+        judge("TMO003", script("\n        ".join(left)))
 
     def test_a_future_that_the_code_completes_itself_is_no_answer(self, judge: Judge):
         judge("TMO003", script("rclpy.spin_until_future_complete(node, Future())"))

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 from archlint.checks.aside import is_aside
 from archlint.checks.conflicts import in_source_order, meeting, named_by_library, seen_together
 from archlint.checks.folding import folds
+from archlint.checks.happenings import tell_what_happened
 from archlint.checks.left_over import is_left_over
 from archlint.checks.registry import Options, finding, rule
 from archlint.finding import Finding, Related, Severity
@@ -34,7 +35,7 @@ def multiple_publishers(system: System, options: Options) -> Iterator[Finding]:
         if _is_shared(connection, options):
             continue
         for owners in _several_owners(system, connection):
-            if _is_bus(owners):
+            if _is_bus(owners) or tell_what_happened(system, owners):
                 continue
             if not _is_proven(system, owners) and (_has_launch_files(system) or _says_what_happens(connection.name)):
                 continue

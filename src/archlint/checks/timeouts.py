@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from archlint.checks.callback_roles import runs_in_executor
+from archlint.checks.folding import folds
 from archlint.checks.reach import (
     argument,
     calls_of,
@@ -25,7 +26,7 @@ from archlint.checks.registry import Options, finding, rule
 from archlint.checks.stuck import spoken_of
 from archlint.facts import model as facts
 from archlint.facts.walk import called_name, calls_in
-from archlint.finding import Finding, Place, Related
+from archlint.finding import Finding, Fix, Place, Related, Severity
 from archlint.program.values import External, Instance, Known
 
 if TYPE_CHECKING:
@@ -71,7 +72,19 @@ def _limitless_wait(system: System, call: ApiCall) -> Finding:
         identity=(call.function, name_of(call.creation), function),
     )
     # Whoever waits in a callback had better not wait at all.
-    return replace(found, mendable=not runs_in_executor(call.context))
+    return replace(
+        found,
+        mendable=not runs_in_executor(call.context),
+        severity=Severity.INFO if _is_step_of_script(call) else found.severity,
+    )
+
+
+def _is_step_of_script(call: ApiCall) -> bool:
+    """Whether a program waits for a server on its own way, not in a node's constructor: it has nothing else to do yet,
+    and whoever runs it sees that it waits."""
+    functions = (call.function, *(hop.caller for hop in call.chain))
+    in_constructor = any(name.rpartition(".")[2] == "__init__" for name in functions)
+    return call.context.role in ("main", "module") and call.api != WAIT_FOR_MESSAGE and not in_constructor
 
 
 def _help_for_wait(call: ApiCall, function: str) -> str:
@@ -166,7 +179,28 @@ def _limitless_spin(system: System, call: ApiCall) -> Finding:
         related=way_to(call, client),
         node=node_name(system, call.context.node),
         identity=(call.function, name_of(client), "spin_until_future_complete"),
+        group=(call.file, call.function),
     )
+
+
+@folds("TMO003")
+def _of_one_function(findings: Sequence[Finding]) -> Finding:
+    """The finding for all such spins of a function: an action's goal is sent, and then its result awaited."""
+    first, *others = findings
+    lines = "the same holds for another line" if len(others) == 1 else f"the same holds for {len(others)} more lines"
+    return replace(
+        first,
+        message=f"{first.message}; {lines} of {first.group[1]}",
+        related=(*first.related, *(Related(one.place, "here it spins without limit, too") for one in others)),
+        fix=_all_of([one.fix for one in findings if one.fix is not None]),
+    )
+
+
+def _all_of(fixes: Sequence[Fix]) -> Fix | None:
+    if not fixes:
+        return None
+    edits = {edit: None for fix in fixes for edit in fix.edits}
+    return replace(fixes[0], edits=tuple(sorted(edits, key=lambda edit: edit.place)))
 
 
 @rule("TMO005")
