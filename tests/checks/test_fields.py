@@ -322,14 +322,23 @@ def test_what_was_probably_meant(judge: Judge):
     assert found.message == "sensor_msgs/msg/LaserScan has no field 'Ranges'; did you mean 'ranges'?"
 
 
-def test_one_misspelled_name_is_one_finding(judge: Judge):
-    lines = ("print(scan.Ranges)  # here", "print(scan.Header)  # here", "scan.Ranges = []")
-    ranges, header = judge("MSG001", node(on_scan="\n            ".join(lines)))
-    assert ranges.message == (
+def test_the_wrong_names_of_one_message_are_one_finding(judge: Judge):
+    lines = ["print(scan.Ranges)  # here", "print(scan.Header)", "scan.Ranges = []"]
+    [found] = judge("MSG001", node(on_scan="\n            ".join(lines)))
+    assert found.message == (
+        "sensor_msgs/msg/LaserScan has no fields 'Ranges' and 'Header', used at 3 places of Driver; "
+        "did you mean 'ranges' for 'Ranges' and 'header' for 'Header'?"
+    )
+    assert [(one.place.line, one.message) for one in found.related] == [
+        (24, "'Header' is used here"),
+        (25, "'Ranges' is used here"),
+    ]
+    [one] = judge("MSG001", node(on_scan="\n            ".join([lines[0], lines[2]])))
+    assert one.message == (
         "sensor_msgs/msg/LaserScan has no field 'Ranges', used at 2 places of Driver; did you mean 'ranges'?"
     )
-    assert [(one.place.line, one.message) for one in ranges.related] == [(25, "'Ranges' is used here")]
-    assert header.message == "sensor_msgs/msg/LaserScan has no field 'Header'; did you mean 'header'?"
+    of_two = [lines[0], "print(scan.header.Stamp)  # here"]
+    assert len(judge("MSG001", node(on_scan="\n            ".join(of_two)))) == 2
 
 
 MONITOR = """

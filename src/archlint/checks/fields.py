@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
@@ -22,6 +22,7 @@ _SHOWN = 12
 """How many names a help line lists."""
 _IN_ROS_1 = {"secs": "sec", "nsecs": "nanosec", "nsec": "nanosec"}
 """What the fields of times and durations were called."""
+_MEANT = "; did you mean "
 _WRAPPERS = {"FeedbackMessage": "message with the feedback", "GetResultResponse": "answer with the result"}
 
 
@@ -119,7 +120,7 @@ def _unknown_field(system: System, use: FieldUse) -> Finding:
         help=f"this line raises {_raised([use.access])} when it runs; the {what}s are {_listed(use.fields)}",
         node=None if use.node is None else use.node.name.text,
         identity=(use.type, use.part, use.name, use.access),
-        group=(use.place.file, owner, of, what, meant, near, _listed(use.fields)),
+        group=(use.place.file, owner, of, what, meant, _listed(use.fields)),
     )
 
 
@@ -132,14 +133,13 @@ def _raised(accesses: Iterable[str]) -> str:
 
 def _meant(use: FieldUse) -> tuple[str, str]:
     """What fields that have one cause agree in, and the words for a name that is near: all that are in another message
-    that this one holds (its name and a dot), each misspelled name by itself, and all those that nothing explains."""
+    that this one holds (its name and a dot), and all others."""
     renamed = _IN_ROS_1.get(use.name)
     if renamed in use.fields:
-        return use.name, f"; did you mean '{renamed}'?"
+        return "", f"{_MEANT}'{renamed}'?"
     if use.inside is not None and use.access != "keyword":
         return f"{use.inside}.", ""
-    near = did_you_mean(use.name, use.fields)
-    return (use.name if near else ""), near
+    return "", did_you_mean(use.name, use.fields)
 
 
 def _instead(meant: str, near: str, names: Sequence[str]) -> str:
@@ -149,19 +149,27 @@ def _instead(meant: str, near: str, names: Sequence[str]) -> str:
     return f"; did you mean {those}?"
 
 
+def _nearest(near: Mapping[str, str]) -> str:
+    """The words for the names that are near, by the wrong ones."""
+    hints = [hint if len(near) == 1 else f"{hint} for '{name}'" for name, hint in near.items() if hint]
+    last = " and ".join(part for part in (", ".join(hints[:-1]), *hints[-1:]) if part)
+    return f"{_MEANT}{last}?" if hints else ""
+
+
 @folds("MSG001")
 def of_one_cause(findings: Sequence[Finding]) -> Finding:
     """The finding for all fields that one class takes for those of a message: at the first, the others related."""
     first = findings[0]
-    _, owner, of, what, meant, near, listed = first.group
-    names = list(dict.fromkeys(one.identity[2] for one in findings))
+    _, owner, of, what, meant, listed = first.group
+    near = {one.identity[2]: one.message.partition(_MEANT)[2].rstrip("?") for one in findings}
+    names = list(near)
     shown = [f"'{name}'" for name in names]
     where = f"used at {len(findings)} places" + (f" of {owner}" if owner else " of this file")
     several = f"s {', '.join(shown[:-1])} and {shown[-1]}" if len(names) > 1 else f" {shown[0]}"
     raised = _raised(one.identity[3] for one in findings)
     return replace(
         first,
-        message=f"{of} has no {what}{several}, {where}{_instead(meant, near, names)}",
+        message=f"{of} has no {what}{several}, {where}{_instead(meant, _nearest(near), names)}",
         help=f"these lines raise {raised} when they run; the {what}s are {listed}",
         related=tuple(Related(one.place, f"'{one.identity[2]}' is used here") for one in findings[1:]),
         identity=(*first.identity[:2], *names),
