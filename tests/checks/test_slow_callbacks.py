@@ -271,6 +271,31 @@ def test_a_loop_may_watch_the_clock(run: Run):
     assert found.code == "SRV008" and "the caller waits meanwhile, and cannot cancel" in found.message
 
 
+@pytest.mark.parametrize(
+    ("before", "test", "expected"),
+    [
+        ("start = time.monotonic()", "time.monotonic() - start < 1.5", ""),
+        ("start = time.monotonic()", "time.monotonic() - start < self.LIMIT and read()", ""),
+        ("start = time.monotonic()", "1.5 > time.monotonic() - start", ""),
+        ("end = time.time() + 1.5", "time.time() < end", ""),
+        ("end = time.time() + 20.0", "time.time() < end", "sleeps for up to 20 s in all, in a loop"),
+        ("start = time.time()", "time.time() - start < self.limit", "each time round a loop"),
+        ("end = time.time() + 1.5", "time.time() < end or read()", "each time round a loop"),
+        ("start = time.time()", "time.time() - start > 1.5", "each time round a loop"),
+    ],
+)
+def test_a_loop_may_watch_the_clock_for_a_moment(run: Run, before: str, test: str, expected: str):
+    create = "self.limit = load()\nself.create_service(Trigger, 'home', self.home)\n"
+    method = (
+        "LIMIT = 1.5\n\n"
+        f"def home(self, request, response):\n    {before}\n    while {test}:\n        time.sleep(0.02)\n"
+        "    return response\n"
+    )
+    found = run(source(create, method))
+    assert [one.code for one in found] == (["SRV008"] if expected else [])
+    assert all(expected in one.message for one in found)
+
+
 def test_a_handler_is_told_where_it_takes_long(run: Run):
     method = """
     def handle(self, request, response):

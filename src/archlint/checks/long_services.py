@@ -24,6 +24,8 @@ if TYPE_CHECKING:
 
 LONG = 1.0
 """Seconds that a service handler may sleep, all in all: nobody writes an action for less."""
+POLLING = 2.0
+"""Seconds that a loop may watch the clock for something that comes soon."""
 RETRYING = 10.0
 """Seconds of pauses between some attempts, of which the first is to work."""
 
@@ -63,6 +65,8 @@ def _in_all(sleeps: Sequence[_Sleep]) -> float:
 def _seconds(call: ApiCall, stay: Stay) -> float:
     """How long a sleep takes in its loops, each ``for`` over what is not known taken for one round."""
     seconds = in_loops(call, stay, unknown=1.0)
+    if any(limit is not None for limit in call.limits) and seconds <= POLLING:
+        return 0.0
     return 0.0 if is_retry(call) and seconds < RETRYING else seconds
 
 
@@ -102,7 +106,8 @@ def _how_long(sleeps: Sequence[_Sleep], asked: bool) -> str:
     elif call.looped and math.isinf(in_loops(call, stay)):
         words += " each time round a loop"
     elif call.looped:
-        words = f"sleeps for {total:.3g} s in all, in a loop"
+        up_to = "up to " if any(limit is not None for limit in call.limits) else ""
+        words = f"sleeps for {up_to}{total:.3g} s in all, in a loop"
     return f"{words}: the caller waits meanwhile, and cannot cancel"
 
 

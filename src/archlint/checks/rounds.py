@@ -29,9 +29,12 @@ def in_loops(call: ApiCall, stay: Stay, unknown: float = math.inf) -> float:
     """
     if stay.seconds is None:
         return math.inf
+    seconds = stay.seconds
+    for loop, limit in reversed(tuple(zip(call.loops, call.limits, strict=True))):
+        seconds = seconds * _times(loop, unknown) if limit is None else max(seconds, limit)
     # The loops of callers are places only: how often they go round is not looked at.
-    times = [_times(loop, unknown) for loop in call.loops] + [math.inf] * (len(call.rounds) - len(call.loops))
-    seconds = stay.seconds * math.prod(times) if stay.seconds > 0 else 0.0
+    seconds *= math.inf if len(call.rounds) > len(call.loops) else 1.0
+    seconds = seconds if stay.seconds > 0 else 0.0
     if math.isinf(seconds) and stay.seconds <= TINY and not any(isinstance(loop, facts.While) for loop in call.loops):
         return stay.seconds  # a pause between the bytes or lines of something: it takes many to make it long
     return seconds

@@ -236,6 +236,8 @@ class ApiCall:
     """The loops that go round it, also those of its callers, outermost first."""
     arms: tuple[tuple[str, int], ...] = ()
     """The arms of undecided branches that lead to it, outermost first."""
+    limits: tuple[float | None, ...] = ()
+    """For each of ``loops`` the seconds after which it ends, where it watches the clock for a known time."""
     ways: list[tuple[tuple[Frame, ...], tuple[Place, ...], tuple[Creation, ...]]] = field(default_factory=list)
     """Other chains (the loops on them, the endpoints it is for) from the same context, through the same arms."""
 

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 
 from archlint.facts import model as facts
 from archlint.finding import Place
-from archlint.program import messages, model
+from archlint.program import clocks, messages, model
 from archlint.program.api import rclpy_names, tables
 from archlint.program.api.tables import Api
 from archlint.program.values import (
@@ -211,6 +211,7 @@ def record(run: Run, api: Api, receiver: Value | None, bound: dict[str, Value], 
         return
     first = on[0] if len(on) == 1 else None
     node = first.node if first is not None else nodes.known_node(run, receiver)
+    loops = run.loops_of(activation)
     call = model.ApiCall(
         api.path,
         place,
@@ -225,13 +226,14 @@ def record(run: Run, api: Api, receiver: Value | None, bound: dict[str, Value], 
         activation.module.path,
         e,
         activation.statement,
-        tuple(run.loops_of(activation)),
+        tuple(loops),
         activation.body,
         bool(run.arms),
         False,
         any(one.tries for one in run.activations),
         run.rounds(),
         tuple(run.arms),
+        tuple(clocks.limit_of(run, loop) for loop in loops),
     )
     run.calls[key] = call
     run.program.calls.append(call)
