@@ -384,3 +384,27 @@ def test_a_lookup_cannot_wait_for_what_its_own_thread_brings(
 ):
     text = source(TF.replace("{more}", more), LOOKUP.replace("{timeout}", timeout), main)
     assert codes(run(text)) == expected
+
+
+@pytest.mark.parametrize(
+    ("test", "expected"),
+    [
+        ("if isinstance(self.arm, Mock):\n        return response", []),
+        ("if isinstance(self.arm, (str, Mock)):\n        return response", []),
+        ("if not isinstance(self.arm, Mock):\n        return response", ["SRV008"]),
+        ("if isinstance(self.arm, Other):\n        return response", ["SRV008"]),
+        ("if isinstance(self.arm, Mock):\n        self.ready = True", ["SRV008"]),
+    ],
+)
+def test_what_a_test_of_the_type_rules_out_is_not_called(run: Run, test: str, expected: list[str]):
+    create = """
+    try:
+        self.arm = Arm()
+    except OSError:
+        self.arm = Mock()
+    self.create_service(Trigger, 'move', self.move)
+    """
+    method = f"def move(self, request, response):\n    {test}\n    self.arm.move()\n    return response\n"
+    mock = "class Other:\n    pass\n\n\nclass Mock:\n    def move(self):\n        time.sleep(5.0)\n\n\n"
+    text = source(create, method).replace("class Robot", f"from arms import Arm\n\n\n{mock}class Robot", 1)
+    assert codes(run(text)) == expected
