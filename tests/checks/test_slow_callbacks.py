@@ -278,6 +278,7 @@ def test_a_loop_may_watch_the_clock(run: Run):
         ("start = time.monotonic()", "time.monotonic() - start < self.LIMIT and read()", ""),
         ("start = time.monotonic()", "1.5 > time.monotonic() - start", ""),
         ("end = time.time() + 1.5", "time.time() < end", ""),
+        ("start = time.time()", "time.time() - start < 3.0", "sleeps for up to 3 s in all, in a loop"),
         ("end = time.time() + 20.0", "time.time() < end", "sleeps for up to 20 s in all, in a loop"),
         ("start = time.time()", "time.time() - start < self.limit", "each time round a loop"),
         ("end = time.time() + 1.5", "time.time() < end or read()", "each time round a loop"),
@@ -294,6 +295,7 @@ def test_a_loop_may_watch_the_clock_for_a_moment(run: Run, before: str, test: st
     found = run(source(create, method))
     assert [one.code for one in found] == (["SRV008"] if expected else [])
     assert all(expected in one.message for one in found)
+    assert all(one.severity is (Severity.INFO if "up to 3 s" in expected else Severity.WARNING) for one in found)
 
 
 def test_a_handler_is_told_where_it_takes_long(run: Run):

@@ -26,9 +26,13 @@ LONG = 1.0
 """Seconds that a service handler may sleep, all in all: nobody writes an action for less."""
 POLLING = 2.0
 """Seconds that a loop may watch the clock for something that comes soon."""
+SOON = 5.0
+"""Seconds that such a loop may take as far as most callers care."""
 RETRYING = 10.0
 """Seconds of pauses between some attempts, of which the first is to work."""
 
+_AN_ACTION = "what takes its time is an action: it has feedback, a result and cancelling"
+_IF_TOO_LONG = "where that is too long for a caller, make it an action: it has feedback, a result and cancelling"
 _Sleep = tuple["ApiCall", Stay]
 
 
@@ -76,16 +80,17 @@ def _long_service(system: System, program: Program, sleeps: Sequence[_Sleep]) ->
     further = {other.place: Related(other.place, f"then it {words.words}") for other, words in others}
     further.pop(call.place, None)
     asked = all(_as_asked(*sleep) for sleep in sleeps)
+    soon = _in_all(sleeps) <= SOON and any(limit is not None for one, _ in sleeps for limit in one.limits)
     found = finding(
         "SRV008",
         call.place,
         f"the handler of {endpoint_words(callback.creation)} {_how_long(sleeps, asked)}",
-        help="what takes its time is an action: it has feedback, a result and cancelling",
+        help=_IF_TOO_LONG if soon else _AN_ACTION,
         related=(*related_to(call, program), *further.values()),
         node=node_name(system, callback.node),
         identity=(callback.name, call.api),
     )
-    return replace(found, severity=Severity.INFO) if asked else found
+    return replace(found, severity=Severity.INFO) if asked or soon else found
 
 
 def _how_long(sleeps: Sequence[_Sleep], asked: bool) -> str:
