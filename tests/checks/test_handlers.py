@@ -202,3 +202,36 @@ def test_a_helper_that_only_tells_how_far_things_are_ends_no_goal(run: Run):
     text = execute(body)
     assert "ACT003" in codes(run(text.replace("\n\ndef main():", tell.format(""))))
     assert "ACT003" not in codes(run(text.replace("\n\ndef main():", tell.format("\n        goal.abort()"))))
+
+
+@pytest.mark.parametrize(
+    ("created_if", "left_if", "expected"),
+    [
+        ("PRESENT and Driver is not None", "not PRESENT or Driver is None", []),
+        ("PRESENT", "not PRESENT", []),
+        ("Driver != None", "Driver is None", []),
+        ("PRESENT", "PRESENT", ["SRV007"]),
+        ("PRESENT", "not PRESENT or self.busy", ["SRV007"]),
+        ("self.ready", "not self.ready", ["SRV007"]),
+        ("not PRESENT", "not PRESENT", ["SRV007"]),
+        ("True", "not PRESENT", ["SRV007"]),
+    ],
+)
+def test_a_service_that_is_not_there_has_no_handler_either(
+    run: Run, created_if: str, left_if: str, expected: list[str]
+):
+    create = f"self.ready = load()\nif {created_if}:\n    {SERVICE}"
+    method = f"def handle(self, request, response):\n    if {left_if}:\n        return\n    return response\n"
+    gate = "PRESENT = load()\nDriver = load()\n"
+    text = source(create, method).replace("class Robot", f"{gate}\n\nclass Robot", 1)
+    assert codes(run(text)) == expected
+
+
+def test_a_handler_may_set_what_was_asked_before(run: Run):
+    create = f"if PRESENT:\n    {SERVICE}"
+    method = (
+        "def handle(self, request, response):\n    PRESENT = read()\n    if not PRESENT:\n        return\n"
+        "    return response\n"
+    )
+    text = source(create, method).replace("class Robot", "PRESENT = load()\n\n\nclass Robot", 1)
+    assert codes(run(text)) == ["SRV007"]

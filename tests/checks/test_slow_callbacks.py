@@ -410,3 +410,26 @@ def test_what_a_test_of_the_type_rules_out_is_not_called(run: Run, test: str, ex
     mock = "class Other:\n    pass\n\n\nclass Mock:\n    def move(self):\n        time.sleep(5.0)\n\n\n"
     text = source(create, method).replace("class Robot", f"from arms import Arm\n\n\n{mock}class Robot", 1)
     assert codes(run(text)) == expected
+
+
+@pytest.mark.parametrize(
+    ("body", "expected"),
+    [
+        ("try:\n        send()\n    except OSError:\n        self.close()\n        raise", []),
+        ("try:\n        send()\n    except OSError:\n        self.close()\n        rclpy.shutdown()", []),
+        ("try:\n        send()\n    finally:\n        self.close()\n        self.destroy_node()", []),
+        ("try:\n        send()\n    except OSError:\n        self.close()", ["EXE003"]),
+        (
+            "try:\n        send()\n    except OSError:\n        self.close()\n        if read():\n            raise",
+            ["EXE003"],
+        ),
+        ("try:\n        send()\n    finally:\n        self.close()", ["EXE003"]),
+        (
+            "try:\n        send()\n    except OSError:\n        self.close()\n        raise\n    self.close()",
+            ["EXE003"],
+        ),
+    ],
+)
+def test_who_fails_may_take_time_to_clean_up(run: Run, body: str, expected: list[str]):
+    close = "\ndef close(self):\n    subprocess.run(['stop'])\n"
+    assert codes(run(source(TIMER, timer(body) + close))) == expected

@@ -29,6 +29,19 @@ def dotted(expression: facts.Base) -> str:
     return ""
 
 
+def proven(conditions: Sequence[tuple[facts.Expr, bool]], followed: frozenset[str]) -> Known:
+    """What conditions that have come out so tell."""
+    known = NOTHING
+    for test, truth in conditions:
+        known = within(known, test, truth, followed) or known
+    return known
+
+
+def asked(conditions: Sequence[tuple[facts.Expr, bool]]) -> frozenset[str]:
+    """The names that conditions ask for; attributes are left out, for they may change."""
+    return frozenset(part.id for test, _ in conditions for part in parts_of(test) if isinstance(part, facts.Name))
+
+
 def variables(body: Sequence[facts.Stmt]) -> frozenset[str]:
     """The variables on which two places of a function depend together: asked twice, or set and asked."""
     asked: Counter[str] = Counter()
@@ -66,6 +79,8 @@ def within(known: Known, test: facts.Expr, truth: bool, followed: frozenset[str]
         return within(known, test.operand, not truth, followed)
     if isinstance(test, facts.Boolean):
         return _within_all(known, test, truth, followed)
+    if isinstance(test, facts.Compare) and test.ops in (["!="], ["is not"]):
+        test, truth = facts.Compare(test.left, ["is"], test.comparators, test.span), not truth
     key, value = _question(test)
     if key not in followed:
         return known

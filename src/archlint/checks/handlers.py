@@ -5,10 +5,12 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
+from archlint.checks.assumptions import Known, asked, proven, within
 from archlint.checks.reach import endpoint_words, node_name, one_for_each_place
 from archlint.checks.registry import Options, finding, rule
 from archlint.facts import model as facts
 from archlint.facts.paths import Ends, ends_of
+from archlint.facts.walk import parts_of, statements_of
 from archlint.finding import Finding, Place, Related
 from archlint.workspace.test_code import is_test_file
 
@@ -57,7 +59,7 @@ def _missing_of_lambdas(system: System) -> Iterator[Finding]:
 def _missing(system: System, callback: Callback, function: facts.Function) -> Iterator[Finding]:
     if only_a_stub(function.body):
         return
-    ends: Ends[bool] = ends_of(function.body, False, lambda state, fact: state)
+    ends = _ends_as_created(callback, function)
     for end in {id(one): one for one, states in ends.returns if states}.values():
         what = _no_response(end.value)
         if what is not None:
@@ -65,6 +67,27 @@ def _missing(system: System, callback: Callback, function: facts.Function) -> It
             yield _missing_at(system, callback, place, f"returns {what} here, which is no response", "return")
     if ends.falls:
         yield _missing_at(system, callback, callback.place, "can run off its end without a response", "end")
+
+
+def _ends_as_created(callback: Callback, function: facts.Function) -> Ends[Known]:
+    """The ends of a handler that is there at all: what was asked before its service was created still holds, where it
+    asks for a name of the module that the handler does not set."""
+    conditions = callback.creation.proven if callback.creation is not None else ()
+    own = {param.name for param in function.params} | {
+        part.id
+        for one in statements_of(function.body)
+        if isinstance(one, facts.Assign)
+        for target in one.targets
+        for part in parts_of(target)
+        if isinstance(part, facts.Name)
+    }
+    followed = asked(conditions) - own
+    return ends_of(
+        function.body,
+        proven(conditions, followed),
+        lambda known, fact: known,
+        lambda known, test, truth: within(known, test, truth, followed),
+    )
 
 
 def _missing_at(system: System, callback: Callback, place: Place, what: str, end: str) -> Finding:

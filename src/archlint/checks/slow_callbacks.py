@@ -60,6 +60,8 @@ def slow_callback(system: System, options: Options) -> Iterator[Finding]:
             continue  # SRV008 has a bound of its own for these
         if call.context.role == "lifecycle":
             continue  # a transition may take its time, and the node does nothing until it is over
+        if call.cleaning:
+            continue  # something has failed, and the callback ends with it
         if not asked.isdisjoint((call.context.place, client.place) for client in creations_of(call.receiver)):
             continue  # a handler that asks the server afterwards is SRV003's: this is part of the same wait
         if any((call.file, call.function, client.place) in told for client in creations_of(call.receiver)):

@@ -212,6 +212,12 @@ def _never_returns(s: facts.Stmt) -> bool:
     )
 
 
+def always_raises(body: Sequence[facts.Stmt]) -> bool:
+    """Whether every way through a block ends in an exception that leaves it."""
+    flow = _Walk[bool](lambda state, fact: state, None).block(body, frozenset({False}))
+    return not (flow.next or flow.breaks or flow.continues or any(states for _, states in flow.returns))
+
+
 def comes_round(loop: facts.While | facts.For, statement: facts.Stmt) -> bool:
     """Whether a loop may go round again after a statement in it has run: not where ``break``, ``return`` or ``raise``
     always follows it."""

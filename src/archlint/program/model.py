@@ -176,6 +176,8 @@ class Creation:
     guard: str = ""
     """What an ``if`` on the way, decided or not, or an early return asks before the create call is made: ``arguments``
     (nothing but what a callback was called with), ``state`` (anything else), or nothing."""
+    proven: tuple[tuple[facts.Expr, bool], ...] = ()
+    """The conditions around the create call, with how they came out, that ask for no local variable."""
     stored: bool = True
     """False where the result of the create call is thrown away."""
     destroyed: bool = False
@@ -238,6 +240,8 @@ class ApiCall:
     """The arms of undecided branches that lead to it, outermost first."""
     limits: tuple[float | None, ...] = ()
     """For each of ``loops`` the seconds after which it ends, where it watches the clock for a known time."""
+    cleaning: bool = False
+    """Whether it is reached only where something has failed, and the callback ends with it."""
     ways: list[tuple[tuple[Frame, ...], tuple[Place, ...], tuple[Creation, ...]]] = field(default_factory=list)
     """Other chains (the loops on them, the endpoints it is for) from the same context, through the same arms."""
 

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 from archlint.facts import model as facts
 from archlint.finding import Place
 from archlint.program import clocks, messages, model
-from archlint.program.api import rclpy_names, tables
+from archlint.program.api import guards, rclpy_names, tables
 from archlint.program.api.tables import Api
 from archlint.program.values import (
     ApiMethod,
@@ -199,7 +199,10 @@ def record(run: Run, api: Api, receiver: Value | None, bound: dict[str, Value], 
     if api.path in parameters.BY_NAME:
         key = (*key, bound.get("name"))  # what a helper reads, for each name that it is given
     known = run.calls.get(key)
+    cleaning = guards.is_cleaning_up(run)
     if known is not None:
+        if known.cleaning and not cleaning:
+            known.cleaning, known.chain, known.arms = False, run.chain(), tuple(run.arms)
         if known.creation is None and len(on) == 1:
             known.creation = on[0]
         known.conditional = known.conditional and bool(run.arms)
@@ -234,6 +237,7 @@ def record(run: Run, api: Api, receiver: Value | None, bound: dict[str, Value], 
         run.rounds(),
         tuple(run.arms),
         tuple(clocks.limit_of(run, loop) for loop in loops),
+        cleaning,
     )
     run.calls[key] = call
     run.program.calls.append(call)

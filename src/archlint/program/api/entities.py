@@ -9,7 +9,7 @@ from archlint.finding import Place
 from archlint.program import model
 from archlint.program.api import callbacks, nodes, profiles, rclpy_names
 from archlint.program.api.effects import ApiUse, argument_places
-from archlint.program.api.guards import guard_of
+from archlint.program.api.guards import guard_of, proven_of
 from archlint.program.api.tables import Api
 from archlint.program.texts import text_of_value
 from archlint.program.values import (
@@ -127,6 +127,7 @@ def _create(
             known.conditional, known.arms = False, frozenset()
         else:
             known.arms &= arms
+        known.proven = known.proven if known.proven == proven_of(run) else ()
         return known
     places = argument_places(run, call.api, call.expression)
     creation = model.Creation(
@@ -147,6 +148,7 @@ def _create(
         run.context,
         function=run.activation.qualified,
         guard=guard_of(run),
+        proven=proven_of(run),
         name_place=places.get(call.api.name or ""),
         raw=call.get("raw") == Known(True),
         stored=_stored(run, call),

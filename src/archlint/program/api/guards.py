@@ -7,7 +7,8 @@ from functools import lru_cache
 from typing import TYPE_CHECKING
 
 from archlint.facts import model as facts
-from archlint.facts.walk import called_name, calls_in, parts_of, statements_of
+from archlint.facts.paths import always_raises
+from archlint.facts.walk import blocks_in, called_name, calls_in, parts_of, statements_of
 
 if TYPE_CHECKING:
     from archlint.program.run import Activation, Run
@@ -35,6 +36,55 @@ def guard_of(run: Run) -> str:
             return STATE
         found = ARGUMENTS if tests else found
     return found
+
+
+def proven_of(run: Run) -> tuple[tuple[facts.Expr, bool], ...]:
+    """The conditions of the ``if`` statements around what runs now, with how they came out; of names that are no
+    function's own."""
+    return tuple(
+        (test, truth)
+        for one in run.activations
+        for test, truth in _proven(one.body, one.statement)
+        if one.scope.kind != "function" or not _asks(test) & (one.scope.bound or frozenset())
+    )
+
+
+def _asks(test: facts.Expr) -> set[str]:
+    return {part.id for part in parts_of(test) if isinstance(part, facts.Name)}
+
+
+def _proven(block: Sequence[facts.Stmt], wanted: facts.Stmt | None) -> list[tuple[facts.Expr, bool]]:
+    at = _layout(_Block(block))[0].get(id(wanted))
+    if at is None or block[at] is wanted:
+        return []
+    statement = block[at]
+    inner = next(one for one in blocks_in(statement) if id(wanted) in _layout(_Block(one))[0])
+    below = _proven(inner, wanted)
+    return [(statement.test, inner is statement.body), *below] if isinstance(statement, facts.If) else below
+
+
+def is_cleaning_up(run: Run) -> bool:
+    """Whether what runs now is there because something failed, and the callback ends with it: on the way to it is an
+    ``except`` that always raises, or that (or ``finally``) shuts the node down."""
+    return any(_cleans_up(one.body, one.statement) for one in run.activations)
+
+
+def _cleans_up(block: Sequence[facts.Stmt], wanted: facts.Stmt | None) -> bool:
+    at = _layout(_Block(block))[0].get(id(wanted))
+    if at is None or block[at] is wanted:
+        return False
+    statement = block[at]
+    inner = next(one for one in blocks_in(statement) if id(wanted) in _layout(_Block(one))[0])
+    if isinstance(statement, facts.Try):
+        handled = any(inner is handler.body for handler in statement.handlers)
+        if handled and always_raises(inner):
+            return True
+        if (handled or inner is statement.final) and any(called_name(call) in _ENDS for call in calls_in(inner)):
+            return True
+    return _cleans_up(inner, wanted)
+
+
+_ENDS = frozenset({"shutdown", "try_shutdown", "destroy_node"})
 
 
 def _tests_on_the_way(block: Sequence[facts.Stmt], wanted: facts.Stmt | None) -> list[facts.Expr] | None:
