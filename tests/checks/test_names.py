@@ -298,13 +298,40 @@ class TestHardcodedNamesOfOneClass:
             ),
             ("self.create_publisher(String, '/fmu/in/arming', 10)  # here",),
             ("self.create_client(Trigger, '/world/empty/create')  # here",),
+            ("self.create_subscription(String, '/utlidar/cloud', print, 10)  # here",),
+            ("self.create_subscription(String, '/scanner_sdk_node/words', print, 10)  # here",),
         ],
-        ids=["made absolute by a parameter", "chosen", "one of two calls", "PX4's", "Gazebo's"],
+        ids=[
+            "made absolute by a parameter",
+            "chosen",
+            "one of two calls",
+            "PX4's",
+            "Gazebo's",
+            "Unitree's",
+            "below the name of a node from elsewhere",
+        ],
     )
     def test_names_that_are_absolute_for_a_reason_are_information(self, judge: Judge, lines: tuple[str, ...]):
         [found] = judge("NME001", robot(*lines))
 
         assert found.severity is Severity.INFO
+
+    @pytest.mark.parametrize(
+        "lines",
+        [
+            (
+                "self.create_subscription(String, '/other_node/words', print, 10)  # here",
+                "self.other = rclpy.create_node('other_node')",
+            ),
+            ("self.create_subscription(String, '/camera/words', print, 10)  # here",),
+            ("self.create_subscription(String, '/other_node', print, 10)  # here",),
+        ],
+        ids=["below the name of a node that is here", "below some name", "no name below it"],
+    )
+    def test_names_that_nothing_outside_is_seen_to_fix(self, judge: Judge, lines: tuple[str, ...]):
+        [found] = judge("NME001", robot(*lines))
+
+        assert found.severity is Severity.WARNING
 
     def test_a_branch_that_only_picks_one_of_two_absolute_names_is_no_reason(self, judge: Judge):
         [found] = judge(

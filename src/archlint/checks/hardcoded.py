@@ -37,6 +37,13 @@ FIXED_BY_OTHERS = {
     "/world/": "Gazebo",
     "/gazebo/": "Gazebo",
     "/carla/": "CARLA",
+    "/api/sport/": "Unitree",
+    "/lf/lowstate": "Unitree",
+    "/lf/sportmodestate": "Unitree",
+    "/lowcmd": "Unitree",
+    "/lowstate": "Unitree",
+    "/sportmodestate": "Unitree",
+    "/utlidar/": "Unitree",
 }
 """Systems outside of ROS that one robot or one simulation has one of, and whose bridges choose these names."""
 
@@ -76,6 +83,13 @@ _CHOSEN = _Reason(
     "absolute in one of the forms that the code chooses from",
     "",
     "this is fine where whoever starts the node can choose the other form",
+    Severity.INFO,
+)
+_PRIVATE = _Reason(
+    "private",
+    "absolute",
+    ": a node that is not of this workspace makes {it} below its own name",
+    "this is fine while there is one such node; for several, take the names from parameters",
     Severity.INFO,
 )
 _NOT_INSTALLED = _Reason(
@@ -182,6 +196,8 @@ def _reason(world: World | None, endpoint: Endpoint, users: int) -> _Reason:
     owner = next((owner for prefix, owner in FIXED_BY_OTHERS.items() if name.startswith(prefix)), None)
     if owner is not None:
         return _of_others(owner)
+    if _private_to_foreign_node(world, name):
+        return _PRIVATE
     if _is_chosen(node, endpoint):
         return _CHOSEN
     if users > 1:
@@ -189,6 +205,15 @@ def _reason(world: World | None, endpoint: Endpoint, users: int) -> _Reason:
     if is_not_installed(world, endpoint.place.file):
         return _NOT_INSTALLED
     return _by_namespace(world, node)
+
+
+def _private_to_foreign_node(world: World | None, name: str) -> bool:
+    """Whether a name lies below that of a node (``/lidar_node/scan`` is its ``~/scan``) which no code of the workspace
+    makes and no launch file starts."""
+    owner, _, rest = name[1:].partition("/")
+    if not owner.endswith("_node") or not rest or world is None:
+        return False
+    return not any(owner in (node.name or "").split("/") for system in world.systems for node in system.nodes)
 
 
 def _by_namespace(world: World | None, node: Node) -> _Reason:
