@@ -691,6 +691,15 @@ def test_a_file_that_the_build_leaves_out_is_to_be_listed(judge: Judge):
     assert unknown.help == "the import fails when the node starts; flags.msg has A, B"
 
 
+def test_a_constant_of_the_other_half_of_a_service(judge: Judge):
+    parts = "int8 SLOW=0\nbool go\n---\nint8 STOPPED=1\nbool done\n"
+    lay_out(judge, {**interfaces("rover", "srv/Dock.srv", files=()), "rover/srv/Dock.srv": parts})
+    code = "import rclpy\nfrom rover.srv import Dock\nprint(Dock.Request.{}){}\nrclpy.create_node('x')\n"
+    [found] = judge("MSG001", code.format("STOPPED", "  # here"))
+    assert found.message.endswith("has no constant 'STOPPED'; did you mean 'Dock.Response.STOPPED'?")
+    judge("MSG001", code.format("SLOW", ""))
+
+
 MISSING = """
 import rclpy
 from rclpy.node import Node

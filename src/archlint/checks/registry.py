@@ -154,7 +154,7 @@ def finding(
         place=place,
         help=help,
         node=node,
-        related=tuple(related),
+        related=tuple(dict.fromkeys(related)),
         identity=tuple(identity),
         group=tuple(group),
     )

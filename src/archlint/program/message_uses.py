@@ -26,7 +26,8 @@ class FieldUse:
     what looks like one and is read from the class.
 
     ``type`` and ``part`` are those of the message.  ``exists`` is None where its definition is not known; where
-    it is False, ``fields`` are those that the message has, and ``inside`` is the one whose own message has the name.
+    it is False, ``fields`` are those that the message has, and ``inside`` is the one whose own message has the name;
+    for a constant the class of the same service or action that has it.
     """
 
     place: Place

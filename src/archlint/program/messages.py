@@ -19,6 +19,7 @@ from archlint.program.values import EachValue, Known, MessageValue, OneOf, Unkno
 
 if TYPE_CHECKING:
     from archlint.facts.model import Span
+    from archlint.program.interface_table import InterfaceTable
     from archlint.program.run import Activation, Run
 
 _OF_EVERY_MESSAGE = frozenset({"get_fields_and_field_types", "SLOT_TYPES", "structure_needs_at_least_one_member"})
@@ -151,9 +152,24 @@ def note_constant(run: Run, path: str, name: str, span: Span) -> None:
         return
     constants = tuple(constant.name for constant in section.constants)
     use = FieldUse(
-        run.place(span), interface, part, name, "constant", known, () if known else constants, run.context.node
+        run.place(span),
+        interface,
+        part,
+        name,
+        "constant",
+        known,
+        () if known else constants,
+        run.context.node,
+        inside=None if known else _part_with(run.interfaces, interface, name),
     )
     run.program.field_uses.append(use)
+
+
+def _part_with(interfaces: InterfaceTable, interface: str, constant: str) -> str | None:
+    """The class of a service or action that has a constant: ``Dock.Response``."""
+    parts = ("Request", "Response", "Goal", "Result", "Feedback")
+    found = (part for part in parts if interfaces.constant(interface, part, constant) is not None)
+    return next((f"{interface.rpartition('/')[2]}.{part}" for part in found), None)
 
 
 def _may_be_told_apart(run: Run, message: MessageValue) -> bool:
