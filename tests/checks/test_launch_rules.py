@@ -660,7 +660,54 @@ def test_a_file_that_is_there_but_not_installed(findings):
     assert "does not install the launch file 'more/x.launch.xml'" in found.message
 
 
+WRITES = "with open(os.path.join(folder, 'made.yaml'), 'w') as file:\n    file.write(text)\n"
+
+
+@pytest.mark.parametrize(
+    ("files", "told"),
+    [
+        ({"robot/make.py": WRITES}, 0),
+        ({"robot/make.py": "(folder / 'made.yaml').write_text(text)\n"}, 0),
+        ({"templates/made.yaml.j2": ""}, 0),
+        ({"templates/made.xacro": ""}, 0),
+        ({"robot/make.py": WRITES.replace("'w'", "'r'")}, 1),  # who reads it does not make it
+        ({"robot/make.py": WRITES.replace("made.yaml", "premade.yaml")}, 1),
+        ({"robot/make.py": WRITES, "config/temp/other.yaml": ""}, 1),  # the folder is there: what is kept there is, too
+        ({}, 1),
+    ],
+)
+def test_a_file_that_something_here_writes(findings, files: dict[str, str], told: int):
+    inner = '<param from="$(find-pkg-share robot)/config/temp/made.yaml"/>'
+    assert len(findings("LCH004", node(inner), **files)) == told
+
+
 # ------------------------------------------------------------------------------------------------ parameters
+
+
+NAMED_BY_PARAMETER = TALKER.replace("'chatter'", "self.declare_parameter('topic', 'out').value")
+OF_A_FILE = '<param from="{}"/>'
+NOT_FOUND = ["$(find-pkg-share robot)/gone.yaml", "$(find-pkg-share elsewhere)/a.yaml", "$(var config)", "/etc/a.yaml"]
+
+
+def two(inner: str) -> str:
+    return '<arg name="config"/>' + node(inner, name="a") + node(inner, name="b")
+
+
+@pytest.mark.parametrize("file", NOT_FOUND)
+def test_a_parameter_file_that_is_not_found_may_name_anything(findings, file: str):
+    files = {"robot/talker.py": NAMED_BY_PARAMETER}
+    assert findings("OWN001", two(OF_A_FILE.format(file)), **files) == []
+    (found,) = findings("OWN001", two(OF_A_FILE.format(file) + '<param name="topic" value="both"/>'), **files)
+    assert "'/both'" in found.message
+
+
+def test_a_parameter_file_that_is_found_leaves_the_other_defaults(findings):
+    files = {"robot/talker.py": NAMED_BY_PARAMETER, "config/a.yaml": "/**: {ros__parameters: {rate: 2.0}}"}
+    (found,) = findings("OWN001", two(OF_A_FILE.format("$(find-pkg-share robot)/config/a.yaml")), **files)
+    assert "'/out'" in found.message
+    gone = OF_A_FILE.format("$(find-pkg-share robot)/gone.yaml")
+    assert len(findings("OWN001", two(gone))) == 1  # a name that no parameter decides stays
+
 
 
 def test_values_of_the_right_type(findings):

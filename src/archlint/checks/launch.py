@@ -7,6 +7,7 @@ import re
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
+from archlint.checks.generated_files import is_generated
 from archlint.checks.near import did_you_mean, distance, listed
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.whole import is_whole, walk
@@ -224,6 +225,8 @@ def missing_launch_file(system: System, options: Options) -> Iterator[Finding]:
             continue
         what = _WHAT.get(reference.kind, "file")
         shown = re.sub(r"^\$\((?:find-pkg-share [\w.-]+|workspace)\)/?", "", reference.written)
+        if reference.status == MISSING and is_generated(system.world, reference.package or "", shown):
+            continue
         if reference.status == MISSING:
             message = f"package '{reference.package}' has no {what} '{shown}'"
             message += _did_you_mean_file(system.world, reference.package or "", shown)

@@ -9,7 +9,7 @@ from functools import cached_property
 from typing import TYPE_CHECKING
 
 from archlint.faults import Faults
-from archlint.program.launch.model import Launched, Started
+from archlint.program.launch.model import Launched, ParameterFileUse, Started
 from archlint.program.model import Blueprint, Overrides, Program, Text
 from archlint.system import names
 from archlint.system.command_line import Word, words_of
@@ -185,6 +185,7 @@ class LaunchSystems:
         node.package = started.package.text or node.package
         node.executable = started.executable.text or node.executable
         _forget_unknown_remaps(node, started)
+        _forget_defaults(node, started, self.parameters_of)
         return node
 
     def _why_unfollowed(self, started: Started, program: Program | None) -> str | None:
@@ -262,6 +263,25 @@ def _forget_unknown_remaps(node: Node, started: Started) -> None:
         for number, endpoint in enumerate(node.endpoints):
             if endpoint.name == expanded and endpoint.resolved:
                 node.endpoints[number] = _unknown(endpoint)
+
+
+def _forget_defaults(node: Node, started: Started, parameters_of: Callable[[str], ParameterFacts]) -> None:
+    """A parameter file that is not found may set whatever the nodes declare: what only their defaults name is not
+    known.  What comes after it on the command line holds."""
+    unread = [
+        number
+        for number, one in enumerate(started.parameters)
+        if isinstance(one, ParameterFileUse) and one.reference.source is None
+    ]
+    if not unread or node.blueprint is None or not node.blueprint.use_global_arguments:
+        return
+    later = replace(started, parameters=started.parameters[unread[-1] + 1 :], arguments=[], ros_arguments=[])
+    held = overrides_of(later, known_name(node), parameters_of)
+    for number, endpoint in enumerate(node.endpoints):
+        decided_by = set((endpoint.parameter or "").split(",")) - {""}
+        if endpoint.resolved and not held.keys() >= decided_by:
+            reason = "its parameter may be set by a parameter file that was not found"
+            node.endpoints[number] = replace(endpoint, name=None, resolution="unknown", reason=reason)
 
 
 def _namespace(started: Started) -> str:
