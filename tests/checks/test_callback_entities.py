@@ -232,6 +232,18 @@ class TestSpinning:
     def test_a_node_that_is_not(self, run: Run, body: str):
         assert codes(run(source(TIMER, self.TICK, self.main(body)))) == ["EXE008"]
 
+    def test_all_that_never_runs_is_named(self, run: Run):
+        others = "self.create_subscription(Empty, 'ready', self.on_ready, 10)\n" + TIMER * 2
+        [found] = run(source(others, self.ON_READY, self.main("print('there')")))
+        assert found.message == "nothing spins this node, so its subscription and 2 more never run a callback"
+        assert [one.message for one in found.related] == [
+            "the subscription is created here",
+            "the timer is created here",
+            "the timer is created here",
+        ]
+        [alone] = run(source(TIMER, self.TICK, self.main("print('there')")))
+        assert alone.message == "nothing spins this node, so its timer never runs a callback"
+
     ASKING = """\
 self.client = self.create_client(Trigger, 'calibrate')
 self.create_timer(5.0, self.tick)

@@ -56,10 +56,10 @@ def _judged(system: System) -> Iterator[tuple[Program, Blueprint]]:
 
 @dataclass(frozen=True)
 class _Idle:
-    """Why a node that needs spinning is not spun: nothing does it, or (``spin``) only its constructor, for a moment,
-    or (``behind``) only a call that stands behind one which never returns."""
+    """Why a node that needs spinning (for what it has ``served``) is not spun: nothing does it, or (``spin``) only its
+    constructor, for a moment, or (``behind``) only a call that stands behind one which never returns."""
 
-    served: Creation
+    served: Sequence[Creation]
     spin: Place | None = None
     behind: Place | None = None
 
@@ -85,20 +85,20 @@ def _idle(program: Program, node: Blueprint) -> _Idle | None:
     """Why nothing serves what a node certainly offers; None where something may."""
     served = [c for c in node.creations if c.api in _OWN_API and not c.conditional and not c.destroyed]
     if node.executor == "none":
-        return _Idle(min(served, key=lambda c: c.place)) if served else None
+        return _Idle(served) if served else None
     spells = [spell for use in program.executors if use.spun for spell in use.spells.get(node, ())]
     if not spells or any(node in use.nodes and node not in use.spells for use in program.executors):
         return None
     behind = [_spin_before(program, spell.place) for spell in spells]
     if served and all(behind):
-        return _Idle(min(served, key=lambda c: c.place), behind=behind[0])
+        return _Idle(served, behind=behind[0])
     if not all(spell.in_constructor and spell.lasting == FOR_A_MOMENT for spell in spells):
         return None
     if not all(spell.for_answer for spell in spells):
         # It may be just for what was there by then that the constructor spins.
         last = max(spell.creations for spell in spells)
         served = [c for c in served if c in node.creations[last:]]
-    return _Idle(min(served, key=lambda c: c.place), spin=spells[0].place) if served else None
+    return _Idle(served, spin=spells[0].place) if served else None
 
 
 def _spin_before(program: Program, place: Place) -> Place | None:
@@ -129,16 +129,22 @@ def _numbers_in(block: Sequence[facts.Stmt], call: ApiCall) -> list[int]:
     ]
 
 
+_SHOWN = 5
+"""How many of the things that are never served are related."""
+
+
 def _never_spun(system: System, node: Blueprint, idle: _Idle) -> Finding:
-    what = _SERVED[idle.served.kind]
-    message = f"nothing spins this node, so its {what} never runs a callback"
+    served = list({one.place: one for one in sorted(idle.served, key=lambda one: one.place)}.values())
+    what = _SERVED[served[0].kind] + (f" and {len(served) - 1} more" if len(served) > 1 else "")
+    runs = "run" if len(served) > 1 else "runs"
+    message = f"nothing spins this node, so its {what} never {runs} a callback"
     help_ = "rclpy.spin(node), or add it to the executor that spins"
-    related = [Related(idle.served.place, f"the {what} is created here")]
+    related = [Related(one.place, f"the {_SERVED[one.kind]} is created here") for one in served[:_SHOWN]]
     if idle.spin is not None:
-        message = f"nothing spins this node after its constructor, so its {what} no longer runs a callback"
+        message = f"nothing spins this node after its constructor, so its {what} no longer {runs} a callback"
         related.append(Related(idle.spin, "the constructor spins for a moment"))
     if idle.behind is not None:
-        message = f"nothing spins this node before ROS is shut down, so its {what} never runs a callback"
+        message = f"nothing spins this node before ROS is shut down, so its {what} never {runs} a callback"
         help_ = "add both nodes to one executor: executor.add_node(…) for each, then executor.spin()"
         related.append(Related(idle.behind, "this spin does not return before, so the next one comes too late"))
     return finding(
