@@ -442,6 +442,16 @@ class TestInvalidName:
         judge("NME002", script(create))
         judge("NME002", script("if len(sys.argv) > 1:", f"    {create}"))
 
+    def test_names_that_begin_with_an_empty_namespace_are_one_finding(self, judge: Judge):
+        lines = ["space = node.get_namespace()", "node.create_publisher(String, f'{space}/words', 10)  # here"]
+        [found] = judge("NME002", script(*lines, "node.create_client(Trigger, f'{space}/go')"))
+        assert "the topic name '//words': " in found.message
+        assert found.message.endswith("; the same goes for '//go'")
+        assert found.help == "write it relative, 'words': ROS puts the node's namespace in front, if it has one"
+        [alone] = judge("NME002", script(*lines, "node.create_client(Trigger, 'go')"))
+        assert "the same goes" not in alone.message
+        judge("NME002", script("node.create_publisher(String, 'words', 10)"))  # the advice works
+
     def test_a_text_of_which_either_form_is_finished(self, judge: Judge):
         judge(
             "NME002",

@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
+from archlint.checks.folding import folds
 from archlint.checks.launched_names import is_given_by_launch, is_renamed, names_given_by_launch
+from archlint.checks.near import listed
 from archlint.checks.registry import Options, finding, rule
 from archlint.finding import Finding, Related
 from archlint.program.model import (
@@ -49,7 +52,7 @@ def invalid_name(system: System, options: Options) -> Iterator[Finding]:
     found: dict[tuple[Place, str], Finding] = {}
     for node in system.entries:
         own = () if is_renamed(system, node) else _invalid_node(node)
-        for one in (*own, *_invalid_endpoints(node)):
+        for one in (*own, *_invalid_endpoints(system, node)):
             found.setdefault((one.place, one.message), one)
     yield from (found[key] for key in sorted(found))
 
@@ -74,7 +77,7 @@ def _invalid_node(node: Node) -> Iterator[Finding]:
     )
 
 
-def _invalid_endpoints(node: Node) -> Iterator[Finding]:
+def _invalid_endpoints(system: System, node: Node) -> Iterator[Finding]:
     for endpoint in node.endpoints:
         creation = endpoint.creation
         if endpoint.error is None or not endpoint.resolved or node.test:
@@ -83,20 +86,43 @@ def _invalid_endpoints(node: Node) -> Iterator[Finding]:
             continue  # with that value of the parameter the branch may not be taken
         if _is_one_of_several(endpoint):
             continue
+        relative = _relative(endpoint)
+        if relative is not None and is_renamed(system, node):
+            continue  # launch files start it, perhaps in a namespace: their systems tell
         shown, word = endpoint.written or "", WORDS[endpoint.kind]
         default = f", the default of the parameter '{endpoint.parameter}'" if endpoint.resolution == "parameter" else ""
-        only_complete = names.validate_topic_name(shown) is None
+        only_complete = names.validate_topic_name(shown) is None and endpoint.name != shown
         complete = f" (complete: '{endpoint.name}')" if only_complete else ""
         yield finding(
             "NME002",
             creation.name_place or creation.place,
             f"ROS rejects the {word} name '{shown}'{default}{complete}: {endpoint.error}",
             help="a name is made of parts of letters, digits and '_' with '/' between them; no part starts "
-            "with a digit, and '~/' stands only in front",
+            "with a digit, and '~/' stands only in front"
+            if relative is None
+            else f"write it relative, '{relative}': ROS puts the node's namespace in front, if it has one",
             related=_written_elsewhere([endpoint]),
             node=node.name,
             identity=(creation.function, endpoint.kind, shown),
+            group=() if relative is None else (creation.place.file, creation.function, "no namespace"),
         )
+
+
+def _relative(endpoint: Endpoint) -> str | None:
+    """The name without the empty namespace that the code puts in front: ``//scan`` of ``f'{namespace}/scan'``."""
+    shown = endpoint.written or ""
+    rest = shown.lstrip("/")
+    return rest if shown.startswith("//") and rest and names.validate_topic_name(rest) is None else None
+
+
+@folds("NME002")
+def _of_one_namespace(several: Sequence[Finding]) -> Finding:
+    """One finding for all names that a function begins with an empty namespace."""
+    first, *others = several
+    written = list(dict.fromkeys(one.identity[2] for one in others if one.identity[2] != first.identity[2]))
+    more = f"; the same goes for {listed([repr(name) for name in written])}" if written else ""
+    related = [Related(one.place, f"'{one.identity[2]}' is given here") for one in others]
+    return replace(first, message=first.message + more, related=(*first.related, *related))
 
 
 def _is_one_of_several(endpoint: Endpoint) -> bool:

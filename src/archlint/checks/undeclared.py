@@ -259,7 +259,7 @@ def _undeclared(world: World, package: Package, uses: Sequence[Use]) -> Finding:
     found = finding(
         "PKG001",
         uses[0].place,
-        _message(package, uses[0], needed),
+        _message(world, package, uses[0], needed),
         help=_help(package, needed),
         related=[one for one in _related(by_needed) if one.place != uses[0].place],
         identity=(package.name, *needed),
@@ -267,13 +267,13 @@ def _undeclared(world: World, package: Package, uses: Sequence[Use]) -> Finding:
     return replace(found, fix=_fix(world, package, needed))
 
 
-def _message(package: Package, first: Use, needed: Sequence[str]) -> str:
+def _message(world: World, package: Package, first: Use, needed: Sequence[str]) -> str:
     declared = {d.name for d in package.dependencies if d.kind == "test" and condition_holds(d.condition)}
     for_tests = [name for name in needed if name in declared]
     if len(needed) == 1:
         verb = "declares for tests only" if for_tests else "does not declare"
         what = f"package '{package.name}' {first.how} '{first.needed}', which its package.xml {verb}"
-        return what + _hint(package, first)
+        return what + _hint(world, package, first)
     more = f" and {len(needed) - _NAMED} more" if len(needed) > _NAMED else ""
     listed = ", ".join(needed[:_NAMED]) + more
     tests = f" ({', '.join(for_tests[:_NAMED])}: for tests only)" if for_tests else ""
@@ -281,9 +281,10 @@ def _message(package: Package, first: Use, needed: Sequence[str]) -> str:
     return f"{what}: {listed}{tests}"
 
 
-def _hint(package: Package, use: Use) -> str:
+def _hint(world: World, package: Package, use: Use) -> str:
     """The declared name that was meant, if no package is called so."""
-    declared = {d.name for d in package.dependencies} - ros_packages.table().names - {use.needed}
+    there = ros_packages.table().names | world.packages.keys()
+    declared = {d.name for d in package.dependencies} - there - {use.needed}
     near = nearest(use.needed, declared)
     meant = near is not None and distance(use.needed, near, 2) <= 2
     return f"; did you mean '{use.needed}' by '{near}'?" if meant else ""
