@@ -18,7 +18,7 @@ from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
-from benchmarks.launches.expected import UNKNOWN, Checkout, Row, recorded
+from benchmarks.launches.expected import MADE, UNKNOWN, Checkout, Row, recorded
 from benchmarks.launches.inside.guard import FROM_OUTSIDE, OUTPUT
 
 FIELDS = ("package", "executable", "name", "namespace", "remaps", "parameters", "presence")
@@ -123,6 +123,8 @@ def verdict(real: Row, ours: Row, name: str) -> str:
 def same(real: object, ours: object) -> str:
     if ours is UNKNOWN:
         return EQUAL if _is_outside(real) else OPEN
+    if ours == MADE:
+        return EQUAL if isinstance(real, str) and _SANDBOX.search(real) else WRONG
     if isinstance(real, list) and isinstance(ours, list):
         if len(real) != len(ours):
             return EQUAL if _is_outside(real) and all(one is UNKNOWN for one in ours) else WRONG

@@ -29,6 +29,9 @@ class Unknown:
 
 UNKNOWN = Unknown()
 
+MADE = "a file that the launch makes"
+"""Its name is made up anew in each run; what is in it is compared with the other parameters."""
+
 
 @dataclass
 class Row:
@@ -77,7 +80,7 @@ class Checkout:
             "remaps": [[shown.text(one.source), shown.text(one.target)] for one in started.remaps],
             "parameters": self._parameters(loader, started, shown),
         }
-        fields["files"] = [UNKNOWN if use.reference.written is None else shown(use.reference.written) for use in uses]
+        fields["files"] = [_file(use, shown) for use in uses]
         why = [one.reason for one in started.parameters if isinstance(one, OpenParameters)]
         if any(isinstance(one, ParameterSetting) and one.name is None for one in started.parameters):
             why.append("a parameter whose name is not known")
@@ -93,6 +96,12 @@ class Checkout:
         else:
             rows = [(one.key, one.name, one.value) for one in settings_of(started, None, loader.parameters)]
         return {(key.strip("/"), name): UNKNOWN if value is NOT_KNOWN else shown(value) for key, name, value in rows}
+
+
+def _file(use: ParameterFileUse, shown: _Shown) -> object:
+    if use.changes:
+        return MADE
+    return UNKNOWN if use.reference.written is None else shown(use.reference.written)
 
 
 _WORKSPACE = re.compile(r"\$\(workspace\)/([^\s:;,]*)")

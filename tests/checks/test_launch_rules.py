@@ -805,6 +805,41 @@ def test_a_section_for_a_node_inside_a_process_that_is_not_here(findings):
     assert len(findings("PRM005", node(load_it), **{"config/p.yaml": yaml})) == 1
 
 
+REWRITTEN = """\
+from launch import LaunchDescription
+from launch_ros.actions import Node
+from launch_ros.substitutions import FindPackageShare
+from nav2_common.launch import RewrittenYaml
+FILE = [FindPackageShare('robot'), '/config/p.yaml']
+
+def generate_launch_description():
+    return LaunchDescription([
+        Node(package='robot', executable='talker', namespace='left', parameters=[
+            RewrittenYaml(FILE, {%s}, %s)
+        ])
+    ])
+"""
+
+
+def test_a_file_that_the_launch_rewrites_is_judged_as_it_is_then(findings):
+    def told(code: str, yaml: str, rewrites: str = "", more: str = "root_key='left'") -> list[Finding]:
+        files = {"config/p.yaml": yaml, "launch/more.launch.py": REWRITTEN % (rewrites, more)}
+        return findings(code, **files)
+
+    yaml = "talker:\n  ros__parameters:\n    rate: 1.0\n"
+    assert told("PRM005", yaml) == []  # '/talker' in the file, '/left/talker' in the one that the launch makes
+    assert told("PRM002", yaml) == []
+    assert told("PRM002", yaml, "'rate': '2.5'", "root_key='left', convert_types=True") == []
+    (found,) = told("PRM002", yaml, "'rate': '2.5'")  # without convert_types a text stays one
+    assert (found.place.file, found.place.line) == ("launch/more.launch.py", 10)
+    (found,) = told("PRM004", yaml.replace("rate", "rat"))
+    assert (found.place.file, found.place.line) == ("config/p.yaml", 3)
+    assert told("PRM004", yaml.replace("rate", "rat"), more="root_key='right'") == []
+    (found,) = told("PRM004", yaml, "'talker.ros__parameters.rat': '1'")
+    assert found.place.file == "launch/more.launch.py"
+    assert told("PRM004", yaml, "'/**.ros__parameters.rat': '1'") == []
+
+
 @pytest.mark.parametrize(
     ("around", "given", "told"),
     [

@@ -87,7 +87,7 @@ def parameter_type_mismatch(system: System, options: Options) -> Iterator[Findin
                 continue
             yield finding(
                 "PRM002",
-                setting.place,
+                setting.value_place or setting.place,
                 f"parameter '{setting.name}' of {called(node)} is declared as {rows[0].type} and set to "
                 f"{_shown(setting.value)}, of type {given}",
                 help=_write(setting.value, rows[0].type),
@@ -151,7 +151,7 @@ def parameters_for_unknown_node(system: System, options: Options) -> Iterator[Fi
         return
     for file in files_of(system):
         started = _names_of_nodes(world, file)
-        if started is None:
+        if started is None or _is_rewritten(world, file):
             continue
         for section in world.parameters_of(file).sections:
             if "*" in section.key or "$(" in section.key or any(key_matches(section.key, name) for name in started):
@@ -171,6 +171,16 @@ def parameters_for_unknown_node(system: System, options: Options) -> Iterator[Fi
                     continue
                 message += meant
             yield finding("PRM005", Place(file, *section.span), message, help=help, identity=(file, section.key))
+
+
+def _is_rewritten(world: World, file: str) -> bool:
+    """Whether a launch makes another file of this one, in which the keys may be others."""
+    return any(
+        isinstance(use, ParameterFileUse) and use.changes and use.reference.source == file
+        for system in world.systems
+        for started in (system.launched.started if system.launched is not None else ())
+        for use in started.parameters
+    )
 
 
 def files_of(system: System) -> list[str]:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
@@ -15,26 +16,41 @@ if TYPE_CHECKING:
 ROOT = "ros__parameters"
 
 
+class NotKnown:
+    """Stands for a value that is set from outside and not known here."""
+
+    def __repr__(self) -> str:
+        return "<not known>"
+
+
+NOT_KNOWN = NotKnown()
+
+
 @dataclass(frozen=True)
 class ParameterEntry:
-    """``name`` with ``.`` between the levels of nested maps; ``value`` is plain Python data, of a text whether it is
-    ``quoted``."""
+    """``name`` with ``.`` between the levels of nested maps, which are the ``path``; ``value`` is plain Python data,
+    of a text whether it is ``quoted``.  The value of one that is ``changed`` is not that of the file, and one that is
+    ``added`` does not stand there at all."""
 
     name: str
     value: Any
     span: Span
     quoted: bool = False
+    path: tuple[str, ...] = ()
+    changed: bool = False
+    added: bool = False
 
 
 @dataclass(frozen=True)
 class ParameterSection:
     """What stands below one ``ros__parameters``.  ``key`` is the node key as rclpy matches it: the maps above
-    joined with ``/``, with a leading ``/``; ``written`` is the key as the file has it."""
+    joined with ``/``, with a leading ``/``; ``written`` is the key as the file has it, and ``path`` are these maps."""
 
     key: str
     written: str
     span: Span
     entries: tuple[ParameterEntry, ...]
+    path: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True)
@@ -69,21 +85,28 @@ def _sections(
     for key, key_node, value in reader.pairs(node, depth):
         if key == ROOT:
             entries: list[ParameterEntry] = []
-            _entries(reader, value, "", entries, depth + 1)
-            written = "/".join(path)
-            joined = "/" + "/".join(part.strip("/") for part in path if part.strip("/"))
-            found.append(ParameterSection(joined, written, span or span_of(key_node), tuple(entries)))
+            _entries(reader, value, (), entries, depth + 1)
+            at = span or span_of(key_node)
+            found.append(ParameterSection(node_key(path), "/".join(path), at, tuple(entries), tuple(path)))
         else:
             _sections(reader, value, [*path, key], span_of(key_node), found, depth + 1)
 
 
-def _entries(reader: YamlReader, node: yaml.Node, prefix: str, found: list[ParameterEntry], depth: int) -> None:
+def node_key(path: Iterable[str]) -> str:
+    """The node key as rclpy matches it, of the maps above ``ros__parameters``."""
+    return "/" + "/".join(part.strip("/") for part in path if part.strip("/"))
+
+
+def _entries(
+    reader: YamlReader, node: yaml.Node, above: tuple[str, ...], found: list[ParameterEntry], depth: int
+) -> None:
     import yaml
 
     for key, key_node, value in reader.pairs(node, depth):
-        name = f"{prefix}.{key}" if prefix else key
+        path = (*above, key)
         if isinstance(value, yaml.MappingNode):
-            _entries(reader, value, name, found, depth + 1)
+            _entries(reader, value, path, found, depth + 1)
         else:
             quoted = isinstance(value, yaml.ScalarNode) and value.style in ("'", '"')
-            found.append(ParameterEntry(name, reader.value(value, depth), span_of(key_node), quoted))
+            data = reader.value(value, depth)
+            found.append(ParameterEntry(".".join(path), data, span_of(key_node), quoted, path))

@@ -143,3 +143,15 @@ def plain_scalar(text: str) -> Scalar:
     if lower in _SPECIAL:
         return float(_SPECIAL[lower])
     return text
+
+
+def written_and_read(text: str) -> Scalar:
+    """What rcl reads of a text that PyYAML has written: PyYAML leaves the quotes out where it would read the text as
+    one itself, and rcl takes ``1e5`` for a number and ``y`` for true."""
+    import yaml
+
+    read = plain_scalar(text)
+    if isinstance(read, str):
+        return text
+    resolver: Any = yaml.resolver.Resolver()
+    return read if resolver.resolve(yaml.ScalarNode, text, (True, False)) == f"{_STANDARD}str" else text

@@ -8,23 +8,14 @@ from dataclasses import dataclass
 from functools import lru_cache
 from typing import Any
 
-from archlint.facts.parameters import ParameterFacts
+from archlint.facts.parameters import NOT_KNOWN, NotKnown, ParameterFacts
 from archlint.facts.safe_yaml import plain_scalar
 from archlint.finding import Place
 from archlint.program.launch.model import OpenParameters, ParameterFileUse, ParameterSetting, Started
 from archlint.system import names
+from archlint.system.rewritten import rewritten
 
 EVERY_NODE = "/**"
-
-
-class NotKnown:
-    """Stands for a value that is set from outside and not known here."""
-
-    def __repr__(self) -> str:
-        return "<not known>"
-
-
-NOT_KNOWN = NotKnown()
 
 
 @lru_cache(maxsize=10_000)
@@ -50,7 +41,8 @@ def key_matches(key: str, node: str | None) -> bool:
 @dataclass(frozen=True)
 class Setting:
     """One value for one parameter from outside: for the nodes that ``key`` matches, ``written`` as it stands
-    in a parameter file (None for what the launch file itself sets)."""
+    in a parameter file (None for what the launch file itself sets), ``value_place`` where the launch puts another
+    value in."""
 
     key: str
     name: str
@@ -60,6 +52,7 @@ class Setting:
     shared: bool = False
     within: tuple[tuple[str, Place], ...] = ()
     """The keys of the dicts that launch took apart to come to the name, as in ``ParameterSetting``."""
+    value_place: Place | None = None
 
 
 def overrides_of(started: Started, node: str | None, facts_of: Callable[[str], ParameterFacts]) -> dict[str, object]:
@@ -93,7 +86,7 @@ def settings_of(started: Started, node: str | None, facts_of: Callable[[str], Pa
             yield Setting(key, parameter.name, value, parameter.place, shared=parameter.shared, within=parameter.within)
         elif isinstance(parameter, ParameterFileUse) and parameter.reference.source is not None:
             file = parameter.reference.source
-            for section in facts_of(file).sections:
+            for section in rewritten(facts_of(file).sections, parameter.changes):
                 nodes = substituted(section.key, parameter)
                 for entry in section.entries:
                     set_here = substituted(entry.name, parameter)
@@ -103,9 +96,10 @@ def settings_of(started: Started, node: str | None, facts_of: Callable[[str], Pa
                         section.key if nodes is None else nodes,
                         set_here,
                         file_value(entry.value, parameter, entry.quoted),
-                        Place(file, *entry.span),
-                        section.written,
-                        parameter.shared,
+                        parameter.place if entry.added else Place(file, *entry.span),
+                        None if entry.added else section.written,
+                        parameter.shared or (entry.added and "*" in section.key),
+                        value_place=parameter.place if entry.changed else None,
                     )
 
 
@@ -172,4 +166,4 @@ def command_line_parameters(words: Sequence[str | None]) -> Iterator[tuple[str, 
             expect = inside and word in ("-p", "--param")
 
 
-__all__ = ["NOT_KNOWN", "OpenParameters", "key_matches", "overrides_of"]
+__all__ = ["NOT_KNOWN", "NotKnown", "OpenParameters", "key_matches", "overrides_of"]

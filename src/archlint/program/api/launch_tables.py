@@ -1,4 +1,4 @@
-"""What launch and launch_ros offer: one row a class, with the parameters its constructor takes.
+"""What launch, launch_ros and nav2_common offer: one row a class, with the parameters its constructor takes.
 
 Signatures are those of ``ros2-facts`` F1.  Each class is known by one name wherever it is imported from; its
 objects are instances of ``launch.<Name>``.
@@ -117,6 +117,11 @@ SIGNATURES: dict[str, str] = {
     "ForEachVar": "name * default_value",
     "ParameterSubstitution": "name",
     "LaunchContext": "* argv noninteractive",
+    # ---- substitutions of nav2_common
+    "RewrittenYaml": "source_file param_rewrites root_key key_rewrites * value_rewrites convert_types out_dir",
+    "ReplaceString": "source_file replacements condition",
+    "HasNodeParams": "source_file node_name",
+    "LaunchConfigAsBool": "name",
 }
 
 ALIASES = {
@@ -129,7 +134,7 @@ ALIASES = {
 
 ACTIONS_WITH_PARAMETERS = ("Node", "LifecycleNode", "ComposableNodeContainer")
 
-_PACKAGES = ("launch", "launch_ros", "launch_xml", "launch_yaml")
+_PACKAGES = ("launch", "launch_ros", "launch_xml", "launch_yaml", "nav2_common")
 
 FUNCTIONS = {
     "ament_index_python.packages.get_package_share_directory": ("package_name", "share"),

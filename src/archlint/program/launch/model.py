@@ -62,6 +62,36 @@ class FileReference:
 
 
 @dataclass(frozen=True)
+class Rewriting:
+    """What nav2's ``RewrittenYaml`` changes in a parameter file, in its order; None for a text that is not known.
+
+    ``parameters`` are set wherever their name stands as a key, or at a path such as ``amcl.ros__parameters.alpha1``;
+    ``keys`` get other names, ``values`` become others, and ``root_key`` is put above everything.
+    """
+
+    parameters: tuple[tuple[str, str | None], ...] = ()
+    keys: tuple[tuple[str, str], ...] = ()
+    values: tuple[tuple[str, str | None], ...] = ()
+    root_key: str = ""
+    convert_types: bool = False
+
+
+@dataclass(frozen=True)
+class Replacing:
+    """The words that nav2's ``ReplaceString`` puts in for others."""
+
+    words: tuple[tuple[str, str], ...]
+
+
+@dataclass(frozen=True)
+class MadeFile:
+    """A file that a launch makes of another one: ``source`` is the path of that."""
+
+    source: str
+    changes: tuple[Rewriting | Replacing, ...]
+
+
+@dataclass(frozen=True)
 class ParameterFileUse:
     reference: FileReference
     place: Place
@@ -69,6 +99,8 @@ class ParameterFileUse:
     shared: bool = False
     configurations: tuple[tuple[str, str], ...] = ()
     """The launch configurations that are known where the file is read, for the ``$(var …)`` in it."""
+    changes: tuple[Rewriting | Replacing, ...] = ()
+    """What the launch changes in the file before a node reads it: it reads another, made of this one."""
 
 
 Parameters = list["ParameterSetting | ParameterFileUse | OpenParameters"]

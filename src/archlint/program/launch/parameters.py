@@ -86,12 +86,15 @@ def _one(run: LaunchRun, item: Value, place: Place) -> Iterator[Parameter]:
 def file_use(run: LaunchRun, value: Value | None, place: Place, substitutions: bool = False) -> ParameterFileUse:
     if isinstance(value, Known) and value.origin is not None:
         place = value.origin
-    reference = run.reference("parameters", perform(run, value), place)
+    path = perform(run, value)
+    made = run.made_files.get(str(path.value)) if isinstance(path, Known) else None
+    reference = run.reference("parameters", path if made is None else Known(made.source), place)
     known: tuple[tuple[str, str], ...] = ()
     if substitutions:
         rows = run.launch.configurations.items()
         known = tuple(sorted((name, str(one.value)) for name, one in rows if isinstance(one, Known)))
-    return ParameterFileUse(reference, place, substitutions, configurations=known)
+    changes = () if made is None else made.changes
+    return ParameterFileUse(reference, place, substitutions, configurations=known, changes=changes)
 
 
 def _given(item: Value, name: str) -> Value:

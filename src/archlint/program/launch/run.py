@@ -16,6 +16,7 @@ from archlint.program.launch.model import (
     FileReference,
     Gap,
     Launched,
+    MadeFile,
     NotACondition,
     Started,
     UndeclaredUse,
@@ -69,6 +70,8 @@ class LaunchRun(Run):
         """What has been started, and whether an event handler does that."""
         self._by_place: dict[Place, list[Started]] = {}
         self.in_handler = False
+        self.made_files: dict[str, MadeFile] = {}
+        """The files that the launch makes of others, each under a path of its own."""
         self.performing = 0
         """How deep the text is nested that is performed now, and ``performed`` of how many parts it has been."""
         self.performed = 0

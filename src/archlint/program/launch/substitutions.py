@@ -336,6 +336,15 @@ def _value(run: LaunchRun, value: Instance) -> Value:
     return perform(run, argument(value, "value"))
 
 
+def _of_nav2(name: str) -> Callable[[LaunchRun, Instance], Value]:
+    def evaluate(run: LaunchRun, value: Instance) -> Value:
+        from archlint.program.launch import nav2
+
+        return nav2.SUBSTITUTIONS[name](run, value)
+
+    return evaluate
+
+
 def _not_here(what: str) -> Callable[[LaunchRun, Instance], Value]:
     return lambda run, value: Unknown(what)
 
@@ -363,6 +372,7 @@ _SUBSTITUTIONS: dict[str, Callable[[LaunchRun, Instance], Value]] = {
     "IfElseSubstitution": _if_else,
     "BooleanSubstitution": _boolean,
     "ParameterValue": _value,
+    **{name: _of_nav2(name) for name in ("RewrittenYaml", "ReplaceString", "HasNodeParams", "LaunchConfigAsBool")},
     "Command": _not_here("the output of a command"),
     "FindExecutable": _not_here("the path of an executable"),
     "FileContent": _not_here("the content of a file"),
