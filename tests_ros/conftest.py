@@ -6,6 +6,7 @@ import os
 from collections.abc import Iterator
 from concurrent.futures import Future, ThreadPoolExecutor
 from pathlib import Path
+from typing import Any
 
 import pytest
 
@@ -20,7 +21,25 @@ AT_ONCE = 2 + 2 * (os.cpu_count() or 1)
 
 
 def pytest_addoption(parser: pytest.Parser) -> None:
+    parser.addoption("--full", action="store_true", help="what is marked so, too: minutes more")
     parser.addoption("--distro", choices=DISTROS, default="jazzy", help="the ROS 2 distribution to try against")
+
+
+def pytest_configure(config: pytest.Config) -> None:
+    config.addinivalue_line("markers", "full: only with --full")
+
+
+def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
+    if not config.getoption("--full"):
+        left = [item for item in items if item.get_closest_marker("full")]
+        config.hook.pytest_deselected(items=left)
+        items[:] = [item for item in items if item not in left]
+
+
+def asked_for(session: pytest.Session, parameter: str) -> list[Any]:
+    """The values of a parameter over all tests that will run."""
+    calls = [getattr(item, "callspec", None) for item in session.items]
+    return [call.params[parameter] for call in calls if call and parameter in call.params]
 
 
 @pytest.fixture(scope="session")
@@ -74,9 +93,8 @@ def preparation(environment: Environment, tmp_path_factory: pytest.TempPathFacto
 
 @pytest.fixture(scope="session")
 def runs(request: pytest.FixtureRequest, preparation: Preparation, servers: Servers) -> Iterator[Runs]:
-    asked = [getattr(item, "callspec", None) for item in request.session.items]
-    cases = [one.params["case"] for one in asked if one and "case" in one.params]
-    made = Runs([case for case in cases if case.name not in CANNOT_RUN], preparation, servers)
+    cases = [case for case in asked_for(request.session, "case") if case.name not in CANNOT_RUN]
+    made = Runs(cases, preparation, servers)
     yield made
     made.close()
 
