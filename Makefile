@@ -6,7 +6,7 @@ VENV   := .venv
 BIN    := $(VENV)/bin
 STAMP  := $(VENV)/.installed-$(shell cksum < pyproject.toml | tr -d ' ')
 
-.PHONY: demo test test-ros check style types layers suite clean
+.PHONY: demo test test-ros test-ros-full check style types layers suite clean
 
 # A Debian without python3-venv cannot make an environment with pip in it: install that package where we may.
 $(STAMP): pyproject.toml
@@ -44,9 +44,12 @@ test-ros: $(STAMP)  ## against running nodes, on the ROS 2 distributions that Py
 	@$(MAKE) --no-print-directory $(if $(findstring jobserver,$(MAKEFLAGS)),,--jobs 2) --keep-going --output-sync=target \
 	  test-ros-jazzy test-ros-kilted
 
+test-ros-full:  ## the same and more of it: every form and workspace is recorded, too
+	@$(MAKE) --no-print-directory test-ros TESTS_ROS=--full
+
 test-ros-%: $(STAMP)
 	@$(BIN)/python scripts/ros_environment $*
-	@test ! -d .venv-ros-$* || $(BIN)/python -m pytest tests_ros --distro $* -rs
+	@test ! -d .venv-ros-$* || $(BIN)/python -m pytest tests_ros --distro $* -rs $(TESTS_ROS)
 
 check: test
 
