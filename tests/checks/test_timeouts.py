@@ -387,3 +387,50 @@ class TestIgnoredWaitResult:
                 main()
             """,
         )
+
+
+CALLS_APART = """
+    import threading
+
+    import rclpy
+    from rclpy.node import Node
+    from std_srvs.srv import Trigger
+
+
+    class Robot(Node):
+        def __init__(self):
+            super().__init__('robot')
+            self.arm = self.create_client(Trigger, 'arm')
+            self.create_service(Trigger, 'up', self.up)
+
+        def up(self, request, response):
+            def move():
+                {move}
+
+            {start}
+            return response
+
+
+    def main():
+        rclpy.init()
+        rclpy.spin(Robot())
+
+
+    main()
+"""
+ONCE = "self.get_logger().info(str(self.arm.call(Trigger.Request())))"
+DAEMON = "threading.Thread(target=move, daemon=True).start()"
+
+
+@pytest.mark.parametrize(
+    ("move", "start", "told"),
+    [
+        (ONCE, DAEMON, False),
+        (ONCE, "timer = threading.Timer(0, move)\n            timer.daemon = True\n            timer.start()", False),
+        (ONCE, "threading.Thread(target=move).start()", True),  # the program cannot end
+        (ONCE, "threading.Thread(target=move, daemon=False).start()", True),
+        (f"while rclpy.ok():\n                    {ONCE}", DAEMON, True),  # its other rounds wait
+    ],
+)
+def test_a_daemon_thread_that_is_made_for_one_call_may_wait(judge: Judge, move: str, start: str, told: bool):
+    judge("TMO002", CALLS_APART.format(move=move + "  # here" * told, start=start))

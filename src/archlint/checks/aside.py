@@ -37,11 +37,13 @@ def _in_use(world: World) -> frozenset[str]:
 
 
 def is_not_installed(world: World | None, file: str) -> bool:
-    """Whether a script is in a package that installs programs, but is none of them, and none of them imports it: only
-    who knows where it lies can start it."""
+    """Whether a script is in a package that installs programs, but is none of them, and none of them imports it, or
+    lies beside the packages of a workspace: only who knows where it lies can start it."""
     if world is None or world.loader is None or file in _in_use(world):
         return False
     package = world.loader.package_of(file)
+    if package is None and world.manifests:
+        return _is_script(world, file) and file not in _reached(world.loader)
     installs = None if package is None else world.installs.get(package)
     if installs is None or installs.open_executables or not installs.executables:
         return False

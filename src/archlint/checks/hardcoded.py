@@ -95,7 +95,7 @@ _PRIVATE = _Reason(
 _NOT_INSTALLED = _Reason(
     "not installed",
     "absolute and fixed in the code",
-    ", in a script that its package does not install",
+    ", in a script that no package installs",
     "write names without the leading '/' if the script is to be installed",
     Severity.INFO,
 )

@@ -2,17 +2,25 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from archlint.checks.callback_roles import runs_in_executor
-from archlint.checks.reach import calls_of, endpoint_words, node_name, one_for_each_place, waits_for_ever
+from archlint.checks.reach import (
+    calls_of,
+    endpoint_words,
+    node_name,
+    one_for_each_place,
+    waits_for_ever,
+)
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.starvation import piling_up
 from archlint.checks.stuck import spoken_of
 from archlint.checks.timeouts import kind_of, name_of, way_to
-from archlint.finding import Finding
+from archlint.checks.whole import walk
+from archlint.facts import model as facts
+from archlint.finding import Finding, Place
 
 if TYPE_CHECKING:
     from archlint.program.model import ApiCall, Program
@@ -34,8 +42,54 @@ def call_without_timeout(system: System, options: Options) -> Iterator[Finding]:
     yield from one_for_each_place(
         _limitless_call(system, program, call, options.distros)
         for program, call in calls_of(system, (_CALL, _SEND_GOAL))
-        if call.place not in told and (call.api == _SEND_GOAL or waits_for_ever(call, "timeout_sec", negative=False))
+        if not _waits_apart(system, program, call)
+        and call.place not in told
+        and (call.api == _SEND_GOAL or waits_for_ever(call, "timeout_sec", negative=False))
     )
+
+
+def _waits_apart(system: System, program: Program, call: ApiCall) -> bool:
+    """Whether a call is what a daemon thread was made for: it waits once, nobody waits for it, and it is gone when
+    the program ends."""
+    callback, world = call.context, system.world
+    made = callback.registered
+    loader = None if world is None else world.loader
+    if callback.role != "thread" or call.chain or call.rounds or made is None or loader is None:
+        return False
+    found = loader.facts_at(made.file)
+    return found is not None and _spinner(call, program) != _NOBODY and _is_daemon(found.body, made)
+
+
+def _is_daemon(body: Sequence[facts.Stmt], made: Place) -> bool:
+    """Whether the thread that is made at a place is a daemon: ``daemon=True``, or ``thread.daemon = True``."""
+    nodes = [*walk(body)]
+    thread = next((one for one in nodes if isinstance(one, facts.Call) and Place(made.file, *one.span) == made), None)
+    if thread is None:
+        return False
+    if any(one.keyword == "daemon" and _is_true(one.value) for one in thread.args):
+        return True
+    assigned = [one for one in nodes if isinstance(one, facts.Assign)]
+    names = {_spelled(target) for one in assigned if one.value is thread for target in one.targets} - {""}
+    return any(
+        isinstance(target, facts.Attribute)
+        and target.attr == "daemon"
+        and _is_true(one.value)
+        and _spelled(target.value) in names
+        for one in assigned
+        for target in one.targets
+    )
+
+
+def _spelled(expression: facts.Expr) -> str:
+    """A name or attribute as it is written; empty for anything else."""
+    if isinstance(expression, facts.Attribute):
+        owner = _spelled(expression.value)
+        return f"{owner}.{expression.attr}" if owner else ""
+    return expression.id if isinstance(expression, facts.Name) else ""
+
+
+def _is_true(value: facts.Expr) -> bool:
+    return isinstance(value, facts.Literal) and value.value is True
 
 
 def _limitless_call(system: System, program: Program, call: ApiCall, distros: tuple[str, ...]) -> Finding:
