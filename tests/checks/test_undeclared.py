@@ -192,6 +192,19 @@ def test_a_package_of_the_workspace_is_meant_only_where_it_has_such_a_module(lin
     assert missing(lint(files)) == ["arm"]
 
 
+def test_two_packages_of_nearly_one_name_are_no_slip(lint: Lint):
+    files = {
+        "arm_interface/package.xml": manifest("arm_interface"),
+        "arm_interface/arm_interface/__init__.py": "",
+        "talk/package.xml": manifest("talk", *depends("rclpy", "arm_interfaces")),
+        "talk/talk/node.py": node("import arm_interface"),
+    }
+    (slip,) = lint(files)
+    assert slip.message.endswith("; did you mean 'arm_interface' by 'arm_interfaces'?")
+    (both,) = lint(files | {"arm_interfaces/package.xml": manifest("arm_interfaces")})
+    assert "did you mean" not in both.message
+
+
 # -------------------------------------------------------------------------------------------------- one finding
 
 

@@ -10,6 +10,7 @@ from archlint.facts import model as facts
 from archlint.program.attributes import get_attribute
 from archlint.program.containers import get_entry, items_of
 from archlint.program.values import (
+    NONE,
     TEXT_LIMIT,
     BoundMethod,
     ClassValue,
@@ -101,12 +102,21 @@ def combine(run: Run, parts: Sequence[Value], span: facts.Span | None) -> Value:
     """Join text parts over all combinations of their alternatives."""
     rows: list[list[Value]] = [[]]
     for part in parts:
-        options = alternatives(part)
+        options = _meant(part)
         if len(rows) * len(options) > CARTESIAN:
             options = (Unknown("more values than can be followed"),)
         rows = [[*row, option] for row in rows for option in options]
     place = None if span is None else run.place(span)
     return one_of(join_texts([text_of(run, part) for part in row], place) for row in rows)
+
+
+def _meant(part: Value) -> Sequence[Value]:
+    """The alternatives of a part.  ``None`` among others is what stands there until a value comes: nobody means a text
+    with that word in it, so what the text then is counts as not known."""
+    options = alternatives(part)
+    if len(options) == 1 or NONE not in options:
+        return options
+    return [Unknown("it may be None in this text") if option == NONE else option for option in options]
 
 
 def plain_text(run: Run, value: Value) -> Value:
