@@ -29,6 +29,13 @@ PACKAGE = """\
 <maintainer email="a@b.c">a</maintainer><license>MIT</license><depend>rclpy</depend><depend>std_msgs</depend>
 <export><build_type>{1}</build_type></export></package>
 """
+LAUNCH = """\
+from launch import LaunchDescription
+
+
+def generate_launch_description():
+    return LaunchDescription([])
+"""
 
 
 @pytest.fixture(autouse=True)
@@ -132,7 +139,7 @@ def test_a_pattern_that_matches_nothing_is_told(
 def test_a_pattern_that_matches_or_may_come_to_is_not(capsys: pytest.CaptureFixture[str], configuration: str) -> None:
     write("pkg/package.xml", PACKAGE.format("pkg", "ament_python"))
     write("pkg/pkg/node.py", NODE)
-    write("pkg/launch/a.launch.py", "def generate_launch_description():\n    return LaunchDescription([])\n")
+    write("pkg/launch/a.launch.py", LAUNCH)
     write("old/x.py", NODE)
     write("archlint.toml", configuration)
     assert "matches" not in told(capsys)
