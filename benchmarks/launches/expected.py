@@ -29,6 +29,9 @@ class Unknown:
 
 UNKNOWN = Unknown()
 
+DISTRO = "jazzy"
+"""What the records were made on."""
+
 MADE = "a file that the launch makes"
 """Its name is made up anew in each run; what is in it is compared with the other parameters."""
 
@@ -56,7 +59,9 @@ class Checkout:
         for part in _parts(request, workspace):
             installs = read_installs(part.packages, part.files, facts.facts_of, tree)
             old = frozenset(package.name for package in part.packages if package.ros1)
-            loader = LaunchLoader(part.files, facts.facts_of, installs, tree, facts.relevant, ros1_packages=old)
+            loader = LaunchLoader(
+                part.files, facts.facts_of, installs, tree, facts.relevant, ros1_packages=old, distro=DISTRO
+            )
             self.loaders.append(loader)
 
     def launch(self, file: str, arguments: Mapping[str, str]) -> tuple[Launched | None, list[Row]]:
@@ -64,7 +69,12 @@ class Checkout:
         for loader in self.loaders:
             if loader.is_launch_file(file):
                 launched = loader.launch(file, arguments)
-                started = [one for one in launched.started if one.kind != "process" and not one.dormant]
+                apart = {include.place for include in launched.included if include.apart}
+                started = [
+                    one
+                    for one in launched.started
+                    if one.kind != "process" and not one.dormant and not apart & {*one.includes}
+                ]
                 return launched, [self._row(loader, one) for one in started]
         return None, []
 

@@ -196,7 +196,8 @@ def _systems(request: Request, workspace: Workspace, facts: FactsOfFiles, tree: 
     programs = linker.run_all(entries)
     [opened] = assemble(programs, workspace, request.settings)
     old = frozenset(package.name for package in workspace.packages if package.ros1)
-    loader = LaunchLoader(workspace.files, facts.facts_of, installs, tree, facts.relevant, faults, old)
+    distro = request.settings.distro
+    loader = LaunchLoader(workspace.files, facts.facts_of, installs, tree, facts.relevant, faults, old, distro)
     if request.launch is not None and not loader.is_launch_file(request.launch):
         raise NothingToDo(_no_launch_file(request, loader))
     systems = launch_systems(
@@ -217,7 +218,7 @@ def _systems(request: Request, workspace: Workspace, facts: FactsOfFiles, tree: 
         chosen=request.launch,
         arguments=dict(request.launch_arguments),
         configured=request.settings.launch,
-        distro=request.settings.distro,
+        distro=distro,
     )
     if not systems:  # only where one launch file was asked for: the open system is always there
         ros1 = loader.frontend(request.launch or "").ros1

@@ -72,7 +72,7 @@ class Launches:
         self.file("robot/launch/it.launch.yaml", content)
         return self.run("robot/launch/it.launch.yaml", **arguments)
 
-    def loader(self) -> LaunchLoader:
+    def loader(self, distro: str | None = None) -> LaunchLoader:
         workspace = find(["."], working_directory=str(self.root))
         known = {}
 
@@ -83,7 +83,7 @@ class Launches:
 
         tree = SourceTree(self.root)
         installs = read_installs(workspace.packages, workspace.files, facts_of, tree)
-        return LaunchLoader(workspace.files, facts_of, installs, tree)
+        return LaunchLoader(workspace.files, facts_of, installs, tree, distro=distro)
 
     def run(self, path: str, **arguments: str) -> Launched:
         loader = self.loader()

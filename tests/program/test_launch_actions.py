@@ -888,3 +888,46 @@ def test_two_processes_of_one_helper_in_a_handler_are_two(launches):
         "first = Node(package='robot', executable='talker')",
     )
     assert [started.arguments for started in launched.started] == [[], ["a"], ["b"]]
+
+
+@pytest.mark.parametrize(("distro", "expected"), [("jazzy", "new"), ("humble", "old"), (None, None)])
+def test_the_distribution_decides_only_where_it_is_said(launches, distro, expected):
+    launches.python(
+        "[Node(package='p', executable=name), Node(package='p', executable=other),"
+        " Node(package='p', executable=['as_', EnvironmentVariable('ROS_DISTRO')])]",
+        "name = 'old' if os.environ['ROS_DISTRO'] == 'humble' else 'new'\n"
+        "other = 'old' if os.getenv('ROS_DISTRO', 'rolling') == 'humble' else 'new'",
+    )
+    one, other, last = launches.loader(distro).launch("robot/launch/it.launch.py").started
+    assert [one.executable.text, other.executable.text] == [expected, expected]
+    assert last.executable.text == (f"as_{distro}" if distro else "as_*")
+
+
+@pytest.mark.parametrize("as_text", ["str(path)", "path.__str__()", "path.as_posix()"])
+def test_a_path_as_text(launches, as_text):
+    launches.file("robot/launch/inner.launch.xml", '<launch><node pkg="p" exec="inner"/></launch>')
+    launched = launches.python(
+        f"[IncludeLaunchDescription(AnyLaunchDescriptionSource({as_text}))]",
+        "from pathlib import Path\n"
+        "path = Path(get_package_share_directory('robot'), 'launch', 'inner.launch.xml')",
+    )
+    assert [one.executable.text for one in launched.started] == ["inner"] and not launched.gaps
+
+
+def test_lists_that_are_summed_up(launches):
+    launched = launches.python(
+        "sum(([Node(package='p', executable=name)] for name in ('a', 'b')), [Node(package='p', executable='first')])"
+    )
+    assert [one.executable.text for one in launched.started] == ["first", "a", "b"]
+    numbers = launches.python("[Node(package='p', executable='e', parameters=[{'n': sum([1, 2, 3])}])]")
+    assert parameters(numbers.started[0]) == {"n": 6}
+    unknown = launches.python("sum((nodes_of(name) for name in ('a', 'b')), [])", "from elsewhere import nodes_of")
+    assert not unknown.started and unknown.gaps
+
+
+def test_ros2_launch_is_an_include_with_a_process_of_its_own(launches):
+    launches.file("robot/launch/inner.launch.xml", '<launch><node pkg="p" exec="inner"/></launch>')
+    launched = launches.python("[ExecuteProcess(cmd=['ros2', 'launch', 'robot', 'inner.launch.xml'])]")
+    assert [(one.reference.source, one.apart) for one in launched.included] == [("robot/launch/inner.launch.xml", True)]
+    plain = launches.xml('<include file="$(find-pkg-share robot)/launch/inner.launch.xml"/>')
+    assert [one.apart for one in plain.included] == [False]

@@ -176,3 +176,15 @@ def test_nodes_of_a_file_and_switches_decide_conditions(launches):
         IMPORT,
     )
     assert [one.executable.text for one in launched.started if not one.dormant] == ["e0", "e2"]
+
+
+def test_a_path_that_is_put_in_is_not_substituted_again(launches):
+    launches.file("robot/config/nav2.yaml", YAML)
+    made = f"RewrittenYaml({FILE}, {{'map': FindPackageShare('robot').find('robot') + '/maps/hall.yaml'}})"
+    launched = launches.python(
+        "[Node(package='nav', executable='planner', parameters=[ParameterFile(made, allow_substs=True)])]",
+        f"{IMPORT}\nfrom launch_ros.descriptions import ParameterFile\nmade = {made}",
+    )
+    (started,) = launched.started
+    found = {one.name: one.value for one in applied(started, "/planner", launches.loader().parameters)}
+    assert found["map"] == "$(find-pkg-share robot)/maps/hall.yaml"

@@ -24,6 +24,7 @@ from archlint.program.values import (
     FunctionValue,
     Instance,
     Known,
+    ListValue,
     MessageValue,
     OneOf,
     Partial,
@@ -416,6 +417,22 @@ def _extreme(pick: Callable[..., Any]) -> Callable[..., Value]:
     return handler
 
 
+def _sum(run: Run, args: Arguments, keywords: Keywords, e: object) -> Value:
+    """Of numbers the sum; of lists, ``sum(lists, [])``, one list with all that they hold."""
+    from archlint.program import containers
+
+    start = args[1] if len(args) == 2 else keywords.get("start")
+    if not isinstance(start, ListValue) or start.kind != "list":
+        return _extreme(sum)(run, args, {}, e) if start is None else Unknown(reason(*args))
+    lists = containers.iterate(run, args[0])
+    parts = None if lists is None else [containers.iterate(run, one) for one in (start, *lists.values)]
+    known = [part for part in parts or () if part is not None]
+    if lists is None or parts is None or len(known) != len(parts):
+        return Unknown(reason(*args))
+    values = [value for part in known for value in part.values]
+    return containers.new_list(run, values, "list", lists.open or any(part.open for part in known))
+
+
 def _any_all(wanted: bool) -> Callable[..., Value]:
     def handler(run: Run, args: Arguments, keywords: Keywords, e: object) -> Value:
         from archlint.program import containers, decisions
@@ -506,7 +523,7 @@ BUILTINS: dict[str, Callable[..., Value]] = {
     "filter": _filter,
     "min": _extreme(min),
     "max": _extreme(max),
-    "sum": _extreme(sum),
+    "sum": _sum,
     "any": _any_all(True),
     "all": _any_all(False),
     "type": _type,

@@ -196,7 +196,7 @@ def _get_item(run: Run, container: Value, index: Value) -> Value:
                 return member
         return container
     if isinstance(container, External):
-        return _external_item(container, index)
+        return _external_item(run, container, index)
     if isinstance(container, Instance):
         items_ = _fields_of_tuple(run, container)
         if items_ is not None and isinstance(index, Known) and isinstance(index.value, int):
@@ -211,13 +211,12 @@ def _get_item(run: Run, container: Value, index: Value) -> Value:
     return Unknown(reason(container, index))
 
 
-def _external_item(container: External, index: Value) -> Value:
+def _external_item(run: Run, container: External, index: Value) -> Value:
     """``os.environ['X']``, an enum by name, or a generic such as ``list[str]``."""
     name = index.value if isinstance(index, Known) else None
     if container.path == "os.environ":
-        if name in ENVIRONMENT:
-            return Known(ENVIRONMENT[str(name)])
-        return Unknown(f"the environment variable {name!s}" if name else "an environment variable")
+        known = environment_of(run, name)
+        return known or Unknown(f"the environment variable {name!s}" if name else "an environment variable")
     if container.path == "sys.version_info" and name == 0:
         return Known(PYTHON[0])
     if container.path.startswith("rclpy.qos.") and isinstance(name, str):
@@ -227,6 +226,12 @@ def _external_item(container: External, index: Value) -> Value:
 
 ENVIRONMENT = {"ROS_VERSION": "2", "ROS_PYTHON_VERSION": "3"}
 """What the environment of every ROS 2 process says."""
+
+
+def environment_of(run: Run, name: object) -> Known | None:
+    """What a variable is in any process of ROS 2; ``ROS_DISTRO`` where the configuration says the distribution."""
+    text = run.distro if name == "ROS_DISTRO" else ENVIRONMENT.get(str(name))
+    return None if text is None else Known(text)
 
 
 def get_entry(run: Run, container: DictValue, index: Value, default: Value | None) -> Value:

@@ -151,6 +151,8 @@ class Run:
         self.blueprints: dict[int, model.Blueprint] = {}
         self.nodes: dict[str, model.Blueprint] = {}
         self.instances: dict[int, Instance] = {}
+        self.distro: str | None = None
+        """The distribution that the workspace is for, where that was said."""
         self.argv: Value | None = None
         """The list ``sys.argv``, where the command line is known."""
         self.coroutines: set[int] = set()

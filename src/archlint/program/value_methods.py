@@ -135,6 +135,8 @@ def _text_method(
     assert isinstance(text, str)
     if name == "format":
         return _format(run, target, args, keywords, e)
+    if name == "__str__" and not args:
+        return constant(text, target.via, kind="other")
     if name in ("joinpath", "as_posix", "resolve", "absolute", "expanduser"):  # of a pathlib.Path
         rest = [arg.value for arg in args if isinstance(arg, Known)]
         if name != "joinpath" or len(rest) == len(args):

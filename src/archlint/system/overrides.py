@@ -95,7 +95,7 @@ def settings_of(started: Started, node: str | None, facts_of: Callable[[str], Pa
                     yield Setting(
                         section.key if nodes is None else nodes,
                         set_here,
-                        file_value(entry.value, parameter, entry.quoted),
+                        entry.value if entry.changed else file_value(entry.value, parameter, entry.quoted),
                         parameter.place if entry.added else Place(file, *entry.span),
                         None if entry.added else section.written,
                         parameter.shared or (entry.added and "*" in section.key),

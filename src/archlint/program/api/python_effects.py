@@ -68,11 +68,12 @@ def path_join(run: Run, call: ApiUse) -> Value:
 
 def environment(run: Run, call: ApiUse) -> Value:
     """``os.environ.get('X', default)``: the default, or what the environment says."""
-    from archlint.program.containers import ENVIRONMENT
+    from archlint.program.containers import environment_of
 
     key = call.get("key")
-    if isinstance(key, Known) and key.value in ENVIRONMENT:
-        return Known(ENVIRONMENT[str(key.value)])
+    known = environment_of(run, key.value) if isinstance(key, Known) else None
+    if known is not None:
+        return known
     name = f"the environment variable {key.value!s}" if isinstance(key, Known) else "an environment variable"
     default = call.get("default")
     return Unknown(name) if default is None else one_of((as_default(default), Unknown(name)))

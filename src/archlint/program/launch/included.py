@@ -81,7 +81,7 @@ def launch_apart(run: LaunchRun, package: str, name: str, words: Sequence[str | 
     """``ros2 launch package file argument:=value …``: a launch with a context of its own."""
     path = Known(f"$(find-pkg-share {package})/launch/{name}")
     reference = run.reference("launch", path, run.place_now)
-    run.result.included.append(Included(reference, (), run.place_now, run.file, run.is_dormant))
+    run.result.included.append(Included(reference, (), run.place_now, run.file, run.is_dormant, apart=True))
     kept, run.launch = run.launch, Context()
     for word in words:
         argument_name, assigned, value = (word or "").partition(":=")

@@ -70,6 +70,7 @@ class LaunchLoader:
         relevant: Callable[[SourceFile], bool] = lambda file: True,
         faults: Faults | None = None,
         ros1_packages: frozenset[str] = frozenset(),
+        distro: str | None = None,
     ) -> None:
         self._files = files
         self._facts_of = facts_of
@@ -77,6 +78,7 @@ class LaunchLoader:
         self.tree = tree
         self.relevant = relevant
         self.ros1_packages = ros1_packages
+        self.distro = distro
         self._by_path = {file.relative: file for file in files}
         self._frontend_facts: dict[str, LaunchFacts] = {}
         self._parameter_facts: dict[str, ParameterFacts] = {}

@@ -201,6 +201,8 @@ class Included:
     file: str
     dormant: bool = False
     handed: tuple[str, ...] | None = None
+    apart: bool = False
+    """Whether a process of its own launches the file: ``ros2 launch``."""
 
 
 @dataclass(frozen=True)

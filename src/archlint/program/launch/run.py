@@ -46,6 +46,7 @@ class LaunchRun(Run):
             index, store, model.Program(file, None, file), model.Callback("launch", file, place, None, file=file)
         )
         self.loader = loader
+        self.distro = loader.distro
         self.faults = loader.faults
         self.launch = Context()
         self.file = file
