@@ -8,7 +8,8 @@ name must be the same at the same line, with owner, final name, type, QoS, callb
 from __future__ import annotations
 
 import json
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
+from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 from typing import Any
 
@@ -17,6 +18,7 @@ from benchmarks.accuracy.environment import real_python
 from benchmarks.accuracy.oracle.processes import Pool, Python
 from benchmarks.accuracy.oracle.run import Oracle
 
+from tests_ros.conftest import asked_for
 from tests_ros.environments import OWN_INTERFACES, ROOT, Environment
 
 FORMS = ROOT / "fixtures" / "forms"
@@ -24,6 +26,8 @@ CALLS = ROOT / "tests_ros" / "calls"
 WORKSPACES = sorted(
     path.parent for path in (ROOT / "fixtures").glob("*/expected.toml") if path.parent.name != "bad_input"
 )
+FOLDERS_AT_ONCE = 4
+"""Each runs two programs at a time, which mostly wait."""
 NOT_INSTALLED = ("tf2_msgs",)
 """Packages of interfaces without a wheel: rclpy is given another type, and none is recorded."""
 
@@ -39,39 +43,55 @@ OTHERWISE_IN = {
 Record = dict[str, Any]
 
 
-@pytest.fixture(scope="module")
-def stand_in() -> Iterator[Pool]:
-    pool = Pool(Python())
-    yield pool
-    pool.close()
+class Records:
+    """What both make of each folder that is asked for, several at a time."""
 
+    def __init__(self, folders: list[Path], environment: Environment) -> None:
+        self._environment = environment
+        self._stand_in = Pool(Python())
+        self._real: dict[tuple[Path, ...], Pool] = {}
+        self._threads = ThreadPoolExecutor(FOLDERS_AT_ONCE)
+        pools = {folder: self._pool_for(folder) for folder in folders}
+        self._futures = {
+            folder: [self._threads.submit(record, folder, one) for one in (pool, self._stand_in)]
+            for folder, pool in pools.items()
+        }
 
-@pytest.fixture(scope="module")
-def real(environment: Environment) -> Iterator[Callable[[Path], Pool]]:
-    """Gives a folder the processes that have its interfaces: as a rule, those of the other folders, too."""
-    pools: dict[tuple[Path, ...], Pool] = {}
+    def of(self, folder: Path) -> list[Record]:
+        """Under rclpy, and under the stand-in."""
+        return [future.result() for future in self._futures[folder]]
 
-    def pool_for(folder: Path) -> Pool:
-        needed = environment.interfaces(folder, OWN_INTERFACES)
-        for prefixes, pool in pools.items():
+    def _pool_for(self, folder: Path) -> Pool:
+        """The processes that have a folder's interfaces: as a rule, those of the other folders, too."""
+        everything = [path for one in (FORMS, *WORKSPACES) for path in self._environment.interfaces(one)]
+        needed = self._environment.interfaces(folder, OWN_INTERFACES)
+        for prefixes, pool in self._real.items():
             if set(needed) <= set(prefixes):
                 return pool
-        packages = {path.name.rpartition("-")[0]: path for path in everything}
-        prefixes = tuple((packages | {path.name.rpartition("-")[0]: path for path in needed}).values())
-        return pools.setdefault(prefixes, Pool(real_python(environment, list(prefixes))))
+        packages = {path.name.rpartition("-")[0]: path for path in [*everything, *needed]}
+        prefixes = tuple(packages.values())
+        return self._real.setdefault(prefixes, Pool(real_python(self._environment, list(prefixes))))
 
-    everything = [path for folder in (FORMS, *WORKSPACES) for path in environment.interfaces(folder)]
-    yield pool_for
-    for pool in pools.values():
-        pool.close()
+    def close(self) -> None:
+        self._threads.shutdown(cancel_futures=True)
+        for pool in (self._stand_in, *self._real.values()):
+            pool.close()
+
+
+def record(folder: Path, pool: Pool) -> Record:
+    return Oracle(folder, processes=pool, patience=5).run(plain=True)
+
+
+@pytest.fixture(scope="module")
+def records(request: pytest.FixtureRequest, environment: Environment) -> Iterator[Records]:
+    made = Records(asked_for(request.session, "folder"), environment)
+    yield made
+    made.close()
 
 
 @pytest.mark.parametrize("folder", [FORMS, CALLS, *WORKSPACES], ids=lambda folder: folder.name)
-def test_the_stand_in_makes_what_rclpy_makes(
-    folder: Path, stand_in: Pool, real: Callable[[Path], Pool], environment: Environment
-):
-    expected = Oracle(folder, processes=real(folder), patience=5).run(plain=True)
-    recorded = Oracle(folder, processes=stand_in, patience=5).run(plain=True)
+def test_the_stand_in_makes_what_rclpy_makes(folder: Path, records: Records, environment: Environment):
+    expected, recorded = records.of(folder)
     for jazzy, here in OTHERWISE_IN[environment.distro].items():
         recorded = json.loads(json.dumps(recorded).replace(jazzy, here))
 
