@@ -28,6 +28,8 @@ QUIET_S = 0.5
 LOOK_S = 0.1
 DOMAINS = range(1, 100)
 """Of 0 to 101, which never meet the ports that Linux gives away; 0 is everybody's."""
+SHARED_MEMORY = Path("/dev/shm")
+YOUNG_S = 10
 MARK = "ARCHLINT_ROS_TEST"
 """A variable in the environment of every process that is started here."""
 
@@ -136,6 +138,7 @@ class Servers:
     def close(self) -> None:
         for server in self._servers.values():
             server.close()
+        sweep()
 
 
 @dataclass(frozen=True)
@@ -241,6 +244,20 @@ def kill(process: subprocess.Popen[Any]) -> None:
     for stream in (process.stdin, process.stdout):
         if stream is not None:
             stream.close()
+
+
+def sweep(folder: Path = SHARED_MEMORY) -> None:
+    """Removes the shared memory of participants that are gone, as ``fastdds shm clean`` does.
+
+    Whoever meets this machine only gets some, whatever the transports are; what is killed leaves it behind. The lock
+    file of one that lives is locked; a young one may be about to be.
+    """
+    for lock in folder.glob("fast*_el"):
+        with suppress(OSError), lock.open() as file:
+            if time.time() - lock.stat().st_mtime > YOUNG_S and "_port" not in lock.name:
+                fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)
+                lock.with_name(lock.name.removesuffix("_el")).unlink(missing_ok=True)
+                lock.unlink()
 
 
 def marked() -> list[int]:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import fcntl
 import os
 import signal
 import subprocess
@@ -10,7 +11,7 @@ import time
 from pathlib import Path
 
 from tests_ros.environments import ROOT, Environment
-from tests_ros.running import Program, Server, marked, observe
+from tests_ros.running import Program, Server, marked, observe, sweep
 
 STUBBORN = """
 import signal, subprocess, sys, threading
@@ -69,6 +70,23 @@ def test_nothing_outlives_a_test_run_that_is_killed(environment: Environment, tm
     while any(is_running(pid) for pid in started) and time.monotonic() < end:
         time.sleep(0.1)
     assert not any(is_running(pid) for pid in started)
+
+
+def test_shared_memory_of_the_dead_is_removed_and_of_the_living_is_not(tmp_path: Path):
+    dead, alive, new = (tmp_path / f"fastdds_{number}" for number in ("00c0ffee", "00decade", "00facade"))
+    for segment in (dead, alive, new):
+        for path in (segment, lock_of(segment)):
+            path.touch()
+            if segment != new:
+                os.utime(path, (0, 0))
+    with lock_of(alive).open() as held:
+        fcntl.flock(held, fcntl.LOCK_EX)
+        sweep(tmp_path)
+    assert sorted(tmp_path.iterdir()) == sorted([alive, lock_of(alive), new, lock_of(new)])
+
+
+def lock_of(segment: Path) -> Path:
+    return segment.with_name(segment.name + "_el")
 
 
 def is_running(pid: int) -> bool:
