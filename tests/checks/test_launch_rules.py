@@ -436,6 +436,24 @@ def test_an_argument_of_an_action_that_it_does_not_have_stops_the_whole_file(fin
     assert python.help == "this call raises TypeError, before anything that it describes is started"
 
 
+def test_what_the_actions_of_one_file_do_not_have_is_one_finding(findings):
+    inner = f"{node(nodename='y', respawned='true')}\n{node(nodename='z')}\n{node(name='fine')}"
+    code = "from launch import LaunchDescription\nfrom launch_ros.actions import Node\n\n"
+    code += "def generate_launch_description():\n    return LaunchDescription([\n"
+    code += "        Node(package='robot', node_name='x', name='a'),\n        Node(package='robot', params=[])])\n"
+    python, xml = findings("LCH005", inner, **{"launch/b.launch.py": code})
+    assert (xml.place.line, "<node> has no attribute 'nodename'" in xml.message) == (1, True)
+    assert [one.place.line for one in xml.related] == [1, 2]
+    assert xml.related[0].message == "<node> has no attribute 'respawned'; did you mean 'respawn'?"
+    assert (python.place.line, [one.place.line for one in python.related]) == (6, [7])
+
+
+def test_a_comment_allows_one_of_them(findings):
+    inner = f"{node(nodename='y')} <!-- archlint: ignore[LCH005] -->\n{node(other='z')}"
+    (found,) = findings("LCH005", inner)
+    assert (found.place.line, found.related) == (2, ())
+
+
 def test_one_forgotten_argument_is_told(findings):
     (found,) = findings("LCH003", '<arg name="x" default="a"/>' + node(name="$(var y)"))
     assert "no launch argument 'y' is declared" in found.message
@@ -699,6 +717,40 @@ def test_a_parameter_file_that_is_not_found_may_name_anything(findings, file: st
     assert findings("OWN001", two(OF_A_FILE.format(file)), **files) == []
     (found,) = findings("OWN001", two(OF_A_FILE.format(file) + '<param name="topic" value="both"/>'), **files)
     assert "'/both'" in found.message
+
+
+STARTS_TWO = """\
+import os
+from launch import LaunchDescription
+from launch_ros.actions import Node
+import elsewhere
+
+def generate_launch_description():
+    given = GIVEN
+    return LaunchDescription([
+        Node(package='robot', executable='talker', name=name, PARAMETERS) for name in ('a', 'b')
+    ])
+"""
+
+
+@pytest.mark.parametrize(
+    ("given", "parameters", "topic"),
+    [
+        ("elsewhere.load()", "parameters=given", None),
+        ("elsewhere.load()", "parameters=[given]", None),
+        ("{elsewhere.NAME: 1.0}", "parameters=[given]", None),
+        ("elsewhere.load()", "**given", None),
+        ("elsewhere.load()", "parameters=[given, {'topic': 'both'}]", "/both"),  # what comes later holds
+        ("elsewhere.load()", "parameters=[{'rate': given}]", "/out"),  # only the value is not known
+        ("[{'rate': 1.0}] if os.environ.get('FAST') else [{'rate': 2.0}]", "parameters=given", "/out"),
+        ("{'rate': 1.0} if os.environ.get('FAST') else {'rate': 2.0}", "parameters=[given]", "/out"),
+    ],
+)
+def test_parameters_that_are_not_known_may_name_anything(findings, given: str, parameters: str, topic: str | None):
+    launch = STARTS_TWO.replace("GIVEN", given).replace("PARAMETERS", parameters)
+    files = {"robot/talker.py": NAMED_BY_PARAMETER, "launch/two.launch.py": launch}
+    told = [found.message for found in findings("OWN001", **files)]
+    assert [f"'{topic}'" in message for message in told] == ([] if topic is None else [True])
 
 
 def test_a_parameter_file_that_is_found_leaves_the_other_defaults(findings):

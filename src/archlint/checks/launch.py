@@ -4,15 +4,17 @@ from __future__ import annotations
 
 import posixpath
 import re
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
+from archlint.checks.folding import folds
 from archlint.checks.generated_files import is_generated
 from archlint.checks.near import did_you_mean, distance, listed
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.whole import is_whole, walk
 from archlint.facts import model as facts
-from archlint.finding import Finding
+from archlint.finding import Finding, Related
 from archlint.program.launch.model import MISSING, NOT_INSTALLED
 from archlint.program.model import ACTION_CLIENT, ACTION_SERVER
 from archlint.system import names
@@ -298,7 +300,15 @@ def unknown_launch_attribute(system: System, options: Options) -> Iterator[Findi
             f"{wrong.action} has no {kind} '{wrong.name}'{hint}",
             help=f"{why}, before anything that it describes is started",
             identity=(wrong.action, wrong.name),
+            group=(wrong.place.file,),
         )
+
+
+@folds("LCH005")
+def _of_one_file(several: Sequence[Finding]) -> Finding:
+    """One finding for a file, whatever its actions are given that they do not have: launch stops at the first."""
+    others = tuple(Related(one.place, one.message) for one in several[1:])
+    return replace(several[0], related=others)
 
 
 # -------------------------------------------------------------------------------------------------- GRF002

@@ -9,7 +9,7 @@ from functools import cached_property
 from typing import TYPE_CHECKING
 
 from archlint.faults import Faults
-from archlint.program.launch.model import Launched, ParameterFileUse, Started
+from archlint.program.launch.model import Launched, OpenParameters, ParameterFileUse, ParameterSetting, Started
 from archlint.program.model import Blueprint, Overrides, Program, Text
 from archlint.system import names
 from archlint.system.command_line import Word, words_of
@@ -266,13 +266,9 @@ def _forget_unknown_remaps(node: Node, started: Started) -> None:
 
 
 def _forget_defaults(node: Node, started: Started, parameters_of: Callable[[str], ParameterFacts]) -> None:
-    """A parameter file that is not found may set whatever the nodes declare: what only their defaults name is not
-    known.  What comes after it on the command line holds."""
-    unread = [
-        number
-        for number, one in enumerate(started.parameters)
-        if isinstance(one, ParameterFileUse) and one.reference.source is None
-    ]
+    """Parameters that are not known, a file that is not found say, may set whatever the nodes declare: what only their
+    defaults name is not known.  What comes after them on the command line holds."""
+    unread = [number for number, one in enumerate(started.parameters) if _sets_anything(one)]
     if not unread or node.blueprint is None or not node.blueprint.use_global_arguments:
         return
     later = replace(started, parameters=started.parameters[unread[-1] + 1 :], arguments=[], ros_arguments=[])
@@ -280,8 +276,14 @@ def _forget_defaults(node: Node, started: Started, parameters_of: Callable[[str]
     for number, endpoint in enumerate(node.endpoints):
         decided_by = set((endpoint.parameter or "").split(",")) - {""}
         if endpoint.resolved and not held.keys() >= decided_by:
-            reason = "its parameter may be set by a parameter file that was not found"
+            reason = "its parameter may be set by parameters of the launch file that are not known"
             node.endpoints[number] = replace(endpoint, name=None, resolution="unknown", reason=reason)
+
+
+def _sets_anything(given: ParameterSetting | ParameterFileUse | OpenParameters) -> bool:
+    if isinstance(given, ParameterSetting):
+        return given.name is None
+    return given.reference.source is None if isinstance(given, ParameterFileUse) else not given.of_several
 
 
 def _namespace(started: Started) -> str:

@@ -108,10 +108,11 @@ Parameters = list["ParameterSetting | ParameterFileUse | OpenParameters"]
 
 @dataclass(frozen=True)
 class OpenParameters:
-    """Parameters that could not be followed, and why."""
+    """Parameters that could not be followed, and why.  Where they are ``of_several``, all that they may be follow."""
 
     reason: str
     place: Place
+    of_several: bool = False
 
 
 @dataclass(eq=False)

@@ -49,7 +49,10 @@ def parameters_of(run: LaunchRun, value: Value | None, place: Place) -> list[Par
 
     if value is None:
         return []
-    items = containers.iterate(run, value) if isinstance(value, (ListValue, OneOf)) else None
+    if isinstance(value, OneOf):
+        options = [found for option in value.values for found in parameters_of(run, option, place)]
+        return [OpenParameters("one of several lists of parameters", place, of_several=True), *options]
+    items = containers.iterate(run, value) if isinstance(value, ListValue) else None
     if items is None:
         if isinstance(value, (DictValue, Known)) or kind_of(value):
             return list(_one(run, value, place))
@@ -67,7 +70,7 @@ def _one(run: LaunchRun, item: Value, place: Place) -> Iterator[Parameter]:
     if isinstance(item, Instance) and item.place is not None:
         place = item.place
     if isinstance(item, OneOf):
-        yield OpenParameters("one of several parameters", place)
+        yield OpenParameters("one of several parameters", place, of_several=True)
         for option in item.values:
             yield from _one(run, option, place)
     elif isinstance(item, DictValue):
