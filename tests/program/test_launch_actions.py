@@ -397,6 +397,17 @@ def test_yaml_that_a_launch_file_loads_itself(launches):
     assert not launched.started[0].arms
 
 
+def test_the_share_directory_as_the_module_of_a_substitution_imports_it(launches):
+    launches.file("robot/config/p.yaml", "/**: {ros__parameters: {mode: fast}}")
+    launched = launches.python(
+        "[Node(package='robot', executable='talker', parameters=[share('robot') + '/config/p.yaml'])]",
+        before="from launch_ros.substitutions.find_package import get_package_share_directory as share",
+    )
+
+    (given,) = launched.started[0].parameters
+    assert given.reference.source == "robot/config/p.yaml"
+
+
 def test_a_list_that_may_have_fewer_items_has_no_others(launches):
     before = """\
 sides = ['left', 'right']

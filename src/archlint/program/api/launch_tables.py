@@ -144,6 +144,9 @@ FUNCTIONS = {
     "ament_index_python.packages.get_package_prefix": ("package_name", "prefix"),
     "ament_index_python.get_package_prefix": ("package_name", "prefix"),
     "launch_ros.substitutions.FindPackageShare.find": ("package_name", "share"),
+    # Editors complete an import to the module of launch_ros that imports these two.
+    "launch_ros.substitutions.find_package.get_package_share_directory": ("package_name", "share"),
+    "launch_ros.substitutions.find_package.get_package_prefix": ("package_name", "prefix"),
 }
 
 
