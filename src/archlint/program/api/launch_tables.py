@@ -1,7 +1,7 @@
 """What launch, launch_ros and nav2_common offer: one row a class, with the parameters its constructor takes.
 
-Signatures are those of ``ros2-facts`` F1.  Each class is known by one name wherever it is imported from; its
-objects are instances of ``launch.<Name>``.
+Signatures are those of launch and launch_ros, humble to rolling.  Each class is known by one name wherever it is
+imported from; its objects are instances of ``launch.<Name>``.
 """
 
 from __future__ import annotations

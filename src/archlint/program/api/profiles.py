@@ -1,6 +1,6 @@
 """Quality of service: profiles as the code builds, shares and changes them.
 
-Presets and defaults: ``ros2-facts`` D1, from rmw's ``qos_profiles.h`` and ``rclpy/qos.py``.
+Presets and defaults are those of rmw's ``qos_profiles.h`` and ``rclpy/qos.py``.
 """
 
 from __future__ import annotations

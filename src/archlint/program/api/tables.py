@@ -1,6 +1,6 @@
 """The API tables: one row a call that creates something, waits, sleeps or spins.
 
-Signatures are those of ``ros2-facts`` A and B: positional order is the same in every supported distro unless a
+Signatures are those of rclpy, humble to rolling: positional order is the same in every supported distro unless a
 row says otherwise; ``*`` starts the keyword-only parameters.  A new API is a new row.
 """
 
