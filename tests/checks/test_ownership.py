@@ -463,3 +463,55 @@ def test_what_has_happened_may_be_told_by_several(
     monkeypatch.chdir(tmp_path)
     found = check(Request((".",), load(tmp_path), cached=False, jobs=1)).findings
     assert [one.code for one in found].count("OWN001") == expected
+
+
+ASKING = """
+import rclpy
+from rclpy.node import Node
+from std_msgs.msg import {type}
+
+
+class Panel(Node):
+    def __init__(self):
+        super().__init__('panel')
+        self.out = self.create_publisher({type}, '{topic}', 10)
+
+
+class Keyboard(Node):
+    def __init__(self):
+        super().__init__('keyboard')
+        self.keys = self.create_publisher({type}, '{topic}', 10)  # here
+
+
+class Worker(Node):
+    def __init__(self, name):
+        super().__init__(name)
+        self.create_subscription({type}, '{topic}', print, 10)
+
+
+def main():
+    rclpy.init()
+    executor = rclpy.executors.SingleThreadedExecutor()
+    for node in [Panel(), Keyboard(), {workers}]:
+        executor.add_node(node)
+    executor.spin()
+
+
+if __name__ == '__main__':
+    main()
+"""
+
+
+@pytest.mark.parametrize(
+    ("type_", "topic", "workers", "severity"),
+    [
+        ("String", "robot_command", "Worker('one')", Severity.INFO),
+        ("String", "robot_command", "Worker('one'), Worker('two')", Severity.WARNING),
+        ("String", "robot_mode", "Worker('one')", Severity.WARNING),
+        ("Float64", "robot_command", "Worker('one')", Severity.WARNING),
+    ],
+)
+def test_one_node_may_be_asked_by_several(judge: Judge, type_: str, topic: str, workers: str, severity: Severity):
+    text = ASKING.format(type=type_, topic=topic, workers=workers)
+    [found] = judge("OWN001", text)
+    assert found.severity is severity

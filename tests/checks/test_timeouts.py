@@ -1,8 +1,12 @@
 from __future__ import annotations
 
+from pathlib import Path
+
 import pytest
 
+from archlint.config import load
 from archlint.finding import Severity
+from archlint.session import Request, check
 from checks.judging import Judge
 
 SCRIPT = """
@@ -434,3 +438,52 @@ DAEMON = "threading.Thread(target=move, daemon=True).start()"
 )
 def test_a_daemon_thread_that_is_made_for_one_call_may_wait(judge: Judge, move: str, start: str, told: bool):
     judge("TMO002", CALLS_APART.format(move=move + "  # here" * told, start=start))
+
+
+UNUSED = """
+import rclpy
+from rclpy.node import Node
+from std_srvs.srv import Trigger
+
+
+class Panel(Node):
+    def __init__(self):
+        super().__init__('panel')
+        self.lamp = self.create_client(Trigger, 'lamp')
+        {line}
+
+    def blink(self):
+        while not self.lamp.wait_for_service(timeout_sec=1.0):
+            self.get_logger().info('waiting')
+        rclpy.spin_until_future_complete(self, self.lamp.call_async(Trigger.Request()))
+
+
+{main}
+"""
+MAIN = "def main():\n    rclpy.init()\n    rclpy.spin(Panel())\n\n\nif __name__ == '__main__':\n    main()\n"
+
+
+@pytest.mark.parametrize(
+    ("line", "main", "other", "expected"),
+    [
+        pytest.param("pass", MAIN, "", [], id="nothing names it"),
+        pytest.param("self.blink()", MAIN, "", ["TMO003", "TMO004"], id="it is called"),
+        pytest.param("start(self.blink)", MAIN, "", ["TMO003", "TMO004"], id="it is handed on"),
+        pytest.param("pass", MAIN, "def use(panel):\n    panel.blink()\n", ["TMO003", "TMO004"], id="another file"),
+        pytest.param("pass", "", "", ["TMO003", "TMO004"], id="a library's"),
+    ],
+)
+def test_a_method_that_no_file_of_the_workspace_names_does_not_run(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, line: str, main: str, other: str, expected: list[str]
+):
+    package = tmp_path / "panel"
+    package.mkdir()
+    (package / "package.xml").write_text(
+        "<package format='3'><name>panel</name><version>0.0.1</version></package>", encoding="utf-8"
+    )
+    (package / "panel.py").write_text(UNUSED.format(line=line, main=main), encoding="utf-8")
+    (package / "other.py").write_text(other, encoding="utf-8")
+    (tmp_path / "archlint.toml").write_text('select = ["TMO003", "TMO004"]', encoding="utf-8")
+    monkeypatch.chdir(tmp_path)
+    found = check(Request((".",), load(tmp_path), cached=False, jobs=1)).findings
+    assert sorted(one.code for one in found) == expected

@@ -12,11 +12,12 @@ from archlint.facts.walk import statements_of
 if TYPE_CHECKING:
     from archlint.finding import Place
     from archlint.program.model import ApiCall
-    from archlint.system.model import Endpoint, System
+    from archlint.system.model import Connection, Endpoint, System
 
 _PUBLISH = "rclpy.publisher.Publisher.publish"
 _BOOL = "std_msgs/msg/Bool"
-_SIGNALS = frozenset({_BOOL, "std_msgs/msg/Empty", "std_msgs/msg/String"})
+_STRING = "std_msgs/msg/String"
+_SIGNALS = frozenset({_BOOL, "std_msgs/msg/Empty", _STRING})
 """Messages that carry a word at most."""
 _HAPPENED = frozenset(
     {"alarm", "alarms", "alert", "alerts", "event", "events", "notification", "notifications"}
@@ -37,6 +38,16 @@ def tell_what_happened(system: System, publishers: Sequence[Endpoint]) -> bool:
                 said.setdefault(creation.place, []).append(_only_true(call))
     flags = {end.place for end in publishers if end.type == _BOOL}
     return all(place in said and all(said[place]) for place in flags)
+
+
+_REQUESTS = frozenset({"command", "commands", "cmd", "cmds", "queue", "request", "requests", "task", "tasks"})
+
+
+def are_requests(connection: Connection) -> bool:
+    """Whether what several say on a topic is asked of one node, one text at a time: none takes back another."""
+    words = connection.name.rpartition("/")[2].lower().split("_")
+    asked = {id(end.node) for end in connection.users}
+    return connection.types == [_STRING] and len(asked) == 1 and not _REQUESTS.isdisjoint(words)
 
 
 def _is_event(topic: str | None) -> bool:

@@ -1,4 +1,4 @@
-"""Publishers that nothing publishes with."""
+"""What nothing uses: publishers that nothing publishes with, and methods that nothing calls."""
 
 from __future__ import annotations
 
@@ -11,6 +11,7 @@ from archlint.program.model import PUBLISHER
 
 if TYPE_CHECKING:
     from archlint.finding import Place
+    from archlint.program.model import ApiCall, Program
     from archlint.system.launched import World
     from archlint.system.model import Endpoint
 
@@ -33,6 +34,24 @@ def is_left_over(world: World | None, endpoint: Endpoint) -> bool:
     if any(loader.mentions(other, method) for other in others for method in methods):
         return False
     return not any(loader.mentions(other, name) and not _sets_itself(world, other, name) for other in others)
+
+
+def is_dead(world: World | None, program: Program, call: ApiCall) -> bool:
+    """Whether a call is in a method of a program that no Python file here names: that code does not run.  What a
+    library offers is for programs that are not here."""
+    callback = call.context
+    if world is None or world.loader is None or callback.role != "method" or not program.executable:
+        return False
+    if callback.node is None or callback.node.handed_out:
+        return False
+    loader, file, function = world.loader, callback.place.file, callback.function
+    found = facts_at(world, file)
+    package = loader.package_of(file)
+    if found is None or package is None or not isinstance(function, facts.Function):
+        return False
+    uses = _Uses.of(found)
+    others = [other for one in world.packages for other in loader.python_files_of(one) if other != file]
+    return not uses.by_name and function.name in uses.idle and not any(loader.mentions(o, function.name) for o in others)
 
 
 def _sets_itself(world: World, file: str, name: str) -> bool:

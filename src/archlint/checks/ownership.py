@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 from archlint.checks.aside import is_aside
 from archlint.checks.conflicts import in_source_order, meeting, named_by_library, seen_together
 from archlint.checks.folding import folds
-from archlint.checks.happenings import tell_what_happened
+from archlint.checks.happenings import are_requests, tell_what_happened
 from archlint.checks.left_over import is_left_over
 from archlint.checks.registry import Options, finding, rule
 from archlint.finding import Finding, Related, Severity
@@ -39,7 +39,7 @@ def multiple_publishers(system: System, options: Options) -> Iterator[Finding]:
                 continue
             if not _is_proven(system, owners) and (_has_launch_files(system) or _says_what_happens(connection.name)):
                 continue
-            yield _finding(
+            found = _finding(
                 "OWN001",
                 system,
                 owners,
@@ -48,6 +48,7 @@ def multiple_publishers(system: System, options: Options) -> Iterator[Finding]:
                 "give each a topic of its own and let one node decide what is said on this one; list it under "
                 "shared-topics if it is meant to be shared",
             )
+            yield replace(found, severity=Severity.INFO) if are_requests(connection) else found
 
 
 def _is_shared(connection: Connection, options: Options) -> bool:

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 
 from archlint.checks.callback_roles import runs_in_executor
 from archlint.checks.folding import folds
+from archlint.checks.left_over import is_dead
 from archlint.checks.reach import (
     argument,
     calls_of,
@@ -118,8 +119,9 @@ def spin_without_timeout(system: System, options: Options) -> Iterator[Finding]:
     told = spoken_of(system, options.distros)
     yield from one_for_each_place(
         _limitless_spin(system, call)
-        for _, call in calls_of(system, (_SPIN, _EXECUTOR_SPIN))
+        for program, call in calls_of(system, (_SPIN, _EXECUTOR_SPIN))
         if waits_for_ever(call, "timeout_sec") and call.place not in told
+        if not is_dead(system.world, program, call)
         if not _own_future(call) or _waits_for_a_message(system, call)
         if call.context.role != "method" or creations_of(argument(call, "future"))
     )

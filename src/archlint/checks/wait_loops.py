@@ -7,6 +7,7 @@ from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from archlint.checks.callback_roles import runs_in_executor
+from archlint.checks.left_over import is_dead
 from archlint.checks.reach import (
     calls_of,
     creations_of,
@@ -44,6 +45,8 @@ def endless_wait_loop(system: System, options: Options) -> Iterator[Finding]:
     loops: dict[tuple[str, facts.Span], list[ApiCall]] = {}
     for program, call in calls_of(system, (WAIT_FOR_SERVICE, WAIT_FOR_SERVER, *READY)):
         if not (call.api in READY or has_limit(call, "timeout_sec")) or not _only_the_server_ends(call):
+            continue
+        if is_dead(system.world, program, call):
             continue
         if any(Place.of(call.file, one.span) in program.refused for one in calls_in(call.loops[-1].body)):
             continue  # a TypeError ends the loop
