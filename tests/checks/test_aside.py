@@ -130,17 +130,26 @@ def test_a_script_that_its_package_does_not_install(named):
 
     assert found.severity is Severity.INFO
     assert found.message == (
-        "the topic '/robot/words' is absolute and fixed in the code, in a script that no package installs"
+        "the topic '/robot/words' is absolute and fixed in the code, in code that no package installs"
     )
 
 
 def test_a_script_beside_the_packages(named):
     [found] = named({"../tools/smoke.py": NODE})
-    assert found.severity is Severity.INFO and found.message.endswith("in a script that no package installs")
+    assert found.severity is Severity.INFO and found.message.endswith("in code that no package installs")
     [imported] = named({"../tools/smoke.py": NODE, "../tools/run.py": "from smoke import main\n\nmain()\n"})
     assert imported.severity is Severity.INFO
     [module] = named({"../tools/smoke.py": NODE.partition("if __name__")[0]})
     assert module.severity is Severity.WARNING
+
+
+def test_what_a_script_beside_the_packages_imports(named):
+    module = NODE.partition("if __name__")[0]
+    script = "from {} import main\n\nif __name__ == '__main__':\n    main()\n"
+    [found] = named({"../tools/smoke.py": module, "../tools/run.py": script.format("smoke")})
+    assert found.severity is Severity.INFO and found.place.file.endswith("smoke.py")
+    [other] = named({"../tools/smoke.py": module, "../tools/run.py": script.format("other")})
+    assert other.severity is Severity.WARNING
 
 
 @pytest.mark.parametrize(

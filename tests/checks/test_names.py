@@ -333,6 +333,21 @@ class TestHardcodedNamesOfOneClass:
 
         assert found.severity is Severity.WARNING
 
+    @pytest.mark.parametrize(
+        ("other", "severity"),
+        [("words", Severity.INFO), ("{robot}", Severity.INFO), ("state", Severity.WARNING)],
+    )
+    def test_a_branch_with_another_topic_of_the_type(self, judge: Judge, other: str, severity: Severity):
+        lines = (
+            "robot = read()",
+            "if robot:",
+            f"    self.create_subscription(String, f'/robot_{{robot}}/out/{other}', print, 10)",
+            "else:",
+            "    self.create_subscription(String, '/swarm/words', print, 10)  # here",
+        )
+        [found] = judge("NME001", robot(*lines))
+        assert found.severity is severity
+
     def test_a_branch_that_only_picks_one_of_two_absolute_names_is_no_reason(self, judge: Judge):
         [found] = judge(
             "NME001",

@@ -37,19 +37,29 @@ def _in_use(world: World) -> frozenset[str]:
 
 
 def is_not_installed(world: World | None, file: str) -> bool:
-    """Whether a script is in a package that installs programs, but is none of them, and none of them imports it, or
-    lies beside the packages of a workspace: only who knows where it lies can start it."""
+    """Whether a script is in a package that installs programs, but is none of them, and none of them imports it: only
+    who knows where it lies can start it.  So it is with scripts beside the packages of a workspace, and what they
+    import."""
     if world is None or world.loader is None or file in _in_use(world):
         return False
     package = world.loader.package_of(file)
     if package is None and world.manifests:
-        return _is_script(world, file) and file not in _reached(world.loader)
+        return file in _stray(world) and file not in _reached(world.loader)
     installs = None if package is None else world.installs.get(package)
     if installs is None or installs.open_executables or not installs.executables:
         return False
     if not file.startswith(f"{installs.folder}/") and installs.folder not in ("", "."):
         return False  # another package of that name
     return _is_script(world, file) and not _is_named(world, installs, file) and file not in _reached(world.loader)
+
+
+@lru_cache(maxsize=2)
+def _stray(world: World) -> frozenset[str]:
+    """The scripts that lie beside the packages, and all that they import."""
+    loader = world.loader
+    assert loader is not None
+    beside = [file.relative for file, _ in loader.python_facts() if file.kind == "python" and file.package is None]
+    return loader.reached_from(path for path in beside if _is_script(world, path))
 
 
 def _is_script(world: World, file: str) -> bool:

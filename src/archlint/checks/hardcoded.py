@@ -95,8 +95,8 @@ _PRIVATE = _Reason(
 _NOT_INSTALLED = _Reason(
     "not installed",
     "absolute and fixed in the code",
-    ", in a script that no package installs",
-    "write names without the leading '/' if the script is to be installed",
+    ", in code that no package installs",
+    "write names without the leading '/' if it is to be installed",
     Severity.INFO,
 )
 
@@ -241,9 +241,20 @@ def _is_chosen(node: Node, endpoint: Endpoint) -> bool:
         other.kind == endpoint.kind
         and other.type == endpoint.type
         and exclusive(arms, other.creation.arms)
-        and (other.creation.name.resolution != "exact" or not (other.written or "/").startswith("/"))
+        and _may_be_meant(endpoint.written or "", other)
         for other in node.endpoints
     )
+
+
+def _may_be_meant(name: str, other: Endpoint) -> bool:
+    """Whether an endpoint of another arm has another form of a name: what is absolute, too, and ends in another word
+    is another topic."""
+    form = other.creation.name
+    if form.resolution == "exact":
+        return not (other.written or "/").startswith("/")
+    text = form.text or ""
+    last = text.rpartition("/")[2]
+    return form.resolution != "partial" or not text.startswith("/") or "*" in last or name.endswith(f"/{last}")
 
 
 def _help(name: str, reason: _Reason) -> str:

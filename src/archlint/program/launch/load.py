@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import posixpath
 import re
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING, Protocol
 
@@ -163,6 +163,10 @@ class LaunchLoader:
         starts = {file.relative for file in self._files if file.kind == "launch_python"}
         for one in (each for installs in self.installs.values() for each in installs.executables.values()):
             starts.update([one.script] if one.script else self.files_named(one.package, one.module or "?"))
+        return self.reached_from(starts)
+
+    def reached_from(self, starts: Iterable[str]) -> frozenset[str]:
+        """Some Python files, and all that these import."""
         modules = (self.index.module(self._by_path[path]) for path in sorted(starts) if path in self._by_path)
         return frozenset[str]().union(*(self.index.imported_by(module) for module in modules if module is not None))
 
