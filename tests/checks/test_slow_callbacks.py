@@ -26,6 +26,8 @@ def timer(body: str) -> str:
         pytest.param("for step in self.pause:\n        time.sleep(0.5)", ["EXE003"], id="a pause between steps"),
         pytest.param("time.sleep(self.pause)", ["EXE003"], id="nobody knows how long"),
         pytest.param("subprocess.run(['make'])", ["EXE003"], id="a process"),
+        pytest.param("subprocess.run(['make'], timeout=9.0)", ["EXE003"], id="a process with a limit"),
+        pytest.param("subprocess.check_output(['ping'], timeout=0.1)", [], id="a process for a moment"),
         pytest.param("input('go on? ')", ["EXE003"], id="the keyboard"),
         pytest.param("self.create_client(Trigger, 'a').wait_for_service", [], id="no call"),
     ],
@@ -433,3 +435,63 @@ def test_what_a_test_of_the_type_rules_out_is_not_called(run: Run, test: str, ex
 def test_who_fails_may_take_time_to_clean_up(run: Run, body: str, expected: list[str]):
     close = "\ndef close(self):\n    subprocess.run(['stop'])\n"
     assert codes(run(source(TIMER, timer(body) + close))) == expected
+
+
+@pytest.mark.parametrize(
+    ("loop", "expected"),
+    [
+        ("for register in (1, 2):", []),
+        ("for register in range(2):", []),
+        ("for register in (1, 2, 3):", ["EXE003"]),
+        ("for register in self.registers:", ["EXE003"]),
+        ("while read():", ["EXE003"]),
+    ],
+)
+def test_how_often_the_loop_of_a_caller_goes_round(run: Run, loop: str, expected: list[str]):
+    method = timer(f"{loop}\n        self.ask()\n\ndef ask(self):\n    time.sleep(0.05)\n")
+    assert codes(run(source("self.registers = load()\n" + TIMER, method))) == expected
+
+
+@pytest.mark.parametrize(
+    ("end", "expected"),
+    [
+        ("self.process.terminate()\n    self.process.wait(timeout=5)", []),
+        ("self.process.terminate()\n    self.process.wait()", ["EXE003"]),
+        ("self.process.wait(timeout=5)", ["EXE003"]),
+        ("self.process.wait(timeout=5)\n    self.process.kill()", ["EXE003"]),
+        ("self.other.terminate()\n    self.process.wait(timeout=5)", ["EXE003"]),
+    ],
+)
+def test_a_process_that_is_told_to_end_may_take_a_moment(run: Run, end: str, expected: list[str]):
+    setup = "self.process = subprocess.Popen(['play'])\nself.other = subprocess.Popen(['sing'])\n" + TIMER
+    assert codes(run(source(setup, timer(end)))) == expected
+
+
+@pytest.mark.parametrize(
+    ("lines", "severity"),
+    [
+        (("time.sleep(3.0)", "self.create_subscription(Empty, 'stop', self.on_stop, 10)"), Severity.INFO),
+        (("self.create_subscription(Empty, 'stop', self.on_stop, 10)", "time.sleep(3.0)"), Severity.WARNING),
+    ],
+)
+def test_what_is_made_after_a_sleep_does_not_wait_for_it(run: Run, lines: tuple[str, str], severity: Severity):
+    method = timer("\n    ".join(lines)) + "\ndef on_stop(self, message):\n    pass\n"
+    [found] = [one for one in run(source(TIMER, method)) if one.code == "EXE003"]
+    assert found.severity is severity
+
+
+def test_the_lookups_of_a_function_are_one_finding(run: Run):
+    lookup = """
+    def tick(self):
+        if not self.buffer.can_transform('map', 'base', rclpy.time.Time(), timeout=Duration(seconds=0.2)):
+            return
+        self.buffer.lookup_transform('map', 'base', rclpy.time.Time(), timeout=Duration(seconds=0.2))
+        self.look()
+
+    def look(self):
+        self.buffer.lookup_transform('map', 'tool', rclpy.time.Time(), timeout=Duration(seconds=0.2))
+    """
+    first, other = run(source(TF.replace("{more}", ""), lookup))
+    assert first.code == other.code == "EXE007" and other.place.line == first.place.line + 6
+    asked = [one.place.line for one in first.related if one.message == "here it asks for a transform, too"]
+    assert asked == [first.place.line + 2]

@@ -49,9 +49,9 @@ def is_dead(world: World | None, program: Program, call: ApiCall) -> bool:
     package = loader.package_of(file)
     if found is None or package is None or not isinstance(function, facts.Function):
         return False
-    uses = _Uses.of(found)
+    uses, name = _Uses.of(found), function.name
     others = [other for one in world.packages for other in loader.python_files_of(one) if other != file]
-    return not uses.by_name and function.name in uses.idle and not any(loader.mentions(o, function.name) for o in others)
+    return not uses.by_name and name in uses.idle and not any(loader.mentions(other, name) for other in others)
 
 
 def _sets_itself(world: World, file: str, name: str) -> bool:

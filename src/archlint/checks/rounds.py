@@ -5,13 +5,16 @@ from __future__ import annotations
 import math
 from typing import TYPE_CHECKING
 
+from archlint.checks.whole import facts_at, walk
 from archlint.facts import model as facts
 from archlint.facts.walk import called_name, statements_of
+from archlint.finding import Place
 from archlint.program.interest import names_in
 
 if TYPE_CHECKING:
     from archlint.checks.sleeps import Stay
     from archlint.program.model import ApiCall
+    from archlint.system.launched import World
 
 TINY = 0.01
 """Seconds of a pause between the items of something."""
@@ -21,23 +24,31 @@ _RUNS_EMPTY = frozenset({"in_waiting", "inWaiting", "out_waiting", "empty", "qsi
 _CLOCKS = frozenset({"time", "monotonic", "perf_counter", "now", "time_ns"})
 
 
-def in_loops(call: ApiCall, stay: Stay, unknown: float = math.inf) -> float:
+def in_loops(call: ApiCall, stay: Stay, unknown: float = math.inf, world: World | None = None) -> float:
     """How many seconds a sleep takes with the loops around it; what nobody knows has no end.
 
-    ``unknown`` is how often a ``for`` is taken to go round over what is not known: it has an end, other than a
-    ``while``.
+    Of the loops of callers only those are known that a ``world`` has the files of.  ``unknown`` is how often a ``for``
+    is taken to go round over what is not known: it has an end, other than a ``while``.
     """
     if stay.seconds is None:
         return math.inf
     seconds = stay.seconds
     for loop, limit in reversed(tuple(zip(call.loops, call.limits, strict=True))):
         seconds = seconds * _times(loop, unknown) if limit is None else max(seconds, limit)
-    # The loops of callers are places only: how often they go round is not looked at.
-    seconds *= math.inf if len(call.rounds) > len(call.loops) else 1.0
+    for place in call.rounds[: max(0, len(call.rounds) - len(call.loops))]:
+        seconds *= _rounds_at(world, place)
     seconds = seconds if stay.seconds > 0 else 0.0
     if math.isinf(seconds) and stay.seconds <= TINY and not any(isinstance(loop, facts.While) for loop in call.loops):
         return stay.seconds  # a pause between the bytes or lines of something: it takes many to make it long
     return seconds
+
+
+def _rounds_at(world: World | None, place: Place) -> float:
+    """How often the ``for`` of a caller goes round; for all that is not known, without end."""
+    found = None if world is None else facts_at(world, place.file)
+    loops = (one for one in walk([] if found is None else found.body) if isinstance(one, facts.For))
+    loop = next((one for one in loops if Place.of(place.file, one.span) == place), None)
+    return math.inf if loop is None else _times(loop, math.inf)
 
 
 def _times(loop: facts.While | facts.For, unknown: float) -> float:

@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from archlint.checks.reach import argument
+from archlint.facts import model as facts
 from archlint.program.api import tables
 from archlint.program.values import Instance, Known, alternatives
 
@@ -58,8 +59,19 @@ def stay_of(call: ApiCall) -> Stay | None:
         name = call.api.rpartition(".")[2] if call.api.startswith("urllib.") else call.api
         if call.api.startswith(_NETWORK):
             return Stay("network", None, f"waits for the network in {name}()")
-        return Stay("process", None, f"waits for a process in {name}()")
+        limit = _limit_of_process(call)
+        end = "" if limit is None else f" for up to {limit:g} s"
+        return Stay("process", limit, f"waits for a process in {name}(){end}")
     return None
+
+
+def _limit_of_process(call: ApiCall) -> float | None:
+    """The ``timeout`` that a call gives a process: a number in the code, or one that is known."""
+    given = [] if call.expression is None else call.expression.args
+    literal = next((one.value for one in given if one.keyword == "timeout"), None)
+    if isinstance(literal, facts.Literal) and isinstance(literal.value, (int, float)):
+        return float(literal.value)
+    return longest(argument(call, "timeout"))
 
 
 def longest(value: Value | None) -> float | None:

@@ -7,8 +7,10 @@ from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from archlint.checks import blocking
+from archlint.checks.assumptions import dotted
 from archlint.checks.callback_roles import callback_words, related_to, runs_in_executor
 from archlint.checks.deadlock import threads_of
+from archlint.checks.folding import folds
 from archlint.checks.reach import (
     argument,
     calls_of,
@@ -22,13 +24,14 @@ from archlint.checks.rounds import around_future, in_loops
 from archlint.checks.sleeps import Stay, longest, stay_of
 from archlint.checks.stuck import clients_of_handlers, functions_that_ask
 from archlint.checks.timeouts import MAKE_IT_EARLIER, made_here
-from archlint.finding import Finding, Related, Severity
+from archlint.facts import model as facts
+from archlint.facts.walk import calls_in
+from archlint.finding import Finding, Place, Related, Severity
 from archlint.program.model import ACTION_SERVER, GUARD, SERVICE, SUBSCRIBER, TIMER
 from archlint.program.values import Known, alternatives
 
 if TYPE_CHECKING:
-    from archlint.finding import Place
-    from archlint.program.model import ApiCall, Blueprint, Callback, Program
+    from archlint.program.model import ApiCall, Blueprint, Callback, Creation, Program
     from archlint.system.model import System
 
 MOMENT = 0.1
@@ -36,6 +39,8 @@ MOMENT = 0.1
 DISCOVERY = 1.0
 """Seconds that a callback may look for a server."""
 
+_OF_PROCESS = ("subprocess.Popen.wait", "subprocess.Popen.communicate")
+_ENDS = frozenset({"terminate", "kill", "send_signal"})
 _TRIFLES = frozenset({"clear", "cls", "reset", ""})
 
 _RATE_SLEEP = "rclpy.timer.Rate.sleep"
@@ -76,20 +81,38 @@ def slow_callback(system: System, options: Options) -> Iterator[Finding]:
 def _stays(system: System) -> Iterator[_Row]:
     for program, call in judged_calls(system):
         stay = stay_of(call) if runs_in_executor(call.context) else None
-        if stay is None or _trifle(call) or not _is_long(call, stay) or _harmless(call.context, program):
+        if stay is None or _trifle(call) or not _is_long(system, call, stay) or _harmless(call.context, program):
+            continue
+        if stay.seconds is not None and _is_told_to_end(call):
             continue
         yield program, call, stay
 
 
-def _is_long(call: ApiCall, stay: Stay) -> bool:
+def _is_long(system: System, call: ApiCall, stay: Stay) -> bool:
     if stay.kind == "discovery":
         return stay.seconds is not None and stay.seconds > DISCOVERY
     if around_future(call):
         return False
-    if stay.kind != "sleep" or stay.seconds is None:
+    if stay.kind not in ("sleep", "process") or stay.seconds is None:
         return True
-    period, seconds = _period(call.context), in_loops(call, stay)
-    return seconds >= MOMENT or (period is not None and seconds > period)
+    period, seconds = _period(call.context), in_loops(call, stay, world=system.world)
+    known = call.looped or stay.kind == "process"
+    return seconds > MOMENT or (seconds == MOMENT and not known) or (period is not None and seconds > period)
+
+
+def _is_told_to_end(call: ApiCall) -> bool:
+    """Whether a process that is waited for has just been told to end: ``process.terminate(); process.wait(…)``."""
+    waited = None if call.expression is None else call.expression.func
+    if not isinstance(waited, facts.Attribute) or call.api not in _OF_PROCESS:
+        return False
+    name = dotted(waited.value)
+    ended = (one for one in calls_in(call.body) if isinstance(one.func, facts.Attribute) and one.func.attr in _ENDS)
+    return name != "" and any(
+        isinstance(one.func, facts.Attribute)
+        and dotted(one.func.value) == name
+        and Place.of(call.file, one.span) < call.place
+        for one in ended
+    )
 
 
 def _trifle(call: ApiCall) -> bool:
@@ -119,13 +142,14 @@ def _harmless(callback: Callback, program: Program) -> bool:
     return not others
 
 
-def _waiting(callback: Callback, program: Program) -> str:
+def _waiting(call: ApiCall, program: Program) -> str:
     """Who waits while a callback keeps its thread: ``others`` that are known, ``nobody``, or ``unknown``."""
+    callback = call.context
     node = callback.node
     if node is None:
         return _UNKNOWN
     nodes = [node, *(one for use in program.executors_of(node) for one in use.nodes if one is not node)]
-    if any(_takes_in_more(one, callback, program) for one in nodes):
+    if any(_takes_in_more(one, call, program) for one in nodes):
         return _OTHERS
     # The transitions of a lifecycle node wait, too, if anybody asks for one.
     known = callback.role in _ITS_NEXT and not node.lifecycle
@@ -133,23 +157,33 @@ def _waiting(callback: Callback, program: Program) -> str:
     return _NOBODY if whole and all(one.complete for one in nodes) else _UNKNOWN
 
 
-def _takes_in_more(node: Blueprint, callback: Callback, program: Program) -> bool:
+def _takes_in_more(node: Blueprint, call: ApiCall, program: Program) -> bool:
     """Whether an executor has anything to do for a node besides one callback.  What a node sends is no work, nor is
-    the answer that nothing is registered for."""
+    the answer that nothing is registered for, nor what the callback makes only after it has waited."""
+    callback = call.context
+    later = {id(one) for one in node.creations if _is_made_after(one, call)}
     apart = threads_of(callback.node, program) == blocking.SEVERAL
     entities = (creation for creation in node.creations if creation.kind in _TAKE_IN and not creation.destroyed)
     return any(
         creation is not callback.creation
+        and id(creation) not in later
         and not (apart and creation.group != callback.group)
         and (not creation.callbacks or any(one.place != callback.place for one in creation.callbacks.values()))
         for creation in entities
     ) or any(
         one.place != callback.place
+        and id(one.creation) not in later
         and (one.creation is not callback.creation or one.role == "cancel")
         and runs_in_executor(one)
         for one in node.callbacks
         if not (apart and one.group != callback.group) and one.role != "lifecycle"
     )
+
+
+def _is_made_after(creation: Creation, call: ApiCall) -> bool:
+    """Whether the function that waits makes something further down."""
+    same = (creation.place.file, creation.function) == (call.file, call.function)
+    return same and creation.context is call.context and not call.loops and creation.place > call.place
 
 
 _OTHERS, _NOBODY, _UNKNOWN = "others", "nobody", "unknown"
@@ -168,7 +202,7 @@ def _slow(system: System, rows: Sequence[_Row]) -> Finding:
         end = " each time round a loop" if stay.kind == "sleep" and call.looped else ""
     if others:
         end += f", as {'does another line' if len(others) == 1 else f'do {len(others)} more lines'} of {call.function}"
-    held_up = {_waiting(row[1].context, row[0]) for row in rows}
+    held_up = {_waiting(row[1], row[0]) for row in rows}
     mild = _OTHERS not in held_up or all(_answers_in_time(row[1], row[2]) for row in rows)
     meanwhile = _meanwhile(callback, program)
     if held_up == {_NOBODY}:
@@ -279,6 +313,7 @@ def blocking_tf_lookup(system: System, options: Options) -> Iterator[Finding]:
             related=tuple(related_to(call, program)),
             node=node_name(system, call.context.node),
             identity=(call.context.name, call.api),
+            group=(call.file, call.function, call.context.name),
         )
         for program, call in calls_of(system, _LOOKUPS)
         if runs_in_executor(call.context)
@@ -286,6 +321,14 @@ def blocking_tf_lookup(system: System, options: Options) -> Iterator[Finding]:
         and threads_of(call.context.node, program) == blocking.ONE
         and id(program) not in threaded
     )
+
+
+@folds("EXE007")
+def _of_one_function(findings: Sequence[Finding]) -> Finding:
+    """The finding for all lookups of a function: whether a transform is there, and then what it is."""
+    first, *others = findings
+    more = tuple(Related(one.place, "here it asks for a transform, too") for one in others)
+    return replace(first, related=(*first.related, *more))
 
 
 def _waits(call: ApiCall) -> bool:
