@@ -44,7 +44,7 @@ test-ros: $(STAMP)  ## against running nodes, on the ROS 2 distributions that Py
 	@$(MAKE) --no-print-directory $(if $(findstring jobserver,$(MAKEFLAGS)),,--jobs 2) --keep-going --output-sync=target \
 	  test-ros-jazzy test-ros-kilted
 
-test-ros-full:  ## the same and more of it: every form and workspace is recorded, too
+test-ros-full:  ## the same, each program started in every way and recorded, too
 	@$(MAKE) --no-print-directory test-ros TESTS_ROS=--full
 
 test-ros-%: $(STAMP)

@@ -81,6 +81,13 @@ STARTED_FORMS = [
 ]
 WORKSPACE_CASES = [Case(name) for name in WORKSPACES]
 STARTED_WORKSPACES = [Case(name, one) for name in WORKSPACES for one in VARIATIONS if name != "broken_system"]
+ONLY_FULL = frozenset(
+    case
+    for cases in (STARTED_FORMS, STARTED_WORKSPACES)
+    for number, case in enumerate(cases)
+    if case.variation is not VARIATIONS[number // len(VARIATIONS) % len(VARIATIONS)]
+)
+"""Without ``--full``, each is started in one of the ways, and its neighbour in the next."""
 LAUNCHED = [Case(name, None, launch, tuple(given.items())) for name, launch, given in LAUNCHES]
 
 

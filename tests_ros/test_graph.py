@@ -11,6 +11,7 @@ from tests_ros.cases import (
     FORM_CASES,
     FORMS,
     LAUNCHED,
+    ONLY_FULL,
     STARTED_FORMS,
     STARTED_WORKSPACES,
     WORKSPACE_CASES,
@@ -26,10 +27,13 @@ from tests_ros.running import Observed, Program, Servers, observe
 
 def of(cases: list[Case]) -> pytest.MarkDecorator:
     """A test for each case; what cannot run is skipped, with the reason."""
-    skipped = {name: pytest.mark.skip(reason=reason) for name, reason in CANNOT_RUN.items()}
-    return pytest.mark.parametrize(
-        "case", [pytest.param(one, id=one.id, marks=skipped.get(one.name, ())) for one in cases]
-    )
+    return pytest.mark.parametrize("case", [pytest.param(one, id=one.id, marks=marks(one)) for one in cases])
+
+
+def marks(case: Case) -> list[pytest.MarkDecorator]:
+    if case.name in CANNOT_RUN:
+        return [pytest.mark.skip(reason=CANNOT_RUN[case.name])]
+    return [pytest.mark.full] if case in ONLY_FULL else []
 
 
 @of(FORM_CASES)
