@@ -678,6 +678,26 @@ def test_a_file_that_is_there_but_not_installed(findings):
     assert "does not install the launch file 'more/x.launch.xml'" in found.message
 
 
+LAUNCHES = '<executable cmd="ros2 launch robot deep.launch.xml"/>'
+DEEP = SETUP.replace("glob('config/*'))", "glob('config/*')), ('share/robot/more/helpers', glob('helpers/*.xml'))")
+
+
+@pytest.mark.parametrize(
+    ("files", "told"),
+    [
+        ({"setup.py": DEEP, "helpers/deep.launch.xml": "<launch/>"}, ""),  # ros2 launch looks in all folders
+        ({"launch/deep.launch.xml": "<launch/>"}, ""),
+        ({"setup.py": DEEP, "helpers/deep.launch.xml": "<launch/>", "launch/deep.launch.xml": "<launch/>"}, ""),
+        ({"helpers/deep.launch.xml": "<launch/>"}, "does not install the launch file 'helpers/deep.launch.xml'"),
+        ({"setup.py": DEEP, "helpers/deeper.launch.xml": "<launch/>"}, "has no launch file 'launch/deep.launch.xml'"),
+    ],
+)
+def test_a_launch_file_that_a_command_names(findings, files: dict[str, str], told: str):
+    messages = [found.message for found in findings("LCH004", LAUNCHES, **files)]
+    assert len(messages) == (1 if told else 0)
+    assert all(told in message for message in messages)
+
+
 WRITES = "with open(os.path.join(folder, 'made.yaml'), 'w') as file:\n    file.write(text)\n"
 
 

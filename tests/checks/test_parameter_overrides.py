@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
 
+from archlint.checks.merge import merged
+from archlint.checks.registry import finding
 from archlint.config import load
-from archlint.finding import Finding
+from archlint.finding import Finding, Place, Related
 from archlint.session import Request, check
 
 SETUP = """\
@@ -142,3 +145,58 @@ def test_a_comment_hides_one_of_several(findings):
     lines = "    speed: 1.0  # archlint: ignore[PRM004]\n    frame: map\n"
     (found,) = findings("file", yaml=f"talker:\n  ros__parameters:\n{lines}")
     assert found.message.startswith("/talker declares no parameter 'frame'")
+
+
+ON_BOTH = """\
+from launch import LaunchDescription
+from launch.actions import DeclareLaunchArgument
+from launch.conditions import IfCondition
+from launch.substitutions import LaunchConfiguration
+from launch_ros.actions import Node
+
+def generate_launch_description():
+    nodes = [DeclareLaunchArgument('wide')]
+    for side in ('left', 'right'):
+        nodes.append(Node(package='robot', executable='talker', namespace=side, parameters=[{'gian': 2.0}]))
+    MORE
+    return LaunchDescription(nodes)
+"""
+THIRD = "Node(package='robot', executable='talker', name='c', parameters=[{'gian': 1.0}]"
+
+
+@pytest.mark.parametrize(
+    ("more", "lines"),
+    [
+        ("", [10]),  # one line, two nodes of it
+        (f"nodes.append({THIRD}))", [10, 11]),  # another line is another mistake
+        (f"nodes.append({THIRD}, condition=IfCondition(LaunchConfiguration('wide'))))", [10, 11]),
+    ],
+)
+def test_a_line_is_wrong_once_however_many_nodes_it_starts(findings, tmp_path: Path, more: str, lines: list[int]):
+    (tmp_path / "launch").mkdir()
+    (tmp_path / "launch/both.launch.py").write_text(ON_BOTH.replace("MORE", more or "pass"))
+    told = findings("{'gain': 2.0}")
+    assert [(one.place.file, one.place.line) for one in told] == [("launch/both.launch.py", line) for line in lines]
+
+
+@pytest.mark.parametrize(
+    ("conditions", "places", "told"),
+    [
+        ((None, "a:=true"), (5, 5), [None]),  # it holds under any arguments: no need to say it for one
+        (("a:=true", "a:=false"), (5, 5), ["a:=true", "a:=false"]),
+        ((None, "a:=true"), (5, 6), [None, "a:=true"]),  # another place is another mistake
+    ],
+)
+def test_what_holds_under_any_arguments_is_not_told_for_some(
+    conditions: tuple[str | None, ...], places: tuple[int, ...], told: list[str | None]
+):
+    node = Related(Place("robot/talker.py", 4, 1, 4, 2), "the node is defined here")
+    found = [
+        replace(
+            finding("PRM004", Place("it.launch.py", line, 1, line, 2), f"node {number} …", help="", related=[node]),
+            system="it.launch.py",
+            condition=condition,
+        )
+        for number, (condition, line) in enumerate(zip(conditions, places, strict=True))
+    ]
+    assert [one.condition for one in merged(found)] == told

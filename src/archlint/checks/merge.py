@@ -55,14 +55,17 @@ def depends_on_system(code: str) -> bool:
 
 def merged(findings: Iterable[Finding]) -> Iterator[Finding]:
     """The findings without repetitions; those of the open system come first and stay."""
-    seen: dict[tuple[object, ...], str | None] = {}
+    seen: dict[tuple[object, ...], tuple[str | None, str | None]] = {}
     for finding in sorted(findings, key=lambda one: (one.system is not None, one.condition is not None)):
         keys = _keys(finding)
-        # Two findings of one system differ for a reason: only what another system has said is a repetition.
-        if all(seen.get(key, finding.system) == finding.system for key in keys):
+        own = finding.system, finding.condition
+        # Two findings of one system differ for a reason: only what another system has said is a repetition, or the
+        # same one under any arguments.
+        said = {seen.get(key, own) for key in keys}
+        if all(system == finding.system and (condition or not finding.condition) for system, condition in said):
             yield _with_condition(finding)
         for key in keys:
-            seen.setdefault(key, finding.system)
+            seen.setdefault(key, own)
 
 
 def _with_condition(finding: Finding) -> Finding:

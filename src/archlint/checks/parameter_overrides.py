@@ -31,7 +31,7 @@ if TYPE_CHECKING:
 def unknown_parameter_override(system: System, options: Options) -> Iterator[Finding]:
     """Values for parameters that the node does not declare."""
     every: dict[tuple[str, str], set[str] | None] = {}
-    said: set[tuple[str | None, Place, str]] = set()
+    said: set[tuple[Place, Place, str]] = set()
     taken_apart: dict[tuple[str | None, str, str, Place | None], tuple[Node, list[Setting]]] = {}
     for node, settings in set_nodes(system):
         declared = declared_by(node)
@@ -54,9 +54,10 @@ def unknown_parameter_override(system: System, options: Options) -> Iterator[Fin
                 shared = every[section]
                 if shared is None or setting.name in shared:
                     continue
-            if (node.name, setting.place, setting.name) in said:
-                continue
-            said.add((node.name, setting.place, setting.name))
+            line = node.blueprint.place, setting.place, setting.name
+            if line in said:
+                continue  # a line that starts several nodes of one class is wrong once
+            said.add(line)
             whole = _declared_dict(setting, declared)
             if whole is None:
                 yield _never_used(node, node.blueprint, setting, declared, settings)

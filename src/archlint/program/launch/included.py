@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import posixpath
 from collections.abc import Sequence
 from contextlib import nullcontext
 from typing import TYPE_CHECKING
@@ -12,7 +13,7 @@ from archlint.program.launch.model import Included, ParameterFileUse
 from archlint.program.launch.substitutions import argument, kind_of, perform
 from archlint.program.launch.visiting import callable_value, each_alternative, visit, visit_items
 from archlint.program.store import Items
-from archlint.program.values import Instance, Known, OneOf, Value
+from archlint.program.values import Instance, Known, OneOf, Unknown, Value
 
 if TYPE_CHECKING:
     from archlint.program.launch.run import LaunchRun
@@ -79,8 +80,7 @@ def _given(run: LaunchRun, arguments: Value | None) -> tuple[tuple[str, Place], 
 
 def launch_apart(run: LaunchRun, package: str, name: str, words: Sequence[str | None]) -> None:
     """``ros2 launch package file argument:=value …``: a launch with a context of its own."""
-    path = Known(f"$(find-pkg-share {package})/launch/{name}")
-    reference = run.reference("launch", path, run.place_now)
+    reference = run.reference("launch", _found_by_name(run, package, name), run.place_now)
     run.result.included.append(Included(reference, (), run.place_now, run.file, run.is_dormant, apart=True))
     kept, run.launch = run.launch, Context()
     for word in words:
@@ -89,6 +89,22 @@ def launch_apart(run: LaunchRun, package: str, name: str, words: Sequence[str | 
             run.launch.configurations[argument_name] = Known(value)
     run.loader.include(run, reference)
     run.launch = kept
+
+
+def _found_by_name(run: LaunchRun, package: str, name: str) -> Value:
+    """The path of the launch file that ``ros2 launch`` finds: it walks the whole share folder of the package and goes
+    by the name of the file alone; where two have it, it starts neither."""
+    share = f"share/{package}/"
+    installs = run.loader.installs.get(package)
+    if installs is None:
+        return Known(f"$(find-pkg-share {package})/launch/{name}")
+    sources = [path for path in run.loader.tree.files_below(installs.folder) if posixpath.basename(path) == name]
+    there = {place for path in sources for place in installs.places_of(path) if place.startswith(share)}
+    if len(there) > 1:
+        return Unknown(f"{package} installs several files {name}")
+    if not there and len(sources) == 1:  # not installed, or in a way that is not known
+        there = {share + posixpath.relpath(sources[0], installs.folder)}
+    return Known(f"$(find-pkg-share {package})/" + (there.pop().removeprefix(share) if there else f"launch/{name}"))
 
 
 def opaque(run: LaunchRun, entity: Instance) -> None:
