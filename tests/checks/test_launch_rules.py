@@ -448,6 +448,22 @@ def test_what_the_actions_of_one_file_do_not_have_is_one_finding(findings):
     assert (python.place.line, [one.place.line for one in python.related]) == (6, [7])
 
 
+@pytest.mark.parametrize(
+    ("inner", "told"),
+    [
+        ("<node name='Monitor' path='a/Monitor'/><node name='Plan' path='a/Plan'/>", 0),  # of another tool
+        ("<component name='Plan' path='a/Plan'/>", 0),
+        ("<node name='a' path='b'/><node pkg='robot' exec='talker'/>", 1),
+        ("<node package='robot' executable='talker'/>", 1),
+        ("<node name='a' path='$(find-pkg-share robot)/a'/>", 1),
+        ("<node name='a' path='b'/><arg name='c'/>", 1),
+        ("<node name='a' path='b'><param name='c' value='1'/></node>", 1),
+    ],
+)
+def test_a_launch_file_of_another_tool_is_none_of_ros(findings, inner: str, told: int):
+    assert len(findings("LCH005", inner)) == told
+
+
 def test_a_comment_allows_one_of_them(findings):
     inner = f"{node(nodename='y')} <!-- archlint: ignore[LCH005] -->\n{node(other='z')}"
     (found,) = findings("LCH005", inner)

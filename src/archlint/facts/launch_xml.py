@@ -104,9 +104,31 @@ def read_launch_xml(text: str) -> LaunchFacts:
     except (ValueError, LookupError) as error:
         return failed(line(), 1, f"malformed XML: {error}")
     root = reader.root
-    if root is None or root.tag != "launch":
+    if root is None or root.tag != "launch" or _is_foreign(root):
         return LaunchFacts()
     return LaunchFacts(root, *is_ros1(root), suppressions=tuple(_suppressions(text, root)))
+
+
+_ROS_TAGS = frozenset(
+    {"arg", "composable_node", "env", "executable", "group", "include", "let", "load_composable_node", "node_container"}
+    | {"param", "push_ros_namespace", "push-ros-namespace", "remap", "set_env", "set_parameter", "set_remap", "timer"}
+    | {"machine", "master", "nodelet", "rosparam", "test"}
+)
+_ROS_ATTRIBUTES = frozenset({"pkg", "package", "exec", "executable", "type", "plugin", "if", "unless"})
+"""What an element of ROS has, or has by mistake: ``package`` is meant as ``pkg``."""
+
+
+def _is_foreign(root: Element) -> bool:
+    """Whether a file has elements and nothing of ROS in any of them: other tools have a ``<launch>`` as well."""
+    elements = list(root.children)
+    for element in elements:  # it grows on the way
+        elements.extend(element.children)
+    return bool(elements) and not any(
+        element.tag in _ROS_TAGS
+        or _ROS_ATTRIBUTES & element.attributes.keys()
+        or any("$(" in str(attribute.value) for attribute in element.attributes.values())
+        for element in elements
+    )
 
 
 _ROS1_TAGS = frozenset({"rosparam", "machine", "test", "master", "nodelet"})
