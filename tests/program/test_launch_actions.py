@@ -858,7 +858,7 @@ def test_substitutions_in_a_parameter_file_keep_what_quotes_say(launches):
         "/**:\n  ros__parameters:\n"
         "    plain: $(var number)\n"
         "    quoted: '$(var number)'\n"
-        "    empty: \"$(var none)\"\n"
+        '    empty: "$(var none)"\n'
         "    nothing: $(var none)\n"
         "    joints: [$(var side)_hip, $(var side)_knee, fixed]\n"
         "    numbers: [$(var number)]\n"
@@ -919,8 +919,7 @@ def test_a_path_as_text(launches, as_text):
     launches.file("robot/launch/inner.launch.xml", '<launch><node pkg="p" exec="inner"/></launch>')
     launched = launches.python(
         f"[IncludeLaunchDescription(AnyLaunchDescriptionSource({as_text}))]",
-        "from pathlib import Path\n"
-        "path = Path(get_package_share_directory('robot'), 'launch', 'inner.launch.xml')",
+        "from pathlib import Path\npath = Path(get_package_share_directory('robot'), 'launch', 'inner.launch.xml')",
     )
     assert [one.executable.text for one in launched.started] == ["inner"] and not launched.gaps
 
@@ -942,3 +941,35 @@ def test_ros2_launch_is_an_include_with_a_process_of_its_own(launches):
     assert [(one.reference.source, one.apart) for one in launched.included] == [("robot/launch/inner.launch.xml", True)]
     plain = launches.xml('<include file="$(find-pkg-share robot)/launch/inner.launch.xml"/>')
     assert [one.apart for one in plain.included] == [False]
+
+
+def test_the_entities_of_a_description_are_actions(launches):
+    launched = launches.python(
+        "[OpaqueFunction(function=setup)]",
+        "def setup(context):\n"
+        "    made = LaunchDescription([Node(package='p', executable='first')])\n"
+        "    made.add_action(Node(package='p', executable='second'))\n"
+        "    return made.entities",
+    )
+    assert [one.executable.text for one in launched.started] == ["first", "second"] and not launched.gaps
+    unknown = launches.python("LaunchDescription(nodes_of('a')).entities", "from elsewhere import nodes_of")
+    assert not unknown.started and unknown.gaps
+
+
+def test_a_file_without_nodes_is_for_components(launches):
+    launches.file("robot/config/plain.yaml", "rate: 10\nled: {number: 24}\n")
+    launches.file("robot/config/nodes.yaml", "rate: 5\ndriver:\n  ros__parameters: {led: 1}\n")
+
+    def given(file: str) -> list[dict[str, object]]:
+        launches.python(
+            "[ComposableNodeContainer(package='c', executable='c', name='c', namespace='', parameters=[file],"
+            " composable_node_descriptions=[part])]",
+            f"file = FindPackageShare('robot').find('robot') + '/config/{file}'\n"
+            "part = ComposableNode(package='p', plugin='D', name='driver', parameters=[file])",
+        )
+        loader = launches.loader()
+        started = loader.launch("robot/launch/it.launch.py").started
+        return [{row.name: row.value for row in settings_of(one, None, loader.parameters)} for one in started]
+
+    assert sorted(given("plain.yaml"), key=len) == [{}, {"rate": 10, "led.number": 24}]  # the container gets nothing
+    assert given("nodes.yaml") == [{"led": 1}, {"led": 1}]  # one section is enough: the rest is not read

@@ -116,6 +116,13 @@ def test_words_are_replaced_in_keys_and_values(launches):
     assert found["frame"] == "/left" and found["Grid.tolerance"] == 0.5
 
 
+def test_a_word_may_stand_for_a_list_or_for_nothing(launches):
+    found = given(launches, f"ReplaceString({FILE}, {{'shared': '[1.5e-3, 0.0]', '<robot>/': ''}})", "/elsewhere")
+    assert found["map"] == [0.0015, 0.0]
+    assert given(launches, f"ReplaceString({FILE}, {{'shared': 'a, b'}})", "/elsewhere")["map"] is NOT_KNOWN
+    assert given(launches, f"ReplaceString({FILE}, {{'5': '1'}})")["Grid.tolerance"] is NOT_KNOWN
+
+
 def test_words_are_replaced_under_a_condition(launches):
     made = f"ReplaceString({FILE}, {{'<robot>': '5'}}, condition=IfCondition(LaunchConfiguration('go')))"
     assert given(launches, made, go="true")["frame"] == "5"

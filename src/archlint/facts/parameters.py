@@ -58,20 +58,25 @@ class ParameterFacts:
     sections: tuple[ParameterSection, ...] = ()
     problems: tuple[FileProblem, ...] = ()
     suppressions: tuple[Suppression, ...] = ()
+    plain: tuple[ParameterEntry, ...] = ()
+    """What a file without any ``ros__parameters`` gives to a component: launch_ros takes all of it for parameters."""
 
 
 def read_parameters(text: str) -> ParameterFacts:
     """The sections of a parameter file; a YAML file of another kind has none.  Never raises."""
     found: list[ParameterSection] = []
+    plain: list[ParameterEntry] = []
     try:
         reader = YamlReader(text, several=True)  # rcl reads on where another document starts
         for root in reader.roots:
             _sections(reader, root, [], None, found, 0)
+        if len(reader.roots) == 1 and not found:
+            _entries(reader, reader.roots[0], (), plain, 0)
     except YamlError as error:
         return ParameterFacts(problems=(FileProblem(error.line, error.column, error.message),))
     except RecursionError:
         return ParameterFacts(problems=(FileProblem(1, 1, "nested too deeply"),))
-    return ParameterFacts(tuple(found), suppressions=tuple(suppressions_of_lines(text)))
+    return ParameterFacts(tuple(found), suppressions=tuple(suppressions_of_lines(text)), plain=tuple(plain))
 
 
 def _sections(

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 from archlint.facts import model as facts
 from archlint.program import escapes, hints, messages
 from archlint.program.api import command_line, profiles, rclpy_names
+from archlint.program.store import Items
 from archlint.program.values import (
     NONE,
     TEXT_LIMIT,
@@ -213,6 +214,12 @@ def _of_foreign_instance(run: Run, value: Instance, cls: External, name: str) ->
                 # A declared parameter keeps its type, whatever is set.
                 return Known(_PARAMETER_TYPES[type(held.value)])
             return Unknown("the type of a parameter")
+    if path == "launch.LaunchDescription" and name == "entities":
+        from archlint.program import containers
+
+        actions = run.store.get(value.key, "#entities")
+        if isinstance(actions, Items):
+            return containers.new_list(run, actions.values, "list", actions.open)
     return ApiMethod(f"{path}.{name}", value)
 
 

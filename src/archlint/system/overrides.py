@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from functools import lru_cache
 from typing import Any
 
-from archlint.facts.parameters import NOT_KNOWN, NotKnown, ParameterFacts
+from archlint.facts.parameters import NOT_KNOWN, NotKnown, ParameterFacts, ParameterSection
 from archlint.facts.safe_yaml import plain_scalar
 from archlint.finding import Place
 from archlint.program.launch.model import OpenParameters, ParameterFileUse, ParameterSetting, Started
@@ -86,7 +86,7 @@ def settings_of(started: Started, node: str | None, facts_of: Callable[[str], Pa
             yield Setting(key, parameter.name, value, parameter.place, shared=parameter.shared, within=parameter.within)
         elif isinstance(parameter, ParameterFileUse) and parameter.reference.source is not None:
             file = parameter.reference.source
-            for section in rewritten(facts_of(file).sections, parameter.changes):
+            for section in rewritten(_sections_for(started, facts_of(file)), parameter.changes):
                 nodes = substituted(section.key, parameter)
                 for entry in section.entries:
                     set_here = substituted(entry.name, parameter)
@@ -101,6 +101,14 @@ def settings_of(started: Started, node: str | None, facts_of: Callable[[str], Pa
                         parameter.shared or (entry.added and "*" in section.key),
                         value_place=parameter.place if entry.changed else None,
                     )
+
+
+def _sections_for(started: Started, read: ParameterFacts) -> tuple[ParameterSection, ...]:
+    """The sections of a parameter file; of one without any, a component takes everything (``to_parameters_list`` of
+    launch_ros), and a node nothing."""
+    if read.sections or not read.plain or started.kind != "component":
+        return read.sections
+    return (ParameterSection(EVERY_NODE, "", read.plain[0].span, read.plain, ("**",)),)
 
 
 def _own_key(started: Started) -> str:

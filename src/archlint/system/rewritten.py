@@ -13,6 +13,7 @@ from typing import Any
 from archlint.facts.parameters import NOT_KNOWN, ROOT, ParameterEntry, ParameterSection, node_key
 from archlint.facts.safe_yaml import plain_scalar, written_and_read
 from archlint.program.launch.model import Replacing, Rewriting
+from archlint.program.launch.parameters import from_yaml
 
 Path = tuple[str, ...]
 
@@ -159,7 +160,14 @@ def _in_value(value: Any, quoted: bool, words: Sequence[tuple[str, str]]) -> Any
     if not isinstance(value, str):
         return NOT_KNOWN
     text = _in_text(value, words)
-    return text if quoted else plain_scalar(text) if _PLAIN.fullmatch(text) else NOT_KNOWN
+    return text if quoted else _plain(text)
+
+
+def _plain(text: str) -> object:
+    if _PLAIN.fullmatch(text):
+        return plain_scalar(text)
+    found, _ = from_yaml(text) if text.startswith("[") and text.endswith("]") else (None, False)
+    return found if isinstance(found, list) else NOT_KNOWN
 
 
 _PLAIN = re.compile(r"[\w/.<>+$-]+")

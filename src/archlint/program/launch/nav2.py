@@ -65,8 +65,9 @@ def _replaced_string(run: LaunchRun, value: Instance) -> Value:
     return _made_of(run, source, Replacing(words))
 
 
-_WORD = re.compile(r"[\w<>$@%-]+")
-_WORDS = re.compile(r"[\w./+-]*")
+_WORD = re.compile(r"[\w<>$@%/-]+")
+_WORDS = re.compile(r"[^\n'\"\\#:{}&*!|>%@`]*")
+"""What neither ends a line, a text or a key nor begins one."""
 
 
 def _pairs(run: LaunchRun, value: Value | None) -> Pairs | None:
