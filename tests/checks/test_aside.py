@@ -143,6 +143,13 @@ def test_a_script_beside_the_packages(named):
     assert module.severity is Severity.WARNING
 
 
+@pytest.mark.parametrize(("module", "severity"), [("talker", Severity.WARNING), ("other", Severity.INFO)])
+def test_an_executable_may_have_the_name_of_another_file(named, module: str, severity: Severity):
+    files = {"robot/talker.py": NODE, "robot/other.py": "def main():\n    pass\n"}
+    [found] = named(files, more=f"'talker = robot.{module}:main',")
+    assert found.severity is severity
+
+
 def test_what_a_script_beside_the_packages_imports(named):
     module = NODE.partition("if __name__")[0]
     script = "from {} import main\n\nif __name__ == '__main__':\n    main()\n"

@@ -412,3 +412,19 @@ def test_what_nothing_calls_is_no_callback(run: Run):
 def test_a_class_that_nothing_spins_here_is_not_judged_where_its_executor_matters(run: Run):
     text = source(CLIENT_APART + TIMER, CALL, "")
     assert text.startswith(IMPORTS) and codes(run(text)) == []
+
+
+@pytest.mark.parametrize(
+    ("body", "expected"),
+    [
+        ("try:\n            future.result()\n        except Exception:\n            pass\n        break", []),
+        ("if future.cancelled():\n            return\n        raise RuntimeError('too early')", []),
+        ("if future.cancelled():\n            break\n        time.sleep(0.01)", ["EXE002"]),
+        ("if future.cancelled():\n            continue\n        break", ["EXE002"]),
+        ("for part in (1, 2):\n            break", ["EXE002"]),
+    ],
+)
+def test_a_loop_that_is_always_left_does_not_wait(run: Run, body: str, expected: list[str]):
+    method = "def tick(self):\n    future = self.client.call_async(Trigger.Request())\n    while not future.done():\n"
+    found = codes(run(source(CLIENT + TIMER, f"{method}        {body}\n")))
+    assert [code for code in found if code == "EXE002"] == expected

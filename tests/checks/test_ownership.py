@@ -515,3 +515,53 @@ def test_one_node_may_be_asked_by_several(judge: Judge, type_: str, topic: str, 
     text = ASKING.format(type=type_, topic=topic, workers=workers)
     [found] = judge("OWN001", text)
     assert found.severity is severity
+
+
+@pytest.mark.parametrize(("module", "expected"), [("two", [Severity.INFO]), ("one", [Severity.WARNING])])
+def test_a_script_that_has_the_name_of_an_executable(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, module: str, expected: list[Severity]
+):
+    """``one.py`` makes two nodes; nothing starts it where ``one`` is another file."""
+    monkeypatch.chdir(tmp_path)
+    start = "\n\nif __name__ == '__main__':\n    main()\n"
+    first = NODE.format(name="One", tick=SAYS, more="pass", topic="goal")
+    other = NODE.format(name="Two", tick=SAYS, more="pass", topic="goal")
+    both = "    from demo.two import Two\n    rclpy.init()\n    other = Two()\n    rclpy.spin({}())\n"
+    if module == "one":
+        first = first.replace("    rclpy.init()\n    rclpy.spin(One())\n", both.format("One"))
+    setup = "from setuptools import setup\nsetup(name='demo', packages=['demo'], entry_points={'console_scripts': "
+    files = {
+        "package.xml": PACKAGE.strip(),
+        "setup.py": f"{setup}['one = demo.{module}:main']}})\n",
+        "demo/__init__.py": "",
+        "demo/one.py": first + start,
+        "demo/two.py": other,
+    }
+    for name, text in files.items():
+        (tmp_path / name).parent.mkdir(exist_ok=True)
+        (tmp_path / name).write_text(text, encoding="utf-8")
+    found = check(Request((".",), load(tmp_path), cached=False, jobs=1)).findings
+    assert [one.severity for one in found if one.code == "OWN001"] == expected
+
+
+@pytest.mark.parametrize(
+    ("type_", "others", "severity"),
+    [
+        ("Float64", "all", None),
+        ("Twist", "all", Severity.WARNING),  # a command is obeyed, whoever listens
+        ("Float64", "one", Severity.WARNING),
+    ],
+)
+def test_publishers_that_all_listen_talk_to_each_other(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, type_: str, others: str, severity: Severity | None
+):
+    monkeypatch.chdir(tmp_path)
+    text = ASKING.format(type=type_, topic="said", workers="Worker('one')").replace("  # here", "")
+    text = text.replace("std_msgs.msg import Twist", "geometry_msgs.msg import Twist")
+    listens = f"        self.create_subscription({type_}, 'said', print, 10)\n"
+    for line in text.splitlines():
+        if "self.out = " in line or ("self.keys = " in line and others == "all"):
+            text = text.replace(f"{line}\n", f"{line}\n{listens}")
+    (tmp_path / "node.py").write_text(text, encoding="utf-8")
+    found = check(Request((".",), load(tmp_path), cached=False, jobs=1)).findings
+    assert [one.severity for one in found if one.code == "OWN001"] == ([] if severity is None else [severity])

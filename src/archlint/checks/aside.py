@@ -78,6 +78,9 @@ def _is_named(world: World, installs: Installs, file: str) -> bool:
     loader = world.loader
     assert loader is not None
     stem = file.rpartition("/")[2].removesuffix(".py")
+    same = installs.executables.get(stem)
+    if same is not None and same.module is not None and file not in loader.files_named(same.package, same.module):
+        return False  # that name means another file
     if stem in installs.words or f"{stem}.py" in installs.words or stem in installs.executables:
         return True
     built = [f"{installs.folder}/{name}".removeprefix("./") for name in ("setup.py", "setup.cfg", "pyproject.toml")]

@@ -125,8 +125,14 @@ def _started_alike(one: Node, other: Node) -> bool:
 
 
 def seen_together(system: System, one: Node, other: Node) -> bool:
-    """Whether a launch file or one executable is seen to start both nodes."""
-    return system.name is not None or not _starters(one).isdisjoint(_starters(other))
+    """Whether a launch file or one executable is seen to start both nodes.  A script that is not installed may have
+    the name of an executable that is another file."""
+    if system.name is not None:
+        return True
+    made_in = {node.program.file for node in (one, other) if node.program is not None}
+    if system.world is not None and len(made_in) == 2 and len(one.executables) == len(other.executables) == 1:
+        return False
+    return not _starters(one).isdisjoint(_starters(other))
 
 
 def _starters(node: Node) -> set[tuple[str | None, str]]:

@@ -35,7 +35,7 @@ def multiple_publishers(system: System, options: Options) -> Iterator[Finding]:
         if _is_shared(connection, options):
             continue
         for owners in _several_owners(system, connection):
-            if _is_bus(owners) or tell_what_happened(system, owners):
+            if _is_bus(connection, owners) or tell_what_happened(system, owners):
                 continue
             if not _is_proven(system, owners) and (_has_launch_files(system) or _says_what_happens(connection.name)):
                 continue
@@ -72,11 +72,14 @@ _COMMANDS = frozenset(
 _MANY = 4
 
 
-def _is_bus(owners: list[Endpoint]) -> bool:
-    """Whether so many nodes publish a topic, or different ones with the help of one class, that it is evidently there
-    for all of them; of commands that is never so."""
+def _is_bus(connection: Connection, owners: list[Endpoint]) -> bool:
+    """Whether so many nodes publish a topic, or different ones with the help of one class, or just those that listen to
+    it, too, that it is evidently there for all of them; of commands that is never so."""
     if any(end.type in _COMMANDS for end in owners):
         return False
+    listening = {id(user.node) for user in connection.users}
+    if all(id(end.node) in listening for end in owners):
+        return True
     classes = {end.node.blueprint.class_name for end in owners if end.node.blueprint is not None}
     helped = len({end.place for end in owners}) == 1 and len(classes) > 1
     return helped or len(_names(owners)) >= _MANY
