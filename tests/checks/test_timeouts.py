@@ -487,3 +487,42 @@ def test_a_method_that_no_file_of_the_workspace_names_does_not_run(
     monkeypatch.chdir(tmp_path)
     found = check(Request((".",), load(tmp_path), cached=False, jobs=1)).findings
     assert sorted(one.code for one in found) == expected
+
+
+HELPER = """
+import rclpy
+from rclpy.node import Node
+from std_srvs.srv import Trigger
+
+
+class Robot(Node):
+    def __init__(self):
+        super().__init__('robot')
+        self.lamp = self.create_client(Trigger, 'lamp')
+        self.ask({given})
+
+    def ask(self, limit=None):
+        future = self.lamp.call_async(Trigger.Request())
+        rclpy.spin_until_future_complete(self, future, timeout_sec={limit}){mark}
+
+
+def main():
+    rclpy.init()
+    rclpy.spin(Robot())
+
+
+main()
+"""
+
+
+@pytest.mark.parametrize(
+    ("given", "limit", "help_"),
+    [
+        ("", "limit", "give ask() a limit where it is called, or a default other than None"),
+        ("", "None", "set timeout_sec, and ask future.done() afterwards"),
+        ("2.0", "limit", None),
+    ],
+)
+def test_a_limit_that_a_helper_passes_on(judge: Judge, given: str, limit: str, help_: str | None):
+    found = judge("TMO003", HELPER.format(given=given, limit=limit, mark="  # here" if help_ else ""))
+    assert [one.help for one in found] == ([help_] if help_ else [])

@@ -177,12 +177,19 @@ def _limitless_spin(system: System, call: ApiCall) -> Finding:
         "TMO003",
         call.place,
         f"spins until {awaited} has come, without limit: if it never comes, the next line never runs",
-        help="set timeout_sec, and ask future.done() afterwards",
+        help=_help_for_spin(call),
         related=way_to(call, client),
         node=node_name(system, call.context.node),
         identity=(call.function, name_of(client), "spin_until_future_complete"),
         group=(call.file, call.function),
     )
+
+
+def _help_for_spin(call: ApiCall) -> str:
+    """What to write; where the limit is an argument of the function, its callers or its default leave it out."""
+    if _passed_on(call):
+        return f"give {call.function.rpartition('.')[2]}() a limit where it is called, or a default other than None"
+    return "set timeout_sec, and ask future.done() afterwards"
 
 
 @folds("TMO003")
