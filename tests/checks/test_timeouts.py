@@ -526,3 +526,34 @@ main()
 def test_a_limit_that_a_helper_passes_on(judge: Judge, given: str, limit: str, help_: str | None):
     found = judge("TMO003", HELPER.format(given=given, limit=limit, mark="  # here" if help_ else ""))
     assert [one.help for one in found] == ([help_] if help_ else [])
+
+
+BLOCK = """
+from rclpy.node import Node
+from std_srvs.srv import Trigger
+
+
+class Gripper(Node):
+    def __init__(self):
+        super().__init__('gripper')
+        self.client = self.create_client(Trigger, 'reboot')
+
+    def reboot(self, block: bool = False):
+        if block:
+            self.client.call(Trigger.Request())  # here
+        else:
+            {otherwise}
+"""
+
+
+@pytest.mark.parametrize(
+    ("otherwise", "distro", "help_"),
+    [
+        ("self.client.call_async(Trigger.Request())", "humble", "event.wait(timeout=2.0)"),
+        ("self.client.call_async(Trigger.Request())", "jazzy", "call(request, timeout_sec=2.0)"),
+        ("pass", "humble", "future.add_done_callback"),
+    ],
+)
+def test_who_wants_to_wait_is_not_told_to_go_on(judge: Judge, otherwise: str, distro: str, help_: str):
+    [found] = judge("TMO002", BLOCK.format(otherwise=otherwise), config=f'distro = "{distro}"')
+    assert help_ in found.help

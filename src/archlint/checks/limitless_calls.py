@@ -12,6 +12,7 @@ from archlint.checks.reach import (
     endpoint_words,
     node_name,
     one_for_each_place,
+    same_expression,
     waits_for_ever,
 )
 from archlint.checks.registry import Options, finding, rule
@@ -20,6 +21,7 @@ from archlint.checks.stuck import spoken_of
 from archlint.checks.timeouts import kind_of, name_of, way_to
 from archlint.checks.whole import walk
 from archlint.facts import model as facts
+from archlint.facts.walk import called_name, calls_in, statements_of
 from archlint.finding import Finding, Place
 
 if TYPE_CHECKING:
@@ -134,8 +136,21 @@ def _help(call: ApiCall, spinner: str, distros: tuple[str, ...]) -> str:
     if spinner == _EXECUTOR:
         # rclpy's own function would take the node from its executor for good.
         return f"{sent} and executor.spin_until_future_complete(future, timeout_sec=2.0)"
-    if runs_in_executor(call.context) or spinner == _UNKNOWN:
+    if runs_in_executor(call.context) or (spinner == _UNKNOWN and not _goes_on_elsewhere(call)):
         return f"{sent} and go on in a done callback: future.add_done_callback(…)"
     if not goal and "humble" not in distros:
         return "call(request, timeout_sec=2.0)"
-    return f"another thread spins the node: {sent}, and event.wait(timeout=2.0) for an Event that a done callback sets"
+    who = "in a thread that does not spin" if spinner == _UNKNOWN else "another thread spins the node"
+    return f"{who}: {sent}, and event.wait(timeout=2.0) for an Event that a done callback sets"
+
+
+def _goes_on_elsewhere(call: ApiCall) -> bool:
+    """Whether the other branch of an ``if`` sends without waiting: then this one is there for those who want to."""
+    sends = {"call_async", "send_goal_async"}
+    for one in statements_of(call.body):
+        if isinstance(one, facts.If):
+            here = [any(same_expression(c, call.expression) for c in calls_in(arm)) for arm in (one.body, one.orelse)]
+            there = [any(called_name(c) in sends for c in calls_in(arm)) for arm in (one.orelse, one.body)]
+            if (here[0] and there[0]) or (here[1] and there[1]):
+                return True
+    return False
