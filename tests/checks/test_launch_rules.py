@@ -1055,6 +1055,13 @@ def test_entry_points_of_other_distributions(findings):
     assert findings("PKG002", **{"setup.py": setup}) == []
 
 
+def test_a_module_that_gitignore_hides_is_there(findings):
+    files = {"setup.py": SETUP.replace("robot.talker", "robot.bags"), ".gitignore": "bags*\n", "robot/bags.py": TALKER}
+    assert findings("PKG002", **files) == []
+    (found,) = findings("PKG002", **files | {"setup.py": SETUP.replace("robot.talker", "robot.boxes")})
+    assert "'robot.boxes' is not there" in found.message
+
+
 @pytest.mark.parametrize(
     ("needs", "circles"),
     [

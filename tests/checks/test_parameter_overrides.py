@@ -65,12 +65,12 @@ FIRST = 17
 def findings(tmp_path: Path, monkeypatch: pytest.MonkeyPatch):
     monkeypatch.chdir(tmp_path)
 
-    def run(*parameters: str, yaml: str = "", talker: str = TALKER) -> list[Finding]:
+    def run(*parameters: str, yaml: str = "", talker: str = TALKER, setup: str = SETUP) -> list[Finding]:
         texts = {
             "archlint.toml": 'select = ["PRM004"]',
             "package.xml": "<package format='3'><name>robot</name><exec_depend>rclpy</exec_depend>"
             "<export><build_type>ament_python</build_type></export></package>",
-            "setup.py": SETUP,
+            "setup.py": setup,
             "robot/talker.py": talker,
             "launch/it.launch.py": LAUNCH.replace("{}\n", "\n".join(parameters) + "\n"),
             "config/p.yaml": yaml,
@@ -200,3 +200,38 @@ def test_what_holds_under_any_arguments_is_not_told_for_some(
         for number, (condition, line) in enumerate(zip(conditions, places, strict=True))
     ]
     assert [one.condition for one in merged(found)] == told
+
+
+OTHER = TALKER.replace("'gain'", "'pace'").replace("Talker", "Walker").replace("'talker'", "'walker'")
+SHARED = """\
+from launch import LaunchDescription
+from launch_ros.actions import Node
+
+BOTH = {'gain': 2.0, 'pace': 3.0, 'nobody': 1.0}
+
+def generate_launch_description():
+    return LaunchDescription([
+        Node(package='robot', executable='talker', parameters=[ONE]),
+        Node(package='robot', executable='walker', parameters=[TWO]),
+    ])
+"""
+
+
+@pytest.mark.parametrize(
+    ("one", "two", "told"),
+    [
+        ("BOTH", "BOTH", ["nobody"]),
+        ("BOTH", "{'gain': 2.0}", ["gain", "nobody", "pace"]),  # a dict of its own is not shared
+        ("{'gain': 2.0, 'pace': 3.0}", "{'gain': 2.0, 'pace': 3.0}", ["gain", "pace"]),
+    ],
+)
+def test_a_dict_that_several_nodes_get_is_for_all_of_them(
+    findings, tmp_path: Path, one: str, two: str, told: list[str]
+):
+    (tmp_path / "launch").mkdir()
+    (tmp_path / "robot").mkdir()
+    (tmp_path / "robot/walker.py").write_text(OTHER)
+    (tmp_path / "launch/shared.launch.py").write_text(SHARED.replace("ONE", one).replace("TWO", two))
+    setup = SETUP.replace("['talker = ", "['walker = robot.walker:main', 'talker = ")
+    names = {name for found in findings("{'gain': 2.0}", setup=setup) for name in found.identity[1:]}
+    assert sorted(names) == told

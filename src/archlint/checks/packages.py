@@ -14,6 +14,7 @@ from archlint.finding import Finding
 
 if TYPE_CHECKING:
     from archlint.program.installs import Executable
+    from archlint.program.launch.load import LaunchLoader
     from archlint.system.launched import World
     from archlint.system.model import System
 
@@ -59,6 +60,14 @@ def _wrong(executable: Executable) -> Finding:
     )
 
 
+def _is_on_disk(loader: LaunchLoader, package: str, module: str) -> bool:
+    """Whether a module is there and not read: a pattern of ``.gitignore`` leaves it out."""
+    installs = loader.installs.get(package)
+    path = "/" + module.replace(".", "/")
+    files = [] if installs is None else loader.tree.files_below(installs.folder)
+    return any(f"/{file}".endswith((f"{path}.py", f"{path}/__init__.py")) for file in files)
+
+
 def _broken(world: World, executable: Executable) -> Iterator[Finding]:
     assert world.loader is not None and executable.module is not None
     modules = world.loader.modules_of(executable.package)
@@ -72,6 +81,8 @@ def _broken(world: World, executable: Executable) -> Iterator[Finding]:
         ours = {name.partition(".")[0] for name in modules}
         if top not in ours and nearest(top, ours) is None:
             return  # a module of another distribution
+        if _is_on_disk(world.loader, executable.package, module):
+            return
         parent, _, last = module.rpartition(".")
         meant = f"; did you mean '{parent}:{last}'?" if function is None and parent in modules else ""
         yield _entry_finding(executable, f"module '{module}' is not there{meant or _near_module(module, modules)}")

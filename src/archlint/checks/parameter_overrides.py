@@ -20,7 +20,7 @@ from archlint.checks.parameters import (
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.whole import declares_all
 from archlint.finding import Finding, Place, Related
-from archlint.system.overrides import Setting, key_matches
+from archlint.system.overrides import Setting, applied, key_matches
 
 if TYPE_CHECKING:
     from archlint.program.model import Blueprint, ParameterDeclaration
@@ -32,6 +32,7 @@ def unknown_parameter_override(system: System, options: Options) -> Iterator[Fin
     """Values for parameters that the node does not declare."""
     every: dict[tuple[str, str], set[str] | None] = {}
     said: set[tuple[Place, Place, str]] = set()
+    shared = _Bundles(system)
     taken_apart: dict[tuple[str | None, str, str, Place | None], tuple[Node, list[Setting]]] = {}
     for node, settings in set_nodes(system):
         declared = declared_by(node)
@@ -51,9 +52,11 @@ def unknown_parameter_override(system: System, options: Options) -> Iterator[Fin
                 section = setting.place.file, setting.key
                 if section not in every:
                     every[section] = _every_declared(system, *section)
-                shared = every[section]
-                if shared is None or setting.name in shared:
+                names_of_all = every[section]
+                if names_of_all is None or setting.name in names_of_all:
                     continue
+            elif shared.is_for_another(setting, settings):
+                continue
             line = node.blueprint.place, setting.place, setting.name
             if line in said:
                 continue  # a line that starts several nodes of one class is wrong once
@@ -66,6 +69,38 @@ def unknown_parameter_override(system: System, options: Options) -> Iterator[Fin
                 taken_apart.setdefault((node.name, setting.place.file, name, place), (node, []))[1].append(setting)
     for (_, _, name, place), (node, parts) in taken_apart.items():
         yield _taken_apart(node, name, place or parts[0].place, parts)
+
+
+class _Bundles:
+    """The dicts that a launch file gives to several nodes: each takes of them what it declares."""
+
+    def __init__(self, system: System) -> None:
+        self._given: dict[str, list[tuple[Node, Place, bool]]] = {}
+        parameters_of = None if system.world is None else system.world.parameters_of
+        if parameters_of is None:
+            return
+        for node in system.nodes:
+            settings = [] if node.started is None else applied(node.started, node.name, parameters_of)
+            for setting in settings:
+                given = self._given.setdefault(setting.name, [])
+                given.append((node, setting.place, _is_bundled(setting, settings)))
+
+    def is_for_another(self, setting: Setting, settings: Sequence[Setting]) -> bool:
+        """Whether another node that gets the same dict declares a name of it, or may."""
+        bundled = _is_bundled(setting, settings)
+        for node, place, also in self._given.get(setting.name, ()):
+            if place == setting.place or (bundled and also):
+                declared = None if node.external else declared_by(node)
+                if declared is None or setting.name in declared:
+                    return True
+        return False
+
+
+def _is_bundled(setting: Setting, settings: Sequence[Setting]) -> bool:
+    """Whether a dict is not written out in the launch file, one read from a file say: its names have no places of
+    their own."""
+    names = {one.name for one in settings if one.place == setting.place}
+    return setting.written is None and len(names) > 1
 
 
 def _never_used(
