@@ -16,7 +16,7 @@ from archlint.checks.reach import (
     same_expression,
 )
 from archlint.facts import model as facts
-from archlint.facts.paths import comes_round
+from archlint.facts.paths import always_left
 from archlint.facts.walk import called_name, statements_of
 from archlint.program.interest import names_in
 from archlint.program.values import FutureValue, Instance
@@ -89,7 +89,7 @@ def _loop_until(call: ApiCall) -> facts.While | None:
     """The loop that goes round until a future is done: ``while not future.done()``.  What always leaves its body does
     not wait."""
     loop = call.loops[-1] if call.loops else None
-    if not isinstance(loop, facts.While) or (loop.body and not comes_round(loop, loop.body[0])):
+    if not isinstance(loop, facts.While) or always_left(loop):
         return None
     asked = [part for part in _conjuncts(loop.test) if isinstance(part, facts.Unary) and part.op == "not"]
     return loop if any(same_expression(part.operand, call.expression) for part in asked) else None

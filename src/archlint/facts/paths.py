@@ -218,6 +218,12 @@ def always_raises(body: Sequence[facts.Stmt]) -> bool:
     return not (flow.next or flow.breaks or flow.continues or any(states for _, states in flow.returns))
 
 
+def always_left(loop: facts.While | facts.For) -> bool:
+    """Whether every way through the body of a loop leaves it: it never goes round again."""
+    flow = _Walk[bool](lambda state, fact: state, None).block(loop.body, frozenset({False}))
+    return not (flow.next or flow.continues)
+
+
 def comes_round(loop: facts.While | facts.For, statement: facts.Stmt) -> bool:
     """Whether a loop may go round again after a statement in it has run: not where ``break``, ``return`` or ``raise``
     always follows it."""
