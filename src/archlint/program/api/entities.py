@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 from archlint.facts import model as facts
 from archlint.finding import Place
-from archlint.program import model
+from archlint.program import messages, model
 from archlint.program.api import callbacks, nodes, profiles, rclpy_names
 from archlint.program.api.effects import ApiUse, argument_places
 from archlint.program.api.guards import guard_of, proven_of
@@ -45,6 +45,9 @@ def type_of_value(value: Value | None) -> tuple[str | None, str | None]:
     if isinstance(value, ClassValue):
         return None, f"'{value.qualified}' is a class of the workspace, not an interface"
     if isinstance(value, Unknown):
+        written = value.name or ""
+        if written.startswith(messages.MISSING):
+            return written.removeprefix(messages.MISSING), None
         return None, value.reason
     return None, "the type is not an interface class"
 
