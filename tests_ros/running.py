@@ -51,12 +51,14 @@ class Program:
 class Observed:
     """What was seen of programs that ran together.
 
-    ``nodes``: from inside, with QoS, timers and parameters; ``graph``: from outside, through the middleware, None
+    ``nodes``: from inside, with QoS, timers and parameters; ``names``: of all nodes that are there still, one of each
+    program that has it; ``graph``: from outside, through the middleware, None
     before anybody has looked; ``lines``: executed lines as (file relative to the root, line); ``settled``: whether all
     programs spin, wait or have ended, and nothing new comes up; ``said``: what each program raised or printed.
     """
 
     nodes: dict[str, Kinds] = field(default_factory=dict)
+    names: list[str] = field(default_factory=list)
     graph: dict[str, Kinds] | None = None
     lines: set[tuple[str, int]] = field(default_factory=set)
     settled: bool = False
@@ -218,6 +220,7 @@ def _observed(programs: dict[Path, Program], texts: list[str], outside: str | No
     for (path, program), text in zip(programs.items(), texts, strict=True):
         written = json.loads(text) if text else {"nodes": {}, "lines": [], "settled": False, "ended": None}
         observed.nodes |= written["nodes"]
+        observed.names += [name for name, kinds in written["nodes"].items() if not kinds["gone"]]
         observed.lines |= {(file, line) for file, line in written["lines"]}
         observed.settled = observed.settled and written["settled"]
         observed.said[program.target] = written["ended"] or _text(log_of(path))[-1000:]

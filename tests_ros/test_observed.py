@@ -7,6 +7,7 @@ import os
 import shutil
 import subprocess
 import sys
+from collections import Counter
 from collections.abc import Callable, Iterable, Iterator
 from concurrent.futures import Future, ThreadPoolExecutor
 from dataclasses import dataclass, replace
@@ -89,19 +90,21 @@ class Recorder:
         with running(self.servers.of(prefixes), programs, root) as together:
             observed = together.seen(lambda now: now.settled)
             assert observed.settled, observed.said
-            there = {name for name, kinds in observed.nodes.items() if not kinds["gone"]}
             variables = environment.variables(prefixes, together.domain, together.folder)
             file = folder / "robot.json"
-            return Recording(file, root, self._recorded(file, there, variables, *system.words))
+            return Recording(file, root, self._recorded(file, Counter(observed.names), variables, *system.words))
 
-    def _recorded(self, file: Path, there: set[str], variables: dict[str, str], *words: str) -> dict[str, Any]:
-        """The recording in which all nodes are that are there; a busy machine discovers slowly, so a few are tried."""
+    def _recorded(
+        self, file: Path, there: Counter[str], variables: dict[str, str], *words: str
+    ) -> dict[str, Any]:
+        """The recording in which all nodes are that are there, namesakes too; a busy machine discovers slowly, so a few
+        are tried."""
         command = [self.servers.environment.python, self.script, "--seconds", "30", "-o", file, *words]
         content: dict[str, Any] = {}
         for _ in range(TRIES):
             subprocess.run(command, env=variables, timeout=90, check=True)
             content = json.loads(file.read_text("utf-8"))
-            if content["settled"] and there <= {node["name"] for node in content["nodes"]}:
+            if content["settled"] and there <= Counter({node["name"]: node["count"] for node in content["nodes"]}):
                 break
         return content
 
