@@ -26,6 +26,7 @@ test: style types layers suite  ## all of it
 
 style: $(STAMP)
 	$(BIN)/ruff check .
+	$(BIN)/ruff format --check --quiet .
 
 types: $(STAMP)
 	$(BIN)/mypy

@@ -22,9 +22,7 @@ NAME_WITHOUT_A_NAME = {"python": "node.py", "toml": "archlint.toml"}
 _SECTION = re.compile(r"^## (?P<kind>Bad|Good)(?:: (?P<title>.+))?$")
 _FILE_NAME = re.compile(r"^`(?P<name>[^`]+)`:$")
 _FENCE = re.compile(r"^```(?P<language>[a-z]*)$")
-_MARKER = re.compile(
-    r"\s*(?:#\s*expect:\s*(?P<hash>[A-Z0-9, ]+?)|<!--\s*expect:\s*(?P<xml>[A-Z0-9, ]+?)\s*-->)\s*$"
-)
+_MARKER = re.compile(r"\s*(?:#\s*expect:\s*(?P<hash>[A-Z0-9, ]+?)|<!--\s*expect:\s*(?P<xml>[A-Z0-9, ]+?)\s*-->)\s*$")
 _CODE = re.compile(r"[A-Z]{3}\d{3}")
 
 
@@ -62,9 +60,7 @@ def load_examples(rules_dir: Path) -> list[Example]:
     """The examples of all pages in ``rules_dir``, in order; only rules with a page there are expected."""
     pages = {path.name[:6]: path for path in sorted(rules_dir.glob("[A-Z][A-Z][A-Z][0-9][0-9][0-9]-*.md"))}
     examples = [
-        example
-        for code, path in pages.items()
-        for example in read_page(code, path.read_text(encoding="utf-8"))
+        example for code, path in pages.items() for example in read_page(code, path.read_text(encoding="utf-8"))
     ]
     for example in examples:
         example.expected = [place for place in example.expected if place[2] in pages]

@@ -164,9 +164,7 @@ def test_extend_inherits_tables_key_by_key_and_everything_else_whole(folder: Pat
         "base/archlint.toml",
         'exclude = ["a", "b"]\nignore = ["TMO"]\n[severity]\nSRV = "info"\nTMO = "info"',
     )
-    write(
-        folder, "archlint.toml", 'extend = "base/archlint.toml"\nexclude = ["c"]\n[severity]\nSRV = "error"'
-    )
+    write(folder, "archlint.toml", 'extend = "base/archlint.toml"\nexclude = ["c"]\n[severity]\nSRV = "error"')
     settings = load(folder)
     assert settings.exclude == (Glob("c", folder.as_posix()),)
     assert settings.severity == {"SRV": Severity.ERROR, "TMO": Severity.INFO}
@@ -244,9 +242,7 @@ def test_options_of_a_rule(folder: Path):
         ("extend = 'no.toml'", "`extend` names a file that is not there: no.toml", 1),
     ],
 )
-def test_a_mistake_is_shown_with_its_line_and_what_was_meant(
-    folder: Path, text: str, message: str, line: int
-):
+def test_a_mistake_is_shown_with_its_line_and_what_was_meant(folder: Path, text: str, message: str, line: int):
     told = complaint(folder, text)
     assert message in told
     assert told.startswith(f"archlint.toml:{line}: ")

@@ -59,8 +59,7 @@ def test_a_bare_ignore_is_refused():
     assert len(outcome.kept) == 1
     assert outcome.refused == [("node.py", bare)]
     assert refusal("node.py", bare) == (
-        "node.py:12:30: a bare `archlint: ignore` hides nothing; "
-        "name the rule, as in `# archlint: ignore[SRV003]`"
+        "node.py:12:30: a bare `archlint: ignore` hides nothing; name the rule, as in `# archlint: ignore[SRV003]`"
     )
 
 

@@ -94,9 +94,7 @@ class Recorder:
             file = folder / "robot.json"
             return Recording(file, root, self._recorded(file, Counter(observed.names), variables, *system.words))
 
-    def _recorded(
-        self, file: Path, there: Counter[str], variables: dict[str, str], *words: str
-    ) -> dict[str, Any]:
+    def _recorded(self, file: Path, there: Counter[str], variables: dict[str, str], *words: str) -> dict[str, Any]:
         """The recording in which all nodes are that are there, namesakes too; a busy machine discovers slowly, so a few
         are tried."""
         command = [self.servers.environment.python, self.script, "--seconds", "30", "-o", file, *words]

@@ -48,8 +48,7 @@ WAITS = {
     "loop": f"{_SENT}while not future.done():\n    time.sleep(0.01)\n{_GOOD}",
     "loop_limit": f"{_SENT}end = time.monotonic() + {LIMIT_S}\n"
     f"while not future.done() and time.monotonic() < end:\n    time.sleep(0.01)\n{_GOOD}",
-    "event": "came = threading.Event()\n"
-    f"{_SENT}future.add_done_callback(lambda _: came.set())\ncame.wait()\n{_GOOD}",
+    "event": f"came = threading.Event()\n{_SENT}future.add_done_callback(lambda _: came.set())\ncame.wait()\n{_GOOD}",
     "event_limit": "came = threading.Event()\n"
     f"{_SENT}future.add_done_callback(lambda _: came.set())\ncame.wait(timeout={LIMIT_S})\n{_GOOD}",
     "spin": f"{_SENT}{_SPIN}(self, future)\n{_GOOD}",

@@ -24,9 +24,7 @@ def main() -> None:
     parser = argparse.ArgumentParser(description=main.__doc__)
     parser.add_argument("checkouts", nargs="+", type=Path)
     parser.add_argument("--each", type=int, default=4, help="defects of a kind for each checkout (default 4)")
-    parser.add_argument(
-        "--only", action="append", default=[], help="kinds whose words, or rules, contain this"
-    )
+    parser.add_argument("--only", action="append", default=[], help="kinds whose words, or rules, contain this")
     parser.add_argument("--misses", action="store_true")
     parser.add_argument("--noise", action="store_true")
     options = parser.parse_args()

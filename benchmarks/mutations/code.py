@@ -108,9 +108,7 @@ def _front(source: PythonSource, method: Function) -> int | None:
     return source.offsets(first)[0] if simple and first.lineno > method.lineno else None
 
 
-def _planted(
-    sites: Sites, statement: str, *kinds: str
-) -> Iterator[tuple[PythonSource, ast.Call, Function, Defect]]:
+def _planted(sites: Sites, statement: str, *kinds: str) -> Iterator[tuple[PythonSource, ast.Call, Function, Defect]]:
     for source in sites.home.code:
         told: set[str] = set()
         for call, _, method in _callbacks(source, *kinds):
@@ -141,9 +139,7 @@ def rate_sleep(sites: Sites) -> Iterator[Defect]:
 
 @plants("`spin_once` in a callback")
 def spin(sites: Sites) -> Iterator[Defect]:
-    for _, _, _, made in _planted(
-        sites, "import rclpy; rclpy.spin_once(self); ", "subscription", "timer", "service"
-    ):
+    for _, _, _, made in _planted(sites, "import rclpy; rclpy.spin_once(self); ", "subscription", "timer", "service"):
         yield Defect(made.edits, ("EXE001",), made.places)
 
 
@@ -187,9 +183,7 @@ def cycle(sites: Sites) -> Iterator[Defect]:
         if end is None or at is None:
             continue
         type_, name = source.text(end.type).decode(), source.text(end.name).decode()
-        edit = source.inserted(
-            at, f"planted = self.create_client({type_}, {name}); planted.call({type_}.Request()); "
-        )
+        edit = source.inserted(at, f"planted = self.create_client({type_}, {name}); planted.call({type_}.Request()); ")
         also = ("SRV003", "EXE002", "EXE005", "TMO002", "CBG001", "NME001", "SRV004")
         yield Defect((edit,), ("SRV006",), made.places, also=also)
 
@@ -214,11 +208,7 @@ def _without_timeout(sites: Sites, rule: str, *names: str) -> Iterator[Defect]:
     for source in sites.home.code:
         for call in source.calls:
             for keyword in call.keywords:
-                if (
-                    called(call) in names
-                    and keyword.arg == "timeout_sec"
-                    and keyword.value.lineno == call.lineno
-                ):
+                if called(call) in names and keyword.arg == "timeout_sec" and keyword.value.lineno == call.lineno:
                     start = source.offsets(keyword.value)[0] - len("timeout_sec=")
                     end = source.offsets(keyword.value)[1]
                     if source.data[start:end].startswith(b"timeout_sec="):
@@ -256,16 +246,8 @@ def field_misspelt(sites: Sites) -> Iterator[Defect]:
     for source in sites.home.code:
         for scope, name in _message_variables(sites, source):
             for node in ast.walk(scope):
-                of_it = (
-                    isinstance(node, ast.Attribute)
-                    and isinstance(node.value, ast.Name)
-                    and node.value.id == name
-                )
-                if (
-                    not of_it
-                    or not isinstance(node, ast.Attribute)
-                    or isinstance(source.parents[node], ast.Call)
-                ):
+                of_it = isinstance(node, ast.Attribute) and isinstance(node.value, ast.Name) and node.value.id == name
+                if not of_it or not isinstance(node, ast.Attribute) or isinstance(source.parents[node], ast.Call):
                     continue
                 wrong = misspelt(node.attr)
                 if wrong is not None and node.value.lineno == node.end_lineno:
@@ -279,11 +261,7 @@ def _message_variables(sites: Sites, source: PythonSource) -> Iterator[tuple[ast
             continue
         assigned: dict[str, list[ast.expr]] = {}
         for item in ast.walk(node):
-            if (
-                isinstance(item, ast.Assign)
-                and len(item.targets) == 1
-                and isinstance(item.targets[0], ast.Name)
-            ):
+            if isinstance(item, ast.Assign) and len(item.targets) == 1 and isinstance(item.targets[0], ast.Name):
                 assigned.setdefault(item.targets[0].id, []).append(item.value)
         for name, values in assigned.items():
             value = values[0]

@@ -145,9 +145,7 @@ def second_server(sites: Sites) -> Iterator[Defect]:
 
 # ------------------------------------------------------------------------------------------------------------ QoS
 
-_PROFILES = (
-    "from rclpy.qos import QoSProfile as PlantedProfile, ReliabilityPolicy as R, DurabilityPolicy as D"
-)
+_PROFILES = "from rclpy.qos import QoSProfile as PlantedProfile, ReliabilityPolicy as R, DurabilityPolicy as D"
 
 
 def _depth(node: ast.expr | None) -> bool:
@@ -179,9 +177,7 @@ def transient_local(sites: Sites) -> Iterator[Defect]:
 def deadline(sites: Sites) -> Iterator[Defect]:
     imports = f"{_PROFILES}; from rclpy.duration import Duration as PlantedDuration"
     for one, other in pairs(sites, "publisher", "subscription"):
-        edits = _with_profile(
-            other, "PlantedProfile(depth=1, deadline=PlantedDuration(seconds=0.5))", imports
-        )
+        edits = _with_profile(other, "PlantedProfile(depth=1, deadline=PlantedDuration(seconds=0.5))", imports)
         if edits is not None and _depth(one.qos):
             yield Defect(edits, ("QOS003",), _places(one, other), also=("PKG001",))
 

@@ -41,9 +41,7 @@ def executable(sites: Sites) -> Iterator[Defect]:
         given = argument(call, 99, "executable")
         edit = misspelt_literal(source, given) if given is not None else None
         if edit is not None and given is not None:
-            yield Defect(
-                (edit,), ("LCH001",), (source.lines(given), source.lines(call)), also=("PRM005", "GRF002")
-            )
+            yield Defect((edit,), ("LCH001",), (source.lines(given), source.lines(call)), also=("PRM005", "GRF002"))
     for file, text, match in _xml(sites, r'<node\b[^>]*?\bexec="([\w.-]+)"'):
         package = re.search(r'\bpkg="([\w-]+)"', text[match.start() : text.find(">", match.start())])
         if package is not None and package.group(1) in sites.beside:
@@ -61,9 +59,7 @@ def remapping(sites: Sites) -> Iterator[Defect]:
                 edit = misspelt_literal(source, pair.elts[0])
                 if edit is not None:
                     # The name is what the code wrote again: it may now clash, or miss its partner.
-                    yield Defect(
-                        (edit,), ("LCH002",), (source.lines(pair),), also=("TOP004", "TOP001", "OWN001")
-                    )
+                    yield Defect((edit,), ("LCH002",), (source.lines(pair),), also=("TOP004", "TOP001", "OWN001"))
 
 
 @plants("a LaunchConfiguration misspelt")
@@ -195,9 +191,7 @@ def _yaml(sites: Sites, pattern: str) -> Iterator[tuple[str, str, re.Match[str]]
 
 def _is_python_node(sites: Sites, name: str) -> bool:
     """Whether some Python code of the workspace names a node so."""
-    pattern = re.compile(
-        rb"(?:__init__|Node|create_node)\(\s*(?:node_name=)?[\"']" + name.encode() + rb"[\"']"
-    )
+    pattern = re.compile(rb"(?:__init__|Node|create_node)\(\s*(?:node_name=)?[\"']" + name.encode() + rb"[\"']")
     return any(pattern.search(source.data) for package in sites.beside.values() for source in package.code)
 
 

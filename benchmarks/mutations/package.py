@@ -45,20 +45,12 @@ def dependency(sites: Sites) -> Iterator[Defect]:
             source.lines(node)
             for source in sites.home.code
             for node in source.tree.body
-            if (
-                isinstance(node, ast.ImportFrom)
-                and not node.level
-                and (node.module or "").split(".")[0] == name
-            )
-            or (
-                isinstance(node, ast.Import) and any(alias.name.split(".")[0] == name for alias in node.names)
-            )
+            if (isinstance(node, ast.ImportFrom) and not node.level and (node.module or "").split(".")[0] == name)
+            or (isinstance(node, ast.Import) and any(alias.name.split(".")[0] == name for alias in node.names))
         ]
         tags = re.finditer(rf"<((?:\w+_)?depend)\b[^>]*>\s*{re.escape(name)}\s*</\1>", text)
         edits = tuple(
-            Edit(sites.home.manifest, _at(text, tag.start()), _at(text, tag.end()), b"")
-            for tag in tags
-            if places
+            Edit(sites.home.manifest, _at(text, tag.start()), _at(text, tag.end()), b"") for tag in tags if places
         )
         if edits:
             # What the dropped package brought is missing, too.
@@ -72,9 +64,7 @@ def circle(sites: Sites) -> Iterator[Defect]:
         text = other.text(other.manifest).decode("utf-8", "replace")
         at = text.rfind("</package>")
         if at >= 0:
-            edit = Edit(
-                other.manifest, _at(text, at), _at(text, at), f"<depend>{sites.home.name}</depend>".encode()
-            )
+            edit = Edit(other.manifest, _at(text, at), _at(text, at), f"<depend>{sites.home.name}</depend>".encode())
             # Each package on the way may be told of its own circle; packages that need each other run together.
             places = tuple(Lines(package.manifest, 1, 10_000) for package in sites.beside.values())
             yield Defect((edit,), ("PKG003",), places, also=("OWN001", "OWN002"))

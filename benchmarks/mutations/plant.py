@@ -86,9 +86,7 @@ def edited(data: bytes, edits: list[Edit]) -> bytes:
     return data
 
 
-def _without(
-    findings: Iterable[Finding], before: Counter[Any], key: Callable[[Finding], Any]
-) -> list[Finding]:
+def _without(findings: Iterable[Finding], before: Counter[Any], key: Callable[[Finding], Any]) -> list[Finding]:
     """The findings that were not there before."""
     left = Counter(before)
     new = []

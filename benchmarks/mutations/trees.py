@@ -53,9 +53,7 @@ class Package:
     @cached_property
     def python(self) -> list[PythonSource]:
         """What can be parsed and is no test, no build and no launch file."""
-        return [
-            one for file in self.files if file.endswith(".py") and (one := self._parsed(file)) is not None
-        ]
+        return [one for file in self.files if file.endswith(".py") and (one := self._parsed(file)) is not None]
 
     @property
     def code(self) -> list[PythonSource]:
@@ -67,9 +65,7 @@ class Package:
 
     @property
     def launch_xml(self) -> list[str]:
-        return [
-            f for f in self.files if "launch" in f and f.endswith((".xml", ".launch")) and f != self.manifest
-        ]
+        return [f for f in self.files if "launch" in f and f.endswith((".xml", ".launch")) and f != self.manifest]
 
     def _parsed(self, file: str) -> PythonSource | None:
         parts = file.split("/")
@@ -83,9 +79,7 @@ def packages(root: Path) -> dict[str, Package]:
     found: dict[str, Package] = {}
     manifests: dict[str, Package] = {}
     for folder, folders, names in os.walk(root):
-        folders[:] = sorted(
-            one for one in folders if one not in SKIPPED and not (Path(folder) / one).is_symlink()
-        )
+        folders[:] = sorted(one for one in folders if one not in SKIPPED and not (Path(folder) / one).is_symlink())
         if "COLCON_IGNORE" in names:
             folders.clear()
             continue

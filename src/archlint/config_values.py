@@ -24,9 +24,7 @@ class ConfigurationError(Exception):
 
     def __init__(self, message: str, file: str = "", frame: str = "", line: int | None = None) -> None:
         place = file + (f":{line}" if line is not None else "")
-        super().__init__(
-            ": ".join(part for part in (place, message) if part) + (f"\n{frame}" if frame else "")
-        )
+        super().__init__(": ".join(part for part in (place, message) if part) + (f"\n{frame}" if frame else ""))
         self.message, self.file, self.line = message, file, line
 
 
@@ -56,9 +54,7 @@ class Glob:
         parts = file.split("/")
         above = ["/".join(parts[: end + 1]) for end in range(len(parts))]
         return any(
-            fnmatchcase(name, pattern)
-            for pattern in self.patterns()
-            for name in (above if "/" in pattern else parts)
+            fnmatchcase(name, pattern) for pattern in self.patterns() for name in (above if "/" in pattern else parts)
         )
 
 
@@ -79,9 +75,7 @@ class Source:
         except ValueError:
             return self.path.as_posix()
 
-    def error(
-        self, message: str, path: KeyPath = (), element: str | None = None, after: int = 0
-    ) -> ConfigurationError:
+    def error(self, message: str, path: KeyPath = (), element: str | None = None, after: int = 0) -> ConfigurationError:
         """An error about a key (the first one after a line), or about a string in its value, with the line in a
         frame."""
         place = locate(self.text, self.table + path, element, after) if path else None

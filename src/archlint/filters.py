@@ -25,9 +25,7 @@ class Filters:
     def __init__(self, settings: Settings, workspace: Workspace) -> None:
         self._selection = settings.selection
         self._by_file = [(glob, _codes(selectors)) for glob, selectors in settings.per_file_ignores.items()]
-        self._by_package = [
-            (name, _codes(selectors)) for name, selectors in settings.per_package_ignores.items()
-        ]
+        self._by_package = [(name, _codes(selectors)) for name, selectors in settings.per_package_ignores.items()]
         self._severities = _severities(settings)
         self._files = {file.relative: file for file in workspace.files}
 

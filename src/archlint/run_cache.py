@@ -31,9 +31,7 @@ _PIECE = 1_000_000
 class RunCache:
     """The record of one request over one state of a workspace."""
 
-    def __init__(
-        self, store: Store | NullStore, request: Request, workspace: Workspace, tree: SourceTree
-    ) -> None:
+    def __init__(self, store: Store | NullStore, request: Request, workspace: Workspace, tree: SourceTree) -> None:
         self._store = store
         self._request = request
         self._workspace = workspace
@@ -61,9 +59,7 @@ class RunCache:
         if self._key is None:
             return
         record = {
-            "findings": [
-                {**diagnostic(finding), "identity": finding.identity} for finding in judged.findings
-            ],
+            "findings": [{**diagnostic(finding), "identity": finding.identity} for finding in judged.findings],
             "summary": vars(judged.summary),
             "notices": judged.notices,
             "remarks": judged.remarks,

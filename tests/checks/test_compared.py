@@ -197,7 +197,7 @@ def test_nothing_is_compared_without_a_file(recorded, tmp_path):
 
 # -------------------------------------------------------------------------------------- what the source leaves open
 
-OPEN = '''\
+OPEN = """\
 import rclpy
 from rclpy.node import Node
 from std_msgs.msg import String
@@ -224,7 +224,7 @@ def main():
 
 if __name__ == '__main__':
     main()
-'''
+"""
 
 
 def watcher(**ends: Any) -> dict[str, Any]:
@@ -361,7 +361,7 @@ def test_a_parameter_of_another_type(open_folder, type_, differs):
 
 # -------------------------------------------------------------------------------------------------------------- bags
 
-DRIVER = '''\
+DRIVER = """\
 import rclpy
 from geometry_msgs.msg import Twist
 from rclpy.node import Node
@@ -383,7 +383,7 @@ def main():
 
 if __name__ == '__main__':
     main()
-'''
+"""
 
 
 def bag(folder: Path, *topics: tuple[str, str, str], source: str = DRIVER) -> Report:

@@ -797,7 +797,6 @@ def test_a_parameter_file_that_is_found_leaves_the_other_defaults(findings):
     assert len(findings("OWN001", two(gone))) == 1  # a name that no parameter decides stays
 
 
-
 def test_values_of_the_right_type(findings):
     assert findings("PRM002", node('<param name="rate" value="2.0"/>')) == []
     assert findings("PRM002", '<arg name="r"/>' + node('<param name="rate" value="$(var r)"/>')) == []

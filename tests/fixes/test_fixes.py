@@ -309,8 +309,7 @@ def test_two_names_that_end_alike_get_a_parameter_each(workbench: Workbench):
             """,
         ),
         (  # one name, two endpoints
-            "self.create_publisher(String, '/echo', 10); x = 1\n"
-            "self.create_subscription(String, '/echo', print, 10)",
+            "self.create_publisher(String, '/echo', 10); x = 1\nself.create_subscription(String, '/echo', print, 10)",
             """
             self.declare_parameter('echo_topic', '/echo')
             echo_topic = self.get_parameter('echo_topic').value

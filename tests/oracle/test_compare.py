@@ -57,9 +57,7 @@ def test_one_of_several_names_is_not_wrong():
 
 
 def test_an_unresolved_endpoint_is_found():
-    result = score(
-        [seen("/a")], [], [{"kind": "publisher", "file": "node.py", "line": 1, "reason": "a file"}]
-    )
+    result = score([seen("/a")], [], [{"kind": "publisher", "file": "node.py", "line": 1, "reason": "a file"}])
     assert (result.total.found, result.total.right_name) == (1, 0)
 
 

@@ -23,9 +23,7 @@ def test_expansion(name, namespace, expected):
     assert expand(name, "talker", namespace) == expected
 
 
-@pytest.mark.parametrize(
-    "name", ["", "a//b", "foo-bar", "x/1y", "foo/", "a~b", "~b", "{ns}/x", "{what}", "a{b", "9"]
-)
+@pytest.mark.parametrize("name", ["", "a//b", "foo-bar", "x/1y", "foo/", "a~b", "~b", "{ns}/x", "{what}", "a{b", "9"])
 def test_refusal(name):
     with pytest.raises(NameError_):
         expand(name, "talker", "/")

@@ -97,9 +97,7 @@ def test_helpers_of_tf_and_message_filters_are_noted_at_the_users_line(execute):
                 self.images = message_filters.Subscriber(self, Image, "image")
         """
     )
-    seen = [
-        (each["line"], each["kind"], each["name"], each["qos"]["durability"]) for each in record["entities"]
-    ]
+    seen = [(each["line"], each["kind"], each["name"], each["qos"]["durability"]) for each in record["entities"]]
     assert seen == [
         (10, "service", "/tf2_frames", "volatile"),
         (11, "subscriber", "/tf", "volatile"),

@@ -149,7 +149,7 @@ def test_a_base_that_is_called_a_node_or_used_as_one_makes_one(owners, base, use
             self.pub = self.create_publisher(String, "chatter", 10)
 
     if __name__ == "__main__":
-        {use or 'pass'}
+        {use or "pass"}
     """
     assert owners(source) == {"Thing": ["/chatter"]}
 

@@ -31,9 +31,7 @@ def test_one_line_a_finding():
     ],
 )
 def test_the_run_in_a_sentence(findings: list, suppressed: int, unresolved: int, sentence: str):
-    summary = summarise(
-        findings, files=42, nodes=1, suppressed=suppressed, unresolved=unresolved, elapsed_s=0.1
-    )
+    summary = summarise(findings, files=42, nodes=1, suppressed=suppressed, unresolved=unresolved, elapsed_s=0.1)
     assert summary_line(summary) == sentence
 
 

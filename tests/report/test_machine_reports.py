@@ -148,9 +148,7 @@ def test_sarif_keeps_to_the_limits_of_code_scanning(monkeypatch: pytest.MonkeyPa
     assert [result["ruleId"] for result in run["results"]] == ["LNT002", "SRV003"]
     assert [result["level"] for result in run["results"]] == ["warning", "error"]
     assert len(run["results"][1]["relatedLocations"]) == 1
-    assert (
-        "1 findings are left out" in run["invocations"][0]["toolExecutionNotifications"][0]["message"]["text"]
-    )
+    assert "1 findings are left out" in run["invocations"][0]["toolExecutionNotifications"][0]["message"]["text"]
 
 
 def test_sarif_says_when_archlint_itself_failed():
@@ -233,9 +231,7 @@ def test_every_format_is_the_same_on_every_run(format: str):
     assert render(format, report(NESTED, UNREADABLE)) == render(format, report(NESTED, UNREADABLE))
 
 
-@pytest.mark.skipif(
-    "SARIF_SCHEMA" not in os.environ, reason="SARIF_SCHEMA names no copy of the official schema"
-)
+@pytest.mark.skipif("SARIF_SCHEMA" not in os.environ, reason="SARIF_SCHEMA names no copy of the official schema")
 def test_sarif_is_valid_by_the_official_schema():
     import jsonschema
 

@@ -57,9 +57,7 @@ def test_a_file_that_cannot_be_shown_has_no_frame():
 
 def test_a_related_place_that_cannot_be_shown_still_speaks():
     related = Related(Place("gone.py", 3, 1, 3, 9), "the other publisher")
-    finding = Finding(
-        "OWN001", "multiple-publishers", Severity.WARNING, "two", NESTED.place, related=(related,)
-    )
+    finding = Finding("OWN001", "multiple-publishers", Severity.WARNING, "two", NESTED.place, related=(related,))
     assert " ::: gone.py:3:1\n  = line 3: the other publisher\n" in shown(finding)
 
 
@@ -114,7 +112,5 @@ def test_colours_add_nothing_but_colours():
 
 
 def test_the_system_of_a_finding_is_named():
-    finding = Finding(
-        "OWN001", "multiple-publishers", Severity.WARNING, "two", NESTED.place, system="a.launch.py"
-    )
+    finding = Finding("OWN001", "multiple-publishers", Severity.WARNING, "two", NESTED.place, system="a.launch.py")
     assert "  = system: a.launch.py\n" in shown(finding)

@@ -134,9 +134,7 @@ def _wrap_parameters() -> None:
         return declared
 
     node.declare_parameters = declare
-    parameter.get_parameter_value = lambda self: (
-        self._value if isinstance(self._value, Unknown) else as_message(self)
-    )
+    parameter.get_parameter_value = lambda self: self._value if isinstance(self._value, Unknown) else as_message(self)
 
 
 def _is_recorded(node: Any) -> bool:
@@ -450,5 +448,3 @@ def _do_not_end() -> None:
     )
     _node().destroy_node = lambda self: None
     _module("rclpy.executors").Executor.shutdown = lambda self, *_, **__: True
-
-

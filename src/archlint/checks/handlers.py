@@ -18,6 +18,7 @@ if TYPE_CHECKING:
     from archlint.program.model import Callback
     from archlint.system.model import System
 
+
 def handlers_of(system: System, role: str) -> Iterator[tuple[Callback, facts.Function]]:
     """The functions that are given as callbacks of a role and whose code is all there is to see."""
     for program in system.programs:

@@ -40,8 +40,7 @@ def waits_behind(system: System, wait: Wait) -> list[Edge]:
         for edge in row
         if edge.wait is wait
         for behind in edges.get(edge.target, ())
-        if behind.wait.call.context is not wait.call.context
-        and _meet(system, behind.server.node, edge.server.node)
+        if behind.wait.call.context is not wait.call.context and _meet(system, behind.server.node, edge.server.node)
     ]
 
 

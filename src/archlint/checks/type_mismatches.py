@@ -66,9 +66,7 @@ def _mismatches(code: str, system: System, connections: Mapping[str, Connection]
 
 def _missing_types(system: System) -> set[str]:
     """Types that no package defines, of which MSG002 speaks: what imports one does not even start."""
-    return {
-        f"{one.package}/{one.kind}/{one.name}" for program in system.programs for one in program.unknown_interfaces
-    }
+    return {f"{one.package}/{one.kind}/{one.name}" for program in system.programs for one in program.unknown_interfaces}
 
 
 def _one_type(one: Endpoint, other: Endpoint) -> bool:

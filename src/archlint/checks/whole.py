@@ -18,6 +18,7 @@ if TYPE_CHECKING:
 
 _NODE_BASES = frozenset({"Node", "LifecycleNode", "object", "ABC", "Generic", "Protocol"})
 
+
 def walk(item: object) -> Iterator[object]:
     """Every fact below one, itself first, in no particular order."""
     stack = [item]

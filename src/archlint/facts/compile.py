@@ -48,9 +48,7 @@ class Compiled(NamedTuple):
     lasting: bool = True
 
 
-def compile_sources(
-    sources: Sequence[bytes], jobs: int | None = None, deadline: float = DEADLINE
-) -> list[Compiled]:
+def compile_sources(sources: Sequence[bytes], jobs: int | None = None, deadline: float = DEADLINE) -> list[Compiled]:
     """The facts of many files, in their order, the same for any number of ``jobs``.
 
     ``jobs`` is the most processes that work at the same time; None leaves the number to us.  Where the system

@@ -296,9 +296,7 @@ class ExpressionLowering:
         )
 
     def _conditional(self, node: cst.IfExp) -> Expr:
-        return model.Conditional(
-            self.lower(node.test), self.lower(node.body), self.lower(node.orelse), self.span(node)
-        )
+        return model.Conditional(self.lower(node.test), self.lower(node.body), self.lower(node.orelse), self.span(node))
 
     # --------------------------------------------------------------------------------------- displays
 
@@ -361,9 +359,7 @@ class ExpressionLowering:
                 )
             )
             clause = clause.inner_for_in
-        return model.Comprehension(
-            kind, self.lower(element), self.optional(value), generators, self.span(node)
-        )
+        return model.Comprehension(kind, self.lower(element), self.optional(value), generators, self.span(node))
 
     # -------------------------------------------------------------------------- functions and the rest
 

@@ -182,9 +182,7 @@ class Lowering(ExpressionLowering):
 
     def _with(self, node: cst.With, body: list[Stmt]) -> None:
         items = [
-            model.WithItem(
-                self.lower(item.item), None if item.asname is None else self.lower(item.asname.name)
-            )
+            model.WithItem(self.lower(item.item), None if item.asname is None else self.lower(item.asname.name))
             for item in node.items
         ]
         is_async = node.asynchronous is not None

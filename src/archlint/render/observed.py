@@ -73,9 +73,7 @@ def _add_node(graph: networkx.MultiDiGraph, system: System, seen: SeenNode) -> N
     """A node that runs and that the source does not have, with what it is an end of."""
     node = Node(seen.name, None, None, None, "unknown", external=True, launch_place=seen.place)
     key = (NODE, seen.name)
-    graph.add_node(
-        key, kind=NODE, name=seen.name, resolution="exact", node=node, neighbour=False, observed=UNEXPECTED
-    )
+    graph.add_node(key, kind=NODE, name=seen.name, resolution="exact", node=node, neighbour=False, observed=UNEXPECTED)
     of_ros = implicit_names(system)
     for end in seen.ends:
         if not is_hidden(end.name) and end.name not in of_ros and not end.name.startswith(f"{seen.name}/"):

@@ -75,7 +75,6 @@ class World:
                     found.setdefault(key, set()).add(end.name if end.resolved else None)
         return {key: frozenset(names_) for key, names_ in found.items()}
 
-
     @cached_property
     def namespaces(self) -> Mapping[object, frozenset[str]]:
         """The namespaces in which whole systems have each node, by :func:`key_of`; a node of which one is not known

@@ -91,9 +91,7 @@ def compatible(offered: Qos, requested: Qos) -> list[Verdict]:
     code does not tell (None) yields no verdict.
     """
     verdicts = [verdict for rule in _RULES if (verdict := _policy_verdict(rule, offered, requested))]
-    verdicts += [
-        verdict for policy in _DURATIONS if (verdict := _duration_verdict(policy, offered, requested))
-    ]
+    verdicts += [verdict for policy in _DURATIONS if (verdict := _duration_verdict(policy, offered, requested))]
     errors = [verdict for verdict in verdicts if verdict.level == "error"]
     return errors or verdicts
 
@@ -108,9 +106,7 @@ def _policy_verdict(rule: _Rule, offered: Qos, requested: Qos) -> Verdict | None
     if offer in _UNDECIDED and request in _UNDECIDED:
         undecided = rule.policy != "liveliness"
     else:
-        undecided = (offer in _UNDECIDED and request == rule.strong) or (
-            offer == rule.weak and request in _UNDECIDED
-        )
+        undecided = (offer in _UNDECIDED and request == rule.strong) or (offer == rule.weak and request in _UNDECIDED)
     return Verdict(rule.policy, "warning", offer, request) if undecided else None
 
 

@@ -24,9 +24,7 @@ _NAME = rf"(?:~/|/)?{_TOKEN}(?:/{_TOKEN})*"
 _PREFIX = rf"(?:(?P<node>{_TOKEN}):(?!=))?"
 _NODE_RULE = re.compile(rf"{_PREFIX}(?:__node|__name):=(?P<replacement>{_TOKEN})")
 _NAMESPACE_RULE = re.compile(rf"{_PREFIX}__ns:=(?P<replacement>/(?:{_TOKEN}(?:/{_TOKEN})*/?)?)")
-_NAME_RULE = re.compile(
-    rf"{_PREFIX}(?P<scheme>rostopic://|rosservice://)?(?P<match>{_NAME}):=(?P<replacement>{_NAME})"
-)
+_NAME_RULE = re.compile(rf"{_PREFIX}(?P<scheme>rostopic://|rosservice://)?(?P<match>{_NAME}):=(?P<replacement>{_NAME})")
 _KINDS = {
     None: frozenset((TOPIC, SERVICE, ACTION)),
     "rostopic://": frozenset((TOPIC, ACTION)),
@@ -89,9 +87,7 @@ class Resolved:
     rule: RemapRule | None = None
 
 
-def first_match(
-    name: str, kind: str, node_name: str, namespace: str, rules: Iterable[RemapRule]
-) -> RemapRule | None:
+def first_match(name: str, kind: str, node_name: str, namespace: str, rules: Iterable[RemapRule]) -> RemapRule | None:
     """The first rule that matches the fully qualified ``name``."""
     for rule in rules:
         if rule.applies(kind, node_name) and names.expand(rule.match, node_name, namespace) == name:

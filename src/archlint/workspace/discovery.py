@@ -29,9 +29,7 @@ class PathNotFound(Exception):
         self.path = path
 
 
-def find(
-    paths: Sequence[str], *, exclude: Sequence[str] = (), working_directory: str | None = None
-) -> Workspace:
+def find(paths: Sequence[str], *, exclude: Sequence[str] = (), working_directory: str | None = None) -> Workspace:
     """All packages and files that ``paths`` (files and folders; without any, the working directory) lead to.
 
     ``exclude`` are ``fnmatch`` patterns for paths from the working directory, or for the name of a file or

@@ -73,7 +73,6 @@ class _Reader:
         self.stack.pop()
         self.text = []
 
-
     def needs(self, name: str) -> bool:
         return any(one.name == name and condition_holds(one.condition) for one in self.dependencies)
 

@@ -147,8 +147,7 @@ def _names_by_root(
 
 def _installed(text: str, folder: str, package: str) -> dict[str, str]:
     return {
-        os.path.normpath(os.path.join(folder, below)): name
-        for below, name in installed_modules(text, package).items()
+        os.path.normpath(os.path.join(folder, below)): name for below, name in installed_modules(text, package).items()
     }
 
 

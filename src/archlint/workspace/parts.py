@@ -70,9 +70,7 @@ def _child(folder: str, path: str) -> str:
 
 def _homes(file: SourceFile, units: Sequence[Sequence[Package]]) -> list[int]:
     """The numbers of the parts that a file is in; without a package, that of the nearest part."""
-    owners = [
-        number for number, unit in enumerate(units) if any(_is_in(file.path, package.root) for package in unit)
-    ]
+    owners = [number for number, unit in enumerate(units) if any(_is_in(file.path, package.root) for package in unit)]
     if owners:
         return owners
     return [max(range(len(units)), key=lambda number: (_nearness(file, units[number]), -number))]

@@ -49,4 +49,3 @@ def is_put_aside(path: str) -> bool:
     *folders, name = path.removeprefix(_below).lower().split("/")
     old = any(folder in _PUT_ASIDE or _NAMED_OLD.fullmatch(folder) for folder in folders)
     return old or _COPY.search(name) is not None
-

@@ -158,9 +158,7 @@ class Walk:
         real = os.path.realpath(entry.path) if entry.is_symlink() else os.path.join(folder.real, name)
         self._keep(real, entry.path, shown, kind, status, folder.context)
 
-    def _follow(
-        self, link: os.DirEntry[str], folder: _Folder, in_package: bool, top: str
-    ) -> Iterator[_Folder]:
+    def _follow(self, link: os.DirEntry[str], folder: _Folder, in_package: bool, top: str) -> Iterator[_Folder]:
         """Keep the file that a link leads to; yields the folder that it leads to.
 
         A link to a folder around ``top`` leads out of what was asked for, in the worst case to ``/``.
@@ -180,9 +178,7 @@ class Walk:
         if not folder.ignores.ignored(link.path):
             yield _Folder(link.path, shown, real, folder.ignores, folder.context, frozenset())
 
-    def _keep(
-        self, real: str, path: str, shown: str, kind: str, status: os.stat_result, context: bool
-    ) -> None:
+    def _keep(self, real: str, path: str, shown: str, kind: str, status: os.stat_result, context: bool) -> None:
         if real in self.files:
             return
         if not stat.S_ISREG(status.st_mode):

@@ -95,9 +95,7 @@ def _harmless(ir: facts.Function, name: str, functions: Mapping[str, facts.Funct
     return count
 
 
-def _lent(
-    call: facts.Call, function: facts.Function | None, name: str, functions: Mapping[str, facts.Function]
-) -> int:
+def _lent(call: facts.Call, function: facts.Function | None, name: str, functions: Mapping[str, facts.Function]) -> int:
     """How many arguments of a call are a variable with which the function that is called does no harm."""
     if function is None or function.is_generator or any(given.star for given in call.args):
         return 0
