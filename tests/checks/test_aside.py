@@ -169,6 +169,7 @@ def test_what_a_script_beside_the_packages_imports(named):
         ({"setup.py": "from setuptools import setup\nsetup(name='robot')\n"}, ""),
         ({"setup.py": "from setuptools import setup\nimport where\nsetup(name='robot', entry_points=where.all)\n"}, ""),
         ({"launch/a.launch.xml": "<launch><executable cmd='python3 robot/talker.py'/></launch>"}, ""),
+        ({"launch/a.launch.xml": "<launch><executable cmd='python3 -m robot.talker'/></launch>"}, ""),
     ],
     ids=[
         "installed",
@@ -178,12 +179,31 @@ def test_what_a_script_beside_the_packages_imports(named):
         "a library",
         "not known",
         "a launch file runs it",
+        "a launch file runs it as a module",
     ],
 )
 def test_a_script_that_can_be_started(named, files: dict[str, str], more: str):
     [found] = named({"robot/talker.py": NODE, **files}, more)
 
     assert found.severity is Severity.WARNING
+
+
+NEVER_ADDED = """
+from launch import LaunchDescription
+from launch_ros.actions import Node
+
+
+def generate_launch_description():
+    talker = Node(package='robot', executable='talker')
+    return LaunchDescription([])
+"""
+
+
+@pytest.mark.parametrize("launch", [LAUNCH, NEVER_ADDED], ids=["started", "never added"])
+def test_a_launch_file_that_names_an_executable_which_is_not_there(named, launch: str):
+    [found] = named({"robot/talker.py": NODE, "launch/robot.launch.py": launch})
+
+    assert found.severity is Severity.INFO and found.message.endswith("in code that no package installs")
 
 
 TABLE = """

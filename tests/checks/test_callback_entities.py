@@ -413,6 +413,53 @@ class Part:
         main = "from part import Part\n" + textwrap.dedent(ON_ONE_THREAD)
         assert codes(run(source(setup, self.TICK, main))) == expected
 
+    LISTENER = """
+import threading
+
+from rclpy.callback_groups import ReentrantCallbackGroup
+from rclpy.executors import SingleThreadedExecutor
+from std_msgs.msg import Empty
+
+
+class Listener:
+    def __init__(self, node, spin_thread=False):
+        group = ReentrantCallbackGroup()
+        node.create_subscription(Empty, 'news', print, 10, callback_group=group)
+        if {condition}:
+            self.executor = SingleThreadedExecutor()
+            self.executor.add_node(node)
+            threading.Thread(target=self.executor.spin, daemon=True).start()
+"""
+
+    @pytest.mark.parametrize(
+        ("module", "expected"),
+        [
+            pytest.param(LISTENER.format(condition="spin_thread"), [], id="an option that spins"),
+            pytest.param(LISTENER.partition("        if ")[0], ["CBG002"], id="no such option"),
+        ],
+    )
+    def test_a_listener_that_can_spin_by_itself(self, run: Run, tmp_path: Path, module: str, expected: list[str]):
+        (tmp_path / "listener.py").write_text(module)
+        setup = "Listener(self)\nself.create_timer(1.0, self.tick)"
+        main = "from listener import Listener\n" + textwrap.dedent(ON_ONE_THREAD)
+        assert codes(run(source(setup, self.TICK, main))) == expected
+
+    def test_a_main_that_chooses_one_thread(self, run: Run):
+        main = """
+def main():
+    rclpy.init()
+    node = Robot()
+    node.create_timer(6.0, node.tick, callback_group=ReentrantCallbackGroup())
+    executor = SingleThreadedExecutor()
+    executor.add_node(node)
+    executor.spin()
+
+
+if __name__ == '__main__':
+    main()
+"""
+        assert codes(run(source("self.create_timer(5.0, self.tick)", self.TICK, main))) == ["CBG002"]
+
     @pytest.mark.parametrize(
         ("executor", "expected"), [("MultiThreadedExecutor", []), ("SingleThreadedExecutor", ["CBG002"])]
     )

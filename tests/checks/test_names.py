@@ -201,9 +201,10 @@ class TestHardcodedName:
 
 ROBOT = """
     import rclpy
+    from gazebo_msgs.srv import SpawnEntity
     from rclpy.node import Node
     from std_msgs.msg import String
-    from std_srvs.srv import Trigger
+    from std_srvs.srv import Empty, Trigger
     {top}
 
     class Robot(Node):
@@ -242,8 +243,8 @@ class TestHardcodedNamesOfOneClass:
             "2 names of Robot are absolute and fixed in the code, such as the topic '/words': no namespace moves them"
         )
         assert [(one.place.line, one.message) for one in found.related] == [
-            (12, "the topic '/words'"),
-            (13, "the service '/reset'"),
+            (13, "the topic '/words'"),
+            (14, "the service '/reset'"),
         ]
 
     def test_what_is_suppressed_is_not_counted(self, judge: Judge):
@@ -298,6 +299,8 @@ class TestHardcodedNamesOfOneClass:
             ),
             ("self.create_publisher(String, '/fmu/in/arming', 10)  # here",),
             ("self.create_client(Trigger, '/world/empty/create')  # here",),
+            ("self.create_client(SpawnEntity, '/spawn_entity')  # here",),
+            ("self.create_client(Empty, '/reset_world')  # here",),
             ("self.create_subscription(String, '/utlidar/cloud', print, 10)  # here",),
             ("self.create_subscription(String, '/scanner_sdk_node/words', print, 10)  # here",),
         ],
@@ -307,6 +310,8 @@ class TestHardcodedNamesOfOneClass:
             "one of two calls",
             "PX4's",
             "Gazebo's",
+            "Gazebo's by its type",
+            "a service of Gazebo's for all robots",
             "Unitree's",
             "below the name of a node from elsewhere",
         ],
@@ -324,9 +329,15 @@ class TestHardcodedNamesOfOneClass:
                 "self.other = rclpy.create_node('other_node')",
             ),
             ("self.create_subscription(String, '/camera/words', print, 10)  # here",),
+            ("self.create_client(Trigger, '/spawn_entity')  # here",),
             ("self.create_subscription(String, '/other_node', print, 10)  # here",),
         ],
-        ids=["below the name of a node that is here", "below some name", "no name below it"],
+        ids=[
+            "below the name of a node that is here",
+            "below some name",
+            "Gazebo's name for another type",
+            "no name below it",
+        ],
     )
     def test_names_that_nothing_outside_is_seen_to_fix(self, judge: Judge, lines: tuple[str, ...]):
         [found] = judge("NME001", robot(*lines))

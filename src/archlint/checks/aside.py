@@ -5,6 +5,7 @@ Rules that judge the taste of code, and not whether it works, ask here.
 
 from __future__ import annotations
 
+import re
 from functools import lru_cache
 from typing import TYPE_CHECKING
 
@@ -74,7 +75,7 @@ def _is_script(world: World, file: str) -> bool:
 
 
 def _is_named(world: World, installs: Installs, file: str) -> bool:
-    """Whether the files that build the package, or any launch file, mention a script."""
+    """Whether the files that build the package mention a script, or a launch file does so as a file or a module."""
     loader = world.loader
     assert loader is not None
     stem = file.rpartition("/")[2].removesuffix(".py")
@@ -84,7 +85,16 @@ def _is_named(world: World, installs: Installs, file: str) -> bool:
     if stem in installs.words or f"{stem}.py" in installs.words or stem in installs.executables:
         return True
     built = [f"{installs.folder}/{name}".removeprefix("./") for name in ("setup.py", "setup.cfg", "pyproject.toml")]
-    return any(loader.mentions(path, stem) for path in (*built, *loader.launch_files()))
+    if any(loader.mentions(path, stem) for path in built):
+        return True
+    # A launch file starts executables by their names, and this file is none: only as a file or a module can it run.
+    return any(_mentions_file(loader, path, stem) for path in loader.launch_files())
+
+
+def _mentions_file(loader: LaunchLoader, path: str, stem: str) -> bool:
+    """Whether ``stem.py``, or a module of that name in a package (``robot.stem``), stands anywhere in a file."""
+    text, name = loader.tree.text(path), re.escape(stem)
+    return text is not None and re.search(rf"(?<!\w){name}\.py(?!\w)|\w\.{name}(?![\w(])", text) is not None
 
 
 @lru_cache(maxsize=2)

@@ -36,6 +36,10 @@ FIXED_BY_OTHERS = {
     "/mavros/": "MAVROS",
     "/world/": "Gazebo",
     "/gazebo/": "Gazebo",
+    "/pause_physics": "Gazebo",
+    "/unpause_physics": "Gazebo",
+    "/reset_simulation": "Gazebo",
+    "/reset_world": "Gazebo",
     "/carla/": "CARLA",
     "/api/sport/": "Unitree",
     "/lf/lowstate": "Unitree",
@@ -46,6 +50,8 @@ FIXED_BY_OTHERS = {
     "/utlidar/": "Unitree",
 }
 """Systems outside of ROS that one robot or one simulation has one of, and whose bridges choose these names."""
+_TYPES_OF_OTHERS = {"gazebo_msgs/srv/": "Gazebo"}
+"""Types of services that only such a system offers: ``/spawn_entity`` of gazebo_ros, one for all robots."""
 
 _BY_CODE = frozenset({"literal", "format"})
 _NAMES_SHOWN = 3
@@ -193,7 +199,7 @@ def _reason(world: World | None, endpoint: Endpoint, users: int) -> _Reason:
     node, name = endpoint.node, endpoint.written or ""
     if not name.startswith("/"):
         return _RELATIVE
-    owner = next((owner for prefix, owner in FIXED_BY_OTHERS.items() if name.startswith(prefix)), None)
+    owner = _owner(name, endpoint.type or "")
     if owner is not None:
         return _of_others(owner)
     if _private_to_foreign_node(world, name):
@@ -205,6 +211,13 @@ def _reason(world: World | None, endpoint: Endpoint, users: int) -> _Reason:
     if is_not_installed(world, endpoint.place.file):
         return _NOT_INSTALLED
     return _by_namespace(world, node)
+
+
+def _owner(name: str, type_: str) -> str | None:
+    """The system outside of ROS that fixes a name, if one does."""
+    by_name = (owner for prefix, owner in FIXED_BY_OTHERS.items() if name.startswith(prefix))
+    by_type = (owner for prefix, owner in _TYPES_OF_OTHERS.items() if type_.startswith(prefix))
+    return next(iter((*by_name, *by_type)), None)
 
 
 def _private_to_foreign_node(world: World | None, name: str) -> bool:

@@ -12,6 +12,7 @@ from archlint.checks.deadlock import related_executor, threads_of
 from archlint.checks.reach import judged_calls, node_name, one_for_each_place, same_expression
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.spins import spun_by_several, spun_in_callbacks
+from archlint.checks.whole import enclosing_function, walk
 from archlint.facts import model as facts
 from archlint.facts.walk import blocks_of, called_name, calls_in, parts_of
 from archlint.finding import Finding, Place, Related
@@ -161,7 +162,7 @@ def _never_spun(system: System, node: Blueprint, idle: _Idle) -> Finding:
 # --------------------------------------------------------------------------------------------------- CBG002
 
 
-@rule("CBG002")
+@rule("CBG002", taste=True)
 def groups_without_threads(system: System, options: Options) -> Iterator[Finding]:
     """Callback groups of nodes that one thread spins."""
     kept = _needing(system) | spun_by_several(system)
@@ -175,7 +176,13 @@ def groups_without_threads(system: System, options: Options) -> Iterator[Finding
         _useless(system, program, node, groups)
         for program, node in _judged(system)
         if threads_of(node, program) == blocking.ONE and id(node) not in kept and not _only_excludes(program, node)
-        for groups in [[(place, kind) for place, kind in _groups(node) if place not in effective]]
+        for groups in [
+            [
+                (place, kind)
+                for place, kind in _groups(node)
+                if place not in effective and not _spins_if_asked(system, program, node, place)
+            ]
+        ]
         if groups
     )
 
@@ -215,6 +222,19 @@ def _only_excludes(program: Program, node: Blueprint) -> bool:
     uses = [use for use in program.executors if node in use.nodes]
     chosen_in = {place.file for use in uses for place in (use.place, use.spins_at(node)) if place is not None}
     return len(groups) == 1 or own[0].place.file not in chosen_in
+
+
+def _spins_if_asked(system: System, program: Program, node: Blueprint, group: Place) -> bool:
+    """Whether the function that makes a group would give the node an executor of its own, too, and did not here: it
+    has an option for that, as ``TransformListener(…, spin_thread=True)``, and the group is for those who choose it."""
+    made_by = None if system.world is None else enclosing_function(system.world, group)
+    if made_by is None or not any(
+        isinstance(one, facts.Call) and called_name(one) == "add_node" for one in walk(made_by.body)
+    ):
+        return False
+    uses = [use for use in program.executors if node in use.nodes]
+    places = [place for use in uses for place in (use.place, use.spins_at(node)) if place is not None]
+    return not any(one.file == group.file and made_by.span[0] <= one.line <= made_by.span[2] for one in places)
 
 
 def _awaits(callback: Callback) -> bool:
