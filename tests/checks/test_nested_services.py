@@ -1,5 +1,7 @@
 from __future__ import annotations
 
+import pytest
+
 from archlint.finding import Severity
 from checks.judging import Judge
 
@@ -222,6 +224,40 @@ class TestCarefulCode:
             [found] = judge("SRV003", self.careful(body))
 
             assert found.severity is Severity.INFO
+
+    @pytest.mark.parametrize(
+        ("limit", "severity"),
+        [("load_limit()", Severity.INFO), ("None", Severity.WARNING)],
+        ids=["not known", "None"],
+    )
+    def test_a_limit_that_is_not_known_is_one(self, judge: Judge, limit: str, severity: Severity):
+        body = tuple(line.replace("wait(2.0)", f"wait({limit})") for line in self.SIGNALLED)
+        [found] = judge("SRV003", self.careful(body))
+
+        assert found.severity is severity
+
+    OPEN = """
+        def open(self, request, response):
+            return self.close(request, response)
+
+        def stop(self, request, response):
+            return response
+"""
+
+    def test_handlers_that_wait_at_the_same_line_are_kept_apart(self, judge: Judge):
+        opens = "self.create_service(Trigger, 'open', self.open)"
+        [found] = judge("SRV003", self.careful(self.BOUNDED, more=opens, extra=self.OPEN))
+
+        assert found.severity is Severity.INFO
+
+        stops = f"{opens}\n            self.create_service(Trigger, 'stop', self.stop)"
+        [found] = judge("SRV003", self.careful(self.BOUNDED, more=stops, extra=self.OPEN))
+
+        assert found.severity is Severity.WARNING
+        assert found.message.endswith("and so does what is in its callback group: the service 'stop'")
+        assert found.help == (
+            "give the service 'stop' a callback group apart from those that wait here one after the other"
+        )
 
     def test_a_wait_without_a_limit_stays_a_warning(self, judge: Judge):
         body = ("answer = self.motor.call(SetBool.Request())  # here", *self.BOUNDED[1:])

@@ -312,8 +312,7 @@ def test_a_handler_is_told_where_it_takes_long(run: Run):
     assert "sleeps for 0.05 s each time round a loop" in found.message
 
 
-def test_the_waits_of_a_function_are_one_finding(run: Run):
-    method = """
+MAKES = """
     def tick(self):
         time.sleep(1.0)
         time.sleep(2.0)
@@ -321,12 +320,31 @@ def test_the_waits_of_a_function_are_one_finding(run: Run):
 
     def make(self):
         subprocess.run(['make'])
+        time.sleep(3.0)
     """
-    first, second = run(source(TIMER, method))
-    assert first.code == second.code == "EXE003"
-    assert "sleeps for 1 s, as does another line of Robot.tick" in first.message
-    assert first.related[-1].message == "here it sleeps for 2 s"
-    assert "waits for a process in subprocess.run()" in second.message
+
+
+def test_the_waits_that_one_callback_gets_to_are_one_finding(run: Run):
+    [found] = run(source(TIMER, MAKES))
+    assert found.code == "EXE003"
+    assert "sleeps for 1 s, as does another line of Robot.tick" in found.message
+    assert found.message.endswith("; it waits in another function, too")
+    assert [one.message for one in found.related if one.message.startswith("here it")] == [
+        "here it sleeps for 2 s",
+        "here it waits in run(), too",
+        "here it sleeps for 3 s",
+    ]
+
+
+def test_what_is_allowed_at_one_place_leaves_the_others(run: Run):
+    [found] = run(source(TIMER, MAKES.replace("time.sleep(1.0)", "time.sleep(1.0)  # archlint: ignore[EXE003]")))
+    assert "waits for a process in subprocess.run()" in found.message and "too" not in found.message
+
+
+def test_two_callbacks_are_two_findings(run: Run):
+    timers = TIMER + "self.create_timer(7.0, self.tock)\n"
+    tock = "def tock(self):\n    time.sleep(2.0)\n"
+    assert codes(run(source(timers, timer("time.sleep(1.0)") + "\n" + tock))) == ["EXE003", "EXE003"]
 
 
 @pytest.mark.parametrize(("seconds", "expected"), [("0.2", []), ("3.0", ["SRV008"])])

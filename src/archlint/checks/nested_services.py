@@ -20,7 +20,7 @@ from archlint.checks.reach import (
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.service_cycles import Edge, waits_behind
 from archlint.checks.stuck import nested_waits
-from archlint.checks.waits import BLOCKING_CALLS, Wait
+from archlint.checks.waits import BLOCKING_CALLS, Wait, waits
 from archlint.facts import model as facts
 from archlint.finding import Finding, Related, Severity
 from archlint.program.model import ACTION_CLIENT
@@ -37,6 +37,7 @@ _NAMES_SHOWN = 3
 _GO_ON = "send the request with call_async(), return, and report the outcome on a topic from the done callback"
 _AWAIT = "make the handler async, give the client a callback group of its own, and await {}: no thread waits"
 _APART = "give {} a callback group of its own, so that the others run meanwhile"
+_NOT_WITH_IT = "give {} a callback group apart from those that wait here one after the other"
 _LONGER = "let the limit here be longer than what {} may wait in all"
 _KEEP = "keep the limit, and let whoever asks for {} wait longer than it"
 _IF_IT_CAN = "where the caller can do without the outcome, return, and report it on a topic from the done callback"
@@ -74,13 +75,14 @@ def _nested(system: System, rows: list[_Row]) -> Finding:
     further = [row[0] for row in rows if row[0] is not wait]
     service = endpoint_words(handler.creation)
     awaited = _all_words([wait, *further]) if verdict.safe else endpoint_words(wait.client)
-    held_up = _held_up(wait)
+    rivals = {one.call.context.place for one in waits(system) if one.call.place == call.place} - {handler.place}
+    held_up = [one for one in _held_up(wait) if one.place not in rivals]
     behind = waits_behind(system, wait) if verdict.safe else []
     found = finding(
         "SRV003",
         call.place,
         f"the handler of {service} {_waits_for(wait, verdict, awaited)}{_outcome(wait, verdict, held_up, behind)}",
-        help=_help(wait, verdict, held_up, behind),
+        help=_help(wait, verdict, held_up, behind, bool(rivals)),
         related=[
             Related(handler.place, f"{handler.name} handles {service}"),
             *related_chain(call),
@@ -102,7 +104,7 @@ def _nested(system: System, rows: list[_Row]) -> Finding:
 
 def _careful(wait: Wait) -> bool:
     """Whether a wait has an end, and what it brings is looked at: there is nothing to do but to know of it."""
-    return wait.limited and wait.kind != SPIN and not _thrown_away(wait)
+    return wait.bounded and wait.kind != SPIN and not _thrown_away(wait)
 
 
 def _thrown_away(wait: Wait) -> bool:
@@ -153,16 +155,18 @@ def _on_one_way(waits: list[Wait]) -> bool:
     return all(longer[: len(shorter)] == shorter for shorter, longer in pairwise(arms))
 
 
-def _help(wait: Wait, verdict: Verdict, held_up: Sequence[Callback], behind: Sequence[Edge]) -> str:
+def _help(wait: Wait, verdict: Verdict, held_up: Sequence[Callback], behind: Sequence[Edge], kept_apart: bool) -> str:
     """What to do: whoever looks at the answer needs it before the handler returns."""
     if wait.kind == AWAIT:
         return _IF_IT_CAN if verdict.safe else _GROUP
     if wait.kind == CALL and _thrown_away(wait):
         return _GO_ON
     service = endpoint_words(wait.call.context.creation)
-    if verdict.safe and wait.limited and wait.kind != SPIN:
+    if verdict.safe and wait.bounded and wait.kind != SPIN:
         if behind:
             return _LONGER.format(behind[0].server.name)
+        if held_up and kept_apart:
+            return _NOT_WITH_IT.format(_names_of(held_up))
         return _APART.format(service) if held_up else _KEEP.format(service)
     if verdict.safe and wait.limited:
         return _IF_IT_CAN

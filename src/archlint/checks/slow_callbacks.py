@@ -39,6 +39,8 @@ MOMENT = 0.1
 DISCOVERY = 1.0
 """Seconds that a callback may look for a server."""
 
+_HERE = "here it"
+
 _OF_PROCESS = ("subprocess.Popen.wait", "subprocess.Popen.communicate")
 _ENDS = frozenset({"terminate", "kill", "send_signal"})
 _TRIFLES = frozenset({"clear", "cls", "reset", ""})
@@ -216,12 +218,29 @@ def _slow(system: System, rows: Sequence[_Row]) -> Finding:
         help=_instead(call, stay),
         related=(
             *related_to(call, program),
-            *(Related(other.place, f"here it {words.words}") for _, other, words in others),
+            *(Related(other.place, f"{_HERE} {words.words}") for _, other, words in others),
         ),
         node=node_name(system, callback.node),
         identity=(callback.name, call.api),
+        group=(callback.place.file, str(callback.place.line), str(callback.place.column), callback.name),
     )
     return replace(found, severity=Severity.INFO) if mild else found
+
+
+@folds("EXE003")
+def _of_one_callback(findings: Sequence[Finding]) -> Finding:
+    """The finding for all functions with waits that one callback gets to: it has to be taken apart once."""
+    first, *others = findings
+    here = [
+        line
+        for one in others
+        for line in (
+            Related(one.place, f"{_HERE} waits in {one.identity[1].rpartition('.')[2]}(), too"),
+            *(line for line in one.related if line.message.startswith(_HERE)),
+        )
+    ]
+    more = "another function" if len(others) == 1 else f"{len(others)} more functions"
+    return replace(first, message=f"{first.message}; it waits in {more}, too", related=(*first.related, *here))
 
 
 def _answers_in_time(call: ApiCall, stay: Stay) -> bool:

@@ -19,10 +19,11 @@ from archlint.facts import model as facts
 from archlint.facts.paths import always_left
 from archlint.facts.walk import called_name, statements_of
 from archlint.program.interest import names_in
-from archlint.program.values import FutureValue, Instance
+from archlint.program.values import FutureValue, Instance, Known, alternatives
 
 if TYPE_CHECKING:
     from archlint.program.model import ApiCall, Creation, Program
+    from archlint.program.values import Value
     from archlint.system.model import System
 
 BLOCKING_CALLS = (
@@ -36,6 +37,7 @@ SPINS_FOR_FUTURE = (
     "rclpy.executors.Executor.spin_until_future_complete",
     "rclpy.executors.Executor.spin_once_until_future_complete",
 )
+_LIMITS = ("timeout_sec", "timeout")
 _DONE = "rclpy.task.Future.done"
 _ADD_DONE_CALLBACK = "rclpy.task.Future.add_done_callback"
 _EVENT_WAIT = "threading.Event.wait"
@@ -46,7 +48,8 @@ _EVENT_SET = "threading.Event.set"
 class Wait:
     """A place where code stands still until an answer has come.
 
-    ``kind`` is one of those of :mod:`archlint.checks.deadlock`; ``limited`` tells that a timeout ends it.
+    ``kind`` is one of those of :mod:`archlint.checks.deadlock`; ``limited`` tells that a timeout ends it;
+    ``bounded``, that one does, or that a limit is given which is not known.
     """
 
     kind: str
@@ -54,6 +57,7 @@ class Wait:
     client: Creation
     program: Program
     limited: bool = False
+    bounded: bool = False
 
 
 @once_for_each_system
@@ -64,9 +68,18 @@ def waits(system: System) -> list[Wait]:
     for program, call in judged_calls(system):
         for kind, clients in _waits_of(call, signals):
             if clients:
-                limited = any(has_limit(call, name) for name in ("timeout_sec", "timeout")) or _gives_up(call)
-                found.append(Wait(kind, call, clients[0], program, limited))
+                limited = any(has_limit(call, name) for name in _LIMITS) or _gives_up(call)
+                bounded = limited or any(_may_end(argument(call, name)) for name in _LIMITS)
+                found.append(Wait(kind, call, clients[0], program, limited, bounded))
     return found
+
+
+def _may_end(limit: Value | None) -> bool:
+    """Whether a limit is given, as far as is known: one that may be None is none."""
+    return limit is not None and all(
+        not isinstance(option, Known) or (isinstance(option.value, (int, float)) and option.value >= 0)
+        for option in alternatives(limit)
+    )
 
 
 def _waits_of(call: ApiCall, signals: dict[int, Creation]) -> Iterator[tuple[str, tuple[Creation, ...]]]:
