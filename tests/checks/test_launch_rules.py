@@ -481,6 +481,48 @@ def test_an_argument_that_is_declared_too_late(findings):
     assert [one.message for one in found.related] == ["it is declared here"]
 
 
+READS_ITSELF = """\
+from launch import LaunchDescription
+from launch.actions import DeclareLaunchArgument
+from launch.substitutions import LaunchConfiguration
+from launch_ros.actions import Node
+
+def generate_launch_description():
+    name = LaunchConfiguration('name')
+    return LaunchDescription([
+        DeclareLaunchArgument('name', default_value=[name]),
+        Node(package='robot', executable='talker', name=name),
+    ])
+"""
+
+
+def test_a_default_that_is_the_argument_itself(findings):
+    (found,) = findings("LCH003", **{"launch/a.launch.py": READS_ITSELF})
+    assert found.message.startswith("the default of the launch argument 'name' is 'name' itself")
+    assert (found.place.line, [one.place.line for one in found.related]) == (9, [7])
+
+
+@pytest.mark.parametrize("good", ["LaunchConfiguration('name', default='ann')", "'ann'"])
+def test_a_default_behind_the_default_is_one(findings, good):
+    text = READS_ITSELF.replace("LaunchConfiguration('name')", good)
+    assert findings("LCH003", **{"launch/a.launch.py": text}) == []
+
+
+def test_an_include_that_gives_the_argument_needs_no_default(findings):
+    outer = '<include file="$(dirname)/a.launch.py"><arg name="name" value="ann"/></include>'
+    assert findings("LCH003", outer, **{"launch/a.launch.py": READS_ITSELF}) == []
+
+
+def test_an_argument_that_a_missing_include_may_declare(findings):
+    read = node(name="$(var y)")
+    there = '<include file="$(find-pkg-share robot)/launch/inner.launch.xml"/>'
+    assert findings("LCH003", there + read) == []  # LCH004 tells the include
+    (found,) = findings("LCH003", there + read, **{"launch/inner.launch.xml": "<launch/>"})
+    assert "'y'" in found.message
+    (found,) = findings("LCH003", read + there)
+    assert "'y'" in found.message
+
+
 def test_what_a_later_include_declares_for_itself_is_no_declaration_here(findings):
     inner = '<launch><arg name="y" default="a"/></launch>'
     outer = node(name="$(var y)") + '<include file="$(dirname)/inner.launch.xml"/>'

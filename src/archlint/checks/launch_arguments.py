@@ -54,6 +54,11 @@ def _undeclared_uses(system: System, launched: Launched) -> Iterator[Finding]:
         if use.conditional or (alone and system.part) or use.name in told:
             continue  # whoever includes it may pass it: that system tells
         told.add(use.name)
+        if use.unseen is not None:
+            continue  # an include in front of it is not there, which LCH004 tells: what it declares nobody knows
+        if use.own_default is not None:
+            yield _its_own_default(use, use.own_default)
+            continue
         places = [argument.place for argument in launched.declared if argument.name == use.name]
         later = [place for place in places if place.file == use.file]  # what an include declares is for itself
         left_out = _left_out(launched, use)
@@ -69,6 +74,17 @@ def _undeclared_uses(system: System, launched: Launched) -> Iterator[Finding]:
             message = f"no launch argument '{use.name}' is declared by then, and nothing sets it"
         related = [Related(place, "it is declared here" if later else "declared here, later") for place in places[:1]]
         yield finding("LCH003", use.place, message, help=help, related=related, identity=(use.file, use.name))
+
+
+def _its_own_default(use: UndeclaredUse, declaration: Place) -> Finding:
+    return finding(
+        "LCH003",
+        declaration,
+        f"the default of the launch argument '{use.name}' is '{use.name}' itself: without a value the launch fails",
+        help="give it a default of its own, or leave the default out where whoever launches it must say the value",
+        related=[Related(use.place, "it is read here")] if use.place != declaration else [],
+        identity=(use.file, use.name),
+    )
 
 
 def _declaration(use: UndeclaredUse) -> str:

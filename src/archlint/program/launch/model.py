@@ -205,6 +205,11 @@ class Included:
     apart: bool = False
     """Whether a process of its own launches the file: ``ros2 launch``."""
 
+    @property
+    def is_missing(self) -> bool:
+        """Whether this launch would read the file, and it is not there."""
+        return self.reference.status == MISSING and not self.dormant and not self.apart
+
 
 @dataclass(frozen=True)
 class DeclaredArgument:
@@ -218,12 +223,18 @@ class DeclaredArgument:
 
 @dataclass(frozen=True)
 class UndeclaredUse:
-    """A launch configuration that is read and that nothing has declared or set."""
+    """A launch configuration that is read and that nothing has declared or set.
+
+    ``own_default`` is the declaration whose default value reads the argument that it declares; ``unseen`` is an include
+    in front of the read whose file is not there: nobody can say what that one would have declared.
+    """
 
     name: str
     place: Place
     file: str
     conditional: bool = False
+    own_default: Place | None = None
+    unseen: Place | None = None
 
 
 @dataclass(frozen=True)

@@ -65,6 +65,8 @@ class LaunchRun(Run):
         self.visiting: list[tuple[int, int]] = []
         """The actions around what is visited now, outermost first, each with the number of its visit."""
         self.names = ArgumentNames()
+        self.declaring: str | None = None
+        """The argument whose default value is performed now."""
         self._values: dict[str, list[str]] = {}
         self._seen: set[object] = set()
         self._started: dict[object, bool] = {}
@@ -130,7 +132,10 @@ class LaunchRun(Run):
         self._by_place[started.place].append(started)
         self.result.started.append(started)
 
-    def note_undeclared(self, use: UndeclaredUse) -> None:
+    def note_undeclared(self, name: str, place: Place, conditional: bool) -> None:
+        own = self.place_now if self.declaring == name else None
+        unseen = next((one.place for one in self.result.included if one.is_missing), None)
+        use = UndeclaredUse(name, place, self.file, conditional, own, unseen)
         if use not in self._seen:
             self._seen.add(use)
             self.result.undeclared.append(use)

@@ -55,7 +55,9 @@ def declare(run: LaunchRun, entity: Instance) -> None:
     text = str(name.value)
     default = entity.arguments.get("default_value")
     given = default is not None and default != Known(None)
+    run.declaring = text
     value = perform(run, default) if given else None
+    run.declaring = None
     if not run.is_dormant or text not in run.launch.configurations:
         missing = Unknown(f"the launch argument '{text}' has no default")
         run.launch.configurations.setdefault(text, value if value is not None else missing)

@@ -9,7 +9,6 @@ from typing import TYPE_CHECKING
 
 from archlint.program.attributes import get_attribute
 from archlint.program.launch import expression
-from archlint.program.launch.model import UndeclaredUse
 from archlint.program.values import (
     BoundMethod,
     ClassValue,
@@ -144,7 +143,7 @@ def _configuration(run: LaunchRun, value: Instance) -> Value:
     if value.place is not None:
         made = run.store.get(value.key, "#arms")
         in_branch = isinstance(made, frozenset) and bool(made - run.code_arms)
-        run.note_undeclared(UndeclaredUse(text, value.place, run.file, run.is_conditional or in_branch))
+        run.note_undeclared(text, value.place, run.is_conditional or in_branch)
     return Unknown(f"the launch configuration '{text}' is not set")
 
 
