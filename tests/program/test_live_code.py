@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import itertools
+
 import pytest
 
 from archlint.config import Settings
@@ -133,3 +135,59 @@ def test_flags_of_what_is_made_here_are_what_is_passed(tmp_path, monkeypatch):
 def test_flags_of_a_function_that_nothing_here_calls(tmp_path, monkeypatch):
     text = LIBRARY + "\ndef make(nav=False):\n    if nav:\n        Robot(use_nav=True)\n"
     assert ("/path", True) in endpoints(tmp_path, monkeypatch, text)
+
+
+# --------------------------------------------------------- what another callback leaves in an attribute
+
+
+@pytest.mark.parametrize(
+    ("before", "news", "tick"),
+    [
+        ("None", "self.items = message.data", "if self.items is None:\n    return\nSAY"),
+        ("None", "self.items = message", "if not self.items:\n    return\nSAY"),
+        ("False", "if message.data:\n            self.items = True", "if self.items:\n    SAY"),
+        ("0", "self.items = int(message.data)", "if self.items == 2:\n    SAY"),
+        ("0", "pass", "if self.items > 2:\n    SAY\nelse:\n    self.items += 1"),
+        (
+            "0",
+            "pass",
+            "if time() > 9:\n    if self.items == 0:\n        self.items = 1\n    elif self.items == 1:\n        SAY",
+        ),
+    ],
+)
+def test_what_a_callback_leaves_decides_a_test_in_another(tmp_path, monkeypatch, before, news, tick):
+    text = robot(tick.replace("SAY", "self.create_publisher(String, 'said', 10)"), before, news=news)
+    assert [name for name, _ in endpoints(tmp_path, monkeypatch, text)] == ["/said"]
+
+
+STATES = """\
+import enum
+
+class State(enum.Enum):
+    IDLE = 0
+    TURN = 1
+    DRIVE = 2
+    SPEAK = 3
+
+"""
+
+
+def machine(*steps: str) -> str:
+    lines = [f"if self.items == State.{steps[-1]}:", "    self.create_publisher(String, 'said', 10)"]
+    for one, after in reversed(list(itertools.pairwise(steps))):
+        lines += [f"elif self.items == State.{one}:", f"    self.items = State.{after}"]
+    return STATES + robot("\n".join(lines), "State.IDLE")
+
+
+def test_a_state_that_is_reached_over_others(tmp_path, monkeypatch):
+    found = endpoints(tmp_path, monkeypatch, machine("IDLE", "TURN", "DRIVE", "SPEAK"))
+    assert [name for name, _ in found] == ["/said"]
+
+
+def test_a_state_that_nothing_sets_is_not_reached(tmp_path, monkeypatch):
+    assert endpoints(tmp_path, monkeypatch, machine("IDLE", "TURN").replace("State.TURN:", "State.SPEAK:")) == []
+
+
+def test_a_method_that_foreign_code_calls_runs_in_any_state(tmp_path, monkeypatch):
+    later = "if self.items > 2:\n            self.create_publisher(String, 'said', 10)\n        self.items += 1"
+    assert [name for name, _ in endpoints(tmp_path, monkeypatch, robot("pass", "0", later=later))] == ["/said"]

@@ -5,9 +5,9 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from archlint.facts import model as facts
-from archlint.program import calls, definitions, escapes, model
+from archlint.program import calls, definitions, escapes, left_behind, model
 from archlint.program.api import executors
-from archlint.program.api.callbacks import GOAL_HANDLE, describe
+from archlint.program.api.callbacks import describe
 from archlint.program.growing import open_up
 from archlint.program.interest import interesting, names_in
 from archlint.program.modules import Module
@@ -17,16 +17,12 @@ from archlint.program.values import (
     NONE,
     BoundMethod,
     ClassValue,
-    EntityValue,
-    ExecutorValue,
     FunctionValue,
     Instance,
     Known,
-    NodeValue,
     OneOf,
     Unknown,
     Value,
-    alternatives,
 )
 from archlint.workspace.test_code import is_test_file
 
@@ -37,6 +33,8 @@ INSTANCES = 8
 """On how many objects of one class the methods that nothing calls are tried."""
 ROUNDS = 4
 """How often callbacks that hand over callbacks are followed."""
+AGAIN = 2
+"""How often callbacks run again on what others left in attributes; the last time what still changes is not known."""
 
 NOT_PASSED = "nothing in the workspace passes"
 
@@ -55,17 +53,25 @@ def run_callbacks(run: Run) -> None:
     """Run what was handed over, then the methods that nothing calls; again where they hand over more."""
     for _ in range(ROUNDS):
         run_pending(run)
-        run.stateful |= _run_methods(run)
+        _run_methods(run)
         if not run.pending:
             break
-    if run.stateful and run.left > 0:
-        # What one callback leaves in an attribute, another may use: each sees the joined state once.
-        run.met_again = set()
-        late = [one for one in run.tried if not run.late_nodes.isdisjoint(names_in(one.callback.function))]
-        for pending in [*run.started, *late]:
-            run_root(run, pending.callback, pending.value, pending.arguments, lineage=pending.lineage)
-        run.met_again = None
-        run_pending(run)
+    for number in range(AGAIN):
+        if not run.news or run.left <= 0:
+            break
+        _run_again(run, last=number > 0)
+
+
+def _run_again(run: Run, last: bool) -> None:
+    """What one callback leaves in an attribute, another may use: each that reads it sees the joined state."""
+    news, run.news = run.news, {}
+    if last:
+        left_behind.forget(run, news)
+    run.met_again = set()
+    for pending in left_behind.readers(run, [*run.started, *run.tried], news):
+        run_root(run, pending.callback, pending.value, pending.arguments, lineage=pending.lineage)
+    run.met_again = None
+    run_pending(run)
 
 
 def run_pending(run: Run) -> None:
@@ -77,7 +83,7 @@ def run_pending(run: Run) -> None:
             run.program.exhausted = True
             continue
         run.started.append(pending)
-        run.stateful |= run_root(run, pending.callback, pending.value, pending.arguments, lineage=pending.lineage)
+        run_root(run, pending.callback, pending.value, pending.arguments, lineage=pending.lineage)
 
 
 def run_root(
@@ -88,11 +94,11 @@ def run_root(
     *,
     certain: bool = False,
     lineage: tuple[int, ...] = (),
-) -> bool:
-    """Run one callback on the state so far; True where it left an object in an attribute."""
+) -> None:
+    """Run one callback on the state so far."""
     if run.roots >= ROOTS or run.left - run.steps <= -EXTRA_STEPS:
         run.program.exhausted = True
-        return False
+        return
     run.roots += 1
     kept_context, kept_activations, kept_lineage = run.context, run.activations, run.lineage
     kept_bounds = run.steps, run.repeats, run.runs, run.arms
@@ -122,24 +128,9 @@ def run_root(
         run.left -= run.steps
         _, run.repeats, run.runs, run.arms = kept_bounds
         run.steps, run.allowed_steps = 0, max(FEW_STEPS, kept_allowed - kept_bounds[0])
-    written = [(at, run.store.get(*at), value) for at, value in layer.items() if at[0] in run.instances]
-    changed = run.store.merge([layer] if certain else [layer, {}]) or certain
-    run.late_nodes.update(
-        slot for (_, slot), _, value in written if isinstance(value, NodeValue) and isinstance(slot, str)
-    )
-    return changed and any(_is_state(run, key, slot, before, value) for (key, slot), before, value in written)
-
-
-def _is_state(run: Run, key: int, slot: object, before: object, value: object) -> bool:
-    """Whether an attribute now holds what another callback may act on: an object, or another constant."""
-    options = alternatives(value) if isinstance(value, Value) else ()
-    if any(isinstance(one, (EntityValue, NodeValue, ExecutorValue)) or _is_goal(one) for one in options):
-        return value != before
-    return isinstance(before, Known) and isinstance(value, Known) and before != value and slot != "#"
-
-
-def _is_goal(value: Value) -> bool:
-    return isinstance(value, Instance) and value.cls == GOAL_HANDLE
+    written = left_behind.written(run, layer)
+    if run.store.merge([layer] if certain else [layer, {}]) or certain:
+        left_behind.note(run, written)
 
 
 def _module_of(value: Value) -> Module | None:
@@ -179,9 +170,8 @@ def _function_and_bound(value: Value) -> tuple[facts.Function | facts.Lambda | N
     return None, 0
 
 
-def _run_methods(run: Run) -> bool:
+def _run_methods(run: Run) -> None:
     """Methods of the program's objects that nothing has called, if they can matter."""
-    stateful = False
     seen: dict[int, int] = {}
     for instance in list(run.instances.values()):
         cls = instance.cls
@@ -208,8 +198,7 @@ def _run_methods(run: Run) -> bool:
             run.program.callbacks.append(callback)
             arguments = _uncalled_arguments(ir, callback.bound_arguments)
             run.tried.append(Pending(callback, bound, arguments))
-            stateful |= run_root(run, callback, bound, arguments)
-    return stateful
+            run_root(run, callback, bound, arguments)
 
 
 def _hands_on(run: Run, instance: Instance, ir: facts.Function) -> bool:

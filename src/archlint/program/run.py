@@ -174,12 +174,10 @@ class Run:
         """Callbacks that ran, in their order."""
         self.met_again: set[int] | None = None
         """Where callbacks run that have run before: the nodes that they made then and have met again."""
-        self.stateful = False
+        self.news: dict[str, set[int]] = {}
+        """The attributes, and of which objects (by key), in which callbacks left what another may act on."""
         self.tried: list[Pending] = []
         """The methods that nothing calls, as they were run."""
-        self.late_nodes: set[str] = set()
-        """The attributes in which a callback or such a method left a node."""
-        """Whether a callback left an object in an attribute that another may use."""
         self.at_spin: Callable[[Run], None] | None = None
         """Runs what is pending when main spins: callbacks see the state of then, not what main does at the end."""
         self.registered: dict[tuple[Any, ...], set[identity.Key]] = {}
