@@ -123,6 +123,9 @@ class TestSignatures:
             ),
             ("self.create_service(Trigger, 'a', self.take)", "def take(self, request):\n    return 1 + 1", ["EXE006"]),
             ("ActionServer(self, Fibonacci, 'a', self.take)", "def take(self):\n    raise OSError", ["EXE006"]),
+            ("self.create_timer(5.0, self.take)", "def take(self, *, arm):\n    pass", ["EXE006"]),
+            ("self.create_timer(5.0, self.take)", "def take(self, *, arm=1):\n    pass", []),
+            ("self.create_timer(5.0, partial(self.take, arm=1))", "def take(self, *, arm):\n    pass", []),
         ],
     )
     def test_what_rclpy_can_call(self, run: Run, create: str, method: str, expected: list[str]):

@@ -26,6 +26,11 @@ def timer(body: str) -> str:
         pytest.param("for step in self.pause:\n        time.sleep(0.5)", ["EXE003"], id="a pause between steps"),
         pytest.param("time.sleep(self.pause)", ["EXE003"], id="nobody knows how long"),
         pytest.param("subprocess.run(['make'])", ["EXE003"], id="a process"),
+        pytest.param("import fcntl; fcntl.flock(self.file, fcntl.LOCK_EX)", ["EXE003"], id="a file lock"),
+        pytest.param(
+            "import fcntl; fcntl.flock(self.file, fcntl.LOCK_EX | fcntl.LOCK_NB)", [], id="a lock if it is free"
+        ),
+        pytest.param("import fcntl; fcntl.lockf(self.file, fcntl.LOCK_UN)", [], id="a lock that is let go"),
         pytest.param("subprocess.run(['make'], timeout=9.0)", ["EXE003"], id="a process with a limit"),
         pytest.param("subprocess.check_output(['ping'], timeout=0.1)", [], id="a process for a moment"),
         pytest.param("input('go on? ')", ["EXE003"], id="the keyboard"),

@@ -110,3 +110,69 @@ def test_callbacks_of_one_group_do_not_wait_at_the_same_time(run: Run):
         TWO,
     )
     assert "EXE014" not in codes(run(text))
+
+
+POLLED = """
+def tick(self):
+    future = self.client.call_async(SetBool.Request(data=self.on))
+    {before}while not future.done(){clock}:
+        time.sleep(0.01)
+    print(future.result())
+"""
+
+
+@pytest.mark.parametrize(
+    ("before", "clock", "starves"),
+    [
+        ("", "", True),
+        ("end = time.monotonic() + 1.0\n    ", " and time.monotonic() < end", True),
+        ("end = time.monotonic() + 0.2\n    ", " and time.monotonic() < end", False),  # over before the last thread
+    ],
+)
+def test_a_loop_until_the_answer_is_there_takes_threads_like_a_call(run: Run, before: str, clock: str, starves: bool):
+    constructor, _ = reentrant("")
+    text = source(constructor, POLLED.format(before=before, clock=clock), FOUR)
+    found = [one for one in run(text) if one.code == "EXE014"]
+    assert [text.splitlines()[one.place.line - 1].strip()[:5] for one in found] == (["while"] if starves else [])
+
+
+def test_an_event_that_is_made_each_time(run: Run):
+    ask = """
+    def ask_arm(self):
+        self.ask()
+
+    def ask_base(self):
+        self.ask()
+
+    def ask(self):
+        came = threading.Event()
+        self.arm.call_async(SetBool.Request(data=self.on)).add_done_callback(lambda _: came.set())
+        came.wait()
+    """
+    found = [one for one in run(source(TWO_TIMERS.format(group=""), ask, TWO)) if one.code == "EXE014"]
+    assert [one.message.partition(",")[0] for one in found] == [
+        "Robot.ask_arm and Robot.ask_base may wait at the same time"
+    ]
+
+
+LIMITED = ASK_BOTH.replace("data=self.on))", "data=self.on), timeout_sec=1.0)")
+
+
+def test_two_timers_of_one_period_run_into_their_limits_together(run: Run):
+    (found,) = [one for one in run(source(TWO_TIMERS.format(group=""), LIMITED, TWO), "jazzy") if one.code == "EXE014"]
+    assert "wait at the same time, and this executor has 2 threads" in found.message
+    assert "they run into their limits" in found.message
+
+
+@pytest.mark.parametrize(
+    "timers",
+    [
+        TWO_TIMERS.replace("create_timer(2.0, self.ask_arm", "create_timer(3.0, self.ask_arm"),
+        TWO_TIMERS.replace(
+            "    self.create_timer(2.0, self.ask_base", "    time.sleep(0.5)\n    self.create_timer(2.0, self.ask_base"
+        ),
+    ],
+    ids=["other periods", "one begins later"],
+)
+def test_timers_that_seldom_meet_are_left_alone_where_their_waits_end(run: Run, timers: str):
+    assert "EXE014" not in codes(run(source(timers.format(group=""), LIMITED, TWO), "jazzy"))

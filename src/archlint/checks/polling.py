@@ -112,7 +112,9 @@ def _reached(block: Sequence[facts.Stmt], wanted: tuple[int, int]) -> bool | Non
         if here:
             if isinstance(statement, facts.If) and not _about_readiness(statement.test):
                 return any(one.span[:2] == wanted for one in calls_in(statement.test))
-            if isinstance(statement, (facts.For, facts.While, facts.Match)):
+            if isinstance(statement, facts.While):
+                return any(one.span[:2] == wanted for one in calls_in(statement.test))  # asked once, at least
+            if isinstance(statement, (facts.For, facts.Match)):
                 return False
             found = [_reached(one, wanted) for one in inner]
             return next((one for one in found if one is not None), True)

@@ -169,7 +169,12 @@ def _takes_count(function: facts.Function | facts.Lambda, count: int, given: fro
     open_ = [param for param in positional if param.name not in given]
     needed = sum(param.default is None for param in open_)
     endless = any(param.kind == "star" for param in function.params)
-    return needed <= count and (endless or count <= len(open_))
+    return not _named_only(function, given) and needed <= count and (endless or count <= len(open_))
+
+
+def _named_only(function: facts.Function | facts.Lambda, given: frozenset[str]) -> list[str]:
+    """The parameters that must be given by name: rclpy gives none so."""
+    return [p.name for p in function.params if p.kind == "keyword_only" and p.default is None and p.name not in given]
 
 
 def _wants_timer_info(function: facts.Function | facts.Lambda) -> bool:
@@ -187,9 +192,11 @@ def _takes(function: facts.Function | facts.Lambda, callback: Callback) -> str:
     names = [p.name for p in positional[callback.bound_arguments :] if p.name not in callback.bound_keywords]
     if len(positional) < callback.bound_arguments:
         return "does not even take self"
+    named = _named_only(function, callback.bound_keywords)
+    needs = f" and needs {' and '.join(f'{name}=…' for name in named)} by name" if named else ""
     if not names:
-        return "takes no argument"
-    return f"takes {len(names)} argument{'s' if len(names) > 1 else ''} ({', '.join(names)})"
+        return f"takes no argument{needs}"
+    return f"takes {len(names)} argument{'s' if len(names) > 1 else ''} ({', '.join(names)}){needs}"
 
 
 def _and(parts: Sequence[str]) -> str:

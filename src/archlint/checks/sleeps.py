@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 from archlint.checks.reach import argument
 from archlint.facts import model as facts
 from archlint.program.api import tables
+from archlint.program.interest import names_in
 from archlint.program.values import Instance, Known, alternatives
 
 if TYPE_CHECKING:
@@ -25,6 +26,7 @@ _WAITS = {
 _WAIT_FOR_MESSAGE = "rclpy.wait_for_message.wait_for_message"
 
 _OUTSIDE = frozenset(row.path for row in tables.ROWS if row.kind == tables.OUTSIDE)
+_LOCKS = ("fcntl.flock", "fcntl.lockf")
 _NETWORK = ("urllib.", "requests.", "socket.")
 
 
@@ -33,7 +35,7 @@ class Stay:
     """A call that keeps its thread.
 
     ``seconds`` is None where that is not known; ``kind`` is ``sleep``, ``discovery``, ``network``, ``process``,
-    ``message`` or ``keyboard``.
+    ``message``, ``lock`` or ``keyboard``.
     """
 
     kind: str
@@ -55,6 +57,8 @@ def stay_of(call: ApiCall) -> Stay | None:
         return Stay("message", longest(argument(call, "time_to_wait")), "waits for a message")
     if call.api == _INPUT:
         return Stay("keyboard", None, "waits for the keyboard")
+    if call.api in _LOCKS:
+        return Stay("lock", None, f"waits for a file lock in {call.api}()") if _waits_for_lock(call) else None
     if call.api in _OUTSIDE:
         name = call.api.rpartition(".")[2] if call.api.startswith("urllib.") else call.api
         if call.api.startswith(_NETWORK):
@@ -63,6 +67,12 @@ def stay_of(call: ApiCall) -> Stay | None:
         end = "" if limit is None else f" for up to {limit:g} s"
         return Stay("process", limit, f"waits for a process in {name}(){end}")
     return None
+
+
+def _waits_for_lock(call: ApiCall) -> bool:
+    """Whether a lock is asked for by name, and nothing says to come back at once if somebody else has it."""
+    names = {name for one in ([] if call.expression is None else call.expression.args) for name in names_in(one.value)}
+    return not names.isdisjoint({"LOCK_EX", "LOCK_SH"}) and names.isdisjoint({"LOCK_NB", "LOCK_UN"})
 
 
 def _limit_of_process(call: ApiCall) -> float | None:

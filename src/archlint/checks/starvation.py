@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Collection, Iterator
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from archlint.checks.blocking import CALL
@@ -18,13 +19,13 @@ from archlint.checks.reach import (
     one_for_each_place,
 )
 from archlint.checks.registry import Options, finding, rule
-from archlint.checks.sleeps import longest
-from archlint.checks.waits import Wait, waits
+from archlint.checks.sleeps import longest, stay_of
+from archlint.checks.waits import DONE, Wait, waits
 from archlint.finding import Finding, Related
 
 if TYPE_CHECKING:
     from archlint.finding import Place
-    from archlint.program.model import ExecutorUse, Program
+    from archlint.program.model import ApiCall, ExecutorUse, Program
     from archlint.system.model import System
 
 _OFTEN_S = 1.0
@@ -59,7 +60,7 @@ def _outruns(wait: Wait) -> bool:
     period = None if creation is None else creation.period
     if callback.role != "timer" or not reentrant or period is None or not 0 < period <= _OFTEN_S:
         return False
-    if not unguarded(wait.call) or notes_that_it_ran(wait.call):
+    if not unguarded(_outside_of_its_loop(wait.call)) or notes_that_it_ran(wait.call):
         return False
     if not wait.limited:
         return True
@@ -68,7 +69,14 @@ def _outruns(wait: Wait) -> bool:
     return limit is not None and threads is not None and limit > period * (threads - 1)
 
 
+def _outside_of_its_loop(call: ApiCall) -> ApiCall:
+    """The wait as a whole: ``while not future.done()`` is one, where the loop stands."""
+    return replace(call, loops=call.loops[:-1]) if call.api == DONE else call
+
+
 def _limit(wait: Wait) -> float | None:
+    if wait.call.api == DONE:
+        return wait.call.limits[-1] if wait.call.limits else None
     given = (argument(wait.call, name) for name in ("timeout_sec", "timeout"))
     return next((longest(value) for value in given if value is not None), None)
 
@@ -107,14 +115,39 @@ def _crowds(system: System) -> Iterator[tuple[ExecutorUse, list[Wait]]]:
     """The executors with as few threads as there are callbacks that may wait at the same time, one wait for each."""
     by_program: dict[int, tuple[Program, list[Wait]]] = {}
     for wait in _threaded(system):
-        if not wait.limited:
-            by_program.setdefault(id(wait.program), (wait.program, []))[1].append(wait)
+        by_program.setdefault(id(wait.program), (wait.program, []))[1].append(wait)
     for program, here in by_program.values():
         for use in program.executors:
             if use.kind == "multi_threaded" and use.threads is not None and use.place is not None and not use.astray:
-                slots = _slots(use, here)
-                if 1 < use.threads <= len(slots):
+                slots = _slots(use, [wait for wait in here if not wait.limited])
+                if not slots:
+                    slots = _slots(use, [wait for wait in here if _period(wait) is not None])
+                if 1 < use.threads <= len(slots) and _coincide(slots.values()):
                     yield use, list(slots.values())
+
+
+def _coincide(found: Collection[Wait]) -> bool:
+    """Whether waits that end by themselves come at the same time, and again and again: timers of one period that a
+    function makes one after the other."""
+    if not any(wait.limited for wait in found):
+        return True
+    timers = [wait.call.context.creation for wait in found if wait.call.context.creation is not None]
+    made = {(timer.period, timer.place.file, timer.function, id(timer.node), timer.conditional) for timer in timers}
+    first, last = min(timer.place for timer in timers), max(timer.place for timer in timers)
+    between = (
+        call
+        for call in next(iter(found)).program.calls
+        if call.function == timers[0].function and first < call.place < last
+    )
+    return len(made) == 1 and not any(stay_of(call) for call in between)
+
+
+def _period(wait: Wait) -> float | None:
+    """The period of a timer that waits each time, one wait for each tick."""
+    creation = wait.call.context.creation
+    if wait.call.context.role != "timer" or creation is None or not unguarded(_outside_of_its_loop(wait.call)):
+        return None
+    return creation.period
 
 
 def _slots(use: ExecutorUse, found: list[Wait]) -> dict[_Slot, Wait]:
@@ -142,12 +175,13 @@ def _crowd(system: System, use: ExecutorUse, found: list[Wait]) -> Finding:
     place: Place | None = use.place
     assert place is not None and use.threads is not None
     names = " and ".join(dict.fromkeys(wait.call.context.name for wait in found))
+    limited = all(wait.limited for wait in found)
     who = names if " and " in names else f"{len(found)} runs of {names}"
     return finding(
         "EXE014",
         place,
-        f"{who} may wait at the same time, and this executor has {use.threads} threads: none is left then to take "
-        "an answer, and they hang for ever",
+        f"{who} {'' if limited else 'may '}wait at the same time, and this executor has {use.threads} threads: none "
+        f"is left then to take an answer, and they {'run into their limits' if limited else 'hang for ever'}",
         help=f"num_threads={len(found) + 1}: one more than callbacks that wait",
         related=tuple(
             Related(wait.call.place, f"{callback_words(wait.call.context)} waits for {endpoint_words(wait.client)}")

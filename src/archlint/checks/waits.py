@@ -22,6 +22,7 @@ from archlint.program.interest import names_in
 from archlint.program.values import FutureValue, Instance, Known, alternatives
 
 if TYPE_CHECKING:
+    from archlint.finding import Place
     from archlint.program.model import ApiCall, Creation, Program
     from archlint.program.values import Value
     from archlint.system.model import System
@@ -38,10 +39,14 @@ SPINS_FOR_FUTURE = (
     "rclpy.executors.Executor.spin_once_until_future_complete",
 )
 _LIMITS = ("timeout_sec", "timeout")
-_DONE = "rclpy.task.Future.done"
+DONE = "rclpy.task.Future.done"
 _ADD_DONE_CALLBACK = "rclpy.task.Future.add_done_callback"
 _EVENT_WAIT = "threading.Event.wait"
 _EVENT_SET = "threading.Event.set"
+
+
+_Signals = dict["int | Place | None", "Creation"]
+"""Clients by the events that their answers set: the object, and the place where it is made."""
 
 
 @dataclass(frozen=True)
@@ -82,20 +87,22 @@ def _may_end(limit: Value | None) -> bool:
     )
 
 
-def _waits_of(call: ApiCall, signals: dict[int, Creation]) -> Iterator[tuple[str, tuple[Creation, ...]]]:
+def _waits_of(call: ApiCall, signals: _Signals) -> Iterator[tuple[str, tuple[Creation, ...]]]:
     if call.api in BLOCKING_CALLS:
         yield CALL, creations_of(call.receiver)
     elif call.api in SPINS_FOR_FUTURE:
         yield SPIN, creations_of(argument(call, "future"))
     elif call.api.endswith(".await"):
         yield AWAIT, creations_of(call.receiver)
-    elif call.api == _DONE:
+    elif call.api == DONE:
         loop = _loop_until(call)
         if loop is not None:
             spins = not names_in(loop).isdisjoint({"spin", "spin_once", "spin_until_future_complete"})
             yield SPIN if spins else CALL, creations_of(call.receiver)
-    elif call.api == _EVENT_WAIT and isinstance(call.receiver, Instance) and call.receiver.key in signals:
-        yield CALL, (signals[call.receiver.key],)
+    elif call.api == _EVENT_WAIT and isinstance(call.receiver, Instance):
+        client = signals.get(call.receiver.key) or signals.get(call.receiver.place)
+        if client is not None:
+            yield CALL, (client,)
 
 
 def _loop_until(call: ApiCall) -> facts.While | None:
@@ -110,7 +117,7 @@ def _loop_until(call: ApiCall) -> facts.While | None:
 
 def _gives_up(call: ApiCall) -> bool:
     """Whether a loop around a future also ends by itself: a clock or a counter in its test, a way out of its body."""
-    loop = _loop_until(call) if call.api == _DONE else None
+    loop = _loop_until(call) if call.api == DONE else None
     if loop is None:
         return False
     others = [part for part in _conjuncts(loop.test) if not (isinstance(part, facts.Unary) and part.op == "not")]
@@ -127,17 +134,21 @@ def _conjuncts(test: facts.Expr) -> list[facts.Expr]:
     return [test]
 
 
-def _signals(system: System) -> dict[int, Creation]:
+def _signals(system: System) -> _Signals:
     """Event objects that the done callback of a future sets, with the client whose answer that is."""
     clients = {
         call.place: creations_of(call.receiver)
         for _, call in judged_calls(system)
         if call.api == _ADD_DONE_CALLBACK and isinstance(call.receiver, FutureValue)
     }
-    found: dict[int, Creation] = {}
+    found: _Signals = {}
+    of_place: dict[Place, list[Creation]] = {}
     for _, call in judged_calls(system):
         if call.api == _EVENT_SET and call.context.role == "done" and isinstance(call.receiver, Instance):
             of_future = clients.get(call.context.registered) if call.context.registered else None
             if of_future:
                 found.setdefault(call.receiver.key, of_future[0])
-    return found
+                if call.receiver.place is not None:
+                    of_place.setdefault(call.receiver.place, []).append(of_future[0])
+    # A callback that several timers have makes an event each time, and its done callback was followed once.
+    return found | {place: given[0] for place, given in of_place.items() if all(one is given[0] for one in given)}

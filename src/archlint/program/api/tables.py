@@ -454,6 +454,8 @@ ROWS = [
             ("subprocess.Popen.communicate", "input timeout"),
             ("os.system", "command"),
             ("socket.create_connection", "address timeout"),
+            ("fcntl.flock", "fd operation"),
+            ("fcntl.lockf", "fd cmd"),
         )
     ),
     # ---- parameters
