@@ -1430,6 +1430,9 @@ NAME = 'constant'
         (["try:", "    self.p('rat')", "except Exception:", "    pass"], {}),
         (["self.p(NAME)", "self.get_parameter(NAME)"], {1: "constant", 2: "constant"}),
         (["self.p(input())"], {}),
+        (["self.get_parameters(['rate', 'rat'])", "self.get_parameters([", "    'speed'])"], {1: "rat", 3: "speed"}),
+        (["self.get_parameters(['rate'])", "self.get_parameters(input())", "self.get_parameters([NAME])"], {}),
+        (["try:", "    self.get_parameters(['rat'])", "except Exception:", "    pass"], {}),
     ],
 )
 def test_names_that_a_helper_reads(findings, lines, told):

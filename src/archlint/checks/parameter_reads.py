@@ -35,24 +35,35 @@ def undeclared_parameter(system: System, options: Options) -> Iterator[Finding]:
         calls = [call for call in node.program.calls if call.node is node.blueprint]
         guarded = {_name_of(call) for call in calls if call.api.endswith(".has_parameter")}
         for call in calls:
-            name = _name_of(call)
-            if call.api != "rclpy.node.Node.get_parameter" or name is None or always_declared(name):
-                continue
-            if name not in declared and name not in guarded and not call.in_try:
-                yield _undeclared(system.world, node, call, name, declared)
+            for name, place in _reads(system.world, call):
+                if always_declared(name) or name in declared or name in guarded or call.in_try:
+                    continue
+                yield _undeclared(node, call, name, place, declared)
+
+
+def _reads(world: World | None, call: ApiCall) -> Iterator[tuple[str, Place]]:
+    """The names that a call reads and that cannot be others, each with where the code says it."""
+    if call.api == "rclpy.node.Node.get_parameter":
+        name = _name_of(call)
+        if name is not None:
+            yield name, _where_named(world, call)
+    elif call.api == "rclpy.node.Node.get_parameters" and call.expression is not None and call.expression.args:
+        names = call.expression.args[0].value
+        for item in names.elements if isinstance(names, facts.Sequence) else ():
+            if isinstance(item, facts.Literal) and isinstance(item.value, str):
+                yield item.value, Place(call.place.file, *item.span)
 
 
 def _undeclared(
-    world: World | None, node: Node, call: ApiCall, name: str, declared: dict[str, list[ParameterDeclaration]]
+    node: Node, call: ApiCall, name: str, place: Place, declared: dict[str, list[ParameterDeclaration]]
 ) -> Finding:
     assert node.blueprint is not None
-    place = _where_named(world, call)
     return finding(
         "PRM003",
         place,
         f"parameter '{name}' is read and {node.blueprint.class_name} never declares it" + did_you_mean(name, declared),
         help=f"declare it first, with a default: self.declare_parameter('{name}', …)",
-        related=[Related(call.place, "it is read here")] if place != call.place else [],
+        related=[] if _encloses(call.place, place) else [Related(call.place, "it is read here")],
         node=node.name,
         identity=(node.blueprint.class_name, name),
     )
