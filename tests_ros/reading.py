@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING, Any
 import yaml
 
 from archlint.config import load
+from archlint.facts.parameters import NotKnown
 from archlint.program.launch.model import ParameterFileUse, ParameterSetting, Started
 from archlint.render.json import render
 from archlint.session import Request
@@ -61,7 +62,8 @@ def _process(started: Started, folder: Path, file: Path) -> Process:
             assert parameter.reference.source is not None and not own
             words += ["--params-file", str(folder / parameter.reference.source)]
         else:
-            assert isinstance(parameter, ParameterSetting) and parameter.known and parameter.name is not None
+            assert isinstance(parameter, ParameterSetting) and parameter.name is not None
+            assert not isinstance(parameter.value, NotKnown)
             own[parameter.name] = parameter.value
     if own:
         file.write_text(yaml.safe_dump({"/**": {"ros__parameters": own}}))

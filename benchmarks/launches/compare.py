@@ -4,8 +4,9 @@ benchmarks.launches.compare RECORDS CHECKOUT… [--misses]``, where RECORDS is t
 Each node of each run (defaults, and one other value of one argument at a time) is compared in package, executable,
 name, namespace, remappings, parameters with their files, and presence: whether it is started under these arguments.
 *Equal* is a node with all of them equal. What archlint leaves *unknown* is not equal, except where the environment or
-a command's output decides the value: nobody can know these from the sources. *Wrong* is a node of which something
-known differs; one that only one side starts counts as one node.
+a command's output decides the value: nobody can know these from the sources. The environment does so where archlint
+names the variable, and the run did ask for it and did not find it. *Wrong* is a node of which something known differs;
+one that only one side starts counts as one node.
 """
 
 from __future__ import annotations
@@ -15,10 +16,11 @@ import re
 import sys
 from collections import Counter
 from collections.abc import Iterator
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
-from benchmarks.launches.expected import MADE, UNKNOWN, Checkout, Row, recorded
+from benchmarks.launches.expected import MADE, Checkout, Row, Unknown, recorded
 from benchmarks.launches.inside.guard import FROM_OUTSIDE, OUTPUT
 
 FIELDS = ("package", "executable", "name", "namespace", "remaps", "parameters", "presence")
@@ -59,7 +61,7 @@ def measure(record: list[dict[str, Any]], checkout: Checkout) -> tuple[Counter[s
             counts["runs"] += 1
             launched, ours = checkout.launch(row["file"], run["arguments"])
             where = " ".join([row["file"], *(f"{name}:={value}" for name, value in run["arguments"].items())])
-            for verdicts, line in compared(recorded(run["nodes"]), ours, bool(run.get("environment"))):
+            for verdicts, line in compared(recorded(run["nodes"]), ours, frozenset(run.get("environment") or ())):
                 counts["nodes"] += 1
                 worst = max(verdicts.values(), key=(EQUAL, OPEN, WRONG).index)
                 counts[worst] += 1
@@ -71,17 +73,17 @@ def measure(record: list[dict[str, Any]], checkout: Checkout) -> tuple[Counter[s
     return counts, told
 
 
-def compared(real: list[Row], ours: list[Row], outside: bool = False) -> Iterator[tuple[dict[str, str], str]]:
-    """For each node the verdict on each field, and the differences in words.
-
-    ``outside`` where the launch file asked for variables that are not set: what is not known may hang on them.
-    """
+def compared(
+    real: list[Row], ours: list[Row], variables: frozenset[str] = frozenset()
+) -> Iterator[tuple[dict[str, str], str]]:
+    """For each node the verdict on each field, and the differences in words; ``variables`` are those that the run
+    asked for and that are not set, or different on each machine."""
+    for other in ours:
+        _take_as_outside(other, variables)
     pairs = _paired(real, ours)
     for one, other in pairs:
         verdicts = {name: verdict(one, other, name) for name in FIELDS[:-1]}
-        verdicts["presence"] = OPEN if other.undecided and not outside else EQUAL
-        if outside and verdicts["parameters"] == OPEN and _hangs_on_the_environment(one, other):
-            verdicts["parameters"] = EQUAL
+        verdicts["presence"] = OPEN if other.undecided and not other.outside else EQUAL
         yield verdicts, f"{_shown(one)} {other.where}: " + "; ".join(_differences(one, other, verdicts))
     met = {id(one) for one, _ in pairs}
     for one in real:
@@ -89,7 +91,7 @@ def compared(real: list[Row], ours: list[Row], outside: bool = False) -> Iterato
             yield dict.fromkeys(FIELDS, WRONG), f"missing: {_shown(one)} {one.where or ''}"
     met = {id(other) for _, other in pairs}
     for other in ours:
-        if id(other) not in met and not (other.undecided and outside):
+        if id(other) not in met and not (other.undecided and other.outside):
             how = OPEN if other.undecided else WRONG
             yield dict.fromkeys(FIELDS, how), f"more: {_shown(other)} {other.where}"
 
@@ -100,7 +102,9 @@ def _paired(real: list[Row], ours: list[Row]) -> list[tuple[Row, Row]]:
     for number, one in enumerate(real):
         for index, other in enumerate(ours):
             verdicts = [verdict(one, other, name) for name in FIELDS[:-1]]
-            same = one.fields["executable"] == other.fields["executable"] or UNKNOWN in (other.fields["executable"],)
+            same = one.fields["executable"] == other.fields["executable"] or isinstance(
+                other.fields["executable"], Unknown
+            )
             if same and (one.kind == other.kind or "component" not in (one.kind, other.kind)):
                 scores.append(
                     (-verdicts.count(EQUAL), verdicts.count(WRONG), other.undecided, abs(number - index), number, index)
@@ -121,13 +125,13 @@ def verdict(real: Row, ours: Row, name: str) -> str:
 
 
 def same(real: object, ours: object) -> str:
-    if ours is UNKNOWN:
-        return EQUAL if _is_outside(real) else OPEN
+    if isinstance(ours, Unknown):
+        return EQUAL if ours.outside or _is_outside(real) else OPEN
     if ours == MADE:
         return EQUAL if isinstance(real, str) and _SANDBOX.search(real) else WRONG
     if isinstance(real, list) and isinstance(ours, list):
         if len(real) != len(ours):
-            return EQUAL if _is_outside(real) and all(one is UNKNOWN for one in ours) else WRONG
+            return EQUAL if _is_outside(real) and all(isinstance(one, Unknown) for one in ours) else WRONG
         return max(
             (same(*pair) for pair in zip(real, ours, strict=True)), key=(EQUAL, OPEN, WRONG).index, default=EQUAL
         )
@@ -147,6 +151,7 @@ _SANDBOX = re.compile(r"/launches-\w+/work\b")
 
 def _of_parameters(real: Row, ours: Row) -> str:
     unseen, wrong = _of_each(real, ours)
+    unseen = [] if ours.may_have_more else unseen
     found = [WRONG] if wrong or (unseen and not _may_have_more(ours)) else [OPEN] if unseen else []
     if real.kind != "component":
         files = same(real.fields["files"], ours.fields["files"])
@@ -158,15 +163,33 @@ def _of_parameters(real: Row, ours: Row) -> str:
 def _may_have_more(ours: Row) -> bool:
     """Whether archlint says that there may be parameters that it does not know."""
     files = ours.fields["files"]
-    return bool(ours.open) or (isinstance(files, list) and UNKNOWN in files)
+    return bool(ours.open) or (isinstance(files, list) and any(isinstance(one, Unknown) for one in files))
 
 
-def _hangs_on_the_environment(real: Row, ours: Row) -> bool:
-    """Whether all that is not known is not known for want of a variable, which Python then writes as ``None``."""
-    if any("environment" in why for why in ours.open):
-        return True
-    open_values = [line for how, line in _values(real, ours) if how == OPEN]
-    return bool(open_values) and all("None" in line for line in open_values) and not any(_of_each(real, ours))
+_VARIABLE = re.compile(r"the environment variable (\w+)")
+
+
+def _is_asked(why: str, variables: frozenset[str]) -> bool:
+    """Whether a reason names a variable that the run did ask for."""
+    found = _VARIABLE.search(why)
+    return found is not None and found[1] in variables
+
+
+def _take_as_outside(row: Row, variables: frozenset[str]) -> None:
+    """Note what is not known for want of a variable."""
+    row.outside = bool(row.undecided_by) and all(_is_asked(why, variables) for why in row.undecided_by)
+    row.may_have_more = bool(row.open) and all(_is_asked(why, variables) for why in row.open)
+    row.fields = {name: _marked(value, variables) for name, value in row.fields.items()}
+
+
+def _marked(value: object, variables: frozenset[str]) -> object:
+    if isinstance(value, Unknown):
+        return replace(value, outside=_is_asked(value.reason, variables))
+    if isinstance(value, list):
+        return [_marked(item, variables) for item in value]
+    if isinstance(value, dict):
+        return {key: _marked(item, variables) for key, item in value.items()}
+    return value
 
 
 def _of_each(real: Row, ours: Row) -> tuple[list[Any], list[Any]]:
@@ -195,7 +218,7 @@ def _differences(real: Row, ours: Row, verdicts: dict[str, str]) -> Iterator[str
                 yield f"files {_short(real.fields['files'])}, not {_short(ours.fields['files'])}"
             yield from (f"open: {why}" for why in ours.open)
         elif name == "presence" and how != EQUAL:
-            yield "not known whether it is started"
+            yield f"not known whether it is started ({'; '.join(ours.undecided_by)})"
         elif how != EQUAL:
             yield f"{name} {_short(real.fields[name])}, not {_short(ours.fields[name])}"
 

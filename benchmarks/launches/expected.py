@@ -10,24 +10,28 @@ from dataclasses import dataclass, field
 from pathlib import Path
 
 from archlint.config import Settings
+from archlint.facts.parameters import NotKnown
 from archlint.program.entry_points import read_installs
 from archlint.program.launch.load import LaunchLoader
 from archlint.program.launch.model import Launched, OpenParameters, ParameterFileUse, ParameterSetting, Started
 from archlint.program.model import Text
 from archlint.session import Request, _compiled, _found, _parts, _store
 from archlint.system import names
-from archlint.system.overrides import NOT_KNOWN, applied, settings_of
+from archlint.system.overrides import applied, settings_of
 from archlint.workspace.tree import SourceTree
 
 
+@dataclass(frozen=True)
 class Unknown:
-    """Stands for what archlint does not know."""
+    """Stands for what archlint does not know, with the reason that it gives."""
+
+    reason: str = ""
+    outside: bool = False
+    """Whether it is for want of a variable of the environment."""
 
     def __repr__(self) -> str:
-        return "?"
+        return f"? ({self.reason})"
 
-
-UNKNOWN = Unknown()
 
 DISTRO = "jazzy"
 """What the records were made on."""
@@ -46,6 +50,12 @@ class Row:
     undecided: bool = False
     open: list[str] = field(default_factory=list)
     """Why there may be more parameters."""
+    undecided_by: list[str] = field(default_factory=list)
+    """Why it is not known whether the node is started: a reason for each branch, if there is one."""
+    outside: bool = False
+    """Whether variables of the environment decide that it is started, and ``may_have_more`` that they decide what
+    other parameters it has."""
+    may_have_more: bool = False
 
 
 class Checkout:
@@ -75,10 +85,10 @@ class Checkout:
                     for one in launched.started
                     if one.kind != "process" and not one.dormant and not apart & {*one.includes}
                 ]
-                return launched, [self._row(loader, one) for one in started]
+                return launched, [self._row(loader, launched, one) for one in started]
         return None, []
 
-    def _row(self, loader: LaunchLoader, started: Started) -> Row:
+    def _row(self, loader: LaunchLoader, launched: Launched, started: Started) -> Row:
         shown = _Shown(loader)
         uses = [one for one in started.parameters if isinstance(one, ParameterFileUse)]
         given = started.namespace is not None
@@ -94,7 +104,10 @@ class Checkout:
         why = [one.reason for one in started.parameters if isinstance(one, OpenParameters)]
         if any(isinstance(one, ParameterSetting) and one.name is None for one in started.parameters):
             why.append("a parameter whose name is not known")
-        return Row(started.kind, fields, f"{started.place.file}:{started.place.line}", bool(started.arms), why)
+        # Of an action that is met twice, the branches that lead to each visit say why.
+        branches = sorted({branch for branch, _ in started.arms if not branch.startswith("one visit of ")})
+        by = [launched.why_open.get(branch, "") for branch in branches]
+        return Row(started.kind, fields, f"{started.place.file}:{started.place.line}", bool(started.arms), why, by)
 
     @staticmethod
     def _parameters(loader: LaunchLoader, started: Started, shown: _Shown) -> dict[tuple[str, str], object]:
@@ -105,13 +118,17 @@ class Checkout:
             rows = [("", one.name, one.value) for one in applied(started, full, loader.parameters)]
         else:
             rows = [(one.key, one.name, one.value) for one in settings_of(started, None, loader.parameters)]
-        return {(key.strip("/"), name): UNKNOWN if value is NOT_KNOWN else shown(value) for key, name, value in rows}
+        return {
+            (key.strip("/"), name): Unknown(value.reason) if isinstance(value, NotKnown) else shown(value)
+            for key, name, value in rows
+        }
 
 
 def _file(use: ParameterFileUse, shown: _Shown) -> object:
     if use.changes:
         return MADE
-    return UNKNOWN if use.reference.written is None else shown(use.reference.written)
+    reference = use.reference
+    return Unknown(reference.reason or "") if reference.written is None else shown(reference.written)
 
 
 _WORKSPACE = re.compile(r"\$\(workspace\)/([^\s:;,]*)")
@@ -135,7 +152,7 @@ class _Shown:
 
     def text(self, text: Text) -> object:
         known = text.text is not None and text.resolution in ("exact", "parameter")
-        return self(text.text) if known else UNKNOWN
+        return self(text.text) if known else Unknown(text.reason or "")
 
     def __call__(self, value: object) -> object:
         if isinstance(value, str):

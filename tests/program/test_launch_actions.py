@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from archlint.system.overrides import NOT_KNOWN, settings_of
+from archlint.system.overrides import NotKnown, settings_of
 from program.launching import names, parameters, remaps
 
 
@@ -364,8 +364,8 @@ def test_parameters_of_python(launches):
         "os.path.join(get_package_share_directory('robot'), 'config', 'robot.yaml')])]"
     )
     (started,) = launched.started
-    assert parameters(started) == {"use_sim_time": True, "rate": 5, "deep.er": "text", "no": None}
-    assert [p.known for p in started.parameters if hasattr(p, "known")] == [True, True, True, False]
+    not_known = NotKnown("launch.actions.secret() is outside of this workspace")
+    assert parameters(started) == {"use_sim_time": True, "rate": 5, "deep.er": "text", "no": not_known}
     assert started.parameters[-1].reference.status == "missing"
 
 
@@ -376,7 +376,8 @@ def test_yaml_keeps_types_but_for_texts_that_look_like_numbers(launches):
         "    remap:\n    - {from: x, to: y}\n"
     )
     (started,) = launched.started
-    assert parameters(started) == {"a": 1, "b": None, "c": "one"}
+    why = "a text that looks like a number: releases differ in what they make of it"
+    assert parameters(started) == {"a": 1, "b": NotKnown(why), "c": "one"}
     assert remaps(started) == [("x", "y")]
     assert names(launched) == ["/left/-"]
 
@@ -591,7 +592,7 @@ def test_frontends_keep_configurations_through_a_group_that_forwards_none(launch
         ('value="1" type="str"', "1"),
         ('value="yes" type="bool"', True),
         ('value="0.5"', 0.5),
-        ('value="x" type="int"', None),
+        ('value="x" type="int"', NotKnown("a value that is no int")),
     ],
 )
 def test_the_type_of_a_parameter_in_xml(launches, attributes, value):
@@ -877,11 +878,78 @@ def test_substitutions_in_a_parameter_file_keep_what_quotes_say(launches):
         "plain": 5,
         "quoted": "5",
         "empty": "",
-        "nothing": NOT_KNOWN,
+        "nothing": NotKnown("a text that YAML may read in several ways"),
         "joints": ["left_hip", "left_knee", "fixed"],
-        "numbers": NOT_KNOWN,  # whether its item is quoted is not kept
+        "numbers": NotKnown("a text that YAML may read in several ways"),  # whether its item is quoted is not kept
         "left_arm.rate": 10,
     }
+
+
+@pytest.mark.parametrize(
+    ("value", "why"),
+    [
+        ("os.environ['ROBOT']", "the environment variable ROBOT"),
+        ("os.environ.get('ROBOT', 'spare')", "the environment variable ROBOT"),
+        ("['left', os.environ['ROBOT']]", "the environment variable ROBOT"),
+        ("EnvironmentVariable('ROBOT')", "the environment variable ROBOT"),
+        ("ParameterValue(EnvironmentVariable('ROBOT'), value_type=str)", "the environment variable ROBOT"),
+        ("[EnvironmentVariable('ROBOT'), '/base']", "the environment variable ROBOT"),
+        ("Command(['xacro ', 'robot.urdf'])", "the output of a command"),
+        ("LaunchConfiguration('robot')", "the environment variable ROBOT"),
+        ("LaunchConfiguration('unset')", "the launch configuration 'unset' is not set"),
+    ],
+)
+def test_a_parameter_that_is_not_known_says_why(launches, value, why):
+    launched = launches.python(
+        "[DeclareLaunchArgument('robot', default_value=os.environ['ROBOT']), "
+        f"Node(package='robot', executable='talker', parameters=[{{'p': {value}, 'rate': 5}}])]"
+    )
+    assert parameters(launched.started[0]) == {"p": NotKnown(why), "rate": 5}
+
+
+def test_a_file_with_a_variable_of_the_environment_says_so(launches):
+    launches.file(
+        "robot/config/p.yaml", "/**:\n  ros__parameters:\n    arm: $(env ARM)\n    leg: $(var leg)_$(env LEG)\n"
+    )
+    launches.file(
+        "robot/launch/it.launch.xml",
+        '<launch><arg name="leg" default="left"/><node pkg="p" exec="e">'
+        '<param from="$(find-pkg-share robot)/config/p.yaml" allow_substs="true"/></node></launch>',
+    )
+    loader = launches.loader()
+    [started] = loader.launch("robot/launch/it.launch.xml").started
+    assert {one.name: one.value for one in settings_of(started, None, loader.parameters)} == {
+        "arm": NotKnown("the environment variable ARM"),
+        "leg": NotKnown("the environment variable LEG"),
+    }
+
+
+@pytest.mark.parametrize(
+    ("code", "why"),
+    [
+        ("if os.environ['ROBOT'] == 'arm':\n    description.append({0})", "the environment variable ROBOT"),
+        ("description += [{0}] if os.getenv('ROBOT') else []", "the environment variable ROBOT"),
+        ("if 'arm' in get_search_paths():\n    description.append({0})", "the environment variable AMENT_PREFIX_PATH"),
+        (
+            "if 'arm' in [path.split('/')[-1] for path in get_search_paths()]:\n    description.append({0})",
+            "the environment variable AMENT_PREFIX_PATH",
+        ),
+    ],
+)
+def test_why_nobody_knows_whether_a_node_is_started(launches, code, why):
+    imported = "from ament_index_python.packages import get_search_paths"
+    before = f"{imported}\ndescription = []\n{code.format(node('talker'))}"
+    launched = launches.python("description", before)
+    [started] = launched.started
+    assert launched.reasons(started.arms) == [why]
+    assert launched.condition(started.arms) == f"a condition ({why})"
+
+
+def test_why_a_condition_is_open(launches):
+    condition = "IfCondition(EnvironmentVariable('ROBOT'))"
+    launched = launches.python(f"[{node('talker', condition=condition)}]")
+    [started] = launched.started
+    assert launched.reasons(started.arms) == ["the environment variable ROBOT"]
 
 
 @pytest.mark.parametrize(("variable", "shown"), [("ROBOT", "spare"), ("USER", None)])

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from archlint.system.overrides import NOT_KNOWN, applied
+from archlint.system.overrides import NotKnown, applied
 from program.launching import Launches
 
 IMPORT = "from nav2_common.launch import HasNodeParams, LaunchConfigAsBool, ReplaceString, RewrittenYaml"
@@ -108,7 +108,7 @@ def test_keys_and_values_get_others(launches):
 def test_a_value_that_nobody_knows_is_not_known_and_the_others_are(launches):
     rewrites = "{'map': Command('date'), 'use_sim_time': 'true'}"
     found = given(launches, f"RewrittenYaml({FILE}, {rewrites})")
-    assert found["map"] is NOT_KNOWN and found["use_sim_time"] is True
+    assert found["map"] == NotKnown("the output of a command") and found["use_sim_time"] is True
 
 
 def test_words_are_replaced_in_keys_and_values(launches):
@@ -119,8 +119,12 @@ def test_words_are_replaced_in_keys_and_values(launches):
 def test_a_word_may_stand_for_a_list_or_for_nothing(launches):
     found = given(launches, f"ReplaceString({FILE}, {{'shared': '[1.5e-3, 0.0]', '<robot>/': ''}})", "/elsewhere")
     assert found["map"] == [0.0015, 0.0]
-    assert given(launches, f"ReplaceString({FILE}, {{'shared': 'a, b'}})", "/elsewhere")["map"] is NOT_KNOWN
-    assert given(launches, f"ReplaceString({FILE}, {{'5': '1'}})")["Grid.tolerance"] is NOT_KNOWN
+    assert given(launches, f"ReplaceString({FILE}, {{'shared': 'a, b'}})", "/elsewhere")["map"] == NotKnown(
+        "a text that YAML may read in several ways"
+    )
+    assert given(launches, f"ReplaceString({FILE}, {{'5': '1'}})")["Grid.tolerance"] == NotKnown(
+        "a value that ReplaceString changes"
+    )
 
 
 def test_words_are_replaced_under_a_condition(launches):

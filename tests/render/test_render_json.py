@@ -5,6 +5,7 @@ import math
 
 import pytest
 
+from archlint.facts.parameters import NotKnown
 from archlint.program.model import Group, Qos
 from archlint.render.json import document, render
 from render.hostile import hostile
@@ -237,3 +238,13 @@ def test_any_name_survives() -> None:
 
 def test_the_same_system_is_the_same_text() -> None:
     assert render(lesson()) == render(lesson())
+
+
+def test_a_value_from_the_launch_that_is_not_known_says_why():
+    scanner = node("/scanner", parameter("topic", "scan"), parameter("rate", 1.0, "double"))
+    scanner.overrides = {"topic": "front/scan", "rate": NotKnown("the environment variable RATE")}
+
+    rows = {row["name"]: row for row in json.loads(render(system(scanner)))["nodes"][0]["parameters"]}
+
+    assert (rows["topic"]["override"], rows["topic"]["override_reason"]) == ("front/scan", None)
+    assert (rows["rate"]["override"], rows["rate"]["override_reason"]) == (None, "the environment variable RATE")

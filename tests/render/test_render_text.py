@@ -1,5 +1,6 @@
 from __future__ import annotations
 
+from archlint.facts.parameters import NotKnown
 from archlint.program.model import Qos
 from archlint.render.text import render
 from render.hostile import hostile
@@ -139,11 +140,17 @@ def test_no_name_steers_the_terminal() -> None:
 
 def test_a_parameter_that_the_launch_sets_is_shown_with_its_value():
     scanner = node("/scanner", parameter("topic", "scan"), parameter("rate", 1.0, "double"))
-    scanner.overrides = {"topic": "front/scan"}
+    scanner.overrides = {"topic": "front/scan", "rate": NotKnown("the environment variable RATE")}
 
     rows = [" ".join(line.split()) for line in render(system(scanner)).splitlines()]
 
     assert any(
         row.startswith("parameter topic string = 'front/scan', set by the launch (default 'scan')") for row in rows
     )
-    assert any(row.startswith("parameter rate double = 1.0 line") for row in rows)
+    rate = "parameter rate double = ? (the environment variable RATE), set by the launch (default 1.0)"
+    assert any(row.startswith(rate) for row in rows)
+
+
+def test_a_parameter_that_nothing_sets_is_shown_with_its_default():
+    shown = render(system(node("/scanner", parameter("rate", 1.0, "double"))))
+    assert "parameter rate double = 1.0 line" in " ".join(shown.split())

@@ -114,7 +114,8 @@ class Environment:
     @classmethod
     def follow(cls) -> None:
         def read(self: Any, key: Any, kept: Any = os._Environ.__getitem__) -> Any:
-            if key in _DIFFERENT:
+            copying = sys._getframe(1).f_code.co_name == "copy"  # as launch does for each scope
+            if key in _DIFFERENT and not copying:
                 cls.missing.add(key)
             try:
                 return kept(self, key)
@@ -126,7 +127,7 @@ class Environment:
         os._Environ.__getitem__ = read  # type: ignore[method-assign]
 
 
-_DIFFERENT = ("ROS_DISTRO", "USER", "ROS_DOMAIN_ID")
+_DIFFERENT = ("ROS_DISTRO", "USER", "ROS_DOMAIN_ID", "AMENT_PREFIX_PATH")
 _OF_LAUNCH = ("LAUNCH_", "OVERRIDE_LAUNCH_", "RCUTILS_", "PYTHON", "ROS_LOG", "COLORTERM", "TERM", "LC_", "TMP", "TEMP")
 
 

@@ -12,7 +12,7 @@ from archlint.checks.whole import enclosing_function, in_sight, walk
 from archlint.facts import model as facts
 from archlint.finding import Finding, Place, Related
 from archlint.program.launch.model import EXTERNAL, ParameterFileUse, Started
-from archlint.system.overrides import NOT_KNOWN, Setting, applied, key_matches
+from archlint.system.overrides import Setting, applied, key_matches
 
 if TYPE_CHECKING:
     from archlint.program.launch.model import Included
@@ -297,6 +297,3 @@ def _guarded(world: World | None, declaration: ParameterDeclaration) -> bool:
         if isinstance(item, facts.Try) and item.span[0] <= declaration.place.line <= item.span[2]:
             return True
     return False
-
-
-__all__ = ["NOT_KNOWN"]

@@ -16,14 +16,11 @@ if TYPE_CHECKING:
 ROOT = "ros__parameters"
 
 
+@dataclass(frozen=True)
 class NotKnown:
-    """Stands for a value that is set from outside and not known here."""
+    """Stands for a value that is set from outside and not known here, and why it is not."""
 
-    def __repr__(self) -> str:
-        return "<not known>"
-
-
-NOT_KNOWN = NotKnown()
+    reason: str
 
 
 @dataclass(frozen=True)

@@ -14,6 +14,7 @@ from archlint.program.containers import (
     entries_of,
     get_item,
     hashable,
+    items_of,
     iterate,
     new_dict,
     new_list,
@@ -31,6 +32,7 @@ from archlint.program.values import (
     EachValue,
     External,
     Known,
+    ListValue,
     Unknown,
     Value,
     alternatives,
@@ -305,6 +307,7 @@ def _boolean(run: Run, e: facts.Boolean) -> Value:
                 asked |= via(*alternatives(value))
                 # What follows runs only if this operand did not decide.
                 run.store.push()
+                run.note_open_test(f"{key}#{number}", value)
                 run.arms.append((f"{key}#{number}", 0))
                 narrow(run, operand, not stop)
                 pushed += 1
@@ -326,10 +329,12 @@ def _with_truth(run: Run, value: Value, wanted: bool) -> list[Value]:
 
 
 def _conditional(run: Run, e: facts.Conditional) -> Value:
-    verdict = truth(run, run.evaluate(e.test))
+    test = run.evaluate(e.test)
+    verdict = truth(run, test)
     if verdict is not None:
         return run.evaluate(e.body if verdict else e.orelse)
     key = run.key_of(e.span)
+    run.note_open_test(key, test)
     found = []
     layers = []
     for arm, expression in enumerate((e.body, e.orelse)):
@@ -355,7 +360,8 @@ def _compare(run: Run, e: facts.Compare) -> Value:
     if False in verdicts:
         return Known(False, via(*used))
     if None in verdicts:
-        return Unknown(reason(*used), next(iter(sorted(via(*used))), None))
+        inside = [item for value in used if isinstance(value, ListValue) for item in items_of(run, value).values]
+        return Unknown(reason(*used, *inside), next(iter(sorted(via(*used))), None))
     return Known(True, via(*used))
 
 

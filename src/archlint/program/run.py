@@ -375,6 +375,9 @@ class Run:
         self.faults.note(what, error, place)
         self.program.exhausted = True
 
+    def note_open_test(self, key: str, test: Value) -> None:
+        """Nothing decides the test of a branch; a launch notes why."""
+
     def branch(self, key: str, arm: int, block: list[facts.Stmt]) -> tuple[Status, Layer]:
         """Run a block as one arm of an undecided branch; its writes are returned, not applied."""
         with self.arm(key, arm) as taken:

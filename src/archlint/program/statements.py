@@ -126,6 +126,7 @@ def _if(run: Run, s: facts.If) -> Status:
     if truth is not None:
         return run.execute(s.body if truth else s.orelse)
     key = run.key_of(s.span)
+    run.note_open_test(key, test)
     results = []
     for arm, block in enumerate((s.body, s.orelse)):
         with run.arm(key, arm) as taken:

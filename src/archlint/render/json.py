@@ -12,6 +12,7 @@ from pathlib import PurePath
 from typing import TYPE_CHECKING, Any
 
 from archlint.checks.delivery import undelivered_on
+from archlint.facts.parameters import NotKnown
 from archlint.program import model as program
 from archlint.program.model import Creation, ParameterDeclaration, Qos
 from archlint.system.model import Connection, Endpoint, Node, System
@@ -194,7 +195,8 @@ def _parameter(parameter: ParameterDeclaration, node: Node) -> dict[str, Any]:
     if parameter.given:
         described["override"] = _plain(parameter.given[0])
     elif parameter.name.text in node.overrides and not parameter.ignore_override:
-        described["override"] = _plain(node.overrides[parameter.name.text])
+        given = node.overrides[parameter.name.text]
+        described |= {"override": _plain(given), "override_reason": _why_unknown(given)}
     return described
 
 
@@ -205,11 +207,16 @@ def _setting(setting: Setting) -> dict[str, Any]:
         "type": type_of(setting.value),
         "default": None,
         "value": _plain(setting.value),
+        "reason": _why_unknown(setting.value),
         "file": _file(setting.place.file),
         "line": setting.place.line,
         "column": setting.place.column,
         "conditional": False,
     }
+
+
+def _why_unknown(value: object) -> str | None:
+    return value.reason if isinstance(value, NotKnown) else None
 
 
 _TYPES = {bool: "bool", int: "integer", float: "double", str: "string"}

@@ -6,6 +6,7 @@ from collections.abc import Callable, Iterable, Iterator, Sequence
 from functools import partial
 
 from archlint.checks.delivery import undelivered_on
+from archlint.facts.parameters import NotKnown
 from archlint.observed.model import DIFFERENT, MISSING, UNEXPECTED, Difference
 from archlint.observed.words import comparison_words
 from archlint.program import model as program
@@ -13,7 +14,7 @@ from archlint.program.model import Creation, ParameterDeclaration
 from archlint.render import json, look
 from archlint.system.externals import connections_of_externals, remapped_names
 from archlint.system.model import Connection, Endpoint, Node, System
-from archlint.system.overrides import NOT_KNOWN, Setting
+from archlint.system.overrides import Setting
 from archlint.visible import visible
 
 _VERBS = {
@@ -154,17 +155,21 @@ def _timer_row(timer: Creation) -> Sequence[Cell]:
 
 
 def _setting_row(setting: Setting) -> Sequence[Cell]:
-    known = "" if setting.value is NOT_KNOWN else f"= {setting.value!r}"
+    known = _given(setting.value)
     kind = json.type_of(setting.value) or ""
     place = f"{setting.place.file}:{setting.place.line}"
     return [("parameter", "plain"), (setting.name, "plain"), (f"{kind} {known}".strip(), "plain"), (place, "quiet")]
+
+
+def _given(value: object) -> str:
+    return f"= ? ({value.reason})" if isinstance(value, NotKnown) else f"= {value!r}"
 
 
 def _parameter_row(parameter: ParameterDeclaration, node: Node) -> Sequence[Cell]:
     default = f"= {parameter.default!r}" if parameter.known and parameter.default is not None else ""
     if parameter.name.text in node.overrides and not parameter.ignore_override:
         given = node.overrides[parameter.name.text]
-        default = f"= {given!r}, set by the launch" + (f" (default {default[2:]})" if default else "")
+        default = f"{_given(given)}, set by the launch" + (f" (default {default[2:]})" if default else "")
     return [
         ("parameter", "plain"),
         (parameter.name.text or "?", "plain"),

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from functools import lru_cache
 from typing import Any
 
-from archlint.facts.parameters import NOT_KNOWN, NotKnown, ParameterFacts, ParameterSection
+from archlint.facts.parameters import NotKnown, ParameterFacts, ParameterSection
 from archlint.facts.safe_yaml import plain_scalar
 from archlint.finding import Place
 from archlint.program.launch.model import OpenParameters, ParameterFileUse, ParameterSetting, Started
@@ -56,7 +56,7 @@ class Setting:
 
 
 def overrides_of(started: Started, node: str | None, facts_of: Callable[[str], ParameterFacts]) -> dict[str, object]:
-    """The parameters that a launch file sets on one node, by name; :data:`NOT_KNOWN` where only the value is
+    """The parameters that a launch file sets on one node, by name; :class:`NotKnown` where only the value is
     not known."""
     return {setting.name: setting.value for setting in applied(started, node, facts_of)}
 
@@ -82,8 +82,8 @@ def settings_of(started: Started, node: str | None, facts_of: Callable[[str], Pa
     for parameter in started.parameters:
         if isinstance(parameter, ParameterSetting) and parameter.name is not None:
             key = EVERY_NODE if parameter.shared else own
-            value = parameter.value if parameter.known else NOT_KNOWN
-            yield Setting(key, parameter.name, value, parameter.place, shared=parameter.shared, within=parameter.within)
+            value, place = parameter.value, parameter.place
+            yield Setting(key, parameter.name, value, place, shared=parameter.shared, within=parameter.within)
         elif isinstance(parameter, ParameterFileUse) and parameter.reference.source is not None:
             file = parameter.reference.source
             for section in rewritten(_sections_for(started, facts_of(file)), parameter.changes):
@@ -132,19 +132,33 @@ def file_value(value: Any, use: ParameterFileUse, quoted: bool = False) -> objec
         return _list_value(value, use)
     text = substituted(value, use) if isinstance(value, str) else None
     if text is None or not _WORDS.fullmatch(text):
-        return NOT_KNOWN
+        return _not_substituted(value, use)
     if quoted:
         return text
-    return plain_scalar(text) if _WORD.fullmatch(text) else NOT_KNOWN
+    return plain_scalar(text) if _WORD.fullmatch(text) else NotKnown("a text that YAML may read in several ways")
 
 
 def _list_value(values: list[Any], use: ParameterFileUse) -> object:
     """Of what stands in a list, quotes are not kept: a text is known where it is one without them, too."""
     found = [file_value(one, use) for one in values]
     changed = [now for one, now in zip(values, found, strict=True) if now is not one]
-    return found if all(isinstance(now, str) for now in changed) else NOT_KNOWN
+    if all(isinstance(now, str) for now in changed):
+        return found
+    return next((now for now in changed if isinstance(now, NotKnown)), _not_substituted(values, use))
 
 
+def _not_substituted(value: object, use: ParameterFileUse) -> NotKnown:
+    """Why what stands in a file is not known: for the first substitution in it that is not."""
+    known = dict(use.configurations)
+    for found in _SUBSTITUTION.finditer(str(value)):
+        if found[1] == "env":
+            return NotKnown(f"the environment variable {found[2]}")
+        if found[1] != "var" or found[2] not in known:
+            return NotKnown(f"'{found[0]}' in a parameter file")
+    return NotKnown("a text that YAML may read in several ways")
+
+
+_SUBSTITUTION = re.compile(r"\$\(([\w-]+)(?: ([^()\s]+))?[^()]*\)?")
 _WORD = re.compile(r"[\w/.~+-]+")
 _WORDS = re.compile(r"""[^'"\\\n]*""")
 _VARIABLE = re.compile(r"\$\(var ([^()\s]+)(?: [^()]*)?\)")
@@ -174,4 +188,4 @@ def command_line_parameters(words: Sequence[str | None]) -> Iterator[tuple[str, 
             expect = inside and word in ("-p", "--param")
 
 
-__all__ = ["NOT_KNOWN", "NotKnown", "OpenParameters", "key_matches", "overrides_of"]
+__all__ = ["NotKnown", "OpenParameters", "key_matches", "overrides_of"]

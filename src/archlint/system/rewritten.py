@@ -10,7 +10,7 @@ from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import replace
 from typing import Any
 
-from archlint.facts.parameters import NOT_KNOWN, ROOT, ParameterEntry, ParameterSection, node_key
+from archlint.facts.parameters import ROOT, NotKnown, ParameterEntry, ParameterSection, node_key
 from archlint.facts.safe_yaml import plain_scalar, written_and_read
 from archlint.program.launch.model import Replacing, Rewriting
 from archlint.program.launch.parameters import from_yaml
@@ -49,10 +49,10 @@ def _rewritten(sections: Sequence[ParameterSection], change: Rewriting) -> list[
     return sorted(found, key=lambda section: (*section.path, ROOT))  # PyYAML sorts the keys
 
 
-def _value(text: str | None, convert: bool) -> object:
+def _value(text: str | NotKnown, convert: bool) -> object:
     """A text as ``RewrittenYaml.convert`` has it, dumped and read by rcl."""
-    if text is None:
-        return NOT_KNOWN
+    if isinstance(text, NotKnown):
+        return text
     if convert:
         try:
             return float(text) if "." in text else int(text)
@@ -107,7 +107,7 @@ def _set_entry(section: ParameterSection, path: Path, value: object) -> tuple[Pa
             index = int(path[-1])
             if index < len(entry.value):
                 items = [*entry.value[:index], value, *entry.value[index + 1 :]]
-                entries[number] = replace(entry, value=NOT_KNOWN if value is NOT_KNOWN else items, changed=True)
+                entries[number] = replace(entry, value=_if_known(items), changed=True)
             return tuple(entries)
     kept = [entry for entry in entries if entry.path[: len(path)] != path]
     return (*kept, ParameterEntry(name, value, section.span, path=path, changed=True, added=True))
@@ -121,8 +121,13 @@ def _revalued(section: ParameterSection, values: Mapping[str, object]) -> Parame
 def _revalue(value: Any, values: Mapping[str, object]) -> Any:
     if isinstance(value, list):
         items = [_revalue(item, values) for item in value]
-        return NOT_KNOWN if any(item is NOT_KNOWN for item in items) else items
+        return _if_known(items)
     return values.get(str(value), value)
+
+
+def _if_known(items: list[Any]) -> object:
+    """A list, or the first of its values that is not known."""
+    return next((item for item in items if isinstance(item, NotKnown)), items)
 
 
 def _renamed(section: ParameterSection, names: Mapping[str, str], root: Path) -> ParameterSection:
@@ -154,11 +159,13 @@ def _in_value(value: Any, quoted: bool, words: Sequence[tuple[str, str]]) -> Any
     """The words are replaced in the text of the file, which is read afterwards."""
     if isinstance(value, list):
         items = [_in_value(item, quoted, words) for item in value]
-        return NOT_KNOWN if any(item is NOT_KNOWN for item in items) else items
+        return _if_known(items)
     if not any(old in str(value) for old, _ in words):
         return value
+    if isinstance(value, NotKnown):
+        return value
     if not isinstance(value, str):
-        return NOT_KNOWN
+        return NotKnown("a value that ReplaceString changes")
     text = _in_text(value, words)
     return text if quoted else _plain(text)
 
@@ -166,8 +173,8 @@ def _in_value(value: Any, quoted: bool, words: Sequence[tuple[str, str]]) -> Any
 def _plain(text: str) -> object:
     if _PLAIN.fullmatch(text):
         return plain_scalar(text)
-    found, _ = from_yaml(text) if text.startswith("[") and text.endswith("]") else (None, False)
-    return found if isinstance(found, list) else NOT_KNOWN
+    found = from_yaml(text) if text.startswith("[") and text.endswith("]") else None
+    return found if isinstance(found, list) else NotKnown("a text that YAML may read in several ways")
 
 
 _PLAIN = re.compile(r"[\w/.<>+$-]+")

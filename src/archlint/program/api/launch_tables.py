@@ -144,6 +144,9 @@ FUNCTIONS = {
     "ament_index_python.packages.get_package_prefix": ("package_name", "prefix"),
     "ament_index_python.get_package_prefix": ("package_name", "prefix"),
     "launch_ros.substitutions.FindPackageShare.find": ("package_name", "share"),
+    "ament_index_python.get_search_paths": ("", "search paths"),
+    "ament_index_python.packages.get_search_paths": ("", "search paths"),
+    "ament_index_python.search_paths.get_search_paths": ("", "search paths"),
     # Editors complete an import to the module of launch_ros that imports these two.
     "launch_ros.substitutions.find_package.get_package_share_directory": ("package_name", "share"),
     "launch_ros.substitutions.find_package.get_package_prefix": ("package_name", "prefix"),

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Hashable
 from typing import TYPE_CHECKING
 
+from archlint.facts.parameters import NotKnown
 from archlint.finding import Place
 from archlint.program import model
 from archlint.program.api import nodes, profiles
@@ -118,7 +119,8 @@ def value_from_python(run: Run, value: object) -> Value:
         return containers.new_list(run, [value_from_python(run, item) for item in value])
     if isinstance(value, (str, int, float, bool)):
         return Known(value)
-    return Unknown("it is set from outside, to what is not known here")
+    why = value.reason if isinstance(value, NotKnown) else "not known here"
+    return Unknown(f"it is set from outside, to what is not known: {why}")
 
 
 def declare_one(

@@ -125,7 +125,10 @@ def _equality(run: LaunchRun, condition: Value, wanted: bool) -> Verdict:
         return Verdict(verdicts.pop() is wanted)
     if not isinstance(expected, Known):
         return Verdict(None, _branch(run, condition, True))
-    return Verdict(None, _arm_of_value(run, run.argument_behind(text), str(expected.value), wanted))
+    arm = _arm_of_value(run, run.argument_behind(text), str(expected.value), wanted)
+    if found is not None:
+        run.note_open_test(arm[0], found)
+    return Verdict(None, arm)
 
 
 def _same(one: Value, other: Value) -> bool:
@@ -160,6 +163,13 @@ _NOT = re.compile(r"^\s*not\s+\0(?P<name>[^\0]+)\0\s*$")
 
 def _branch(run: LaunchRun, expression: Value | None, expected: bool) -> tuple[str, int]:
     """The arm of an undecided test.  The same test elsewhere has the same branch."""
+    arm = _arm(run, expression, expected)
+    if expression is not None:
+        run.note_open_test(arm[0], perform(run, expression))
+    return arm
+
+
+def _arm(run: LaunchRun, expression: Value | None, expected: bool) -> tuple[str, int]:
     shape = "" if expression is None else shape_of(run, expression)
     names = _ARGUMENT.findall(shape)
     if all(map(run.is_open_argument, names)):

@@ -86,6 +86,8 @@ def package_path(run: Run, call: ApiUse) -> Value:
     """``get_package_share_directory('pkg')``."""
     from archlint.program.launch.run import LaunchRun
 
+    if call.api.kind == "search paths":
+        return Unknown("the environment variable AMENT_PREFIX_PATH")
     if not isinstance(run, LaunchRun):
         return Unknown("the path of an installed package")
     rows: list[Value] = []

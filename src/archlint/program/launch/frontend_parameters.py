@@ -6,6 +6,7 @@ from collections.abc import Hashable
 from typing import TYPE_CHECKING
 
 from archlint.facts.launch_model import Element
+from archlint.facts.parameters import NotKnown
 from archlint.program.launch.parameters import from_yaml
 from archlint.program.values import External, Instance, Known, Unknown, Value
 
@@ -63,7 +64,7 @@ def _value(frontend: Frontend, element: Element) -> Value:
         separator = element.text("value-sep")
         if separator:
             return frontend.list([_scalar(frontend, part.strip(), kind) for part in attribute.value.split(separator)])
-        quoted_number = frontend.file.endswith((".yaml", ".yml")) and from_yaml(attribute.value)[0] != attribute.value
+        quoted_number = frontend.file.endswith((".yaml", ".yml")) and from_yaml(attribute.value) != attribute.value
         if quoted_number and kind is None:
             return Unknown("a text that looks like a number: releases differ in what they make of it")
         if "$(" not in attribute.value:
@@ -81,12 +82,12 @@ _TYPES: dict[str, type] = {"int": int, "float": float, "bool": bool}
 def _scalar(frontend: Frontend, text: str, kind: str | None) -> Value:
     if kind == "str":
         return Known(text)
-    found, known = from_yaml(text)
+    found = from_yaml(text)
     if kind == "float" and isinstance(found, int) and not isinstance(found, bool):
         found = float(found)
     if kind in _TYPES and not isinstance(found, _TYPES[kind]):
         return Unknown(f"a value that is no {kind}")
-    if not known:
+    if isinstance(found, NotKnown):
         return Unknown("a value that a parameter cannot have")
     if isinstance(found, list):
         return frontend.list(

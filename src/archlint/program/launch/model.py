@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 
+from archlint.facts.parameters import NotKnown
 from archlint.finding import Place
 from archlint.program.model import Text
 
@@ -31,12 +32,11 @@ class Remap:
 
 @dataclass(frozen=True)
 class ParameterSetting:
-    """One parameter that a launch file sets.  ``value`` is plain Python data where ``known``; ``name`` is None
+    """One parameter that a launch file sets.  ``value`` is plain Python data, or :class:`NotKnown`; ``name`` is None
     where only data decides it.  ``shared`` settings (``SetParameter``) are for all nodes of a group."""
 
     name: str | None
     value: object
-    known: bool
     place: Place
     shared: bool = False
     within: tuple[tuple[str, Place], ...] = ()
@@ -63,15 +63,15 @@ class FileReference:
 
 @dataclass(frozen=True)
 class Rewriting:
-    """What nav2's ``RewrittenYaml`` changes in a parameter file, in its order; None for a text that is not known.
+    """What nav2's ``RewrittenYaml`` changes in a parameter file, in its order.
 
     ``parameters`` are set wherever their name stands as a key, or at a path such as ``amcl.ros__parameters.alpha1``;
     ``keys`` get other names, ``values`` become others, and ``root_key`` is put above everything.
     """
 
-    parameters: tuple[tuple[str, str | None], ...] = ()
+    parameters: tuple[tuple[str, str | NotKnown], ...] = ()
     keys: tuple[tuple[str, str], ...] = ()
-    values: tuple[tuple[str, str | None], ...] = ()
+    values: tuple[tuple[str, str | NotKnown], ...] = ()
     root_key: str = ""
     convert_types: bool = False
 
@@ -308,6 +308,8 @@ class Launched:
     """Where the run came past the declaration of an argument, by file and name, whether it is then used or not."""
     labels: dict[tuple[str, int], str] = field(default_factory=dict)
     """What a branch means to a user: ``use_sim:=true``."""
+    why_open: dict[str, str] = field(default_factory=dict)
+    """Why nothing decides a branch."""
     undecided: dict[str, list[str]] = field(default_factory=dict)
     """Arguments that conditions ask for and that nothing decides, with the values that make a difference."""
     ros1: bool = False
@@ -321,4 +323,10 @@ class Launched:
     def condition(self, arms: Arms) -> str | None:
         """Under which arguments branches are taken, for people; None for no branch at all."""
         known = sorted(self.labels[arm] for arm in arms if arm in self.labels)
-        return " ".join(known) or ("a condition" if arms else None)
+        if known or not arms:
+            return " ".join(known) or None
+        return " ".join(["a condition", *(f"({why})" for why in self.reasons(arms)[:1])])
+
+    def reasons(self, arms: Arms) -> list[str]:
+        """Why nothing decides some branches, as far as that is known."""
+        return sorted({self.why_open[branch] for branch, _ in arms if branch in self.why_open})

@@ -9,6 +9,7 @@ import re
 from collections.abc import Callable
 from typing import TYPE_CHECKING
 
+from archlint.facts.parameters import NotKnown
 from archlint.facts.safe_yaml import YamlError, YamlReader
 from archlint.program.launch.model import MadeFile, Replacing, Rewriting
 from archlint.program.launch.substitutions import argument, perform
@@ -27,7 +28,7 @@ from archlint.program.values import (
 if TYPE_CHECKING:
     from archlint.program.launch.run import LaunchRun
 
-Pairs = tuple[tuple[str, str | None], ...]
+Pairs = tuple[tuple[str, str | NotKnown], ...]
 Whole = tuple[tuple[str, str], ...]
 
 
@@ -71,7 +72,7 @@ _WORDS = re.compile(r"[^\n'\"\\#:{}&*!|>%@`]*")
 
 
 def _pairs(run: LaunchRun, value: Value | None) -> Pairs | None:
-    """A dict of texts, None for one that is not known; None for a dict that is not known."""
+    """A dict of texts; None for a dict that is not known."""
     from archlint.program import containers
 
     if value is None:
@@ -83,7 +84,7 @@ def _pairs(run: LaunchRun, value: Value | None) -> Pairs | None:
     if entries.open or not all(isinstance(key, Known) for key, _ in rows):
         return None
     return tuple(
-        (str(key.value), str(text.value) if isinstance(text, Known) else None)
+        (str(key.value), str(text.value) if isinstance(text, Known) else NotKnown(reason(text)))
         for key, text in rows
         if isinstance(key, Known)
     )
@@ -91,7 +92,7 @@ def _pairs(run: LaunchRun, value: Value | None) -> Pairs | None:
 
 def _whole(pairs: Pairs) -> Whole | None:
     """The pairs, where all of them are known."""
-    known = tuple((key, text) for key, text in pairs if text is not None)
+    known = tuple((key, text) for key, text in pairs if isinstance(text, str))
     return known if len(known) == len(pairs) else None
 
 

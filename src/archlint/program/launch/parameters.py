@@ -6,6 +6,7 @@ from collections.abc import Iterator
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
+from archlint.facts.parameters import NotKnown
 from archlint.facts.safe_yaml import YamlError, YamlReader, plain_scalar
 from archlint.finding import Place
 from archlint.program.launch.model import (
@@ -138,48 +139,48 @@ def _entries(run: LaunchRun, item: DictValue, within: Within, place: Place, room
 
 def setting(run: LaunchRun, name: Value, value: Value, place: Place) -> ParameterSetting:
     text = str(name.value) if isinstance(name, Known) else None
-    python, known = python_of(run, value)
-    return ParameterSetting(text, python, known, place)
+    return ParameterSetting(text, python_of(run, value), place)
 
 
-def python_of(run: LaunchRun, value: Value) -> tuple[object, bool]:
-    """The value of a parameter and whether it is known: constants as they are, the text of a substitution as
-    YAML."""
+def python_of(run: LaunchRun, value: Value) -> object:
+    """The value of a parameter, or :class:`NotKnown`: constants as they are, the text of a substitution as YAML."""
     if isinstance(value, Known):
-        return value.value, value.value is not None
+        return NotKnown("None is no value of a parameter") if value.value is None else value.value
     kind = kind_of(value)
     if kind == "ParameterValue":
         return _typed(run, value)
     if kind in SUBSTITUTIONS:
-        text = perform(run, value)
-        return from_yaml(str(text.value)) if isinstance(text, Known) else (None, False)
+        return _of_text(perform(run, value))
     if isinstance(value, ListValue):
         return _list(run, value)
-    return None, False
+    return NotKnown(reason(value))
 
 
-def _list(run: LaunchRun, value: ListValue) -> tuple[object, bool]:
+def _of_text(text: Value) -> object:
+    return from_yaml(str(text.value)) if isinstance(text, Known) else NotKnown(reason(text))
+
+
+def _list(run: LaunchRun, value: ListValue) -> object:
     """A list of constants is an array; one with substitutions among texts is one text."""
     from archlint.program import containers
 
     items = containers.items_of(run, value)
     if items.open:
-        return None, False
+        return NotKnown("a list that is not known to its end")
     if any(kind_of(item) in SUBSTITUTIONS for item in items.values):
         if all(kind_of(item) in SUBSTITUTIONS for item in items.values) and len(items.values) > 1:
-            return None, False
-        text = perform(run, value)
-        return from_yaml(str(text.value)) if isinstance(text, Known) else (None, False)
+            return NotKnown("a list of substitutions only")
+        return _of_text(perform(run, value))
     if any(isinstance(item, ListValue) for item in items.values):
-        return None, False  # no parameter is a list of lists, and a list may hold itself
+        return NotKnown("no parameter is a list of lists")  # and a list may hold itself
     rows = [python_of(run, item) for item in items.values]
-    return [row for row, _ in rows], all(known for _, known in rows)
+    return next((row for row in rows if isinstance(row, NotKnown)), rows)
 
 
 _TYPES = {"str": str, "int": int, "float": float, "bool": bool}
 
 
-def _typed(run: LaunchRun, value: Value) -> tuple[object, bool]:
+def _typed(run: LaunchRun, value: Value) -> object:
     """``ParameterValue(value, value_type=str)``."""
     inner = _given(value, "value")
     kind = argument(value, "value_type")
@@ -189,30 +190,30 @@ def _typed(run: LaunchRun, value: Value) -> tuple[object, bool]:
     if not name:
         return python_of(run, inner)
     if name not in _TYPES:
-        return None, False
+        return NotKnown(f"a value of the type '{name}'")
     text = perform(run, inner)
     if not isinstance(text, Known):
-        return None, False
+        return NotKnown(reason(text))
     if name == "str":
-        return str(text.value), True
-    found, known = from_yaml(str(text.value))
+        return str(text.value)
+    found = from_yaml(str(text.value))
     if name == "float" and isinstance(found, int) and not isinstance(found, bool):
-        return float(found), True
-    return (found, known) if isinstance(found, _TYPES[name]) else (None, False)
+        return float(found)
+    return found if isinstance(found, (_TYPES[name], NotKnown)) else NotKnown(f"a value that is no {name}")
 
 
-def from_yaml(text: str) -> tuple[object, bool]:
+def from_yaml(text: str) -> object:
     """A text as launch_ros reads a parameter without a type: as YAML."""
     if len(text) > CONSTANT_LIMIT:
-        return None, False
+        return NotKnown("a text too long to follow")
     if not text[:1] or text[0] not in "[{\"'!&*":
-        return (text if ": " in text or "\n" in text else plain_scalar(text.strip())), True
+        return text if ": " in text or "\n" in text else plain_scalar(text.strip())
     try:
         reader = YamlReader(text)
         found = reader.value(reader.root) if reader.root is not None else None
     except (YamlError, RecursionError):
-        return text, True
-    return found, not isinstance(found, dict)
+        return text
+    return NotKnown("no parameter is a map") if isinstance(found, dict) else found
 
 
 __all__ = ["Parameter", "Unknown", "file_use", "from_yaml", "parameters_of", "python_of", "setting"]

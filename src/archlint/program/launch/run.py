@@ -7,7 +7,7 @@ from contextlib import contextmanager
 from typing import TYPE_CHECKING
 
 from archlint.finding import Place
-from archlint.program import model
+from archlint.program import model, values
 from archlint.program.launch.argument_names import AGAIN, ArgumentNames
 from archlint.program.launch.conditions import Verdict
 from archlint.program.launch.context import Context
@@ -191,6 +191,9 @@ class LaunchRun(Run):
         return found if isinstance(found, dict) else {}
 
     # ----------------------------------------------------------------------------------------- branches
+
+    def note_open_test(self, key: str, test: Value) -> None:
+        self.result.why_open.setdefault(key, values.reason(test))
 
     def label(self, arm: tuple[str, int], text: str) -> tuple[str, int]:
         self.result.labels.setdefault(arm, text)
