@@ -7,6 +7,7 @@ from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 from archlint.checks.blocking import in_distros
+from archlint.checks.pinned import pinned_distro
 from archlint.checks.reach import node_name, one_for_each_place
 from archlint.checks.registry import Options, finding, rule
 from archlint.facts import model as facts
@@ -130,7 +131,21 @@ def _misfit(system: System, first: _Wrong, others: Sequence[_Wrong], distros: Se
         node=node_name(system, callback.node),
         identity=(callback.role, callback.name),
     )
-    return replace(found, severity=Severity.WARNING) if some else found
+    return _settled(system, found, first.distros) if some else found
+
+
+def _settled(system: System, found: Finding, wrong_in: Sequence[str]) -> Finding:
+    """What is wrong in some distributions is a warning; information where the workspace is evidently for another."""
+    pinned = pinned_distro(system.world)
+    if pinned is None or pinned[0] in wrong_in:
+        return replace(found, severity=Severity.WARNING)
+    distro, file = pinned
+    return replace(
+        found,
+        message=f"{found.message}; {file} names {distro} alone",
+        help=f'say in the configuration that the code is for {distro} only: distro = "{distro}"',
+        severity=Severity.INFO,
+    )
 
 
 def _further(first: _Wrong, other: _Wrong) -> Related:
