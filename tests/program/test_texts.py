@@ -28,6 +28,11 @@ rclpy.spin(node)
         ("'/{}/health'.format(name)", "None", [("/*/health", "partial"), ("/policy/health", "exact")]),
         ("'/a/' + (name or 'plain')", "None", [("/a/plain", "exact"), ("/a/policy", "exact")]),
         ("f'/{name}/health'", "'None'", [("/None/health", "exact"), ("/policy/health", "exact")]),
+        (
+            'f\'/{node.declare_parameter("n", "policy").value or None}/health\'',
+            "'a'",
+            [("/*/health", "partial"), ("/policy/health", "parameter")],
+        ),
         ("f'/{None}/health'", "'a'", [("/None/health", "exact")]),
     ],
 )

@@ -10,7 +10,6 @@ from archlint.facts import model as facts
 from archlint.program.attributes import get_attribute
 from archlint.program.containers import get_entry, items_of
 from archlint.program.values import (
-    NONE,
     TEXT_LIMIT,
     BoundMethod,
     ClassValue,
@@ -114,9 +113,14 @@ def _meant(part: Value) -> Sequence[Value]:
     """The alternatives of a part.  ``None`` among others is what stands there until a value comes: nobody means a text
     with that word in it, so what the text then is counts as not known."""
     options = alternatives(part)
-    if len(options) == 1 or NONE not in options:
+    if len(options) == 1:
         return options
-    return [Unknown("it may be None in this text") if option == NONE else option for option in options]
+    return [Unknown("it may be None in this text") if _is_none(option) else option for option in options]
+
+
+def _is_none(value: Value) -> bool:
+    """Whether a value is ``None``, whichever parameter chose it."""
+    return isinstance(value, Known) and value.value is None
 
 
 def plain_text(run: Run, value: Value) -> Value:
