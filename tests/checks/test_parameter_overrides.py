@@ -235,3 +235,34 @@ def test_a_dict_that_several_nodes_get_is_for_all_of_them(
     setup = SETUP.replace("['talker = ", "['walker = robot.walker:main', 'talker = ")
     names = {name for found in findings("{'gain': 2.0}", setup=setup) for name in found.identity[1:]}
     assert sorted(names) == told
+
+
+HELPERS = """\
+import rclpy
+from rclpy.node import Node
+
+class Helpers(Node):
+    def frame(self):
+        return self.declare_parameter('frame', 'map').value
+
+    def names(self):
+        return self.declare_parameter('names', ['']).value
+
+class Talker(Helpers):
+    def __init__(self):
+        super().__init__('talker')
+        self.own = self.frame()
+
+def main():
+    rclpy.init()
+    rclpy.spin(Talker())
+"""
+
+
+def test_the_help_leaves_out_what_an_inherited_method_would_declare(findings):
+    (found,) = findings("{'shape': 'round'}", talker=HELPERS)
+    assert found.help == "it declares frame"
+
+
+def test_a_value_for_what_an_inherited_method_may_declare_is_not_reported(findings):
+    assert findings("{'names': ['a']}", talker=HELPERS) == []

@@ -115,13 +115,19 @@ def _never_used(
         "PRM004",
         setting.place,
         f"{called(node)} declares no parameter '{setting.name}', so this value is never used{meant}",
-        help=f"it declares {listed(sorted(declared))}",
+        help=f"it declares {listed(_surely(declared))}",
         related=[Related(blueprint.place, "the node is defined here")],
         node=node.name,
         identity=(node.name or "", setting.name),
         # A misspelt name has advice of its own.
         group=() if meant else (called(node), setting.place.file, setting.key),
     )
+
+
+def _surely(declared: Mapping[str, Sequence[ParameterDeclaration]]) -> list[str]:
+    """The names that a node declares, without those of methods that nothing calls, which it may have inherited."""
+    called_for = [name for name, rows in declared.items() if not all(row.uncalled for row in rows)]
+    return sorted(called_for or declared)
 
 
 @folds("PRM004")

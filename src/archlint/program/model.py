@@ -201,6 +201,8 @@ class ParameterDeclaration:
     chain: tuple[Frame, ...] = ()
     given: tuple[object, ...] = ()
     """The value that the constructor's ``parameter_overrides`` give it, which wins over all others; empty: none."""
+    uncalled: bool = False
+    """Whether it stands in a method that nothing here calls, of a base class say."""
 
 
 @dataclass(eq=False)

@@ -199,6 +199,7 @@ def _note(
             dynamic,
             chain=run.chain(),
             given=(in_code,) if given is not None and in_code_known else (),
+            uncalled=run.context.role == "method",
         )
     )
 
