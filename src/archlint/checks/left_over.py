@@ -73,6 +73,16 @@ def _kept_as(world: World, place: Place) -> tuple[str, frozenset[str]] | None:
     return (name, frozenset(idle)) if uses.count[name] == 1 + sum(idle.values()) else None
 
 
+def kept_calls(found: facts.Facts) -> dict[tuple[int, int], str]:
+    """The attributes of ``self`` that calls of a file are kept in, by the line and column of the call."""
+    return _Uses.of(found).kept
+
+
+def idle_methods(found: facts.Facts) -> frozenset[str]:
+    """The methods that a file defines and does not name again."""
+    return frozenset(_Uses.of(found).idle)
+
+
 class _Uses:
     """The attributes that a file names: how often each, and which calls are kept in one of ``self``."""
 

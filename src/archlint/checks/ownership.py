@@ -7,12 +7,14 @@ from dataclasses import astuple, replace
 from itertools import combinations
 from typing import TYPE_CHECKING
 
+from archlint.checks.arbitration import speaks_once, take_turns
 from archlint.checks.aside import is_aside
 from archlint.checks.conflicts import in_source_order, meeting, named_by_library, seen_together
 from archlint.checks.folding import folds
 from archlint.checks.happenings import are_requests, tell_what_happened
 from archlint.checks.left_over import is_left_over
 from archlint.checks.registry import Options, finding, rule
+from archlint.checks.sharing import are_words, is_bus, is_state
 from archlint.finding import Finding, Related, Severity
 
 if TYPE_CHECKING:
@@ -31,24 +33,46 @@ TYPES_SHARED_BY_DESIGN = (
 @rule("OWN001")
 def multiple_publishers(system: System, options: Options) -> Iterator[Finding]:
     """Topics with publishers in several nodes that run together."""
-    for connection in system.topics.values():
-        if _is_shared(connection, options):
-            continue
-        for owners in _several_owners(system, connection):
-            if _is_bus(connection, owners) or tell_what_happened(system, owners):
-                continue
-            if not _is_proven(system, owners) and (_has_launch_files(system) or _says_what_happens(connection.name)):
-                continue
-            found = _finding(
-                "OWN001",
-                system,
-                owners,
-                f"{_nodes(owners)} publish the topic '{connection.name}'",
-                "publishes it here",
-                "give each a topic of its own and let one node decide what is said on this one; list it under "
-                "shared-topics if it is meant to be shared",
-            )
-            yield replace(found, severity=Severity.INFO) if are_requests(connection) else found
+    found = [
+        _of_topic(system, connection, owners)
+        for connection in system.topics.values()
+        if not _is_shared(connection, options)
+        for owners in _several_owners(system, connection)
+        if not _is_meant(system, connection, owners)
+    ]
+    gravest: dict[tuple[str, ...], Severity] = {}
+    for one in found:
+        nodes = one.identity[2:]
+        gravest[nodes] = max(gravest.get(nodes, one.severity), one.severity)
+    for one in found:  # what the same nodes publish beside a command is told along with it
+        yield replace(one, severity=gravest[one.identity[2:]])
+
+
+def _is_meant(system: System, connection: Connection, owners: list[Endpoint]) -> bool:
+    """Whether several nodes are there to publish a topic, or do not do so at once."""
+    if is_bus(system.world, connection, owners) or tell_what_happened(system, owners) or are_requests(connection):
+        return True
+    if not _is_proven(system, owners) and (_has_launch_files(system) or _says_what_happens(connection.name)):
+        return True
+    return take_turns(system, owners)
+
+
+def _of_topic(system: System, connection: Connection, owners: list[Endpoint]) -> Finding:
+    found = _finding(
+        "OWN001",
+        system,
+        owners,
+        f"{_nodes(owners)} publish the topic '{connection.name}'",
+        f"publishes '{connection.name}' here",
+        "give each a topic of its own and let one node decide what is said on this one; list it under "
+        "shared-topics if it is meant to be shared",
+    )
+    return found if _is_obeyed(connection, owners) else replace(found, severity=Severity.INFO)
+
+
+def _is_obeyed(connection: Connection, owners: list[Endpoint]) -> bool:
+    """Whether the last message is what counts: a command or a value, and no text that stands for itself."""
+    return not are_words(owners) or is_state(connection.name)
 
 
 def _is_shared(connection: Connection, options: Options) -> bool:
@@ -57,32 +81,6 @@ def _is_shared(connection: Connection, options: Options) -> bool:
         or options.is_shared(connection.name)
         or (bool(connection.types) and set(connection.types) <= set(TYPES_SHARED_BY_DESIGN))
     )
-
-
-_COMMANDS = frozenset(
-    {
-        "ackermann_msgs/msg/AckermannDrive",
-        "ackermann_msgs/msg/AckermannDriveStamped",
-        "geometry_msgs/msg/Twist",
-        "geometry_msgs/msg/TwistStamped",
-        "trajectory_msgs/msg/JointTrajectory",
-    }
-)
-"""Of these, one at a time can be obeyed."""
-_MANY = 4
-
-
-def _is_bus(connection: Connection, owners: list[Endpoint]) -> bool:
-    """Whether so many nodes publish a topic, or different ones with the help of one class, or just those that listen to
-    it, too, that it is evidently there for all of them; of commands that is never so."""
-    if any(end.type in _COMMANDS for end in owners):
-        return False
-    listening = {id(user.node) for user in connection.users}
-    if all(id(end.node) in listening for end in owners):
-        return True
-    classes = {end.node.blueprint.class_name for end in owners if end.node.blueprint is not None}
-    helped = len({end.place for end in owners}) == 1 and len(classes) > 1
-    return helped or len(_names(owners)) >= _MANY
 
 
 @rule("OWN002")
@@ -136,7 +134,7 @@ def _several_owners(system: System, connection: Connection) -> Iterator[list[End
 
 def _owns(system: System, end: Endpoint) -> bool:
     """Whether a publisher or server says something of its own, in code that is in use."""
-    idle = named_by_library(end) or is_left_over(system.world, end)
+    idle = named_by_library(end) or is_left_over(system.world, end) or speaks_once(system, end)
     return not idle and (system.name is not None or not is_aside(system.world, end.place.file))
 
 
@@ -184,16 +182,42 @@ def _finding(code: str, system: System, owners: list[Endpoint], message: str, do
         identity=(last.kind, last.name or "", *_names(owners)),
     )
     if code == "OWN001":
-        found = replace(found, group=(last.name or "", *map(str, astuple(last.place))))
+        found = replace(found, group=_cause(last))
     return found if proven else replace(found, severity=Severity.INFO)
 
 
+def _cause(last: Endpoint) -> tuple[str, ...]:
+    """What findings have in common that one change mends: the node that was added last."""
+    made = last.node.blueprint
+    return (last.place.file, "") if made is None else (*map(str, astuple(made.place)), made.class_name)
+
+
 @folds("OWN001", across_systems=True)
-def _of_several_launches(findings: Sequence[Finding]) -> Finding:
-    """What a launch file and those that include it show of one publisher: the one with the most others says it all;
-    what only another one starts beside it is related."""
-    most = max(findings, key=lambda one: (one.condition is None, len(one.related)))
-    return replace(most, related=tuple(dict.fromkeys(row for one in (most, *findings) for row in one.related)))
+def _of_one_node(findings: Sequence[Finding]) -> Finding:
+    """What one node publishes beside others, on all its topics and in all launch files: the finding for the most nodes
+    says which; what else is so is related."""
+    most = max(findings, key=lambda one: (one.condition is None, len(one.identity)))
+    same = [one for one in findings if one.identity[2:] == most.identity[2:]]
+    topics = list(dict.fromkeys(one.identity[1] for one in (most, *same)))
+    rest = [Related(one.place, f"{one.node} publishes '{one.identity[1]}' here") for one in findings]
+    rows = [row for one in (most, *findings) for row in one.related] + rest
+    return replace(
+        most,
+        message=most.message.replace(f"the topic '{topics[0]}'", _topics(topics)),
+        related=tuple(row for row in dict.fromkeys(rows) if row.place != most.place or row not in rest),
+    )
+
+
+_NAMED = 4
+
+
+def _topics(names: Sequence[str]) -> str:
+    if len(names) == 1:
+        return f"the topic '{names[0]}'"
+    quoted = [f"'{name}'" for name in names]
+    if len(names) > _NAMED:
+        quoted = [*quoted[: _NAMED - 1], f"{len(names) - _NAMED + 1} more"]
+    return f"the topics {', '.join(quoted[:-1])} and {quoted[-1]}"
 
 
 def _is_proven(system: System, owners: list[Endpoint]) -> bool:

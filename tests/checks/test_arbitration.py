@@ -1,0 +1,305 @@
+"""OWN001 where publishers of one topic do not speak at once."""
+
+from __future__ import annotations
+
+import pytest
+
+from archlint.finding import Severity
+from checks.judging import Judge
+
+TWO_DRIVERS = """
+    import rclpy
+    from geometry_msgs.msg import Twist
+    from rclpy.executors import SingleThreadedExecutor
+    from rclpy.node import Node
+    from std_msgs.msg import Bool, String
+    from std_srvs.srv import SetBool
+
+
+    class Pad(Node):
+        def __init__(self):
+            super().__init__('pad')
+            self.drives = True
+            self.pub = self.create_publisher(Twist, 'cmd_vel', 10)
+            self.create_timer(0.1, self.tick)
+            {pad_hears}
+
+        def on_word(self, msg):
+            self.drives = msg.data == 'pad'
+
+        def on_switch(self, request, response):
+            self.drives = request.data
+            self.pub.publish(Twist())
+            return response
+
+        def tick(self):
+            {pad_asks}
+            self.drive()
+
+        def drive(self):
+            self.pub.publish(Twist())
+
+
+    class Web(Node):
+        def __init__(self):
+            super().__init__('web')
+            self.drives = False
+            self.pub = self.create_publisher(Twist, 'cmd_vel', 10)  # here
+            self.create_timer(0.1, self.tick)
+            {web_hears}
+
+        def on_word(self, msg):
+            if msg.data == 'web':
+                self.drives = True
+            else:
+                self.drives = False
+
+        def on_web_switch(self, request, response):
+            self.drives = request.data
+            return response
+
+        def tick(self):
+            {web_asks}
+
+
+    def main():
+        rclpy.init()
+        executor = SingleThreadedExecutor()
+        for node in (Pad(), Web()):
+            executor.add_node(node)
+        executor.spin()
+
+
+    if __name__ == '__main__':
+        main()
+"""
+HEARS = "self.create_subscription(String, '{}', self.on_word, 10)"
+TURNED_ON = "self.create_service(SetBool, '~/enable', self.{})"
+GIVES = "self.words = self.create_publisher(String, 'turn', 10)"
+ASKS = "if not self.drives: return"
+SPEAKS = "self.pub.publish(Twist())"
+IF_ASKED = "if self.drives: self.pub.publish(Twist())"
+EITHER = "self.pub.publish(Twist()) if self.drives else self.pub.publish(Twist())"
+
+
+def drivers(pad: tuple[str, str], web: tuple[str, str]) -> str:
+    return TWO_DRIVERS.format(pad_hears=pad[0], pad_asks=pad[1], web_hears=web[0], web_asks=web[1])
+
+
+ONE_TURN = HEARS.format("turn")
+
+
+@pytest.mark.parametrize(
+    ("pad", "web"),
+    [
+        ((ONE_TURN, ASKS), (ONE_TURN, IF_ASKED)),  # both are told whose turn it is
+        ((ONE_TURN, ASKS), (GIVES, SPEAKS)),  # the one tells the other
+        (
+            (TURNED_ON.format("on_switch"), ASKS),
+            (TURNED_ON.format("on_web_switch"), IF_ASKED),
+        ),  # somebody turns each on and off
+    ],
+    ids=["one word", "the other's word", "switches"],
+)
+def test_publishers_that_take_turns(judge: Judge, pad: tuple[str, str], web: tuple[str, str]):
+    judge("OWN001", drivers(pad, web).replace("  # here", ""))
+
+
+@pytest.mark.parametrize(
+    ("pad", "web"),
+    [
+        (("pass", "pass"), ("pass", SPEAKS)),
+        ((ONE_TURN, "pass"), (ONE_TURN, IF_ASKED)),  # the pad is told, and does not ask
+        (("pass", ASKS), ("pass", IF_ASKED)),  # nobody tells them
+        ((ONE_TURN, ASKS), ("pass", SPEAKS)),  # nobody tells the other one
+        ((HEARS.format("one"), ASKS), (HEARS.format("other"), IF_ASKED)),  # two words that do not depend on each other
+        ((HEARS.format("emergency_stop"), ASKS), (HEARS.format("emergency_stop"), IF_ASKED)),  # it stops both
+    ],
+    ids=["nothing", "not asked", "not told", "one alone", "two words", "a stop"],
+)
+def test_publishers_that_speak_at_once(judge: Judge, pad: tuple[str, str], web: tuple[str, str]):
+    [found] = judge("OWN001", drivers(pad, web))
+    assert found.severity is Severity.WARNING
+
+
+def test_a_condition_that_only_chooses_what_is_said(judge: Judge):
+    either = "if self.drives: self.pub.publish(Twist())\n            else: self.pub.publish(Twist(angular=None))"
+    judge("OWN001", drivers((ONE_TURN, ASKS), (ONE_TURN, either)))
+
+
+ENDING = """
+    import rclpy
+    from geometry_msgs.msg import Twist
+    from rclpy.executors import SingleThreadedExecutor
+    from rclpy.node import Node
+
+
+    class Driver(Node):
+        def __init__(self):
+            super().__init__('driver')
+            self.pub = self.create_publisher(Twist, 'cmd_vel', 10)
+            self.create_timer(0.1, self.drive)
+
+        def drive(self):
+            self.pub.publish(Twist())
+
+
+    class Mission(Node):
+        def __init__(self):
+            super().__init__('mission')
+            self.pub = self.create_publisher(Twist, 'cmd_vel', 10)  # here
+            {timer}
+
+        def stop(self):
+            self.pub.publish(Twist())
+
+
+    def main():
+        rclpy.init()
+        driver, mission = Driver(), Mission()
+        executor = SingleThreadedExecutor()
+        executor.add_node(driver)
+        executor.add_node(mission)
+        executor.spin()
+        mission.stop()
+
+
+    if __name__ == '__main__':
+        main()
+"""
+
+
+def test_a_publisher_that_only_says_stop_as_it_ends(judge: Judge):
+    judge("OWN001", ENDING.format(timer="pass").replace("  # here", ""))
+    judge("OWN001", ENDING.format(timer="self.create_timer(1.0, self.stop)"))
+
+
+KINDS = """
+    import rclpy
+    from rclpy.executors import SingleThreadedExecutor
+    from rclpy.node import Node
+    from {package}.msg import {type}
+
+
+    class Said(Node):
+        def __init__(self, name):
+            super().__init__(name)
+
+
+    class Left(Said):
+        def __init__(self):
+            super().__init__('left')
+            self.pub = self.create_publisher({type}, '{topic}', 10)
+            self.create_timer(0.1, self.tick)
+
+        def tick(self):
+            self.pub.publish({type}())
+
+
+    class Right(Said):
+        def __init__(self):
+            super().__init__('right')
+            self.pub = self.create_publisher({type}, '{topic}', 10)  # here
+            self.create_timer(0.1, self.tick)
+
+        def tick(self):
+            self.pub.publish({type}())
+
+
+    class Reader(Said):
+        def __init__(self):
+            super().__init__('reader')
+            self.create_subscription({type}, '{heard}', print, 10)
+
+
+    def main():
+        rclpy.init()
+        executor = SingleThreadedExecutor()
+        for node in (Left(), Right(), Reader()):
+            executor.add_node(node)
+        executor.spin()
+
+
+    if __name__ == '__main__':
+        main()
+"""
+
+
+@pytest.mark.parametrize(
+    ("type_", "topic", "heard", "severity"),
+    [
+        (
+            "geometry_msgs.Twist",
+            "go",
+            "other",
+            Severity.WARNING,
+        ),  # the motors obey, whether their driver is seen or not
+        ("std_msgs.Float64", "arm_command", "other", Severity.WARNING),
+        ("geometry_msgs.Twist", "debug/cmd_vel", "other", Severity.WARNING),
+        ("std_msgs.Float64", "depth", "depth", Severity.WARNING),
+        ("std_msgs.Float64", "depth", "other", Severity.WARNING),  # who listens may be written in C++
+        ("std_msgs.String", "words", "words", Severity.INFO),
+        ("std_msgs.String", "robot_mode", "robot_mode", Severity.WARNING),
+        ("sensor_msgs.Image", "debug/lane", "debug/lane", None),
+    ],
+)
+def test_what_is_published(judge: Judge, type_: str, topic: str, heard: str, severity: Severity | None):
+    package, _, name = type_.partition(".")
+    text = KINDS.format(package=package, type=name, topic=topic, heard=heard)
+    found = judge("OWN001", text if severity is not None else text.replace("  # here", ""))
+    assert [one.severity for one in found] == ([] if severity is None else [severity])
+
+
+TWO_TOPICS = """
+    import rclpy
+    from geometry_msgs.msg import Twist
+    from rclpy.executors import SingleThreadedExecutor
+    from rclpy.node import Node
+
+
+    class Left(Node):
+        def __init__(self):
+            super().__init__('left')
+            self.arm = self.create_publisher(Twist, 'arm/twist', 10)
+            self.base = self.create_publisher(Twist, 'cmd_vel', 10)
+            self.create_timer(0.1, self.tick)
+
+        def tick(self):
+            self.arm.publish(Twist())
+            self.base.publish(Twist())
+
+
+    class Right(Node):
+        def __init__(self):
+            super().__init__('right')
+            self.arm = self.create_publisher(Twist, 'arm/twist', 10)  # here
+            self.base = self.create_publisher(Twist, 'cmd_vel', 10)
+            self.create_timer(0.1, self.tick)
+
+        def tick(self):
+            self.arm.publish(Twist())
+            self.base.publish(Twist())
+
+
+    def main():
+        rclpy.init()
+        executor = SingleThreadedExecutor()
+        for node in (Left(), Right()):
+            executor.add_node(node)
+        executor.spin()
+
+
+    if __name__ == '__main__':
+        main()
+"""
+
+
+def test_all_that_the_same_nodes_publish_is_one_finding(judge: Judge):
+    [found] = judge("OWN001", TWO_TOPICS)
+
+    assert found.message == "/left and /right both publish the topics '/arm/twist' and '/cmd_vel'"
+    assert [row.message for row in found.related] == [
+        "/left publishes '/arm/twist' here",
+        "/left publishes '/cmd_vel' here",
+        "/right publishes '/cmd_vel' here",
+    ]
