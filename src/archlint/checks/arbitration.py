@@ -190,8 +190,8 @@ def _speaks_anyway(statement: facts.If) -> bool:
 
 
 def _is_in(line: int, item: facts.Stmt) -> bool:
-    first, _, last, _ = item.span
-    return first <= line <= last
+    span: tuple[int, int, int, int] | None = getattr(item, "span", None)
+    return span is not None and span[0] <= line <= span[2]
 
 
 def _gives(node: Node) -> frozenset[_Word]:
