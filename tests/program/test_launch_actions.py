@@ -1041,3 +1041,17 @@ def test_a_file_without_nodes_is_for_components(launches):
 
     assert sorted(given("plain.yaml"), key=len) == [{}, {"rate": 10, "led.number": 24}]  # the container gets nothing
     assert given("nodes.yaml") == [{"led": 1}, {"led": 1}]  # one section is enough: the rest is not read
+
+
+@pytest.mark.parametrize(("given", "found"), [("", {"use_sim_time": True}), ("5", {"use_sim_time": True, "offset": 5})])
+def test_a_parameter_of_a_group_under_a_condition(launches, given, found):
+    """The list of parameters for all nodes is one list, in the group and after it; what a condition leaves out is
+    in neither."""
+    wanted = "LaunchConfigurationNotEquals('offset', '')"
+    inside = f"SetParameter('offset', LaunchConfiguration('offset'), condition={wanted}), {node('inside')}"
+    launched = launches.python(
+        "[DeclareLaunchArgument('offset', default_value=''), SetParameter('use_sim_time', True), "
+        f"GroupAction([{inside}]), {node('after')}]",
+        offset=given,
+    )
+    assert [parameters(started) for started in launched.started] == [found, found]

@@ -32,6 +32,13 @@ class Context:
         made.parameters = None if self.parameters is None else list(self.parameters)
         return made
 
+    def set_aside(self) -> Context:
+        """The context as it is, with the lists that it shares with the scopes around it; what comes next goes to
+        copies of them."""
+        kept, apart = self.copy(), self.fork()
+        self.remaps, self.parameters = apart.remaps, apart.parameters
+        return kept
+
     def restore(self, kept: Context) -> None:
         self.configurations = kept.configurations
         self.environment = kept.environment

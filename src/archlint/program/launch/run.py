@@ -233,8 +233,9 @@ class LaunchRun(Run):
             yield
             return
         arms = own if verdict.branch is None else own | {verdict.branch}
-        kept, kept_code, before = self.current_arms, self.code_arms, self.launch.fork()
+        kept, kept_code = self.current_arms, self.code_arms
         asleep = verdict.holds is False or (verdict.branch is not None and self._excluded(verdict.branch))
+        before = self.launch.set_aside() if asleep else self.launch.fork()
         self.current_arms, self.code_arms = kept | arms, kept_code | own
         self.dormant += asleep
         self.undecided += not asleep
