@@ -155,9 +155,15 @@ def _of_parameters(real: Row, ours: Row) -> str:
     found = [WRONG] if wrong or (unseen and not _may_have_more(ours)) else [OPEN] if unseen else []
     if real.kind != "component":
         files = same(real.fields["files"], ours.fields["files"])
-        found.append(OPEN if files == WRONG and ours.open else files)
+        found.append(_where_files_may_be_more(real, ours) if files == WRONG and ours.open else files)
     found += [how for how, _ in _values(real, ours)]
     return max(found, key=(EQUAL, OPEN, WRONG).index, default=EQUAL)
+
+
+def _where_files_may_be_more(real: Row, ours: Row) -> str:
+    first, second = real.fields["files"], ours.fields["files"]
+    assert isinstance(first, list) and isinstance(second, list)
+    return EQUAL if ours.may_have_more and all(file in first for file in second) else OPEN
 
 
 def _may_have_more(ours: Row) -> bool:
