@@ -126,7 +126,9 @@ def test_what_can_create_or_wait_passes_the_screen(source):
     assert relevant(source.encode())
 
 
-@pytest.mark.parametrize("source", ["", "import numpy as np", "class Node:\n    pass", "print('publisher')"])
+@pytest.mark.parametrize(
+    "source", ["", "import numpy as np", "class Node:\n    pass", "print('publisher')", "graph.create_node(1)"]
+)
 def test_what_cannot_does_not(source):
     assert not relevant(source.encode())
 

@@ -15,7 +15,7 @@ from typing import Union
 
 import msgspec
 
-FACTS_VERSION = 4
+FACTS_VERSION = 5
 """Raised whenever the shape or the meaning of the facts changes: old cache entries are then misses."""
 
 Span = tuple[int, int, int, int]
