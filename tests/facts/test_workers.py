@@ -7,6 +7,8 @@ import os
 import signal
 import threading
 import time
+from collections.abc import Callable
+from pathlib import Path
 
 import pytest
 
@@ -23,8 +25,10 @@ def work(source: bytes) -> bytes:
         os.kill(os.getpid(), signal.SIGKILL)
     if text == "segfault":
         ctypes.string_at(0)
-    if text == "hang":
-        time.sleep(60)
+    while text == "hang":
+        pass
+    if text == "kept waiting":
+        time.sleep(1)
     if text == "raise":
         raise ValueError(text)
     if text == "pid":
@@ -78,6 +82,45 @@ def test_what_takes_too_long_is_given_up():
     assert [answers[0], answers[2]] == [b"aa", b"bb"]
     assert isinstance(answers[1], TimedOut)
     assert time.monotonic() - started < 20
+
+
+def test_time_that_the_machine_spends_on_others_does_not_count():
+    sources = [b"kept waiting", b"b"]
+    assert run_in_workers(work, sources, 2, 0.3) == [source * 2 for source in sources]
+
+
+def test_workers_end_when_their_parent_is_killed(tmp_path):
+    def tells_its_process(source: bytes) -> bytes:
+        (tmp_path / str(os.getpid())).touch()
+        time.sleep(0.2)
+        return source
+
+    parent = os.fork()
+    if parent == 0:
+        try:
+            run_in_workers(tells_its_process, [b"a"] * 1000, 3, 30)
+        finally:
+            os._exit(0)
+    assert _within(20, lambda: len(list(tmp_path.iterdir())) == 3)
+    os.kill(parent, signal.SIGKILL)
+    os.waitpid(parent, 0)
+    workers = [int(one.name) for one in tmp_path.iterdir()]
+    assert _within(20, lambda: not any(map(_runs, workers)))
+
+
+def _within(seconds: float, holds: Callable[[], bool]) -> bool:
+    end = time.monotonic() + seconds
+    while not holds() and time.monotonic() < end:
+        time.sleep(0.05)
+    return holds()
+
+
+def _runs(pid: int) -> bool:
+    """Whether a process runs; one that has ended and that nobody has asked about does not."""
+    try:
+        return Path(f"/proc/{pid}/stat").read_text().rpartition(")")[2].split()[0] != "Z"
+    except OSError:
+        return False
 
 
 def test_no_process_is_left_behind():

@@ -27,6 +27,10 @@ _NUMBER = struct.Struct("=I")
 _SIZE = struct.Struct("=Q")
 _STOP = 2**32 - 1
 
+_PATIENCE = 20
+"""How many times the deadline a source may be under way by the clock on the wall: a process that does nothing at all
+would never use up its processor time."""
+
 
 class Crashed:
     """The source killed the process that worked on it, twice."""
@@ -49,8 +53,9 @@ def can_fork() -> bool:
 def run_in_workers(job: Job, sources: Sequence[bytes], count: int, deadline: float) -> list[Answer]:
     """One answer for each source, in their order, from up to ``count`` forked processes.
 
-    ``job`` is called in a thread with a deep stack.  ``deadline`` is the time in seconds that one source may
-    take.  Raises ``OSError`` where the system has no process to give.
+    ``job`` is called in a thread with a deep stack.  ``deadline`` is the processor time in seconds that one source
+    may take: on a machine that has much else to do no file takes longer.  Raises
+    ``OSError`` where the system has no process to give.
     """
     pool = _Pool(job, sources, count, deadline)
     try:
@@ -122,9 +127,14 @@ class _Pool:
             warnings.simplefilter("ignore", DeprecationWarning)
             pid = os.fork()
         if pid == 0:
-            os.close(requests)
-            os.close(answers)
-            _serve(self._job, self._sources, request_reader, answer_writer)
+            # Whoever keeps the ends of others keeps them waiting for a parent that is gone.
+            for end in (
+                requests,
+                answers,
+                *(end for one in self._workers.values() for end in (one.requests, one.answers)),
+            ):
+                os.close(end)
+            _serve(self._job, self._sources, request_reader, answer_writer, self._deadline)
         os.close(request_reader)
         os.close(answer_writer)
         worker = _Worker(pid, requests, answers)
@@ -143,8 +153,10 @@ class _Pool:
                 self._end(worker, kill=False)
             return
         # It may have been the machine's doing (no memory left): once more, in a fresh process.
-        self._end(worker, kill=True)
-        if number in self._crashed_once:
+        status = self._end(worker, kill=False)
+        if os.WIFSIGNALED(status) and os.WTERMSIG(status) == signal.SIGPROF:
+            self.answers[number] = TimedOut()
+        elif number in self._crashed_once:
             self.answers[number] = Crashed()
         else:
             self._crashed_once.add(number)
@@ -152,36 +164,37 @@ class _Pool:
 
     def _ready(self) -> list[_Worker]:
         oldest = min(worker.since for worker in self._workers.values())
-        patience = max(0.0, oldest + self._deadline - time.monotonic()) + 0.01
+        patience = max(0.0, oldest + _PATIENCE * self._deadline - time.monotonic()) + 0.01
         return [self._workers[key.fd] for key, _ in self._selector.select(patience)]
 
     def _late(self) -> list[_Worker]:
         now = time.monotonic()
-        return [worker for worker in self._workers.values() if now - worker.since > self._deadline]
+        return [worker for worker in self._workers.values() if now - worker.since > _PATIENCE * self._deadline]
 
-    def _end(self, worker: _Worker, kill: bool) -> None:
+    def _end(self, worker: _Worker, kill: bool) -> int:
+        """Wait for a worker to end, and return how it did."""
         self._selector.unregister(worker.answers)
         del self._workers[worker.answers]
         os.close(worker.requests)
         os.close(worker.answers)
         if kill:
             os.kill(worker.pid, signal.SIGKILL)
-        os.waitpid(worker.pid, 0)
+        return os.waitpid(worker.pid, 0)[1]
 
 
-def _serve(job: Job, sources: Sequence[bytes], requests: int, answers: int) -> NoReturn:
+def _serve(job: Job, sources: Sequence[bytes], requests: int, answers: int, deadline: float) -> NoReturn:
     """The life of a worker."""
     status = 1
     try:
         _settle()
-        call_with_deep_stack(lambda: _answer_all(job, sources, requests, answers))
+        call_with_deep_stack(lambda: _answer_all(job, sources, requests, answers, deadline))
         status = 0
     finally:
         # Without the clean-up of an interpreter that is not ours alone.
         os._exit(status)
 
 
-def _answer_all(job: Job, sources: Sequence[bytes], requests: int, answers: int) -> None:
+def _answer_all(job: Job, sources: Sequence[bytes], requests: int, answers: int, deadline: float) -> None:
     while True:
         request = _read_exactly(requests, _NUMBER.size)
         if request is None:
@@ -189,7 +202,9 @@ def _answer_all(job: Job, sources: Sequence[bytes], requests: int, answers: int)
         (number,) = _NUMBER.unpack(request)
         if number == _STOP:
             return
+        signal.setitimer(signal.ITIMER_PROF, deadline)  # ends the process when it has run for so long
         payload = job(sources[number])
+        signal.setitimer(signal.ITIMER_PROF, 0)
         _write_all(answers, _SIZE.pack(len(payload)) + payload)
 
 
@@ -197,6 +212,7 @@ def _settle() -> None:
     """Nothing of what a worker does shows: its parent reports how it ended."""
     signal.signal(signal.SIGINT, signal.SIG_DFL)
     signal.signal(signal.SIGTERM, signal.SIG_DFL)
+    signal.signal(signal.SIGPROF, signal.SIG_DFL)
     gc.disable()  # trees hold no cycles, and a worker does not live long
     faulthandler = sys.modules.get("faulthandler")
     if faulthandler is not None:
