@@ -49,6 +49,20 @@ def without_start(systems: Iterable[System], context: Set[str]) -> Iterator[str]
             yield f"{place}: what this launch file starts is not known, so it is not judged: {gap.reason}"
 
 
+_NAMED = 10
+"""How many files a sentence names."""
+
+
+def followed_in_part(files: Sequence[str]) -> Iterator[str]:
+    """A sentence on the programs that were cut short because those before them had run so much."""
+    if not files:
+        return
+    more = f" and {len(files) - _NAMED} more" if len(files) > _NAMED else ""
+    these = "this file is" if len(files) == 1 else f"these {len(files)} files are"
+    named = ", ".join(files[:_NAMED])
+    yield f"the workspace has more code than is followed, so {these} followed only in part: {named}{more}"
+
+
 def idle_patterns(settings: Settings, workspace: Workspace) -> Iterator[str]:
     """A sentence for each pattern of the configuration that no file or package of the workspace matches."""
     files = [file.relative for file in workspace.files]

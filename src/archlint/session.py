@@ -213,6 +213,7 @@ def _systems(request: Request, workspace: Workspace, facts: FactsOfFiles, tree: 
             faults=faults,
             interfaces=interfaces,
             partial=_partial(request, workspace),
+            cut_short=linker.cut_short,
         ),
         closed=request.settings.closed_world,
         chosen=request.launch,
@@ -333,7 +334,7 @@ def _judged(request: Request, workspace: Workspace, facts: FactsOfFiles, tree: S
     from archlint.checks.launch_notices import argument_notices
     from archlint.checks.merge import merged
     from archlint.checks.registry import failure, unreadable
-    from archlint.looked_at import without_start
+    from archlint.looked_at import followed_in_part, without_start
     from archlint.observed.words import comparison_notices, comparison_words
     from archlint.render.json import unresolved
 
@@ -369,6 +370,7 @@ def _judged(request: Request, workspace: Workspace, facts: FactsOfFiles, tree: S
         notices.extend(argument_notices(systems[0]))
     notices.extend(comparison_notices(systems[0].compared))
     notices.extend(without_start(systems, {file.relative for file in workspace.files if file.context}))
+    notices.extend(followed_in_part(systems[0].world.cut_short() if systems[0].world is not None else []))
     remarks = [*comparison_words(systems[0].compared)]
     return Judged(findings, summary, [*refused, *notices, *_idle(request.settings, systems)], remarks)
 

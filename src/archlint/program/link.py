@@ -18,6 +18,7 @@ from archlint.finding import Place
 from archlint.program import calls, definitions, escapes, model
 from archlint.program.api import command_line, nodes
 from archlint.program.attributes import class_lookup
+from archlint.program.budget import Budget, cut_short
 from archlint.program.helpers import Holders, helpers_in, note_holders, note_unfollowed, prune_uncalled, settle_helpers
 from archlint.program.interest import interesting, names_in
 from archlint.program.modules import Module, ModuleIndex
@@ -89,6 +90,7 @@ class Linker:
         self.store = Store()
         self.faults = faults or Faults()
         self.programs: list[model.Program] = []
+        self.budget = Budget()
         self.started: dict[tuple[str | None, str], model.Program] = {}
         """The program of each entry point, by package and executable."""
         self.ran: set[int] = set()
@@ -123,6 +125,7 @@ class Linker:
         note_unfollowed(self.programs, self._names_in_file)
         self.helpers = helpers_in(self.programs)
         self._settled = True
+        self.budget = Budget()  # for what launch files run again
         return [p for p in self.programs if p.nodes or p.calls or p.callbacks or p.unknown_interfaces or p.field_uses]
 
     def _is_started(self, module: Module, started: dict[str, set[str]]) -> bool:
@@ -177,9 +180,12 @@ class Linker:
         run = Run(self.index, self.store, program, context, self.interfaces, overrides)
         run.at_spin = run_pending
         run.faults = self.faults
-        if is_test_file(module.path):
-            run.left = run.allowed_steps = TEST_STEPS
+        self.budget.grant(run, TEST_STEPS if is_test_file(module.path) else run.left)
         return run
+
+    def cut_short(self) -> list[str]:
+        """The files of the programs that were followed only in part, for the sake of all the others."""
+        return cut_short(self.programs)
 
     def run_entry(
         self,
@@ -369,6 +375,7 @@ class _Program:
 
     def _finish(self) -> None:
         linker, run = self.linker, self.run
+        linker.budget.settle(run)
         linker.ran |= run.ran
         for instance in run.instances.values():
             if isinstance(instance.cls, ClassValue):

@@ -440,6 +440,8 @@ class Program:
     """Whether it asks a node for its name, which may be another than that in the code."""
     exhausted: bool = False
     """True where a bound on depth or steps cut the run short."""
+    late: bool = False
+    """True where it was cut short since other programs of the workspace had run so much."""
     executable: bool = True
 
     def executors_of(self, node: Blueprint) -> list[ExecutorUse]:

@@ -8,8 +8,9 @@ from archlint.facts import model as facts
 from archlint.program import calls, definitions, escapes, left_behind, model
 from archlint.program.api import executors
 from archlint.program.api.callbacks import describe
+from archlint.program.budget import LATE_STEPS
 from archlint.program.growing import open_up
-from archlint.program.interest import interesting, names_in
+from archlint.program.interest import names_in, uses_api
 from archlint.program.modules import Module
 from archlint.program.run import EXTRA_STEPS, FEW_STEPS, ROOTS, SELF_STARTS, STEPS, Activation, Pending, Run
 from archlint.program.uses import bare
@@ -96,7 +97,8 @@ def run_root(
     lineage: tuple[int, ...] = (),
 ) -> None:
     """Run one callback on the state so far."""
-    if run.roots >= ROOTS or run.left - run.steps <= -EXTRA_STEPS:
+    extra = LATE_STEPS if run.late else EXTRA_STEPS
+    if run.roots >= ROOTS or run.left - run.steps <= -extra:
         run.program.exhausted = True
         return
     run.roots += 1
@@ -189,7 +191,7 @@ def _run_methods(run: Run) -> None:
             special = ir.name.startswith("__") and ir.name != "__call__"
             if special or "abstract" in function.decorators:
                 continue
-            if not interesting(ir) and not _hands_on(run, instance, ir):
+            if not uses_api(ir) and not _hands_on(run, instance, ir):
                 continue
             bound = bind_quietly(function, instance, owner)
             callback = describe(run, bound)
@@ -280,7 +282,8 @@ def finish(run: Run) -> None:
             blueprint.executables = (program.name,)
         if program.exhausted and not blueprint.test:
             blueprint.complete = False
-            blueprint.gaps.append((blueprint.place, "its program has more code than is followed"))
+            whose = "the workspace" if program.late else "its program"
+            blueprint.gaps.append((blueprint.place, f"{whose} has more code than is followed"))
         kept.append(blueprint)
     program.nodes[:] = kept
     cut_short = {None} if program.exhausted else set()

@@ -146,6 +146,10 @@ class Run:
         self.allowed_steps = PROGRAM_STEPS
         self.left = PROGRAM_STEPS
         """What is left of the program's statements."""
+        self.granted = PROGRAM_STEPS
+        """What it had of them at first."""
+        self.late = False
+        """Whether the other programs of the workspace have spent what all may run together."""
         self.items_left = COMPREHENDED
         """How many more items its comprehensions go through."""
         self.blueprints: dict[int, model.Blueprint] = {}
@@ -297,6 +301,9 @@ class Run:
             kept = self.activations, self.arms, self.context
             context = model.Callback("module", module.name, Place(module.path, 1, 1, 1, 1), None)
             self.activations, self.arms, self.context = [], [], context
+            bounds = self.steps, self.allowed_steps
+            if self.late:  # what is run for all programs is not cut short for the sake of the others
+                self.steps, self.allowed_steps = 0, STEPS
             try:
                 with self.store.at_base():
                     self.store.set(module.scope.key, "__name__", Known(module.name))
@@ -309,6 +316,8 @@ class Run:
                 self.note_fault(f"following the module {module.name}", error, context.place)
             finally:
                 self.activations, self.arms, self.context = kept
+                if self.late:
+                    self.steps, self.allowed_steps = bounds
                 module.state = "done"
             escapes.share(self, module)
         return ModuleValue(module)

@@ -55,6 +55,8 @@ class World:
     partial: bool = False
     """True where only files of one package, or single ones, of all that the configuration is for were asked for:
     what is not seen may be elsewhere."""
+    cut_short: Callable[[], list[str]] = list
+    """The files of the programs that were followed only in part, since the workspace has so many."""
 
     @cached_property
     def started_by_launch(self) -> frozenset[object]:
