@@ -97,6 +97,19 @@ class TestEntitiesOfCallbacks:
         """
         assert codes(run(source("self.timer = self.create_timer(0.1, self.tick)\n", method))) == []
 
+    @pytest.mark.parametrize(
+        ("create", "destroy", "end"),
+        [
+            ("create_publisher(Empty, 'a', 1)", "made.destroy()", "the next spin raises InvalidHandle"),
+            ("create_client(Trigger, 'a')", "made.destroy()", "destroy() leaves the old one on the node"),
+            ("create_publisher(Empty, 'a', 1)", "self.destroy_publisher(made)", None),
+            ("create_client(Trigger, 'a')", "self.destroy_client(made)", None),
+        ],
+    )
+    def test_destroying_it_without_its_node_leaves_it_there(self, run: Run, create: str, destroy: str, end: str | None):
+        found = run(source(TIMER, f"def tick(self):\n    made = self.{create}\n    {destroy}"))
+        assert [one.message.endswith(end) for one in found if one.code == "EXE005"] == ([True] if end else [])
+
 
 class TestSignatures:
     @pytest.mark.parametrize(

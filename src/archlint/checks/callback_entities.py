@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING
 
 from archlint.checks.callback_roles import callback_words, runs_in_executor
-from archlint.checks.reach import calls_of, creations_of, node_name, once_for_each_system, one_for_each_place
+from archlint.checks.reach import calls_of, creations_of, node_name, one_for_each_place
 from archlint.checks.registry import Options, finding, rule
 from archlint.finding import Finding, Related
-from archlint.program.model import TIMER
+from archlint.program.model import PUBLISHER, SUBSCRIBER, TIMER
 from archlint.workspace.test_code import is_test_file
 
 if TYPE_CHECKING:
@@ -19,8 +19,12 @@ if TYPE_CHECKING:
 _ENDS = (
     "rclpy.timer.Timer.cancel",
     *(f"rclpy.node.Node.destroy_{kind}" for kind in ("publisher", "subscription", "client", "service", "timer")),
-    *(f"rclpy.{kind}.{kind.title()}.destroy" for kind in ("publisher", "subscription", "client", "service", "timer")),
 )
+_LEAVES = tuple(
+    f"rclpy.{kind}.{kind.title()}.destroy" for kind in ("publisher", "subscription", "client", "service", "timer")
+)
+"""What ends an endpoint and leaves it on its node, which rclpy warns of: it piles up, and of publishers and
+subscriptions the next spin raises."""
 _PASSING = frozenset({"rclpy.wait_for_message.wait_for_message"})
 """Calls that take away what they create."""
 _AGAIN_AND_AGAIN = frozenset({"subscription", "timer", "service", "execute", "goal", "cancel", "accepted", "filter"})
@@ -30,17 +34,17 @@ _AGAIN_AND_AGAIN = frozenset({"subscription", "timer", "service", "execute", "go
 @rule("EXE005")
 def entity_created_in_callback(system: System, options: Options) -> Iterator[Finding]:
     """Create calls that a callback reaches each time it runs."""
-    ended = _ended(system)
+    ended, left = _given_to(system, _ENDS), _given_to(system, _LEAVES)
     yield from one_for_each_place(
-        _created(system, creation, creation.context)
+        _created(system, creation, creation.context, id(creation) in left)
         for program in system.programs
         for node in program.nodes
         for creation in node.creations
-        if creation.context is not None and _each_time(creation, creation.context, program, ended)
+        if creation.context is not None and _each_time(creation, creation.context, program, ended, left)
     )
 
 
-def _each_time(creation: Creation, callback: Callback, program: Program, ended: set[int]) -> bool:
+def _each_time(creation: Creation, callback: Callback, program: Program, ended: set[int], left: set[int]) -> bool:
     return (
         callback.role in _AGAIN_AND_AGAIN
         and runs_in_executor(callback)
@@ -51,31 +55,34 @@ def _each_time(creation: Creation, callback: Callback, program: Program, ended: 
         and id(creation) not in ended
         # A name that data decides is another endpoint each time.
         and (creation.kind == TIMER or creation.name.resolution in ("exact", "parameter"))
-        and (callback.creation is None or id(callback.creation) not in ended)
+        and (callback.creation is None or id(callback.creation) not in ended | left)
         and not program.exhausted
     )
 
 
-@once_for_each_system
-def _ended(system: System) -> set[int]:
+def _given_to(system: System, ends: Sequence[str]) -> set[int]:
     """What somebody cancels or destroys: it does not pile up, and its callback runs once."""
     found: set[int] = set()
-    for _, call in calls_of(system, _ENDS):
+    for _, call in calls_of(system, ends):
         given = [call.receiver, *call.arguments.values()]
         found.update(id(creation) for value in given for creation in creations_of(value))
     return found
 
 
-def _created(system: System, creation: Creation, callback: Callback) -> Finding:
+def _created(system: System, creation: Creation, callback: Callback, left: bool) -> Finding:
     function = creation.api.rpartition(".")[2]
     what = f"'{creation.name.text}'" if creation.name.text and creation.kind != TIMER else ""
     words = {"client": "client of", "service": "service", "publisher": "publisher of", "subscriber": "subscription to"}
     made = f"{words.get(creation.kind, creation.kind.replace('_', ' '))} {what}".rstrip()
     gets = "gets here" if creation.guard else "runs"
+    end = "nothing takes the old one away"
+    if left:
+        raises = ", and the next spin raises InvalidHandle" if creation.kind in (PUBLISHER, SUBSCRIBER) else ""
+        end = f"destroy() leaves the old one on the node{raises}"
     return finding(
         "EXE005",
         creation.place,
-        f"{callback_words(callback)} creates a {made} each time it {gets}, and nothing takes the old one away",
+        f"{callback_words(callback)} creates a {made} each time it {gets}, and {end}",
         help="create it once, in the constructor, cancel() it there and reset() it here"
         if creation.kind == TIMER
         else f"call {function}() once, in the constructor, and keep what it gives",
