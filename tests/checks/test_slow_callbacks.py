@@ -403,7 +403,10 @@ self.create_timer(5.0, self.tick)
         pytest.param("timeout=Duration(nanoseconds=0)", "", ON_ONE_THREAD, [], id="no wait"),
         pytest.param("", "", ON_ONE_THREAD, [], id="no timeout"),
         pytest.param("Duration(seconds=1)", "", ON_SEVERAL_THREADS, [], id="several threads"),
-        pytest.param("Duration(seconds=1)", ", spin_thread=True", ON_ONE_THREAD, [], id="a thread of its own"),
+        pytest.param(
+            "Duration(seconds=1)", ", spin_thread=True", ON_ONE_THREAD, ["EXE007"], id="a thread without a node"
+        ),
+        pytest.param("Duration(seconds=1)", ", spin_thread=True", ON_SEVERAL_THREADS, [], id="several, and a thread"),
     ],
 )
 def test_a_lookup_cannot_wait_for_what_its_own_thread_brings(
@@ -411,6 +414,15 @@ def test_a_lookup_cannot_wait_for_what_its_own_thread_brings(
 ):
     text = source(TF.replace("{more}", more), LOOKUP.replace("{timeout}", timeout), main)
     assert codes(run(text)) == expected
+
+
+def test_a_thread_of_its_own_helps_a_listener_with_a_node_of_its_own(run: Run):
+    """rclpy.spin(node) takes a node from the executor in the listener's thread, as a real rclpy does."""
+    lookup = LOOKUP.replace("{timeout}", "Duration(seconds=1)")
+    (found,) = run(source(TF.replace("{more}", ", spin_thread=True"), lookup))
+    assert "spin_thread=True does not help here" in found.message
+    of_its_own = TF.replace("self{more}", "Node('listener'), spin_thread=True")
+    assert run(source(of_its_own, lookup)) == []
 
 
 @pytest.mark.parametrize(

@@ -22,6 +22,7 @@ from archlint.checks.reach import (
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.rounds import around_future, in_loops
 from archlint.checks.sleeps import Stay, longest, stay_of
+from archlint.checks.spins import spun_node
 from archlint.checks.stuck import clients_of_handlers, functions_that_ask
 from archlint.checks.timeouts import MAKE_IT_EARLIER, made_here
 from archlint.facts import model as facts
@@ -320,13 +321,15 @@ def _rate_verdict(call: ApiCall, program: Program, options: Options) -> blocking
 @rule("EXE007")
 def blocking_tf_lookup(system: System, options: Options) -> Iterator[Finding]:
     """Transform lookups with a timeout on the only thread that could bring the transform."""
-    threaded = {id(program) for program, call in calls_of(system, (_LISTENER,)) if _spins_itself(call)}
+    threaded = [
+        (program, spun_node(call, program)) for program, call in calls_of(system, (_LISTENER,)) if _spins_itself(call)
+    ]
     yield from one_for_each_place(
         finding(
             "EXE007",
             call.place,
             f"{callback_words(call.context)} waits{_limit_words(call)} for a transform that cannot come meanwhile: "
-            "the listener needs the thread that waits",
+            f"the listener needs the thread that waits{_in_spite_of(threaded, program)}",
             help="look up what is there now (no timeout) and try again next time; or wait_for_transform_async(); or "
             "spin the node with a MultiThreadedExecutor",
             related=tuple(related_to(call, program)),
@@ -338,7 +341,17 @@ def blocking_tf_lookup(system: System, options: Options) -> Iterator[Finding]:
         if runs_in_executor(call.context)
         and _waits(call)
         and threads_of(call.context.node, program) == blocking.ONE
-        and id(program) not in threaded
+        # A thread of its own helps a listener that has a node of its own: this node's executor takes the node from it.
+        and all(node is call.context.node for one, node in threaded if one is program)
+    )
+
+
+def _in_spite_of(threaded: Sequence[tuple[Program, Blueprint | None]], program: Program) -> str:
+    """What became of a thread that the listener was given; the node is that of the callback."""
+    if not any(one is program for one, _ in threaded):
+        return ""
+    return (
+        " (spin_thread=True does not help here: the executor that spins the node takes it from the listener's thread)"
     )
 
 
