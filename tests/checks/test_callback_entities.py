@@ -110,6 +110,12 @@ class TestEntitiesOfCallbacks:
         found = run(source(TIMER, f"def tick(self):\n    made = self.{create}\n    {destroy}"))
         assert [one.message.endswith(end) for one in found if one.code == "EXE005"] == ([True] if end else [])
 
+    @pytest.mark.parametrize(("end", "expected"), [("made.destroy()", 0), ("made.server_is_ready()", 1)])
+    def test_an_action_client_takes_itself_off_its_node(self, run: Run, end: str, expected: int):
+        tick = f"def tick(self):\n    made = ActionClient(self, Fibonacci, 'a')\n    {end}"
+        found = [one.message for one in run(source(TIMER, tick)) if one.code == "EXE005"]
+        assert len(found) == expected and all("creates an action client" in message for message in found)
+
 
 class TestSignatures:
     @pytest.mark.parametrize(
@@ -162,9 +168,15 @@ class TestSignatures:
         assert found.severity is Severity.WARNING and "in humble" in found.message
 
     def test_timer_info_came_with_kilted(self, run: Run):
-        text = source(TIMER, "def tick(self, info: 'rclpy.timer.TimerInfo'):\n    pass")
+        text = source(TIMER, "def tick(self, info: rclpy.timer.TimerInfo):\n    pass")
         assert codes(run(text, distro="kilted")) == []
         assert codes(run(text, distro="jazzy")) == ["EXE006"]
+
+    def test_timer_info_is_not_known_by_a_text(self, run: Run):
+        quoted = source(TIMER, "def tick(self, info: 'rclpy.timer.TimerInfo'):\n    pass")
+        assert codes(run(quoted, distro="kilted")) == ["EXE006"]
+        plain = source(TIMER, "def tick(self, info: rclpy.timer.TimerInfo):\n    pass")
+        assert codes(run(f"from __future__ import annotations\n{plain}", distro="kilted")) == ["EXE006"]
 
     def test_those_of_a_class_that_fail_alike_are_one_finding(self, run: Run):
         setup = "".join(f"self.create_timer(1.0, self.{name})\n" for name in ("first", "second", "third"))

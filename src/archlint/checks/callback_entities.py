@@ -18,6 +18,7 @@ if TYPE_CHECKING:
 
 _ENDS = (
     "rclpy.timer.Timer.cancel",
+    "rclpy.action.client.ActionClient.destroy",
     *(f"rclpy.node.Node.destroy_{kind}" for kind in ("publisher", "subscription", "client", "service", "timer")),
 )
 _LEAVES = tuple(
@@ -82,7 +83,7 @@ def _created(system: System, creation: Creation, callback: Callback, left: bool)
     return finding(
         "EXE005",
         creation.place,
-        f"{callback_words(callback)} creates a {made} each time it {gets}, and {end}",
+        f"{callback_words(callback)} creates {'an' if made[0] == 'a' else 'a'} {made} each time it {gets}, and {end}",
         help="create it once, in the constructor, cancel() it there and reset() it here"
         if creation.kind == TIMER
         else f"call {function}() once, in the constructor, and keep what it gives",

@@ -10,6 +10,7 @@ from archlint.checks.blocking import in_distros
 from archlint.checks.pinned import pinned_distro
 from archlint.checks.reach import node_name, one_for_each_place
 from archlint.checks.registry import Options, finding, rule
+from archlint.checks.whole import facts_at
 from archlint.facts import model as facts
 from archlint.finding import Finding, Place, Related, Severity
 from archlint.workspace.test_code import is_test_file
@@ -50,7 +51,7 @@ def callback_signature(system: System, options: Options) -> Iterator[Finding]:
             place = callback.registered
             if callback.role not in _PASSED or place is None or is_test_file(place.file) or is_test_file(program.file):
                 continue
-            wrong = _wrong(callback, options.distros)
+            wrong = _wrong(system, callback, options.distros)
             if wrong is not None:
                 alike.setdefault(wrong.alike, {}).setdefault((place, callback.place), wrong)
     yield from one_for_each_place(
@@ -78,13 +79,13 @@ class _Wrong:
         return (*owner, self.callback.role, self.distros, self.arguments)
 
 
-def _wrong(callback: Callback, distros: Sequence[str]) -> _Wrong | None:
+def _wrong(system: System, callback: Callback, distros: Sequence[str]) -> _Wrong | None:
     if callback.missing is not None:
         return _Wrong(callback, None)
     function = callback.function
     if function is None or (isinstance(function, facts.Function) and function.decorators and not _plain(function)):
         return None
-    wrong = tuple(distro for distro in distros if not _fits(function, callback, distro))
+    wrong = tuple(distro for distro in distros if not _fits(system, function, callback, distro))
     return (
         _Wrong(callback, _takes(function, callback), wrong, len(function.params) - callback.bound_arguments)
         if wrong
@@ -169,12 +170,15 @@ def _plain(function: facts.Function) -> bool:
     return all(isinstance(d, facts.Name) and d.id in ("staticmethod", "classmethod") for d in function.decorators)
 
 
-def _fits(function: facts.Function | facts.Lambda, callback: Callback, distro: str) -> bool:
+def _fits(system: System, function: facts.Function | facts.Lambda, callback: Callback, distro: str) -> bool:
     """Whether a function can be called with what rclpy of ``distro`` passes."""
     counts = [len(_PASSED[callback.role])]
     if callback.role == "subscription" and distro != "humble":
         counts.append(2)
     if callback.role == "timer" and distro not in ("humble", "jazzy") and _wants_timer_info(function):
+        # rclpy compares what the annotation is: a text is none, and with the import all of them are texts.
+        if _annotations_are_texts(system, callback):
+            return _takes_count(function, callback.bound_arguments, callback.bound_keywords)
         counts.append(1)
     return any(_takes_count(function, callback.bound_arguments + count, callback.bound_keywords) for count in counts)
 
@@ -196,10 +200,16 @@ def _wants_timer_info(function: facts.Function | facts.Lambda) -> bool:
     for param in function.params:
         annotation = param.annotation
         name = annotation.attr if isinstance(annotation, facts.Attribute) else getattr(annotation, "id", None)
-        name = annotation.value if isinstance(annotation, facts.Literal) else name
         if isinstance(name, str) and name.rpartition(".")[2] == "TimerInfo":
             return True
     return False
+
+
+def _annotations_are_texts(system: System, callback: Callback) -> bool:
+    """Whether a callback is in a file with ``from __future__ import annotations``."""
+    found = facts_at(system.world, callback.place.file)
+    imports = [one for one in ([] if found is None else found.body) if isinstance(one, facts.ImportFrom)]
+    return any(one.module == "__future__" and ("annotations", "annotations") in one.names for one in imports)
 
 
 def _takes(function: facts.Function | facts.Lambda, callback: Callback) -> str:

@@ -500,6 +500,7 @@ ROWS = [
             "publisher.Publisher",
             "subscription.Subscription",
             "service.Service",
+            "action.client.ActionClient",
         )
     ),
     # ---- quality of service
