@@ -113,8 +113,8 @@ _NOBODYS = ("rate", "rate_twice", "slow_rate", "spin_helper")
 """Waits that have nothing in the client's group."""
 _IN_NO_GROUP = ("done", "task", "parameter")
 """Handlers that are given no group."""
-_ARGUMENTS = {"service": ", request, response", "timer": "", "timers": "", "guard": "", "task": ""}
-_RETURNS = {
+ARGUMENTS = {"service": ", request, response", "timer": "", "timers": "", "guard": "", "task": ""}
+RETURNS = {
     "service": "return response",
     "execute": "given.succeed()\nreturn Fibonacci.Result()",
     "goal": "return GoalResponse.ACCEPT",
@@ -148,7 +148,7 @@ GROUPS = {
     "two_reentrant": ("many", "more"),
 }
 """The groups of the callback and of the client; None is the node's default group."""
-_MADE = {
+MADE = {
     "one": "self.one = MutuallyExclusiveCallbackGroup()\n",
     "three": "self.three = MutuallyExclusiveCallbackGroup()\n",
     "two": "self.two = MutuallyExclusiveCallbackGroup()\n",
@@ -156,7 +156,7 @@ _MADE = {
     "more": "self.more = ReentrantCallbackGroup()\n",
 }
 
-_IMPORTS = """\
+IMPORTS = """\
 import threading
 import time
 
@@ -175,9 +175,9 @@ from test_msgs.action import Fibonacci
 def program(cell: Cell) -> str:
     """The source of a cell's program."""
     return (
-        f"{_IMPORTS}\n\nclass Asker(Node):\n"
+        f"{IMPORTS}\n\nclass Asker(Node):\n"
         + _method("__init__(self)", f"super().__init__('asker')\n{_constructor(cell)}")
-        + _method(f"on_event(self{_ARGUMENTS.get(cell.handler, ', given')})", _callback(cell), "await" in cell.wait)
+        + _method(f"on_event(self{ARGUMENTS.get(cell.handler, ', given')})", _callback(cell), "await" in cell.wait)
         + "".join(_method(signature, body) for signature, body in _further(cell))
         + f"\ndef main():\n    rclpy.init()\n    node = Asker()\n{indent(EXECUTORS[cell.executor], '    ')}\n"
         + "\n\nif __name__ == '__main__':\n    main()\n"
@@ -193,7 +193,7 @@ def _constructor(cell: Cell) -> str:
     given = next((text for word, text in _GIVEN_TO.items() if word in cell.wait), "")
     client_made = "" if given else _CLIENT + _SERVER_IS_THERE
     text = (client_made + given + HANDLERS[cell.handler]).format(own=_group(own), client=_group(client))
-    return "".join(made for name, made in _MADE.items() if f"self.{name})" in text or f"self.{name}," in text) + text
+    return "".join(made for name, made in MADE.items() if f"self.{name})" in text or f"self.{name}," in text) + text
 
 
 def _group(name: str | None) -> str:
@@ -201,7 +201,7 @@ def _group(name: str | None) -> str:
 
 
 def _callback(cell: Cell) -> str:
-    returns = _RETURNS.get(cell.handler, "return")
+    returns = RETURNS.get(cell.handler, "return")
     body = f"print('asks')\n{WAITS[cell.wait]}"
     if cell.wait == "done":
         return body.replace("return_", returns)

@@ -5,7 +5,8 @@ of JSON, ``{"name": …, "source": …, "needs": […], "latency": …, "program
 writes one for each: ``{"name": …, "said": [[seconds, word], …]}``.  rclpy is imported once; each program is a fork of
 this process.
 
-``enough`` is how many words ``answered`` end a program early, ``limit`` how many seconds after its first word it ends.
+A program says a word of ``WORDS``, or anything after ``says``. ``enough`` is how many words ``answered`` end a
+program early, ``limit`` how many seconds after its first word it ends.
 """
 
 from __future__ import annotations
@@ -92,7 +93,7 @@ def word_of(line: str) -> str | None:
     caught = re.match(r"(?:rclpy\.\w+\.)*(\w+Error)(?::|$)", line)
     if caught:
         return f"raised {caught.group(1)}"
-    return line if line in WORDS or line.startswith("raised ") else None
+    return line if line in WORDS or line.startswith(("raised ", "says ")) else None
 
 
 def forked(work: Callable[[], None], domain: int, output: int | None) -> int:
@@ -121,7 +122,7 @@ def forked(work: Callable[[], None], domain: int, output: int | None) -> int:
 def program(source: str, name: str) -> None:
     threading.excepthook = lambda given: print(f"raised {given.exc_type.__name__}")
     try:
-        exec(compile(source, name, "exec"), {"__name__": "__main__"})
+        exec(compile(source, name, "exec", dont_inherit=True), {"__name__": "__main__"})
     except BaseException as error:
         where = traceback.extract_tb(error.__traceback__)[-1]
         print(f"raised {type(error).__name__}: {' '.join(str(error).split())[:120]} ({where.name})")

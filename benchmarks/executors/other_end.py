@@ -6,6 +6,7 @@ import time
 from collections.abc import Callable
 
 import rclpy
+from geometry_msgs.msg import TransformStamped
 from rcl_interfaces.msg import Parameter, ParameterType, ParameterValue
 from rcl_interfaces.srv import SetParameters
 from rclpy.action import ActionClient, ActionServer
@@ -13,6 +14,7 @@ from rclpy.callback_groups import ReentrantCallbackGroup
 from rclpy.client import Client
 from rclpy.executors import MultiThreadedExecutor, SingleThreadedExecutor
 from rclpy.node import Node
+from rclpy.task import Future
 from std_msgs.msg import String
 from std_srvs.srv import Trigger
 from test_msgs.action import Fibonacci
@@ -63,6 +65,19 @@ def send_goals(node: Node) -> None:
     node.create_timer(PERIOD_S, lambda: client.server_is_ready() and client.send_goal_async(Fibonacci.Goal()))
 
 
+def cancel_goals(node: Node) -> None:
+    client = ActionClient(node, Fibonacci, "outer_action")
+
+    def accepted(future: Future) -> None:
+        future.result().cancel_goal_async()
+
+    def send() -> None:
+        if client.server_is_ready():
+            client.send_goal_async(Fibonacci.Goal()).add_done_callback(accepted)
+
+    node.create_timer(PERIOD_S, send)
+
+
 def serve_goals(node: Node) -> None:
     def execute(goal: object) -> Fibonacci.Result:
         goal.publish_feedback(Fibonacci.Feedback())  # type: ignore[attr-defined]
@@ -72,11 +87,27 @@ def serve_goals(node: Node) -> None:
     ActionServer(node, Fibonacci, "inner_action", execute)
 
 
+def send_transforms(node: Node) -> None:
+    from tf2_msgs.msg import TFMessage  # built for the programs that ask for it only
+
+    publisher = node.create_publisher(TFMessage, "/tf", 10)
+
+    def send() -> None:
+        transform = TransformStamped(child_frame_id="base")
+        transform.header.frame_id = "map"
+        transform.header.stamp = node.get_clock().now().to_msg()
+        publisher.publish(TFMessage(transforms=[transform]))
+
+    node.create_timer(PERIOD_S, send)
+
+
 NEEDS: dict[str, Callable[[Node], None]] = {
     "publish": publish,
     "ask": ask,
     "set_parameter": set_parameter,
     "send_goals": send_goals,
+    "cancel_goals": cancel_goals,
+    "send_transforms": send_transforms,
     "serve_goals": serve_goals,
 }
 """What a program may need besides the service ``inner``."""

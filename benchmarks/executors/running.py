@@ -7,7 +7,7 @@ import subprocess
 import tempfile
 import threading
 from collections import Counter
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from contextlib import ExitStack
 from pathlib import Path
 
@@ -56,12 +56,21 @@ def outcome(said: Said, cell: Cell) -> str:
 def observe(environment: Environment, cells: Iterable[Cell], jobs: int, runs: int = 1) -> Iterator[tuple[Cell, Said]]:
     """Runs each cell ``runs`` times, ``jobs`` at a time; what each run says, as it comes."""
     by_name = {cell.name: cell for cell in cells}
+    tasks = [task(cell, run) for run in range(runs) for cell in by_name.values()]
+    for name, said in run_programs(environment, tasks, jobs):
+        yield by_name[name], said
+
+
+def run_programs(
+    environment: Environment, tasks: Iterable[Mapping[str, object]], jobs: int, prefixes: Sequence[Path] = ()
+) -> Iterator[tuple[str, Said]]:
+    """Runs the programs of ``tasks`` (see ``driver.py``), with the installed ``prefixes`` in view."""
     with ExitStack() as stack:
         domains = [str(stack.enter_context(domain_of_its_own())) for _ in range(jobs)]
         folder = Path(stack.enter_context(tempfile.TemporaryDirectory()))
         process = subprocess.Popen(
             [environment.python, HERE / "driver.py", *domains],
-            env=environment.variables([], 0, folder),
+            env=environment.variables(list(prefixes), 0, folder),
             cwd=folder,
             stdin=subprocess.PIPE,
             stdout=subprocess.PIPE,
@@ -69,18 +78,18 @@ def observe(environment: Environment, cells: Iterable[Cell], jobs: int, runs: in
             start_new_session=True,
         )
         stack.callback(kill, process)
-        tasks = [json.dumps(task(cell, run)) for run in range(runs) for cell in by_name.values()]
+        lines = [json.dumps(task) for task in tasks]
         assert process.stdin is not None and process.stdout is not None
         stdin = process.stdin
 
         def feed() -> None:
             with stdin:
-                stdin.write("\n".join(tasks) + "\n")
+                stdin.write("\n".join(lines) + "\n")
 
         threading.Thread(target=feed, daemon=True).start()
         for line in process.stdout:
             answer = json.loads(line)
-            yield by_name[answer["name"]], answer["said"]
+            yield answer["name"], answer["said"]
 
 
 def task(cell: Cell, run: int) -> dict[str, object]:

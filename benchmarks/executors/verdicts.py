@@ -49,7 +49,7 @@ _ALSO = {
 
 def verdicts(cells: Sequence[Cell], distros: Sequence[str]) -> dict[str, dict[Cell, str]]:
     """By distribution, what archlint says becomes of each cell: the words of the findings, ``works`` without one."""
-    with tempfile.TemporaryDirectory() as name, _working_in(Path(name)) as folder:
+    with tempfile.TemporaryDirectory() as name, working_in(Path(name)) as folder:
         for cell in cells:
             package = folder / cell.name
             package.mkdir()
@@ -90,7 +90,7 @@ def agrees(said: str, seen: str) -> bool:
 
 
 @contextmanager
-def _working_in(folder: Path) -> Iterator[Path]:
+def working_in(folder: Path) -> Iterator[Path]:
     before = Path.cwd()
     os.chdir(folder)
     try:
