@@ -207,7 +207,7 @@ def _wants_timer_info(function: facts.Function | facts.Lambda) -> bool:
 
 def _annotations_are_texts(system: System, callback: Callback) -> bool:
     """Whether a callback is in a file with ``from __future__ import annotations``."""
-    found = facts_at(system.world, callback.place.file)
+    found = None if system.world is None else facts_at(system.world, callback.place.file)
     imports = [one for one in ([] if found is None else found.body) if isinstance(one, facts.ImportFrom)]
     return any(one.module == "__future__" and ("annotations", "annotations") in one.names for one in imports)
 
