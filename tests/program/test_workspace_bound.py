@@ -8,9 +8,7 @@ import pytest
 
 from archlint import session
 from archlint.config import Settings
-from archlint.facts.compile import compile_python
 from archlint.program import budget
-from archlint.program.interest import uses_api
 from archlint.render.json import unresolved
 
 PROGRAM = """\
@@ -88,20 +86,3 @@ def test_a_late_program_that_is_short_is_whole(workspace: Path, monkeypatch: pyt
         ("/b", "/chatter"),
         ("/c", "/chatter"),
     }
-
-
-@pytest.mark.parametrize(
-    ("body", "expected"),
-    [
-        ("result = 1\nreturn result", False),  # a variable of that name, no answer of a service
-        ("publish = done = wait = cancel = 0", False),
-        ("return self.future.result()", True),
-        ("self.pub.publish(message)", True),
-        ("sleep(1)", True),  # from time import sleep
-        ("spin_once(self.node)", True),
-        ("Node('n')", True),
-    ],
-)
-def test_a_method_of_rclpy_follows_a_dot(body: str, expected: bool):
-    source = "def f(self, message):\n    " + body.replace("\n", "\n    ")
-    assert uses_api(compile_python(source).body[0]) is expected

@@ -9,20 +9,20 @@ import msgspec
 from archlint.facts import model as facts
 from archlint.program.api import rclpy_names, tables
 
-_ROWS = [row for row in tables.ROWS if row.effect != "none" or (row.watched and row.kind != tables.OUTSIDE)]
+_QUIET = frozenset(
+    {"result", "done", "get", "path", "join", "partial", "function", "sleep", "wait", "input", "setup", "Parameter"}
+)
 
 WORDS = (
-    frozenset(row.path.rpartition(".")[2] for row in _ROWS)
+    frozenset(
+        row.path.rpartition(".")[2]
+        for row in tables.ROWS
+        if row.effect != "none" or (row.watched and row.kind != tables.OUTSIDE)
+    )
     | rclpy_names.NODE_METHODS
     | {"Node", "LifecycleNode", "sleep", "wait", "result", "call"}
 ) - {"__init__", "join", "get", "path", "set"}
 """Names of the API tables, as they stand in source."""
-
-_IMPORTED = frozenset(
-    row.path.rpartition(".")[2] for row in tables.ROWS if not row.path.split(".")[-2][:1].isupper()
-) | {"Node", "LifecycleNode"}
-"""Those that a file may import and use as they are.  The rest are methods, which follow a dot: a variable that is
-called ``result`` is no answer to a call."""
 
 
 class _Key:
@@ -45,38 +45,21 @@ def names_in(ir: object) -> frozenset[str]:
 
 @lru_cache(maxsize=50_000)
 def _names_in(key: _Key) -> frozenset[str]:
-    names, attributes = _names_and_attributes(key.ir)
-    return frozenset(names | attributes)
-
-
-def _names_and_attributes(ir: object) -> tuple[set[str], set[str]]:
-    names: set[str] = set()
-    attributes: set[str] = set()
-    stack: list[object] = [ir]
+    found: set[str] = set()
+    stack: list[object] = [key.ir]
     while stack:
         item = stack.pop()
         if isinstance(item, facts.Name):
-            names.add(item.id)
+            found.add(item.id)
         elif isinstance(item, msgspec.Struct):
             if isinstance(item, facts.Attribute):
-                attributes.add(item.attr)
+                found.add(item.attr)
             stack.extend(getattr(item, name) for name in item.__struct_fields__)
         elif isinstance(item, (list, tuple)):
             stack.extend(item)
-    return names, attributes
+    return frozenset(found)
 
 
 def interesting(ir: object) -> bool:
     """Whether a function or class uses a name of the API tables."""
     return not names_in(ir).isdisjoint(WORDS)
-
-
-def uses_api(ir: object) -> bool:
-    """Whether a function does more than have a variable of such a name: a method's name follows a dot."""
-    return interesting(ir) and _uses_api(_Key(ir))
-
-
-@lru_cache(maxsize=50_000)
-def _uses_api(key: _Key) -> bool:
-    names, attributes = _names_and_attributes(key.ir)
-    return not (attributes.isdisjoint(WORDS) and names.isdisjoint(WORDS & _IMPORTED))

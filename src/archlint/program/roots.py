@@ -10,7 +10,7 @@ from archlint.program.api import executors
 from archlint.program.api.callbacks import describe
 from archlint.program.budget import LATE_STEPS
 from archlint.program.growing import open_up
-from archlint.program.interest import names_in, uses_api
+from archlint.program.interest import interesting, names_in
 from archlint.program.modules import Module
 from archlint.program.run import EXTRA_STEPS, FEW_STEPS, ROOTS, SELF_STARTS, STEPS, Activation, Pending, Run
 from archlint.program.uses import bare
@@ -191,7 +191,7 @@ def _run_methods(run: Run) -> None:
             special = ir.name.startswith("__") and ir.name != "__call__"
             if special or "abstract" in function.decorators:
                 continue
-            if not uses_api(ir) and not _hands_on(run, instance, ir):
+            if not interesting(ir) and not _hands_on(run, instance, ir):
                 continue
             bound = bind_quietly(function, instance, owner)
             callback = describe(run, bound)
