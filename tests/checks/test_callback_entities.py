@@ -677,3 +677,11 @@ if __name__ == '__main__':
     def test_a_handler_that_asks_itself(self, run: Run):
         [found] = [one for one in run(self.file({"a": "a"})) if one.code == "SRV006"]
         assert "which it serves itself" in found.message
+
+    @pytest.mark.parametrize(
+        ("limit", "end"), [("", "ever answers"), (", timeout_sec=1.0", "before its limit is over")]
+    )
+    def test_a_limit_ends_the_waits_and_brings_no_answer(self, run: Run, limit: str, end: str):
+        text = self.file({"a": "b", "b": "a"}).replace(", timeout_sec=1.0)", f"{limit})")
+        [found] = [one for one in run(text) if one.code == "SRV006"]
+        assert found.message.endswith(end)

@@ -105,12 +105,14 @@ def _circle(circle: list[Edge]) -> Finding:
     names = [edge.server.name or "" for edge in (turned[-1], *turned)]
     way = " → ".join([names[0], *(edge.target[1] for edge in [turned[-1], *turned[:-1]])])
     alone = len(circle) == 1
+    limited = any(edge.wait.limited for edge in circle)
+    end = "none of them has an answer before its limit is over" if limited else "none of them ever answers"
     return finding(
         "SRV006",
         last.wait.call.place,
         f"the handler of {names[0]} waits for {names[0] if alone else last.target[1]}"
         + (", which it serves itself" if alone else f", and so the circle closes: {way}")
-        + ": none of them ever answers",
+        + f": {end}",
         help="let one of them publish what the others ask for",
         related=[
             Related(edge.wait.call.place, f"the handler of {edge.server.name} waits for {edge.target[1]}")
