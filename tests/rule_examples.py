@@ -1,9 +1,18 @@
 """Reads the examples of the rule book, so that tests can run what the pages promise.
 
-A page has sections ``## Bad``, ``## Bad: in a helper``, ``## Good`` and so on.  Every section is a small
-workspace of its own: its fenced blocks are the files.  A line such as `` `launch/robot.launch.py`: `` before
-a block names its file; without one a ``python`` block is ``node.py`` and a ``toml`` block ``archlint.toml``.
-Blocks in other languages are files only where they are named, so that a page may also show a terminal.
+A page has the sections ``## Bad`` and ``## Good``; a heading below them such as ``### In a helper`` starts another
+example.  Every example is a small workspace of its own: its fenced blocks are the files.  A line such as
+`` `launch/robot.launch.py`: `` before a block names its file; without one a ``python`` block is ``node.py`` and a
+``toml`` block ``archlint.toml``.  Blocks in other languages are files only where they are named, so that a page may
+also show a terminal.  A file that the example needs and a reader does not is folded away: its name stands in
+``<details><summary><code>setup.py</code></summary>``.
+
+What most examples need is written once, in ``rules/scaffold``:
+
+- A block with one node class and no ``main`` gets the ``main()`` of ``scaffold/main.py``, which spins that node.
+- An example with a ``setup.py`` or with files in ``robot/``, ``launch/`` or ``config/`` lies in the package of
+  ``scaffold/``: its ``package.xml``, ``setup.py`` and ``robot/talker.py`` are there unless the example brings its own.
+  An example with a ``package.xml`` of its own gets nothing.
 
 A line that must carry a finding ends in ``# expect: SRV003`` or ``# expect: SRV003, TMO002``
 (``<!-- expect: LNT002 -->`` in XML).  A marker may name a rule that has no page yet: the line breaks that
@@ -19,8 +28,12 @@ from pathlib import Path
 
 NAME_WITHOUT_A_NAME = {"python": "node.py", "toml": "archlint.toml"}
 
-_SECTION = re.compile(r"^## (?P<kind>Bad|Good)(?:: (?P<title>.+))?$")
-_FILE_NAME = re.compile(r"^`(?P<name>[^`]+)`:$")
+SCAFFOLD = Path(__file__).parents[1] / "rules" / "scaffold"
+PACKAGE_FILES = ("package.xml", "setup.py", "robot/talker.py")
+IN_PACKAGE = ("robot/", "launch/", "config/", "setup.py")
+
+_FILE_NAME = re.compile(r"^(?:`(?P<shown>[^`]+)`:|<details><summary><code>(?P<folded>[^<]+)</code></summary>)$")
+_NODE_CLASS = re.compile(r"^class (\w+)\((?:\w+\.)?(?:Lifecycle)?Node\):", re.MULTILINE)
 _FENCE = re.compile(r"^```(?P<language>[a-z]*)$")
 _MARKER = re.compile(r"\s*(?:#\s*expect:\s*(?P<hash>[A-Z0-9, ]+?)|<!--\s*expect:\s*(?P<xml>[A-Z0-9, ]+?)\s*-->)\s*$")
 _CODE = re.compile(r"[A-Z]{3}\d{3}")
@@ -70,11 +83,10 @@ def load_examples(rules_dir: Path) -> list[Example]:
 def read_page(code: str, text: str) -> list[Example]:
     """The examples of the page ``code``; raises `PageError` where a section cannot be understood."""
     examples: list[Example] = []
-    for heading, block_name, language, lines in _blocks(code, text):
-        section = _SECTION.match(heading)
-        if section is None:
+    for (section, title), block_name, language, lines in _blocks(code, text):
+        if section not in ("Bad", "Good"):
             continue
-        kind, title = section["kind"].lower(), section["title"] or ""
+        kind = section.lower()
         if not examples or (examples[-1].section, examples[-1].title) != (kind, title):
             examples.append(Example(code, kind, title))
         name = block_name or NAME_WITHOUT_A_NAME.get(language)
@@ -83,7 +95,27 @@ def read_page(code: str, text: str) -> list[Example]:
     for example in examples:
         if example.section == "good" and example.expected:
             raise PageError(f"{example.id}: a Good section cannot expect a finding")
+        _add_scaffold(example)
     return examples
+
+
+def _add_scaffold(example: Example) -> None:
+    """Add what the page leaves out: a ``main()`` for each node, and the package around its files."""
+    for name, text in example.files.items():
+        if name.endswith(".py"):
+            example.files[name] = _with_main(text)
+    in_package = any(name.startswith(IN_PACKAGE) for name in example.files)
+    if in_package and "package.xml" not in example.files:
+        for name in PACKAGE_FILES:
+            example.files.setdefault(name, _with_main((SCAFFOLD / name).read_text(encoding="utf-8")))
+
+
+def _with_main(text: str) -> str:
+    """A module that holds one node class and no ``main()`` of its own, with the one that spins the node."""
+    classes = _NODE_CLASS.findall(text)
+    if len(classes) != 1 or "def main(" in text:
+        return text
+    return text + (SCAFFOLD / "main.py").read_text(encoding="utf-8").replace("TheNode", classes[0])
 
 
 def front_matter(text: str) -> dict[str, str]:
@@ -117,25 +149,28 @@ def _add_file(example: Example, name: str, lines: list[str]) -> None:
     example.files[name] = "".join(f"{line}\n" for line in stripped)
 
 
-def _blocks(code: str, text: str) -> Iterator[tuple[str, str | None, str, list[str]]]:
-    """Each fenced block: the ``##`` heading it stands under, its file name if given, language and lines."""
-    heading, language = "", ""
+def _blocks(code: str, text: str) -> Iterator[tuple[tuple[str, str], str | None, str, list[str]]]:
+    """Each fenced block: the headings it stands under (``##``, ``###``), its file name if given, language and lines."""
+    section, title, language = "", "", ""
     name: str | None = None
     lines: list[str] | None = None
     for line in text.splitlines():
         if lines is not None:
             if line == "```":
-                yield heading, name, language, lines
+                yield (section, title), name, language, lines
                 name, lines = None, None
             else:
                 lines.append(line)
         elif fence := _FENCE.match(line):
             language, lines = fence["language"], []
         elif line.startswith("## "):
-            heading, name = line, None
+            section, _, title = line[3:].partition(": ")
+            name = None
+        elif line.startswith("### "):
+            title, name = line[4:], None
         elif file_name := _FILE_NAME.match(line):
-            name = file_name["name"]
+            name = file_name["shown"] or file_name["folded"]
         elif line.strip():
             name = None
     if lines is not None:
-        raise PageError(f"{code}: a fenced block under {heading!r} is never closed")
+        raise PageError(f"{code}: a fenced block under {section!r} is never closed")

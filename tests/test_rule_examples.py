@@ -14,7 +14,6 @@ code: SRV003
 name: nested-service-call
 severity: error            # error | warning | info
 since: "0.1"
-seed: ""
 ---
 # SRV003 nested-service-call
 
@@ -100,7 +99,6 @@ def test_front_matter_drops_quotes_and_comments():
         "name": "nested-service-call",
         "severity": "error",
         "since": "0.1",
-        "seed": "",
     }
 
 
@@ -131,3 +129,46 @@ def test_split_marker(line: str, plain: str, codes: list[str]):
 def test_a_page_that_is_written_wrongly_is_refused(text: str, complaint: str):
     with pytest.raises(PageError, match=complaint):
         read_page("SRV003", text)
+
+
+NODE = "from rclpy.node import Node\n\n\nclass Talker(Node):\n    pass\n"
+
+
+def only_example(text: str) -> Example:
+    (example,) = read_page("SRV003", text)
+    return example
+
+
+def test_a_heading_below_bad_starts_another_example():
+    page = "## Bad\n```python\nx\n```\n\n### In a helper\n```python\ny\n```\n"
+    assert [(one.title, one.files) for one in read_page("SRV003", page)] == [
+        ("", {"node.py": "x\n"}),
+        ("In a helper", {"node.py": "y\n"}),
+    ]
+
+
+def test_a_node_without_main_is_spun():
+    text = only_example(f"## Good\n```python\n{NODE}```\n").files["node.py"]
+    assert text.startswith(NODE)
+    assert "    rclpy.spin(Talker())\n" in text
+
+
+@pytest.mark.parametrize("extra", ["\n\nclass Listener(Node):\n    pass\n", "\n\ndef main():\n    pass\n"])
+def test_main_is_left_to_a_page_with_several_nodes_or_its_own(extra: str):
+    assert only_example(f"## Good\n```python\n{NODE}{extra}```\n").files == {"node.py": NODE + extra}
+
+
+def test_files_of_a_package_get_the_rest_of_it():
+    files = only_example("## Good\n`launch/robot.launch.py`:\n```python\nx\n```\n").files
+    assert sorted(files) == ["launch/robot.launch.py", "package.xml", "robot/talker.py", "setup.py"]
+    assert "rclpy.spin(Talker())" in files["robot/talker.py"]
+
+
+def test_a_package_of_its_own_gets_nothing():
+    page = "## Good\n`launch/a.launch.py`:\n```python\nx\n```\n`package.xml`:\n```xml\n<package/>\n```\n"
+    assert sorted(only_example(page).files) == ["launch/a.launch.py", "package.xml"]
+
+
+def test_a_folded_block_is_a_file_too():
+    page = "## Good\n<details><summary><code>setup.cfg</code></summary>\n\n```ini\n[metadata]\n```\n\n</details>\n"
+    assert only_example(page).files == {"setup.cfg": "[metadata]\n"}

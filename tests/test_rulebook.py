@@ -16,7 +16,6 @@ severity: error
 default: on
 fix: none
 since: 0.1.0
-seed: Antipattern 2
 summary: A service handler waits for another service: both may hang
 ---
 # SRV003 nested-service-call
@@ -30,7 +29,7 @@ client.call(request)  # expect: SRV003
 def test_a_page_declares_its_rule():
     rule = parse_page(PAGE, "SRV003-nested-service-call.md")
     assert (rule.code, rule.name, rule.severity) == ("SRV003", "nested-service-call", Severity.ERROR)
-    assert (rule.default, rule.fix, rule.since, rule.seed) == ("on", "", "0.1.0", "Antipattern 2")
+    assert (rule.default, rule.fix, rule.since) == ("on", "", "0.1.0")
     assert rule.summary == "A service handler waits for another service: both may hang"
 
 

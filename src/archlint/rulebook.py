@@ -41,7 +41,6 @@ class Rule:
     default: str
     fix: str
     since: str
-    seed: str
     summary: str
     body: str
 
@@ -52,7 +51,12 @@ class Rule:
     @property
     def page(self) -> str:
         """The page as a reader wants it: without the marks that tell the test suite what to expect."""
-        return _EXPECTATION.sub("", self.body).strip() + "\n"
+        return without_marks(self.body).strip() + "\n"
+
+
+def without_marks(text: str) -> str:
+    """A page, or a part of it, without what tells the test suite which line breaks which rule."""
+    return _EXPECTATION.sub("", text)
 
 
 def pages_folder() -> Path:
@@ -90,7 +94,6 @@ def parse_page(text: str, source: str) -> Rule:
             default=default,
             fix="" if fields["fix"] == "none" else fields["fix"],
             since=fields["since"],
-            seed=fields["seed"],
             summary=fields["summary"],
             body=text[matter.end() :],
         )

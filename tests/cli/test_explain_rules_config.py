@@ -19,13 +19,35 @@ def printed(capsys: pytest.CaptureFixture[str], *arguments: str) -> str:
     return shown.out
 
 
-@pytest.mark.parametrize("asked", ["SRV003", "srv003", "nested-service-call"])
-def test_explain_prints_the_page_as_markdown(capsys: pytest.CaptureFixture[str], asked: str):
+@pytest.mark.parametrize("asked", ["LCH001", "lch001", "unknown-executable"])
+def test_explain_prints_what_matters_of_a_page(capsys: pytest.CaptureFixture[str], asked: str):
     page = printed(capsys, "explain", asked)
-    assert page.startswith("# SRV003 nested-service-call\n\n## What it does\n")
-    assert "```python" in page
+    start = "# LCH001 unknown-executable\n\n*error, on by default, no automatic fix, since 0.1*\n\n## Reported\n- "
+    assert page.startswith(start)
+    assert [line for line in page.splitlines() if line.startswith("#")] == [
+        "# LCH001 unknown-executable",
+        *("## Reported", "## Not reported", "## Why it matters", "## Bad", "## Good", "## References"),
+    ]
+    assert page.count("```python") == 2
     assert "expect:" not in page
-    assert page.endswith("\n*error, on by default, no automatic fix, since 0.1*\n")
+    assert "package.xml" not in page[page.index("## Bad") :]
+    assert page.endswith("\n*More examples: `archlint explain LCH001 --all`*\n")
+
+
+def test_explain_shows_the_block_with_the_mistake_and_its_correction(capsys: pytest.CaptureFixture[str]):
+    page = printed(capsys, "explain", "PKG001")
+    bad, good = page[page.index("## Bad") : page.index("## Fix")].split("## Good")
+    assert bad.count("```") == good.count("```") == 2
+    assert "`robot/talker.py`:" in bad
+    assert "<exec_depend>std_msgs</exec_depend>" in good
+
+
+def test_explain_all_prints_every_example(capsys: pytest.CaptureFixture[str]):
+    page = printed(capsys, "explain", "LCH001", "--all")
+    assert page.startswith("# LCH001 unknown-executable\n\n*error, ")
+    assert "### A script that CMake installs into a folder of its own" in page
+    assert "<details>" not in page
+    assert "expect:" not in page
 
 
 def test_explain_renders_the_page_where_colours_are_wanted(capsys: pytest.CaptureFixture[str]):
@@ -66,7 +88,6 @@ def test_rules_as_json(capsys: pytest.CaptureFixture[str]):
         "default": "on",
         "fix": None,
         "since": "0.1",
-        "seed": "Antipattern 2",
     }
 
 

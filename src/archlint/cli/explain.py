@@ -1,4 +1,4 @@
-"""``archlint explain CODE``: a rule's page."""
+"""``archlint explain CODE``: what a rule reports, why, and what to write instead."""
 
 from __future__ import annotations
 
@@ -8,6 +8,7 @@ import sys
 from archlint.cli.console import wants_color
 from archlint.cli.exits import CLEAN, UsageError
 from archlint.cli.options import Parser, add_talking
+from archlint.cli.rule_page import shown, whole
 from archlint.rulebook import Rule, find_rule, suggestion
 
 LEVELS = {"on": "on by default", "off": "opt-in", "closed-world": "on in a closed world"}
@@ -16,6 +17,7 @@ LEVELS = {"on": "on by default", "off": "opt-in", "closed-world": "on in a close
 def parser() -> argparse.ArgumentParser:
     made = Parser("explain", "Print a rule's page: what it finds, why it matters, what to write instead.")
     made.add_argument("rule", metavar="CODE", help="the code or the name of a rule")
+    made.add_argument("--all", action="store_true", help="show all examples, not only the first of each kind")
     add_talking(made)
     return made
 
@@ -25,12 +27,17 @@ def run(arguments: argparse.Namespace) -> int:
     if rule is None:
         near = suggestion(arguments.rule) or "; `archlint rules` lists them"
         raise UsageError(f"unknown rule `{arguments.rule}`{near}")
-    page = f"{rule.page}\n{_facts(rule)}\n"
+    page = whole(rule, _facts(rule)) if arguments.all else _short(rule)
     if wants_color(arguments.color, sys.stdout):
         _print_rendered(page)
     else:
         sys.stdout.write(page)
     return CLEAN
+
+
+def _short(rule: Rule) -> str:
+    part = shown(rule, _facts(rule))
+    return f"{part.text}\n*More examples: `archlint explain {rule.code} --all`*\n" if part.has_more else part.text
 
 
 def _facts(rule: Rule) -> str:

@@ -45,6 +45,5 @@ def _entry(rule: Rule) -> dict[str, Any]:
         "default": rule.default,
         "fix": rule.fix or None,
         "since": rule.since,
-        "seed": rule.seed or None,
         "summary": rule.summary,
     }

@@ -1,0 +1,65 @@
+"""What ``archlint explain`` shows of a rule's page: all that is said, and of the examples one of each kind.
+
+A page has the sections ``## Reported``, ``## Not reported``, ``## Why it matters``, ``## Bad``, ``## Good``,
+``## Fix``, ``## Options`` and ``## References``.  In ``Bad`` and ``Good`` a ``###`` heading starts a further example,
+and a line such as `` `launch/robot.launch.py`: `` in front of a block names its file.
+"""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass
+
+from archlint.rulebook import Rule, without_marks
+
+_SECTION = re.compile(r"^## (.+)\n", re.MULTILINE)
+_EXAMPLE = re.compile(r"^### .+\n", re.MULTILINE)
+_FOLDED = re.compile(r"^<details>.*?^</details>\n?", re.MULTILINE | re.DOTALL)
+_BLOCK = re.compile(r"(?:^`(?P<name>[^`\n]+)`:\n+)?^```[a-z]*\n.*?^```\n?", re.MULTILINE | re.DOTALL)
+
+
+@dataclass(frozen=True)
+class Shown:
+    """The part of a page that ``explain`` prints; ``has_more`` where ``--all`` would print further examples."""
+
+    text: str
+    has_more: bool
+
+
+def shown(rule: Rule, facts: str) -> Shown:
+    """A page with one Bad and one Good block; ``facts`` is the line below the title."""
+    title, *pieces = _SECTION.split(rule.body)
+    parts = [f"{title.strip()}\n\n{facts}\n"]
+    wrong: list[re.Match[str]] = []
+    has_more = False
+    for heading, text in zip(pieces[::2], pieces[1::2], strict=True):
+        if heading in ("Bad", "Good"):
+            example, blocks = _first_example(text)
+            chosen = _chosen(blocks, wrong)
+            wrong = wrong or [chosen, *(block for block in blocks if block is not chosen)]
+            has_more = has_more or len(_BLOCK.findall(_FOLDED.sub("", text))) > 1
+            text = f"{example[: blocks[0].start()].strip()}\n\n{chosen[0]}".strip()
+        parts.append(f"## {heading}\n{text.strip()}\n")
+    return Shown(without_marks("\n".join(parts)), has_more)
+
+
+def whole(rule: Rule, facts: str) -> str:
+    """The page with all examples, without the files that are folded away."""
+    title, _, rest = rule.body.strip().partition("\n")
+    return f"{title}\n\n{facts}\n{without_marks(_FOLDED.sub('', rest))}\n"
+
+
+def _first_example(section: str) -> tuple[str, list[re.Match[str]]]:
+    """The first example of a section, and its blocks."""
+    first = next(text for text in _EXAMPLE.split(_FOLDED.sub("", section)) if text.strip())
+    return first, list(_BLOCK.finditer(first))
+
+
+def _chosen(blocks: list[re.Match[str]], wrong: list[re.Match[str]]) -> re.Match[str]:
+    """The block that carries the finding; of a Good example, the one that corrects what is ``wrong``: a file of the
+    same name, or the first one that is not as it was."""
+    marked = [block for block in blocks if "expect:" in block[0]]
+    as_it_was = {without_marks(block[0]) for block in wrong}
+    changed = [block for block in blocks if block[0] not in as_it_was]
+    corrected = [block for block in changed if wrong and block["name"] == wrong[0]["name"]]
+    return (marked or corrected or changed or blocks)[0]
