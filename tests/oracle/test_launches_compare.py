@@ -8,11 +8,12 @@ from pathlib import Path
 import pytest
 from benchmarks.launches import layout
 from benchmarks.launches.compare import EQUAL, OPEN, WRONG, compared, measure
-from benchmarks.launches.expected import UNKNOWN, Checkout, Row, recorded
+from benchmarks.launches.expected import Checkout, Row, Unknown, recorded
 from benchmarks.launches.inside.guard import FROM_OUTSIDE, OUTPUT
 from benchmarks.launches.inside.parameters import rows_of_file, value_of
 
 PLAIN = {"package": "robot", "executable": "talker", "name": "a", "namespace": None, "remaps": [], "files": []}
+UNKNOWN = Unknown("it is an argument")
 
 
 def row(**changed: object) -> Row:
