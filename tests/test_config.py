@@ -10,10 +10,10 @@ import pytest
 
 from archlint import rulebook
 from archlint.checks import registry
-from archlint.config import KEYS, ConfigurationError, Glob, Settings, load
+from archlint.config.selection import Layer, resolve
+from archlint.config.settings import KEYS, ConfigurationError, Glob, Settings, load
 from archlint.finding import Severity
 from archlint.rulebook import Rule
-from archlint.selection import Layer, resolve
 
 
 def a_rule(code: str, name: str, default: str = "on") -> Rule:
@@ -35,7 +35,7 @@ BOOK = [
 def small_rule_book(monkeypatch: pytest.MonkeyPatch) -> None:
     book = {rule.code: rule for rule in BOOK}
     monkeypatch.setattr(rulebook, "rules", lambda: book)
-    monkeypatch.setattr("archlint.selection.rules", lambda: book)
+    monkeypatch.setattr("archlint.config.selection.rules", lambda: book)
 
 
 @pytest.fixture

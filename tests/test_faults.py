@@ -7,15 +7,15 @@ from pathlib import Path
 
 import pytest
 
-from archlint import session
 from archlint.cli import main
-from archlint.config import Settings, load
-from archlint.facts import model as facts
+from archlint.config.settings import Settings, load
+from archlint.engine import pipeline
+from archlint.engine.pipeline import Request
 from archlint.finding import Finding
 from archlint.fixes import BUILDERS
-from archlint.program import expressions
-from archlint.program.launch import load as launch_loading
-from archlint.session import Request
+from archlint.interpreter import expressions
+from archlint.launch import load as launch_loading
+from archlint.syntax import facts
 
 GOOD = """\
 import rclpy
@@ -120,7 +120,7 @@ def node(**parts: str) -> str:
 
 
 def findings() -> list[Finding]:
-    return session.check(Request((".",), load(Path()), cached=False, jobs=1)).findings
+    return pipeline.check(Request((".",), load(Path()), cached=False, jobs=1)).findings
 
 
 def of_the_good_file() -> list[Finding]:
@@ -128,7 +128,7 @@ def of_the_good_file() -> list[Finding]:
 
 
 def topics() -> list[str]:
-    return sorted(session.graph(Request((".",), Settings(), cached=False, jobs=1)).topics)
+    return sorted(pipeline.graph(Request((".",), Settings(), cached=False, jobs=1)).topics)
 
 
 @pytest.mark.parametrize("part", PARTS)

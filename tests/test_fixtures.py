@@ -8,9 +8,9 @@ from pathlib import Path
 
 import pytest
 
-from archlint.config import load
+from archlint.config.settings import load
+from archlint.engine.pipeline import Request, check
 from archlint.rulebook import rules
-from archlint.session import Request, check
 
 if sys.version_info >= (3, 11):
     import tomllib

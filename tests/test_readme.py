@@ -12,7 +12,7 @@ import pytest
 import yaml
 
 from archlint.cli import COMMANDS, main
-from archlint.config import load
+from archlint.config.settings import load
 from archlint.rulebook import rules
 
 if sys.version_info >= (3, 11):

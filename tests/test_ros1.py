@@ -6,9 +6,9 @@ from pathlib import Path
 
 import pytest
 
-from archlint.config import load
+from archlint.config.settings import load
+from archlint.engine.pipeline import Request, check
 from archlint.report.model import Report
-from archlint.session import Request, check
 
 MANIFEST = "<package format='3'><name>{name}</name><version>0.0.0</version>{more}</package>"
 CATKIN = "<buildtool_depend>catkin</buildtool_depend><depend>rospy</depend>"

@@ -7,11 +7,11 @@ from pathlib import Path
 
 import pytest
 
-from archlint.config import Settings, load
+from archlint.config.selection import Layer
+from archlint.config.settings import Settings, load
+from archlint.engine.pipeline import Request, check
 from archlint.observed.read import read
 from archlint.rulebook import OFF, rules
-from archlint.selection import Layer
-from archlint.session import Request, check
 from rule_examples import Example, load_examples
 
 EXAMPLES = load_examples(Path(__file__).parents[1] / "rules")

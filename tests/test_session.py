@@ -10,10 +10,10 @@ import pytest
 
 from archlint.checks import registry
 from archlint.checks.registry import Options, finding, rule
-from archlint.config import load
+from archlint.config.settings import load
+from archlint.engine.pipeline import NothingToDo, Request, check, graph
 from archlint.finding import Place, Severity
 from archlint.report.model import Report
-from archlint.session import NothingToDo, Request, check, graph
 
 NODE = """\
 import rclpy
@@ -346,7 +346,7 @@ def age(*names: str) -> None:
 
 @pytest.fixture
 def no_linking(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("archlint.session._systems", lambda *_: pytest.fail("linked again"))
+    monkeypatch.setattr("archlint.engine.pipeline._systems", lambda *_: pytest.fail("linked again"))
 
 
 def test_the_same_is_found_with_and_without_cache_and_for_any_number_of_jobs():
@@ -423,8 +423,8 @@ def test_a_cache_that_cannot_be_written_is_no_error():
 
 def test_entries_that_came_with_the_repository_are_not_believed():
     from archlint import __version__
-    from archlint.facts.files import _salt
-    from archlint.facts.store import Store, digest_of
+    from archlint.syntax.cache import Store, digest_of
+    from archlint.syntax.files import _salt
 
     file = write("a.py")
     age()
@@ -518,10 +518,10 @@ def test_the_graph_shows_what_was_asked_for():
 
 
 def test_a_large_file_is_hashed_piece_by_piece(monkeypatch: pytest.MonkeyPatch):
-    from archlint import run_cache
+    from archlint.engine import result_cache
 
     file = write("map.yaml", "x" * 1_000)
-    whole = run_cache._digest(file)
-    monkeypatch.setattr(run_cache, "_PIECE", 7)
+    whole = result_cache._digest(file)
+    monkeypatch.setattr(result_cache, "_PIECE", 7)
     monkeypatch.setattr(Path, "read_bytes", lambda path: pytest.fail(f"{path} is read at once"))
-    assert run_cache._digest(file) == whole
+    assert result_cache._digest(file) == whole

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import pytest
 
-from archlint.facts.model import Suppression
+from archlint.engine.suppressions import apply, refusal, stale
 from archlint.finding import Finding, Place, Severity
-from archlint.suppressions import apply, refusal, stale
+from archlint.syntax.facts import Suppression
 
 
 def finding(line: int, code: str = "SRV003", name: str = "nested-service-call") -> Finding:

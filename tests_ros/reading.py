@@ -12,15 +12,15 @@ from typing import TYPE_CHECKING, Any
 
 import yaml
 
-from archlint.config import load
-from archlint.facts.parameters import NotKnown
-from archlint.program.launch.model import ParameterFileUse, ParameterSetting, Started
+from archlint.config.settings import load
+from archlint.engine.pipeline import Request
+from archlint.engine.pipeline import graph as system_of
+from archlint.launch.model import ParameterFileUse, ParameterSetting, Started
 from archlint.render.json import render
-from archlint.session import Request
-from archlint.session import graph as system_of
+from archlint.syntax.parameter_files import NotKnown
 
 if TYPE_CHECKING:
-    from archlint.system.model import System
+    from archlint.systems.model import System
 
 Entity = dict[str, Any]
 

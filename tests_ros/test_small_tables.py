@@ -12,11 +12,11 @@ from typing import Any
 import pytest
 import yaml
 
-from archlint.config import load
-from archlint.program.model import Qos
-from archlint.session import Request, check
-from archlint.system import names, remap
-from archlint.system.qos import compatible
+from archlint.config.settings import load
+from archlint.engine.pipeline import Request, check
+from archlint.model import Qos
+from archlint.ros import names, remapping
+from archlint.ros.qos import compatible
 from tests_ros.environments import Environment
 from tests_ros.running import INSIDE, domain_of_its_own
 
@@ -146,14 +146,14 @@ def _plain(given: list[tuple[Qos, Qos]]) -> list[tuple[Any, ...]]:
     return [tuple(map(Profile, pair)) for pair in given]
 
 
-@pytest.mark.parametrize(("kind", "answers"), [(remap.TOPIC, "names"), (remap.SERVICE, "services")])
+@pytest.mark.parametrize(("kind", "answers"), [(remapping.TOPIC, "names"), (remapping.SERVICE, "services")])
 def test_names(asked: Asked, kind: str, answers: str):
     said = [_name(name, kind) for name in NAMES]
     assert dict(zip(NAMES, said, strict=True)) == dict(zip(NAMES, _refused(asked.answer[answers]), strict=True))
 
 
 def _name(name: str, kind: str) -> str | None:
-    return None if names.validate_topic_name(name) else remap.resolve(name, kind, NODE).name
+    return None if names.validate_topic_name(name) else remapping.resolve(name, kind, NODE).name
 
 
 def _refused(answers: list[str]) -> list[str | None]:
@@ -170,11 +170,13 @@ def test_names_of_nodes_and_namespaces(asked: Asked):
 
 @pytest.mark.parametrize("number", range(len(REMAPS)), ids=lambda number: " ".join(REMAPS[number]))
 def test_what_wins_among_remap_rules(asked: Asked, number: int):
-    rules = [remap.RemapRule.parse(text) for text in REMAPS[number]]
-    name = next((rule.replacement for rule in rules if rule.applies(remap.NODE_NAME, "asker")), "asker")
-    space = next((rule.replacement for rule in rules if rule.applies(remap.NAMESPACE, name)), "/")
+    rules = [remapping.RemapRule.parse(text) for text in REMAPS[number]]
+    name = next((rule.replacement for rule in rules if rule.applies(remapping.NODE_NAME, "asker")), "asker")
+    space = next((rule.replacement for rule in rules if rule.applies(remapping.NAMESPACE, name)), "/")
     full = f"{space.rstrip('/')}/{name}"
-    ends = [remap.resolve("scan", kind, (name, space), (), rules).name for kind in (remap.TOPIC, remap.SERVICE)]
+    ends = [
+        remapping.resolve("scan", kind, (name, space), (), rules).name for kind in (remapping.TOPIC, remapping.SERVICE)
+    ]
     assert asked.answer["remaps"][number] == " ".join([full, *map(str, ends)])
 
 

@@ -9,9 +9,9 @@ from pathlib import Path
 
 from tests_ros.environments import Environment
 
-from archlint.config import Settings
+from archlint.config.settings import Settings
+from archlint.engine.pipeline import Request, check
 from archlint.finding import Finding
-from archlint.session import Request, check
 from benchmarks.claims import circles, groups, lookups, lost, made_again, signatures, slow, unspun
 from benchmarks.claims.model import REPORTED, SILENT, Claim, Judged
 from benchmarks.executors.running import run_programs

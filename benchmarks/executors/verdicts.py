@@ -9,10 +9,10 @@ from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from pathlib import Path
 
-from archlint.checks import blocking
-from archlint.config import Settings
+from archlint.analysis import blocking
+from archlint.config.settings import Settings
+from archlint.engine.pipeline import Request, check
 from archlint.finding import Finding
-from archlint.session import Request, check
 from benchmarks.executors.cells import Cell, program
 from benchmarks.executors.running import HANGS, NOTHING, SOME, STOPS, STRANDS, WORKS
 

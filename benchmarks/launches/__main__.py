@@ -25,12 +25,12 @@ import tokenize
 from collections import Counter
 from pathlib import Path
 
-from archlint.config import Settings
+from archlint.config.settings import Settings
+from archlint.engine.pipeline import Request, _compiled, _found, _store, _systems
 from archlint.finding import Place
-from archlint.program.launch.load import LaunchLoader
-from archlint.program.launch.model import Launched
-from archlint.session import Request, _compiled, _found, _store, _systems
-from archlint.system.model import System
+from archlint.launch.load import LaunchLoader
+from archlint.launch.model import Launched
+from archlint.systems.model import System
 
 KINDS = ("here", "external", "not taken", "unresolved", "not reached", "put nowhere")
 PYTHON = re.compile(r"(?<![\w])(?:Lifecycle)?(?:Node|ComposableNode|ComposableNodeContainer)\s*\(")

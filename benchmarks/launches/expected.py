@@ -9,15 +9,15 @@ from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
 
-from archlint.config import Settings
-from archlint.facts.parameters import NotKnown
-from archlint.program.entry_points import read_installs
-from archlint.program.launch.load import LaunchLoader
-from archlint.program.launch.model import Launched, OpenParameters, ParameterFileUse, ParameterSetting, Started
-from archlint.program.model import Text
-from archlint.session import Request, _compiled, _found, _parts, _store
-from archlint.system import names
-from archlint.system.overrides import applied, settings_of
+from archlint.config.settings import Settings
+from archlint.engine.pipeline import Request, _compiled, _found, _parts, _store
+from archlint.launch.load import LaunchLoader
+from archlint.launch.model import Launched, OpenParameters, ParameterFileUse, ParameterSetting, Started
+from archlint.model import Text
+from archlint.programs.entry_points import read_installs
+from archlint.ros import names
+from archlint.syntax.parameter_files import NotKnown
+from archlint.systems.overrides import applied, settings_of
 from archlint.workspace.tree import SourceTree
 
 

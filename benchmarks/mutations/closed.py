@@ -7,16 +7,16 @@ from collections.abc import Iterator
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from archlint import session
 from archlint.checks.unmatched import whole
-from archlint.config import Settings
-from archlint.program.model import CLIENT, PUBLISHER
+from archlint.config.settings import Settings
+from archlint.engine import pipeline
+from archlint.model import CLIENT, PUBLISHER
 
 from .defect import Defect
 from .python_source import Edit, Lines
 
 if TYPE_CHECKING:
-    from archlint.system.model import Connection, Endpoint, System
+    from archlint.systems.model import Connection, Endpoint, System
 
 RULES = {"topic": ("TOP002", "TOP003", "TOP004"), "service": ("SRV001",), "action": ("ACT001",)}
 
@@ -24,12 +24,12 @@ RULES = {"topic": ("TOP002", "TOP003", "TOP004"), "service": ("SRV001",), "actio
 def closed_systems(root: Path, cache: Path) -> Iterator[System]:
     """The systems of a checkout's launch files that are closed, with every node's source at hand."""
     os.chdir(root)
-    request = session.Request((".",), Settings(closed_world=True, cache_dir=str(cache)))
+    request = pipeline.Request((".",), Settings(closed_world=True, cache_dir=str(cache)))
     try:
-        workspace = session._found(request)
-        facts = session._compiled(request, workspace, session._store(request))
-        systems = session._systems(request, workspace, facts)
-    except session.NothingToDo:
+        workspace = pipeline._found(request)
+        facts = pipeline._compiled(request, workspace, pipeline._store(request))
+        systems = pipeline._systems(request, workspace, facts)
+    except pipeline.NothingToDo:
         return
     for system in systems:
         if system.launched is not None and len(system.nodes) > 1 and whole(system):

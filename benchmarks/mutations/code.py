@@ -5,7 +5,7 @@ from __future__ import annotations
 import ast
 from collections.abc import Iterator
 
-from archlint.program.standard_interfaces import table
+from archlint.ros.standard_interfaces import table
 
 from .defect import Defect, Sites, plants
 from .endpoints import ends

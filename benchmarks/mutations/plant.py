@@ -9,10 +9,10 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
-from archlint.config import Settings
+from archlint.config.selection import Layer
+from archlint.config.settings import Settings
+from archlint.engine.pipeline import NothingToDo, Request, check
 from archlint.finding import Finding
-from archlint.selection import Layer
-from archlint.session import NothingToDo, Request, check
 
 from .defect import Defect
 from .python_source import Edit

@@ -7,8 +7,8 @@ from textwrap import dedent
 
 import pytest
 
-from archlint.config import Settings
-from archlint.session import Request, check
+from archlint.config.settings import Settings
+from archlint.engine.pipeline import Request, check
 from checks.judging import Judge
 
 LAUNCH = """

@@ -7,9 +7,9 @@ from textwrap import dedent
 
 import pytest
 
-from archlint.config import load
+from archlint.config.settings import load
+from archlint.engine.pipeline import Request, check
 from archlint.finding import Finding, Severity
-from archlint.session import Request, check
 from archlint.workspace.test_code import is_put_aside, is_trial_file
 
 NODE = """

@@ -6,8 +6,8 @@ import itertools
 
 import pytest
 
-from archlint.checks import blocking
-from archlint.checks.blocking import (
+from archlint.analysis import blocking
+from archlint.analysis.blocking import (
     ANY,
     AWAIT,
     CALL,
@@ -26,7 +26,7 @@ from archlint.checks.blocking import (
     look_up,
     outcome_words,
 )
-from archlint.config import DISTROS
+from archlint.config.settings import DISTROS
 
 
 def test_there_is_a_row_for_everything_in_every_distribution():

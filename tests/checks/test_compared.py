@@ -8,11 +8,11 @@ from typing import Any
 
 import pytest
 
-from archlint.config import Settings, load
+from archlint.config.settings import Settings, load
+from archlint.engine.pipeline import NothingToDo, Request, check
 from archlint.finding import Severity
 from archlint.observed.read import read
 from archlint.report.model import Report
-from archlint.session import NothingToDo, Request, check
 
 ROOT = Path(__file__).parents[2]
 LESSON = ROOT / "fixtures" / "lesson"

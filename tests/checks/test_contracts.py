@@ -11,12 +11,12 @@ from archlint.architecture import matches
 from archlint.checks.idle_contracts import idle_patterns
 from archlint.checks.registry import judge, options_for
 from archlint.cli import main
-from archlint.config import ConfigurationError, load
+from archlint.config.settings import ConfigurationError, load
 from archlint.finding import Finding
-from archlint.program.model import Qos
-from archlint.system.launched import World
-from archlint.system.model import Node, System
-from system.builders import client, node, publisher, service, subscriber, system, unknown
+from archlint.model import Qos
+from archlint.systems.launched import World
+from archlint.systems.model import Node, System
+from systems.builders import client, node, publisher, service, subscriber, system, unknown
 
 
 @pytest.fixture

@@ -2,7 +2,7 @@ from __future__ import annotations
 
 import pytest
 
-from archlint.checks.deadlock import (
+from archlint.analysis.deadlock import (
     ANY,
     NOBODY,
     ONE,
@@ -15,8 +15,8 @@ from archlint.checks.deadlock import (
     threads_of,
 )
 from archlint.finding import Place
-from archlint.program.model import ExecutorUse, Group, Program
-from system.builders import blueprint
+from archlint.model import ExecutorUse, Group, Program
+from systems.builders import blueprint
 
 HERE = Place("node.py", 1, 1, 1, 2)
 

@@ -6,9 +6,9 @@ from pathlib import Path
 
 import pytest
 
-from archlint.config import load
+from archlint.config.settings import load
+from archlint.engine.pipeline import Request, check, graph
 from archlint.render.json import document
-from archlint.session import Request, check, graph
 
 FILES = {
     "package.xml": """<package format="3"><name>robot</name>

@@ -2,8 +2,8 @@ from __future__ import annotations
 
 import pytest
 
-from archlint.config import load
-from archlint.session import Request, check
+from archlint.config.settings import load
+from archlint.engine.pipeline import Request, check
 from checks.judging import Judge
 
 NODE = """

@@ -6,10 +6,10 @@ from pathlib import Path
 
 import pytest
 
-from archlint.checks.near import did_you_mean, distance, nearest
-from archlint.config import load
+from archlint.config.settings import load
+from archlint.engine.pipeline import Request, check
 from archlint.finding import Finding
-from archlint.session import Request, check
+from archlint.suggestions import did_you_mean, distance, nearest
 
 MANIFEST = """<package format="3"><name>{name}</name>
 <exec_depend>rclpy</exec_depend>

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from archlint.checks.blocking import HANGS, LIMITED_STEAL, ONE, OTHER, REENTRANT, SAME, SPIN, STEAL, STRANDS, look_up
+from archlint.analysis.blocking import HANGS, LIMITED_STEAL, ONE, OTHER, REENTRANT, SAME, SPIN, STEAL, STRANDS, look_up
 from checks.callbacks import ON_SEVERAL_THREADS, Run, codes, source
 
 CLIENT = "self.client = self.create_client(Trigger, 'check')\n"

@@ -6,9 +6,9 @@ from pathlib import Path
 
 import pytest
 
-from archlint.config import load
+from archlint.config.settings import load
+from archlint.engine.pipeline import Request, check
 from archlint.finding import Finding
-from archlint.session import Request, check
 
 SETUP = """\
 from glob import glob

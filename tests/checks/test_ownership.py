@@ -7,12 +7,12 @@ import pytest
 
 from archlint.checks.ownership import SHARED_BY_DESIGN, multiple_publishers, multiple_servers
 from archlint.checks.registry import Options
-from archlint.config import load
+from archlint.config.settings import load
+from archlint.engine.pipeline import Request, check
 from archlint.finding import Severity
-from archlint.session import Request, check
-from archlint.system.model import System
+from archlint.systems.model import System
 from checks.judging import Judge
-from system.builders import action_server, node, partial, publisher, service, subscriber, system
+from systems.builders import action_server, node, partial, publisher, service, subscriber, system
 
 NOTHING_SAID = Options()
 TWIST = "geometry_msgs/msg/Twist"

@@ -9,9 +9,9 @@ import pytest
 
 from archlint.checks.merge import merged
 from archlint.checks.registry import finding
-from archlint.config import load
+from archlint.config.settings import load
+from archlint.engine.pipeline import Request, check
 from archlint.finding import Finding, Place, Related
-from archlint.session import Request, check
 
 SETUP = """\
 from glob import glob

@@ -6,12 +6,12 @@ import pytest
 
 from archlint.checks.near_misses import nearly_equal
 from archlint.checks.registry import judge, options_for
-from archlint.config import Settings
+from archlint.config.settings import Settings
 from archlint.finding import Finding, Place
-from archlint.program.launch.model import FileReference, Gap, Included, Launched, Started
-from archlint.program.model import Qos
-from archlint.system.model import Node, System
-from system.builders import (
+from archlint.launch.model import FileReference, Gap, Included, Launched, Started
+from archlint.model import Qos
+from archlint.systems.model import Node, System
+from systems.builders import (
     action_client,
     action_server,
     client,

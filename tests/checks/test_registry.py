@@ -7,9 +7,9 @@ import pytest
 from archlint import checks
 from archlint.checks import registry
 from archlint.checks.registry import Options, finding, judge, options_for, registered, rule, unreadable
-from archlint.config import Settings
+from archlint.config.settings import Settings
 from archlint.finding import Place, Severity
-from archlint.system.model import System
+from archlint.systems.model import System
 
 HERE = Place("a.py", 3, 1, 3, 9)
 EMPTY = System(name="robot.launch.py", nodes=[], programs=[])

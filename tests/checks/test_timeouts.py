@@ -4,9 +4,9 @@ from pathlib import Path
 
 import pytest
 
-from archlint.config import load
+from archlint.config.settings import load
+from archlint.engine.pipeline import Request, check
 from archlint.finding import Severity
-from archlint.session import Request, check
 from checks.judging import Judge
 
 SCRIPT = """

@@ -7,10 +7,10 @@ from pathlib import Path
 
 import pytest
 
-from archlint.checks.ros_packages import table
-from archlint.config import load
+from archlint.config.settings import load
+from archlint.engine.pipeline import Request, check
 from archlint.finding import Finding
-from archlint.session import Request, check
+from archlint.ros.packages import table
 
 Lint = Callable[..., list[Finding]]
 

@@ -9,9 +9,9 @@ import pytest
 
 from archlint.cli import check as check_command
 from archlint.cli import main
+from archlint.engine.pipeline import NothingToDo, Request
 from archlint.finding import Finding, Place, Severity
 from archlint.report.model import Report, summarise
-from archlint.session import NothingToDo, Request
 
 
 def finding(severity: Severity, code: str = "OWN001", name: str = "multiple-publishers") -> Finding:

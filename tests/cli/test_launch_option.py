@@ -8,8 +8,8 @@ from pathlib import Path
 import pytest
 
 from archlint.cli import main
-from program.launching import PACKAGE, SETUP
-from system.test_launched import TALKER
+from programs.launching import PACKAGE, SETUP
+from systems.test_launched import TALKER
 
 LAUNCH = """<launch>
   <arg name="robot" default="alice"/>

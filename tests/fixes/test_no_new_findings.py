@@ -9,10 +9,10 @@ from pathlib import Path
 
 import pytest
 
-from archlint.config import load
+from archlint.config.settings import load
+from archlint.engine.pipeline import Request, check
 from archlint.finding import Finding
 from archlint.fixes.apply import apply, write
-from archlint.session import Request, check
 from rule_examples import Example, load_examples
 
 ROOT = Path(__file__).parents[2]

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from archlint.system.model import System
-from system.builders import node, partial, publisher, subscriber, system
+from archlint.systems.model import System
+from systems.builders import node, partial, publisher, subscriber, system
 
 NAMES = [
     '"];evil[label="',

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from archlint.system.model import System
-from system.builders import client, node, parameter, publisher, service, subscriber, system, timer
+from archlint.systems.model import System
+from systems.builders import client, node, parameter, publisher, service, subscriber, system, timer
 
 READING = "my_robot_interfaces/msg/SensorReading"
 GET_DATA = "my_robot_interfaces/srv/GetSensorData"

@@ -6,10 +6,10 @@ import pygraphviz
 import pytest
 
 from archlint.render.dot import quote, render
-from archlint.system.model import System
+from archlint.systems.model import System
 from render.hostile import NAMES, hostile
 from render.lesson import lesson
-from system.builders import action_server, client, node, partial, publisher, service, subscriber, system
+from systems.builders import action_server, client, node, partial, publisher, service, subscriber, system
 
 
 def parsed(of: System) -> pygraphviz.AGraph:

@@ -15,7 +15,7 @@ from archlint.render import drawing
 from archlint.render.drawing import CannotDraw
 from render.hostile import hostile
 from render.lesson import lesson
-from system.builders import client, node, publisher, service, subscriber, system
+from systems.builders import client, node, publisher, service, subscriber, system
 
 SVG = "{http://www.w3.org/2000/svg}"
 

@@ -7,7 +7,7 @@ import pytest
 from archlint.render.mermaid import escape, render
 from render.hostile import hostile
 from render.lesson import lesson
-from system.builders import client, node, publisher, subscriber, system
+from systems.builders import client, node, publisher, subscriber, system
 
 LESSON = """\
 flowchart LR

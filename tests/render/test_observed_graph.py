@@ -9,13 +9,13 @@ from typing import Any
 
 import pytest
 
-from archlint.config import Settings
+from archlint.config.settings import Settings
+from archlint.engine.pipeline import Request, graph
 from archlint.observed.read import read
 from archlint.render import dot, html, mermaid, text
 from archlint.render import json as as_json
 from archlint.render.picture import graph_of
-from archlint.session import Request, graph
-from archlint.system.model import System
+from archlint.systems.model import System
 
 ROOT = Path(__file__).parents[2]
 LAUNCH = "src/my_first_package/launch/robot.launch.py"

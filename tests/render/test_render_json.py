@@ -5,12 +5,12 @@ import math
 
 import pytest
 
-from archlint.facts.parameters import NotKnown
-from archlint.program.model import Group, Qos
+from archlint.model import Group, Qos
 from archlint.render.json import document, render
+from archlint.syntax.parameter_files import NotKnown
 from render.hostile import hostile
 from render.lesson import lesson
-from system.builders import (
+from systems.builders import (
     action_client,
     action_server,
     blueprint,
@@ -188,7 +188,7 @@ def test_what_could_not_be_followed_is_unresolved() -> None:
 
 
 def test_a_node_without_a_name_is_null_in_connections() -> None:
-    from archlint.system.instances import instantiate
+    from archlint.systems.instances import instantiate
 
     helper = instantiate(blueprint(unknown(), publisher("/x"), file="helper.py", class_name="Helper"), None)
     told = document(system(helper, node("/n", publisher("/x"))))

@@ -1,11 +1,11 @@
 from __future__ import annotations
 
-from archlint.facts.parameters import NotKnown
-from archlint.program.model import Qos
+from archlint.model import Qos
 from archlint.render.text import render
+from archlint.syntax.parameter_files import NotKnown
 from render.hostile import hostile
 from render.lesson import lesson
-from system.builders import (
+from systems.builders import (
     action_client,
     blueprint,
     client,
@@ -110,7 +110,7 @@ def test_what_is_known_only_in_part() -> None:
 def test_an_endpoint_of_another_file_says_so() -> None:
     made = blueprint("n", publisher("a"), action_client("b"))
     made.creations[0].place = place("src/demo/demo/helper.py", 3)
-    from archlint.system.instances import instantiate
+    from archlint.systems.instances import instantiate
 
     shown = render(system(instantiate(made, None)))
     assert "src/demo/demo/helper.py:3, reliable" in shown
@@ -118,7 +118,7 @@ def test_an_endpoint_of_another_file_says_so() -> None:
 
 
 def test_a_node_without_a_name() -> None:
-    from archlint.system.instances import instantiate
+    from archlint.systems.instances import instantiate
 
     helper = instantiate(blueprint(unknown(), publisher("/x"), file="helper.py", class_name="Helper"), None)
     shown = render(system(helper))

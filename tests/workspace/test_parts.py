@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from archlint.config import load
-from archlint.session import Request, check, graph
+from archlint.config.settings import load
+from archlint.engine.pipeline import Request, check, graph
 from archlint.workspace.parts import parts
 from workspace.trees import look, manifest, plant
 

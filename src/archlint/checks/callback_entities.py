@@ -5,16 +5,16 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING
 
-from archlint.checks.callback_roles import callback_words, runs_in_executor
-from archlint.checks.reach import calls_of, creations_of, node_name, one_for_each_place
+from archlint.analysis.callback_roles import callback_words, runs_in_executor
+from archlint.analysis.reach import calls_of, creations_of, node_name, one_for_each_place
 from archlint.checks.registry import Options, finding, rule
 from archlint.finding import Finding, Related
-from archlint.program.model import PUBLISHER, SUBSCRIBER, TIMER
+from archlint.model import PUBLISHER, SUBSCRIBER, TIMER
 from archlint.workspace.test_code import is_test_file
 
 if TYPE_CHECKING:
-    from archlint.program.model import Callback, Creation, Program
-    from archlint.system.model import System
+    from archlint.model import Callback, Creation, Program
+    from archlint.systems.model import System
 
 _ENDS = (
     "rclpy.timer.Timer.cancel",

@@ -6,12 +6,12 @@ from collections.abc import Iterator
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
-from archlint.checks import blocking
-from archlint.checks.callback_roles import callback_words, related_to, runs_in_executor
-from archlint.checks.deadlock import Verdict, group_relation, judge_spin, threads_of
-from archlint.checks.early_results import EarlyResult, early_results
-from archlint.checks.event_waits import EventWait, event_waits
-from archlint.checks.reach import (
+from archlint.analysis import blocking
+from archlint.analysis.callback_roles import callback_words, related_to, runs_in_executor
+from archlint.analysis.deadlock import Verdict, group_relation, judge_spin, threads_of
+from archlint.analysis.early_results import EarlyResult, early_results
+from archlint.analysis.event_waits import EventWait, event_waits
+from archlint.analysis.reach import (
     argument,
     creations_of,
     endpoint_words,
@@ -20,15 +20,15 @@ from archlint.checks.reach import (
     node_name,
     one_for_each_place,
 )
+from archlint.analysis.spins import is_spin_call, spun_node
+from archlint.analysis.stuck import is_spin, nested_spins, stuck_waits
+from archlint.analysis.waits import Wait
 from archlint.checks.registry import Options, finding, rule
-from archlint.checks.spins import is_spin_call, spun_node
-from archlint.checks.stuck import is_spin, nested_spins, stuck_waits
-from archlint.checks.waits import Wait
 from archlint.finding import Finding, Severity
 
 if TYPE_CHECKING:
-    from archlint.program.model import ApiCall, Program
-    from archlint.system.model import System
+    from archlint.model import ApiCall, Program
+    from archlint.systems.model import System
 
 _DONE = "send the request with call_async(), return, and go on in a done callback"
 _GROUP_HELP = (

@@ -6,17 +6,17 @@ from collections.abc import Iterable, Iterator
 from fnmatch import fnmatchcase
 from typing import TYPE_CHECKING
 
+from archlint.analysis.coexistence import in_source_order
+from archlint.analysis.links import Link, by_source, connections, counts, is_meant, links, named
 from archlint.architecture import FORBID, INDEPENDENT, QOS, TYPES, Contract, Globs, matches
-from archlint.checks.conflicts import in_source_order
 from archlint.checks.launched_names import is_renamed
-from archlint.checks.links import Link, by_source, connections, counts, is_meant, links, named
 from archlint.checks.registry import Options, finding, rule
 from archlint.finding import Finding, Related
-from archlint.program.model import PUBLISHER
-from archlint.system.qos import allowed
+from archlint.model import PUBLISHER
+from archlint.ros.qos import allowed
 
 if TYPE_CHECKING:
-    from archlint.system.model import Connection, Endpoint, System
+    from archlint.systems.model import Connection, Endpoint, System
 
 
 @rule("OWN003")

@@ -7,19 +7,12 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from archlint.checks.registry import Options, finding, rule
-from archlint.program.model import (
-    ACTION_CLIENT,
-    ACTION_SERVER,
-    CLIENT,
-    PUBLISHER,
-    SERVICE,
-    SUBSCRIBER,
-)
+from archlint.model import ACTION_CLIENT, ACTION_SERVER, CLIENT, PUBLISHER, SERVICE, SUBSCRIBER
 
 if TYPE_CHECKING:
     from archlint.finding import Finding, Place
-    from archlint.program.model import Text
-    from archlint.system.model import System
+    from archlint.model import Text
+    from archlint.systems.model import System
 
 _HIDDEN = "_"
 """What ROS hides from its lists: the parts of an action, and names that want to be out of the way."""

@@ -6,17 +6,17 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
+from archlint.analysis.completeness import enclosing_class
 from archlint.checks.folding import folds
 from archlint.checks.names import WORDS
-from archlint.checks.near import did_you_mean
 from archlint.checks.registry import Options, finding, rule
-from archlint.checks.whole import enclosing_class
 from archlint.finding import Related
+from archlint.suggestions import did_you_mean
 
 if TYPE_CHECKING:
     from archlint.finding import Finding, Place
-    from archlint.program.message_uses import FieldUse, Passed, UnknownInterface
-    from archlint.system.model import System
+    from archlint.libraries.rclpy.message_uses import FieldUse, Passed, UnknownInterface
+    from archlint.systems.model import System
 
 _SHOWN = 12
 """How many names a help line lists."""

@@ -6,9 +6,8 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from archlint.checks.assumptions import MOST, NOTHING, Known, after, dotted, variables, within
-from archlint.checks.handlers import handlers_of, only_a_stub, related_handler
-from archlint.checks.reach import (
+from archlint.analysis.assumptions import MOST, NOTHING, Known, after, dotted, variables, within
+from archlint.analysis.reach import (
     calls_of,
     endpoint_words,
     judged_calls,
@@ -16,15 +15,16 @@ from archlint.checks.reach import (
     once_for_each_system,
     one_for_each_place,
 )
+from archlint.checks.handlers import handlers_of, only_a_stub, related_handler
 from archlint.checks.registry import Options, finding, rule
-from archlint.facts import model as facts
-from archlint.facts.paths import ends_of
-from archlint.facts.walk import called_name, parts_of, statements_of
 from archlint.finding import Finding, Place
+from archlint.syntax import facts
+from archlint.syntax.control_flow import ends_of
+from archlint.syntax.walk import called_name, parts_of, statements_of
 
 if TYPE_CHECKING:
-    from archlint.program.model import Callback
-    from archlint.system.model import System
+    from archlint.model import Callback
+    from archlint.systems.model import System
 
 _ENDS = ("succeed", "abort", "canceled")
 _DECIDES = frozenset({*_ENDS, "is_active"})

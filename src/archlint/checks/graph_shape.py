@@ -8,12 +8,12 @@ from typing import TYPE_CHECKING
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.unmatched import in_sight, whole
 from archlint.finding import Finding, Related
-from archlint.program.model import SUBSCRIBER
-from archlint.system.rates import rates
-from archlint.system.shape import connected, splits
+from archlint.model import SUBSCRIBER
+from archlint.systems.rates import rates
+from archlint.systems.shape import connected, splits
 
 if TYPE_CHECKING:
-    from archlint.system.model import Endpoint, Node, System
+    from archlint.systems.model import Endpoint, Node, System
 
 
 @rule("GRF001")

@@ -5,18 +5,18 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from archlint.checks.assumptions import Known, asked, proven, within
-from archlint.checks.reach import endpoint_words, node_name, one_for_each_place
+from archlint.analysis.assumptions import Known, asked, proven, within
+from archlint.analysis.reach import endpoint_words, node_name, one_for_each_place
 from archlint.checks.registry import Options, finding, rule
-from archlint.facts import model as facts
-from archlint.facts.paths import Ends, ends_of
-from archlint.facts.walk import parts_of, statements_of
 from archlint.finding import Finding, Place, Related
+from archlint.syntax import facts
+from archlint.syntax.control_flow import Ends, ends_of
+from archlint.syntax.walk import parts_of, statements_of
 from archlint.workspace.test_code import is_test_file
 
 if TYPE_CHECKING:
-    from archlint.program.model import Callback
-    from archlint.system.model import System
+    from archlint.model import Callback
+    from archlint.systems.model import System
 
 
 def handlers_of(system: System, role: str) -> Iterator[tuple[Callback, facts.Function]]:

@@ -7,19 +7,19 @@ from dataclasses import dataclass, replace
 from fnmatch import fnmatchcase
 from typing import TYPE_CHECKING
 
-from archlint.checks.aside import is_not_installed
+from archlint.analysis.aside import is_not_installed
+from archlint.analysis.completeness import enclosing_class
 from archlint.checks.folding import folds
 from archlint.checks.names import WORDS
 from archlint.checks.registry import Options, finding, rule
-from archlint.checks.whole import enclosing_class
 from archlint.finding import Finding, Fix, Related, Severity
-from archlint.system.launched import key_of
-from archlint.system.model import exclusive
+from archlint.systems.launched import key_of
+from archlint.systems.model import exclusive
 
 if TYPE_CHECKING:
     from archlint.finding import Place
-    from archlint.system.launched import World
-    from archlint.system.model import Endpoint, Node, System
+    from archlint.systems.launched import World
+    from archlint.systems.model import Endpoint, Node, System
 
 ABSOLUTE_BY_CONVENTION = (
     "/tf",

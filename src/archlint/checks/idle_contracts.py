@@ -5,15 +5,15 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Sequence
 from typing import TYPE_CHECKING
 
+from archlint.analysis.links import connections, is_meant
 from archlint.architecture import PACKAGE, REQUIRE, Globs, matches
-from archlint.checks.links import connections, is_meant
-from archlint.checks.near import did_you_mean
 from archlint.checks.required import is_concerned
+from archlint.suggestions import did_you_mean
 
 if TYPE_CHECKING:
     from archlint.architecture import Contract
     from archlint.checks.registry import Options
-    from archlint.system.model import System
+    from archlint.systems.model import System
 
 
 def idle_patterns(systems: Sequence[System], options: Options) -> Iterator[str]:

@@ -8,23 +8,23 @@ from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
+from archlint.analysis.completeness import is_whole, walk
+from archlint.analysis.generated_files import is_generated
 from archlint.checks.folding import folds
-from archlint.checks.generated_files import is_generated
-from archlint.checks.near import did_you_mean, distance, listed
 from archlint.checks.registry import Options, finding, rule
-from archlint.checks.whole import is_whole, walk
-from archlint.facts import model as facts
 from archlint.finding import Finding, Related
-from archlint.program.launch.model import MISSING, NOT_INSTALLED
-from archlint.program.model import ACTION_CLIENT, ACTION_SERVER
-from archlint.system import names
-from archlint.system.instances import instantiate
+from archlint.launch.model import MISSING, NOT_INSTALLED
+from archlint.model import ACTION_CLIENT, ACTION_SERVER
+from archlint.ros import names
+from archlint.suggestions import did_you_mean, distance, listed
+from archlint.syntax import facts
+from archlint.systems.instances import instantiate
 
 if TYPE_CHECKING:
-    from archlint.program.installs import Executable, Installs
-    from archlint.program.launch.model import Remap, Started, UnknownAttribute
-    from archlint.system.launched import World
-    from archlint.system.model import Node, System
+    from archlint.launch.model import Remap, Started, UnknownAttribute
+    from archlint.programs.installs import Executable, Installs
+    from archlint.systems.launched import World
+    from archlint.systems.model import Node, System
 
 
 # ------------------------------------------------------------------------------------------------- LCH001

@@ -9,20 +9,20 @@ from dataclasses import replace
 from itertools import groupby
 from typing import TYPE_CHECKING
 
+from archlint.analysis.completeness import walk
 from archlint.checks.folding import folds
-from archlint.checks.near import did_you_mean, listed
 from archlint.checks.registry import Options, finding, rule
-from archlint.checks.whole import walk
-from archlint.facts import model as facts
-from archlint.facts.walk import called_name
 from archlint.finding import Finding, Related, Severity
-from archlint.program.launch.model import ParameterFileUse
+from archlint.launch.model import ParameterFileUse
+from archlint.suggestions import did_you_mean, listed
+from archlint.syntax import facts
+from archlint.syntax.walk import called_name
 
 if TYPE_CHECKING:
     from archlint.finding import Place
-    from archlint.program.launch.load import LaunchLoader
-    from archlint.program.launch.model import Included, Launched, UndeclaredUse
-    from archlint.system.model import System
+    from archlint.launch.load import LaunchLoader
+    from archlint.launch.model import Included, Launched, UndeclaredUse
+    from archlint.systems.model import System
 
 
 @rule("LCH003")

@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from archlint.checks.near import did_you_mean
+from archlint.suggestions import did_you_mean
 
 if TYPE_CHECKING:
-    from archlint.system.model import System
+    from archlint.systems.model import System
 
 
 def argument_notices(system: System) -> Iterator[str]:

@@ -9,7 +9,7 @@ from archlint.checks.registry import Options, finding, rule
 from archlint.finding import Finding
 
 if TYPE_CHECKING:
-    from archlint.system.model import System
+    from archlint.systems.model import System
 
 
 @rule("LCH008")

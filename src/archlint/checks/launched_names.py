@@ -7,15 +7,15 @@ from typing import TYPE_CHECKING
 
 from archlint.checks.registry import finding
 from archlint.finding import Finding, Related
-from archlint.system import names
-from archlint.system.launched import key_of
-from archlint.system.remap import RemapRule
+from archlint.ros import names
+from archlint.ros.remapping import RemapRule
+from archlint.systems.launched import key_of
 
 if TYPE_CHECKING:
     from archlint.finding import Place
-    from archlint.program.launch.model import Launched, Remap, Started
-    from archlint.program.model import Text
-    from archlint.system.model import Node, System
+    from archlint.launch.model import Launched, Remap, Started
+    from archlint.model import Text
+    from archlint.systems.model import Node, System
 
 
 def names_given_by_launch(system: System) -> Iterator[Finding]:

@@ -6,8 +6,9 @@ from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
-from archlint.checks.callback_roles import runs_in_executor
-from archlint.checks.reach import (
+from archlint.analysis.callback_roles import runs_in_executor
+from archlint.analysis.completeness import walk
+from archlint.analysis.reach import (
     calls_of,
     endpoint_words,
     node_name,
@@ -15,18 +16,17 @@ from archlint.checks.reach import (
     same_expression,
     waits_for_ever,
 )
+from archlint.analysis.stuck import spoken_of
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.starvation import piling_up
-from archlint.checks.stuck import spoken_of
 from archlint.checks.timeouts import kind_of, name_of, way_to
-from archlint.checks.whole import walk
-from archlint.facts import model as facts
-from archlint.facts.walk import called_name, calls_in, statements_of
 from archlint.finding import Finding, Place
+from archlint.syntax import facts
+from archlint.syntax.walk import called_name, calls_in, statements_of
 
 if TYPE_CHECKING:
-    from archlint.program.model import ApiCall, Program
-    from archlint.system.model import System
+    from archlint.model import ApiCall, Program
+    from archlint.systems.model import System
 
 _CALL = "rclpy.client.Client.call"
 _SEND_GOAL = "rclpy.action.client.ActionClient.send_goal"

@@ -7,20 +7,20 @@ from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
-from archlint.checks.callback_roles import related_to
-from archlint.checks.reach import endpoint_words, judged_calls, node_name, one_for_each_place
+from archlint.analysis.callback_roles import related_to
+from archlint.analysis.loop_times import around_future, in_loops, is_retry, watches_the_clock
+from archlint.analysis.reach import endpoint_words, judged_calls, node_name, one_for_each_place
+from archlint.analysis.sleeps import Stay, stay_of
 from archlint.checks.registry import Options, finding, rule
-from archlint.checks.rounds import around_future, in_loops, is_retry, watches_the_clock
-from archlint.checks.sleeps import Stay, stay_of
-from archlint.facts import model as facts
-from archlint.facts.walk import statements_of
 from archlint.finding import Finding, Related, Severity
-from archlint.program.interest import names_in
+from archlint.libraries.interest import names_in
+from archlint.syntax import facts
+from archlint.syntax.walk import statements_of
 
 if TYPE_CHECKING:
     from archlint.finding import Place
-    from archlint.program.model import ApiCall, Program
-    from archlint.system.model import System
+    from archlint.model import ApiCall, Program
+    from archlint.systems.model import System
 
 LONG = 1.0
 """Seconds that a service handler may sleep, all in all: nobody writes an action for less."""

@@ -8,22 +8,15 @@ from typing import TYPE_CHECKING
 
 from archlint.checks.folding import folds
 from archlint.checks.launched_names import is_given_by_launch, is_renamed, names_given_by_launch
-from archlint.checks.near import listed
 from archlint.checks.registry import Options, finding, rule
 from archlint.finding import Finding, Related
-from archlint.program.model import (
-    ACTION_CLIENT,
-    ACTION_SERVER,
-    CLIENT,
-    PUBLISHER,
-    SERVICE,
-    SUBSCRIBER,
-)
-from archlint.system import names
+from archlint.model import ACTION_CLIENT, ACTION_SERVER, CLIENT, PUBLISHER, SERVICE, SUBSCRIBER
+from archlint.ros import names
+from archlint.suggestions import listed
 
 if TYPE_CHECKING:
     from archlint.finding import Place
-    from archlint.system.model import Endpoint, Node, System
+    from archlint.systems.model import Endpoint, Node, System
 
 WORDS = {
     PUBLISHER: "topic",

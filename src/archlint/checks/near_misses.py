@@ -5,13 +5,13 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from archlint.checks.conflicts import certain, in_source_order, meet, named_by_library, seen_together
-from archlint.checks.near import OPPOSITES, distance
+from archlint.analysis.coexistence import certain, in_source_order, meet, named_by_library, seen_together
 from archlint.checks.registry import Options, finding, rule
 from archlint.finding import Finding, Related
+from archlint.suggestions import OPPOSITES, distance
 
 if TYPE_CHECKING:
-    from archlint.system.model import Connection, Endpoint, System
+    from archlint.systems.model import Connection, Endpoint, System
 
 _LONG_WORD = 7
 """From this length on, two edits are a slip; below, one is."""

@@ -7,9 +7,9 @@ from dataclasses import replace
 from itertools import pairwise
 from typing import TYPE_CHECKING
 
-from archlint.checks.callback_roles import runs_in_executor
-from archlint.checks.deadlock import AWAIT, CALL, SPIN, Verdict, related_executor
-from archlint.checks.reach import (
+from archlint.analysis.callback_roles import runs_in_executor
+from archlint.analysis.deadlock import AWAIT, CALL, SPIN, Verdict, related_executor
+from archlint.analysis.reach import (
     endpoint_words,
     node_name,
     one_for_each_place,
@@ -17,18 +17,18 @@ from archlint.checks.reach import (
     related_creation,
     same_expression,
 )
+from archlint.analysis.stuck import nested_waits
+from archlint.analysis.waits import BLOCKING_CALLS, Wait, waits
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.service_cycles import Edge, waits_behind
-from archlint.checks.stuck import nested_waits
-from archlint.checks.waits import BLOCKING_CALLS, Wait, waits
-from archlint.facts import model as facts
 from archlint.finding import Finding, Related, Severity
-from archlint.program.model import ACTION_CLIENT
+from archlint.model import ACTION_CLIENT
+from archlint.syntax import facts
 
 if TYPE_CHECKING:
     from archlint.finding import Place
-    from archlint.program.model import Callback
-    from archlint.system.model import System
+    from archlint.model import Callback
+    from archlint.systems.model import System
 
 _OTHERS_SHOWN = 5
 

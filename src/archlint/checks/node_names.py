@@ -9,12 +9,12 @@ from typing import TYPE_CHECKING
 
 from archlint.checks.registry import Options, finding, rule
 from archlint.finding import Finding, Related
-from archlint.system.model import exclusive, runs_along
+from archlint.systems.model import exclusive, runs_along
 
 if TYPE_CHECKING:
     from archlint.finding import Place
-    from archlint.program.launch.model import Started
-    from archlint.system.model import Node, System
+    from archlint.launch.model import Started
+    from archlint.systems.model import Node, System
 
 Twins = tuple["Node", "Node"]
 

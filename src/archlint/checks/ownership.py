@@ -7,18 +7,18 @@ from dataclasses import astuple, replace
 from itertools import combinations
 from typing import TYPE_CHECKING
 
-from archlint.checks.arbitration import speaks_once, take_turns
-from archlint.checks.aside import is_aside
-from archlint.checks.conflicts import in_source_order, meeting, named_by_library, seen_together
+from archlint.analysis.arbitration import speaks_once, take_turns
+from archlint.analysis.aside import is_aside
+from archlint.analysis.coexistence import in_source_order, meeting, named_by_library, seen_together
+from archlint.analysis.happenings import are_requests, tell_what_happened
+from archlint.analysis.left_over import is_left_over
+from archlint.analysis.sharing import are_words, is_bus, is_state
 from archlint.checks.folding import folds
-from archlint.checks.happenings import are_requests, tell_what_happened
-from archlint.checks.left_over import is_left_over
 from archlint.checks.registry import Options, finding, rule
-from archlint.checks.sharing import are_words, is_bus, is_state
 from archlint.finding import Finding, Related, Severity
 
 if TYPE_CHECKING:
-    from archlint.system.model import Connection, Endpoint, Node, System
+    from archlint.systems.model import Connection, Endpoint, Node, System
 
 SHARED_BY_DESIGN = ("/tf", "/tf_static", "/rosout", "/parameter_events", "/diagnostics", "/joint_states")
 TYPES_SHARED_BY_DESIGN = (

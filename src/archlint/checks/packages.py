@@ -6,17 +6,17 @@ import posixpath
 from collections.abc import Iterable, Iterator
 from typing import TYPE_CHECKING
 
-from archlint.checks.near import did_you_mean, nearest
+from archlint.analysis.completeness import walk
 from archlint.checks.registry import Options, finding, rule
-from archlint.checks.whole import walk
-from archlint.facts import model as facts
 from archlint.finding import Finding
+from archlint.suggestions import did_you_mean, nearest
+from archlint.syntax import facts
 
 if TYPE_CHECKING:
-    from archlint.program.installs import Executable
-    from archlint.program.launch.load import LaunchLoader
-    from archlint.system.launched import World
-    from archlint.system.model import System
+    from archlint.launch.load import LaunchLoader
+    from archlint.programs.installs import Executable
+    from archlint.systems.launched import World
+    from archlint.systems.model import System
 
 
 def world_of(system: System) -> World | None:

@@ -6,8 +6,8 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
+from archlint.analysis.completeness import declares_all
 from archlint.checks.folding import folds
-from archlint.checks.near import did_you_mean, listed
 from archlint.checks.parameters import (
     always_declared,
     called,
@@ -18,13 +18,13 @@ from archlint.checks.parameters import (
     set_nodes,
 )
 from archlint.checks.registry import Options, finding, rule
-from archlint.checks.whole import declares_all
 from archlint.finding import Finding, Place, Related
-from archlint.system.overrides import Setting, applied, key_matches
+from archlint.suggestions import did_you_mean, listed
+from archlint.systems.overrides import Setting, applied, key_matches
 
 if TYPE_CHECKING:
-    from archlint.program.model import Blueprint, ParameterDeclaration
-    from archlint.system.model import Node, System
+    from archlint.model import Blueprint, ParameterDeclaration
+    from archlint.systems.model import Node, System
 
 
 @rule("PRM004")

@@ -6,18 +6,18 @@ import posixpath
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from archlint.checks.near import did_you_mean
+from archlint.analysis.completeness import declares_all, enclosing_function, facts_at, walk
 from archlint.checks.parameters import always_declared, declared_by, followed
 from archlint.checks.registry import Options, finding, rule
-from archlint.checks.whole import declares_all, enclosing_function, facts_at, walk
-from archlint.facts import model as facts
 from archlint.finding import Finding, Place, Related
-from archlint.program.values import Known
+from archlint.interpreter.values import Known
+from archlint.suggestions import did_you_mean
+from archlint.syntax import facts
 
 if TYPE_CHECKING:
-    from archlint.program.model import ApiCall, ParameterDeclaration
-    from archlint.system.launched import World
-    from archlint.system.model import Node, System
+    from archlint.model import ApiCall, ParameterDeclaration
+    from archlint.systems.launched import World
+    from archlint.systems.model import Node, System
 
 
 # ------------------------------------------------------------------------------------------------- PRM003

@@ -6,19 +6,19 @@ import posixpath
 from collections.abc import Iterable, Iterator
 from typing import TYPE_CHECKING
 
-from archlint.checks.near import did_you_mean, listed
+from archlint.analysis.completeness import enclosing_function, in_sight, walk
 from archlint.checks.registry import Options, finding, rule
-from archlint.checks.whole import enclosing_function, in_sight, walk
-from archlint.facts import model as facts
 from archlint.finding import Finding, Place, Related
-from archlint.program.launch.model import EXTERNAL, ParameterFileUse, Started
-from archlint.system.overrides import Setting, applied, key_matches
+from archlint.launch.model import EXTERNAL, ParameterFileUse, Started
+from archlint.suggestions import did_you_mean, listed
+from archlint.syntax import facts
+from archlint.systems.overrides import Setting, applied, key_matches
 
 if TYPE_CHECKING:
-    from archlint.program.launch.model import Included
-    from archlint.program.model import Blueprint, ParameterDeclaration
-    from archlint.system.launched import World
-    from archlint.system.model import Node, System
+    from archlint.launch.model import Included
+    from archlint.model import Blueprint, ParameterDeclaration
+    from archlint.systems.launched import World
+    from archlint.systems.model import Node, System
 
 _ALWAYS = frozenset({"use_sim_time", "start_type_description_service"})
 """Parameters that rclpy declares for every node."""

@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING
 
-from archlint.checks.callback_roles import callback_words, related_to, runs_in_executor
-from archlint.checks.reach import (
+from archlint.analysis.callback_roles import callback_words, related_to, runs_in_executor
+from archlint.analysis.reach import (
     argument,
     calls_of,
     endpoint_words,
@@ -16,14 +16,14 @@ from archlint.checks.reach import (
     related_creation,
 )
 from archlint.checks.registry import Options, finding, rule
-from archlint.facts import model as facts
-from archlint.facts.walk import blocks_in, called_name, calls_in, has_literal_true, statements_of
 from archlint.finding import Finding
-from archlint.program.values import MessageValue
+from archlint.interpreter.values import MessageValue
+from archlint.syntax import facts
+from archlint.syntax.walk import blocks_in, called_name, calls_in, has_literal_true, statements_of
 
 if TYPE_CHECKING:
-    from archlint.program.model import ApiCall, Program
-    from archlint.system.model import System
+    from archlint.model import ApiCall, Program
+    from archlint.systems.model import System
 
 _REQUESTS = ("rclpy.client.Client.call", "rclpy.client.Client.call_async")
 _ENDS_TIMER = ("rclpy.timer.Timer.cancel", "rclpy.node.Node.destroy_timer")

@@ -6,15 +6,15 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from archlint.checks.registry import Options, finding, rule
-from archlint.facts import model as facts
 from archlint.finding import Finding, Place, Related
-from archlint.program.api.effects import creations_of
-from archlint.program.api.rclpy_names import canonical, interface_and_part
-from archlint.program.values import DictValue, EachValue, External, Instance, Known, ListValue, MessageValue, Value
+from archlint.interpreter.values import DictValue, EachValue, External, Instance, Known, ListValue, MessageValue, Value
+from archlint.libraries.rclpy.effects import creations_of
+from archlint.libraries.rclpy.names import canonical, interface_and_part
+from archlint.syntax import facts
 
 if TYPE_CHECKING:
-    from archlint.program.model import ApiCall, Creation
-    from archlint.system.model import System
+    from archlint.model import ApiCall, Creation
+    from archlint.systems.model import System
 
 _SENDS = {
     "rclpy.publisher.Publisher.publish": ("msg", ""),

@@ -5,16 +5,16 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from archlint.checks.delivery import Undelivered, policy_words, undelivered
+from archlint.analysis.delivery import Undelivered, policy_words, undelivered
 from archlint.checks.registry import Options, finding, rule
 from archlint.finding import Finding, Related
-from archlint.program.model import PUBLISHER, SUBSCRIBER
+from archlint.model import PUBLISHER, SUBSCRIBER
 
 if TYPE_CHECKING:
     from archlint.finding import Place
-    from archlint.program.model import Qos
-    from archlint.system.model import Endpoint, System
-    from archlint.system.qos import Verdict
+    from archlint.model import Qos
+    from archlint.ros.qos import Verdict
+    from archlint.systems.model import Endpoint, System
 
 
 @rule("QOS001")

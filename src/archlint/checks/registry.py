@@ -18,18 +18,18 @@ from fnmatch import fnmatchcase
 from typing import TYPE_CHECKING
 
 from archlint import checks
-from archlint.checks.aside import is_aside
+from archlint.analysis.aside import is_aside
 from archlint.checks.merge import depends_on_arguments
 from archlint.faults import Fault
 from archlint.finding import Finding, Place, Related, Severity
 from archlint.rulebook import codes_of, rules
-from archlint.system.variants import Arguments, condition
+from archlint.systems.variants import Arguments, condition
 
 if TYPE_CHECKING:
     from archlint.architecture import Contract, Layers
-    from archlint.config import Settings
-    from archlint.config_values import Glob
-    from archlint.system.model import System
+    from archlint.config.settings import Settings
+    from archlint.config.values import Glob
+    from archlint.systems.model import System
 
 ISSUE_TRACKER = "archlint's issue tracker"
 """Where a failure of ours is reported, as a message words it."""
@@ -113,7 +113,7 @@ _REGISTERED: dict[str, Check] = {}
 
 def rule(code: str, *, taste: bool = False, **defaults: OptionValue) -> Callable[[RuleFunction], RuleFunction]:
     """Register the decorated generator function as the rule with this code; a rule of ``taste`` says nothing of files
-    that are put aside or try something out (:func:`archlint.checks.aside.is_aside`)."""
+    that are put aside or try something out (:func:`archlint.analysis.aside.is_aside`)."""
 
     def register(function: RuleFunction) -> RuleFunction:
         other = _REGISTERED.get(code)
@@ -242,7 +242,7 @@ def failure(fault: Fault) -> Finding:
 def unreadable(file: str, line: int, column: int, message: str, help: str | None = None) -> Finding:
     """The LNT002 finding for what could not be read, or LNT003 where reading failed by a fault of ours; information
     where ``help`` says what brings the file."""
-    from archlint.facts.compile import INTERNAL_ERROR
+    from archlint.syntax.compile import INTERNAL_ERROR
 
     place = Place(file, line, column, line, column)
     if not message.startswith(INTERNAL_ERROR):

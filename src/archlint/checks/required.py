@@ -5,15 +5,15 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
+from archlint.analysis.coexistence import in_source_order
+from archlint.analysis.links import Link, counts, has, is_meant, is_named, launched, links, named
 from archlint.architecture import REQUIRE, Contract, Globs, any_node, matches
-from archlint.checks.conflicts import in_source_order
-from archlint.checks.links import Link, counts, has, is_meant, is_named, launched, links, named
 from archlint.checks.registry import Options, finding, rule
 from archlint.finding import Finding, Related
-from archlint.program.model import ACTION_CLIENT, ACTION_SERVER, CLIENT, PUBLISHER, SERVICE, SUBSCRIBER
+from archlint.model import ACTION_CLIENT, ACTION_SERVER, CLIENT, PUBLISHER, SERVICE, SUBSCRIBER
 
 if TYPE_CHECKING:
-    from archlint.system.model import Connection, Endpoint, Node, System
+    from archlint.systems.model import Connection, Endpoint, Node, System
 
 _ENDS = {
     "topic": ((PUBLISHER, "publish"), (SUBSCRIBER, "subscribe to")),

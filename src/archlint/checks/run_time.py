@@ -11,7 +11,7 @@ from archlint.finding import Finding, Related, Severity
 from archlint.observed.model import DIFFERENT, MISSING, UNEXPECTED
 
 if TYPE_CHECKING:
-    from archlint.system.model import System
+    from archlint.systems.model import System
 
 
 @rule("GRF005")

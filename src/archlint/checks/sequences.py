@@ -6,20 +6,20 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
-from archlint.checks.blocking import AWAIT
-from archlint.checks.callback_roles import callback_words, runs_in_executor
-from archlint.checks.reach import endpoint_words, node_name, one_for_each_place
+from archlint.analysis.blocking import AWAIT
+from archlint.analysis.callback_roles import callback_words, runs_in_executor
+from archlint.analysis.reach import endpoint_words, node_name, one_for_each_place
+from archlint.analysis.waits import Wait, waits
 from archlint.checks.registry import Options, finding, rule
-from archlint.checks.waits import Wait, waits
-from archlint.facts import model as facts
-from archlint.facts.walk import parts_of, statements_of
 from archlint.finding import Finding, Place, Related
-from archlint.program.interest import names_in
-from archlint.program.model import CLIENT
+from archlint.libraries.interest import names_in
+from archlint.model import CLIENT
+from archlint.syntax import facts
+from archlint.syntax.walk import parts_of, statements_of
 
 if TYPE_CHECKING:
-    from archlint.program.model import Creation, Frame
-    from archlint.system.model import System
+    from archlint.model import Creation, Frame
+    from archlint.systems.model import System
 
 
 @dataclass(frozen=True)

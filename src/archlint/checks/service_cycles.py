@@ -6,14 +6,14 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from archlint.checks.reach import once_for_each_system, one_for_each_place
+from archlint.analysis.reach import once_for_each_system, one_for_each_place
+from archlint.analysis.waits import Wait, waits
 from archlint.checks.registry import Options, finding, rule
-from archlint.checks.waits import Wait, waits
 from archlint.finding import Finding, Related
-from archlint.program.model import ACTION_CLIENT, ACTION_SERVER, CLIENT, SERVICE
+from archlint.model import ACTION_CLIENT, ACTION_SERVER, CLIENT, SERVICE
 
 if TYPE_CHECKING:
-    from archlint.system.model import Endpoint, Node, System
+    from archlint.systems.model import Endpoint, Node, System
 
 _SERVER_OF = {CLIENT: SERVICE, ACTION_CLIENT: ACTION_SERVER}
 _HANDLES = {"service": SERVICE, "execute": ACTION_SERVER}

@@ -6,18 +6,18 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
-from archlint.checks.blocking import in_distros
-from archlint.checks.pinned import pinned_distro
-from archlint.checks.reach import node_name, one_for_each_place
+from archlint.analysis.blocking import in_distros
+from archlint.analysis.completeness import facts_at
+from archlint.analysis.pinned import pinned_distro
+from archlint.analysis.reach import node_name, one_for_each_place
 from archlint.checks.registry import Options, finding, rule
-from archlint.checks.whole import facts_at
-from archlint.facts import model as facts
 from archlint.finding import Finding, Place, Related, Severity
+from archlint.syntax import facts
 from archlint.workspace.test_code import is_test_file
 
 if TYPE_CHECKING:
-    from archlint.program.model import Callback
-    from archlint.system.model import System
+    from archlint.model import Callback
+    from archlint.systems.model import System
 
 _PASSED = {
     "subscription": ("the message",),

@@ -6,34 +6,27 @@ from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
-from archlint.checks import blocking
-from archlint.checks.assumptions import dotted
-from archlint.checks.callback_roles import callback_words, related_to, runs_in_executor
-from archlint.checks.deadlock import threads_of
+from archlint.analysis import blocking
+from archlint.analysis.assumptions import dotted
+from archlint.analysis.callback_roles import callback_words, related_to, runs_in_executor
+from archlint.analysis.deadlock import threads_of
+from archlint.analysis.loop_times import around_future, in_loops
+from archlint.analysis.reach import argument, calls_of, creations_of, judged_calls, node_name, one_for_each_place
+from archlint.analysis.sleeps import Stay, longest, stay_of
+from archlint.analysis.spins import spun_node
+from archlint.analysis.stuck import clients_of_handlers, functions_that_ask
 from archlint.checks.folding import folds
-from archlint.checks.reach import (
-    argument,
-    calls_of,
-    creations_of,
-    judged_calls,
-    node_name,
-    one_for_each_place,
-)
 from archlint.checks.registry import Options, finding, rule
-from archlint.checks.rounds import around_future, in_loops
-from archlint.checks.sleeps import Stay, longest, stay_of
-from archlint.checks.spins import spun_node
-from archlint.checks.stuck import clients_of_handlers, functions_that_ask
 from archlint.checks.timeouts import MAKE_IT_EARLIER, made_here
-from archlint.facts import model as facts
-from archlint.facts.walk import calls_in
 from archlint.finding import Finding, Place, Related, Severity
-from archlint.program.model import ACTION_SERVER, GUARD, SERVICE, SUBSCRIBER, TIMER
-from archlint.program.values import Known, alternatives
+from archlint.interpreter.values import Known, alternatives
+from archlint.model import ACTION_SERVER, GUARD, SERVICE, SUBSCRIBER, TIMER
+from archlint.syntax import facts
+from archlint.syntax.walk import calls_in
 
 if TYPE_CHECKING:
-    from archlint.program.model import ApiCall, Blueprint, Callback, Creation, Program
-    from archlint.system.model import System
+    from archlint.model import ApiCall, Blueprint, Callback, Creation, Program
+    from archlint.systems.model import System
 
 MOMENT = 0.1
 """Seconds of a sleep that are not worth a word, unless a loop adds them up."""

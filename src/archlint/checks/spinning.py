@@ -6,31 +6,22 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from archlint.checks import blocking
-from archlint.checks.callback_roles import runs_in_executor
-from archlint.checks.deadlock import related_executor, threads_of
-from archlint.checks.reach import judged_calls, node_name, one_for_each_place, same_expression
+from archlint.analysis import blocking
+from archlint.analysis.callback_roles import runs_in_executor
+from archlint.analysis.completeness import enclosing_function, walk
+from archlint.analysis.deadlock import related_executor, threads_of
+from archlint.analysis.reach import judged_calls, node_name, one_for_each_place, same_expression
+from archlint.analysis.spins import spun_by_several, spun_in_callbacks
 from archlint.checks.registry import Options, finding, rule
-from archlint.checks.spins import spun_by_several, spun_in_callbacks
-from archlint.checks.whole import enclosing_function, walk
-from archlint.facts import model as facts
-from archlint.facts.walk import blocks_of, called_name, calls_in, parts_of
 from archlint.finding import Finding, Place, Related
-from archlint.program.model import (
-    ACTION_CLIENT,
-    ACTION_SERVER,
-    CLIENT,
-    FOR_A_MOMENT,
-    GUARD,
-    SERVICE,
-    SUBSCRIBER,
-    TIMER,
-)
+from archlint.model import ACTION_CLIENT, ACTION_SERVER, CLIENT, FOR_A_MOMENT, GUARD, SERVICE, SUBSCRIBER, TIMER
+from archlint.syntax import facts
+from archlint.syntax.walk import blocks_of, called_name, calls_in, parts_of
 from archlint.workspace.test_code import is_test_file
 
 if TYPE_CHECKING:
-    from archlint.program.model import ApiCall, Blueprint, Callback, Creation, Group, Program
-    from archlint.system.model import System
+    from archlint.model import ApiCall, Blueprint, Callback, Creation, Group, Program
+    from archlint.systems.model import System
 
 _SERVED = {SUBSCRIBER: "subscription", SERVICE: "service", TIMER: "timer", ACTION_SERVER: "action server"}
 _WORKING = frozenset({*_SERVED, CLIENT, ACTION_CLIENT, GUARD})

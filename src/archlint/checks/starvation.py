@@ -6,11 +6,10 @@ from collections.abc import Collection, Iterator
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
-from archlint.checks.blocking import CALL
-from archlint.checks.callback_roles import callback_words, related_to, runs_in_executor
-from archlint.checks.deadlock import judge_wait
-from archlint.checks.polling import notes_that_it_ran, unguarded
-from archlint.checks.reach import (
+from archlint.analysis.blocking import CALL
+from archlint.analysis.callback_roles import callback_words, related_to, runs_in_executor
+from archlint.analysis.deadlock import judge_wait
+from archlint.analysis.reach import (
     argument,
     calls_of,
     endpoint_words,
@@ -18,15 +17,16 @@ from archlint.checks.reach import (
     once_for_each_system,
     one_for_each_place,
 )
+from archlint.analysis.sleeps import longest, stay_of
+from archlint.analysis.waits import DONE, Wait, waits
+from archlint.checks.polling import notes_that_it_ran, unguarded
 from archlint.checks.registry import Options, finding, rule
-from archlint.checks.sleeps import longest, stay_of
-from archlint.checks.waits import DONE, Wait, waits
 from archlint.finding import Finding, Related
 
 if TYPE_CHECKING:
     from archlint.finding import Place
-    from archlint.program.model import ApiCall, ExecutorUse, Program
-    from archlint.system.model import System
+    from archlint.model import ApiCall, ExecutorUse, Program
+    from archlint.systems.model import System
 
 _OFTEN_S = 1.0
 """The longest period of a timer whose ticks are said to come often."""

@@ -6,10 +6,9 @@ from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
-from archlint.checks.callback_roles import runs_in_executor
-from archlint.checks.folding import folds
-from archlint.checks.left_over import is_dead
-from archlint.checks.reach import (
+from archlint.analysis.callback_roles import runs_in_executor
+from archlint.analysis.left_over import is_dead
+from archlint.analysis.reach import (
     argument,
     calls_of,
     creations_of,
@@ -23,16 +22,17 @@ from archlint.checks.reach import (
     same_expression,
     waits_for_ever,
 )
+from archlint.analysis.stuck import spoken_of
+from archlint.checks.folding import folds
 from archlint.checks.registry import Options, finding, rule
-from archlint.checks.stuck import spoken_of
-from archlint.facts import model as facts
-from archlint.facts.walk import called_name, calls_in
 from archlint.finding import Finding, Fix, Place, Related, Severity
-from archlint.program.values import External, Instance, Known
+from archlint.interpreter.values import External, Instance, Known
+from archlint.syntax import facts
+from archlint.syntax.walk import called_name, calls_in
 
 if TYPE_CHECKING:
-    from archlint.program.model import ApiCall, Creation
-    from archlint.system.model import System
+    from archlint.model import ApiCall, Creation
+    from archlint.systems.model import System
 
 WAIT_FOR_SERVICE = "rclpy.client.Client.wait_for_service"
 WAIT_FOR_SERVER = "rclpy.action.client.ActionClient.wait_for_server"

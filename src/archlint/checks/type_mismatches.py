@@ -5,20 +5,13 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from typing import TYPE_CHECKING
 
-from archlint.checks.conflicts import all_endpoints, clashing, in_source_order, seen_together
+from archlint.analysis.coexistence import all_endpoints, clashing, in_source_order, seen_together
 from archlint.checks.registry import Options, finding, rule
 from archlint.finding import Finding, Related
-from archlint.program.model import (
-    ACTION_CLIENT,
-    ACTION_SERVER,
-    CLIENT,
-    PUBLISHER,
-    SERVICE,
-    SUBSCRIBER,
-)
+from archlint.model import ACTION_CLIENT, ACTION_SERVER, CLIENT, PUBLISHER, SERVICE, SUBSCRIBER
 
 if TYPE_CHECKING:
-    from archlint.system.model import Connection, Endpoint, System
+    from archlint.systems.model import Connection, Endpoint, System
 
 _DOES = {
     PUBLISHER: "publishes",

@@ -9,20 +9,20 @@ from collections.abc import Set as AbstractSet
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
-from archlint.checks import ros_packages
-from archlint.checks.near import distance, nearest
 from archlint.checks.packages import world_of
 from archlint.checks.registry import Options, finding, rule
-from archlint.facts import model as facts
+from archlint.engine.suppressions import is_covered
 from archlint.finding import Edit, Finding, Fix, Place, Related
-from archlint.suppressions import is_covered
+from archlint.ros import packages
+from archlint.suggestions import distance, nearest
+from archlint.syntax import facts
 from archlint.workspace.manifest import condition_holds
 
 if TYPE_CHECKING:
-    from archlint.program.launch.load import LaunchLoader
-    from archlint.program.launch.model import Started
-    from archlint.system.launched import World
-    from archlint.system.model import System
+    from archlint.launch.load import LaunchLoader
+    from archlint.launch.model import Started
+    from archlint.systems.launched import World
+    from archlint.systems.model import System
     from archlint.workspace.model import Package
 
 
@@ -129,7 +129,7 @@ class _Known:
         ``arm`` is the metapackage of ``arm_msgs``, or depends on it."""
         first = (needed[:at] for at, letter in enumerate(needed) if letter == "_")
         unread = (one for one in first if one not in self._world.packages)
-        return any(one in there and one not in ros_packages.table().brings for one in unread)
+        return any(one in there and one not in packages.table().brings for one in unread)
 
 
 def _package_around(world: World, folder: str) -> Package | None:
@@ -171,7 +171,7 @@ def _there(world: World, package: Package) -> frozenset[str]:
 def _brought_by(name: str, world: World) -> set[str]:
     package = world.packages.get(name)
     if package is None:
-        return set(ros_packages.table().brings.get(name, ()))
+        return set(packages.table().brings.get(name, ()))
     return {d.name for d in package.dependencies if d.kind in _AT_RUN_TIME and condition_holds(d.condition)}
 
 
@@ -196,7 +196,7 @@ def _imported(world: World) -> Iterator[Use]:
         of_launch = file.kind == "launch_python" or "/launch/" in f"/{file.relative}"
         for statement in _unguarded(found.body):
             names = [n for n, _ in statement.names] if isinstance(statement, facts.ImportFrom) else []
-            needed = ros_packages.package_of_module(statement.module, names, has_module)
+            needed = packages.package_of_module(statement.module, names, has_module)
             if needed is None or (of_launch and needed in _OF_ROS2_LAUNCH):
                 continue
             if not loader.is_local(file, statement.module):
@@ -283,7 +283,7 @@ def _message(world: World, package: Package, first: Use, needed: Sequence[str]) 
 
 def _hint(world: World, package: Package, use: Use) -> str:
     """The declared name that was meant, if no package is called so."""
-    there = ros_packages.table().names | world.packages.keys()
+    there = packages.table().names | world.packages.keys()
     declared = {d.name for d in package.dependencies} - there - {use.needed}
     near = nearest(use.needed, declared)
     meant = near is not None and distance(use.needed, near, 2) <= 2
@@ -332,7 +332,7 @@ def _fix(world: World, package: Package, needed: Sequence[str]) -> Fix | None:
     Only packages that are known: those of this workspace and those of rosdistro.  Format 1 refuses one that is
     declared for tests, too."""
     taken = {d.name for d in package.dependencies if package.format == 1}
-    known = world.packages.keys() | ros_packages.table().names
+    known = world.packages.keys() | packages.table().names
     names = [name for name in needed if name in known and name not in taken]
     text = None if world.loader is None else world.loader.tree.text(package.manifest.relative)
     lines = [] if text is None else text.splitlines()

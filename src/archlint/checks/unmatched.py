@@ -6,26 +6,19 @@ from collections.abc import Iterator, Mapping
 from fnmatch import fnmatchcase
 from typing import TYPE_CHECKING
 
-from archlint.checks.conflicts import certain, in_source_order, named_by_library
+from archlint.analysis.coexistence import certain, in_source_order, named_by_library
+from archlint.analysis.completeness import declares_all
+from archlint.analysis.completeness import in_sight as followed
 from archlint.checks.near_misses import nearly_equal
 from archlint.checks.ownership import SHARED_BY_DESIGN, TYPES_SHARED_BY_DESIGN
 from archlint.checks.registry import Options, finding, rule
-from archlint.checks.whole import declares_all
-from archlint.checks.whole import in_sight as followed
 from archlint.finding import Finding, Related
-from archlint.program.model import (
-    ACTION_CLIENT,
-    ACTION_SERVER,
-    CLIENT,
-    PUBLISHER,
-    SERVICE,
-    SUBSCRIBER,
-)
-from archlint.system.implicit import implicit_names
+from archlint.model import ACTION_CLIENT, ACTION_SERVER, CLIENT, PUBLISHER, SERVICE, SUBSCRIBER
+from archlint.systems.implicit import implicit_names
 
 if TYPE_CHECKING:
-    from archlint.system.launched import World
-    from archlint.system.model import Connection, Endpoint, Node, System
+    from archlint.systems.launched import World
+    from archlint.systems.model import Connection, Endpoint, Node, System
 
 _FOR_TOOLS = (*SHARED_BY_DESIGN, "/robot_description")
 """Topics that tools such as RViz and the diagnostics aggregator listen to."""

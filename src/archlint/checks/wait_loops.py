@@ -6,25 +6,19 @@ from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
-from archlint.checks.callback_roles import runs_in_executor
-from archlint.checks.left_over import is_dead
-from archlint.checks.reach import (
-    calls_of,
-    creations_of,
-    endpoint_words,
-    has_limit,
-    node_name,
-)
+from archlint.analysis.callback_roles import runs_in_executor
+from archlint.analysis.left_over import is_dead
+from archlint.analysis.reach import calls_of, creations_of, endpoint_words, has_limit, node_name
+from archlint.analysis.stuck import clients_of_handlers
 from archlint.checks.registry import Options, finding, rule
-from archlint.checks.stuck import clients_of_handlers
 from archlint.checks.timeouts import READY, WAIT_FOR_SERVER, WAIT_FOR_SERVICE, way_to
-from archlint.facts import model as facts
-from archlint.facts.walk import calls_in
 from archlint.finding import Finding, Place, Severity
+from archlint.syntax import facts
+from archlint.syntax.walk import calls_in
 
 if TYPE_CHECKING:
-    from archlint.program.model import ApiCall
-    from archlint.system.model import System
+    from archlint.model import ApiCall
+    from archlint.systems.model import System
 
 _ASKS = frozenset({"wait_for_service", "wait_for_server", "service_is_ready", "server_is_ready"})
 """Methods that tell whether a server is there."""

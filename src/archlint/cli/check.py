@@ -24,10 +24,10 @@ from archlint.cli.options import (
     paths_of,
     settings_of,
 )
+from archlint.engine.pipeline import NothingToDo, Request, check, graph
 from archlint.finding import Severity
 from archlint.report.model import Report, statistics, summary_line
 from archlint.report.paths import folder_in_repository
-from archlint.session import NothingToDo, Request, check, graph
 
 
 def parser() -> argparse.ArgumentParser:
@@ -154,7 +154,7 @@ def _tell(report: Report, request: Request, arguments: argparse.Namespace) -> No
 
 def _shape(request: Request) -> str:
     """The architecture pattern of what was checked, with its figures."""
-    from archlint.system import pattern
+    from archlint.systems import pattern
 
     try:
         return "\n".join(pattern.words(pattern.figures(graph(request))))

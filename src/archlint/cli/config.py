@@ -14,7 +14,7 @@ from archlint.finding import Severity
 from archlint.visible import visible
 
 if TYPE_CHECKING:
-    from archlint.config import Glob, Settings
+    from archlint.config.settings import Glob, Settings
 
 
 def parser() -> argparse.ArgumentParser:
@@ -68,7 +68,7 @@ def _architecture(settings: Settings) -> Iterator[tuple[str, object]]:
 
 
 def _toml(value: object) -> str:
-    from archlint.config import Glob
+    from archlint.config.settings import Glob
 
     if isinstance(value, Mapping):
         inner = ", ".join(f"{json.dumps(_key(key))} = {_toml(one)}" for key, one in value.items())

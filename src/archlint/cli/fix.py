@@ -6,13 +6,13 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from archlint.cli.exits import UsageError
+from archlint.engine.pipeline import check
 from archlint.fixes import apply as fixes
-from archlint.session import check
 
 if TYPE_CHECKING:
+    from archlint.engine.pipeline import Request
     from archlint.finding import Finding
     from archlint.report.model import Report
-    from archlint.session import Request
 
 ROUNDS = 8
 """How often a file is mended again, where fixes were in each other's way."""

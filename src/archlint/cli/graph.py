@@ -22,11 +22,11 @@ from archlint.cli.options import (
     paths_of,
     settings_of,
 )
-from archlint.session import NothingToDo, Request, graph
+from archlint.engine.pipeline import NothingToDo, Request, graph
 
 if TYPE_CHECKING:
     from archlint.observed.model import Comparison
-    from archlint.system.model import System
+    from archlint.systems.model import System
 
 
 def parser() -> argparse.ArgumentParser:

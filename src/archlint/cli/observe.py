@@ -30,5 +30,5 @@ def parser() -> argparse.ArgumentParser:
 def run(arguments: argparse.Namespace) -> int:
     if not arguments.print_script:
         raise UsageError("archlint runs no ROS itself: `archlint observe --print-script` prints the script to run")
-    console.write(files("archlint").joinpath("recorder.py").read_text("utf-8"), arguments.file)
+    console.write(files("archlint.observed").joinpath("recorder.py").read_text("utf-8"), arguments.file)
     return CLEAN

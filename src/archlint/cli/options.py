@@ -12,10 +12,10 @@ from typing import TYPE_CHECKING, NoReturn
 
 from archlint.cli import COMMANDS
 from archlint.cli.exits import UsageError
-from archlint.config import ConfigurationError, Settings, load
-from archlint.config_values import unknown_rule
+from archlint.config.selection import Layer
+from archlint.config.settings import ConfigurationError, Settings, load
+from archlint.config.values import unknown_rule
 from archlint.rulebook import codes_of
-from archlint.selection import Layer
 
 if TYPE_CHECKING:
     from archlint.observed.model import Observed

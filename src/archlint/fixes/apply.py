@@ -13,8 +13,8 @@ from typing import TYPE_CHECKING
 from xml.parsers import expat
 
 from archlint.disk import replace_file
-from archlint.facts.safe_yaml import YamlError, YamlReader
 from archlint.fixes.source import Source, read
+from archlint.syntax.safe_yaml import YamlError, YamlReader
 
 if TYPE_CHECKING:
     from archlint.finding import Finding, Fix

@@ -1,1 +1,1 @@
-"""What a running system says of itself: read from a file, held by ``checks/compared.py`` against the source."""
+"""What a running system says of itself: read from a file, held by ``analysis/comparison.py`` against the source."""

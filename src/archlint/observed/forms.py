@@ -14,11 +14,11 @@ from typing import Any, TypeVar
 import msgspec
 from msgspec import Struct, field
 
-from archlint.facts.safe_yaml import YamlError, YamlReader
+from archlint import model as program
 from archlint.finding import Place
+from archlint.model import Qos
 from archlint.observed.model import BAG, MONITOR, RECORDING, Observed, SeenEnd, SeenNode, SeenParameter, SeenTopic
-from archlint.program import model as program
-from archlint.program.model import Qos
+from archlint.syntax.safe_yaml import YamlError, YamlReader
 
 VERSION = 1
 """The newest version of a recording that is understood."""

@@ -7,10 +7,10 @@ import json
 from pathlib import Path
 from typing import Any
 
-from archlint.facts.safe_yaml import YamlError, YamlReader
 from archlint.observed import forms
 from archlint.observed.forms import NotOfThisForm
 from archlint.observed.model import Observed
+from archlint.syntax.safe_yaml import YamlError, YamlReader
 
 LARGEST = 64_000_000
 """Bytes; a graph of a thousand nodes has about five million."""

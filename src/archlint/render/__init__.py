@@ -9,7 +9,7 @@ from collections.abc import Callable
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
-    from archlint.system.model import System
+    from archlint.systems.model import System
 
     Renderer = Callable[[System], "str | bytes"]
     """Raises :class:`archlint.render.drawing.CannotDraw` where a picture needs a missing Graphviz."""

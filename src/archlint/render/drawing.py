@@ -14,7 +14,7 @@ from importlib.util import find_spec
 
 from archlint.render import dot, look
 from archlint.render.picture import graph_of
-from archlint.system.model import System
+from archlint.systems.model import System
 
 TIME_LIMIT = 30
 """Seconds that a layout may take."""

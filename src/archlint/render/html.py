@@ -15,8 +15,8 @@ from typing import TYPE_CHECKING, Any
 from archlint.render import dot, drawing, look
 from archlint.render.html_parts import SCRIPT, STYLE
 from archlint.render.picture import graph_of
-from archlint.system.graph import NODE
-from archlint.system.model import System
+from archlint.systems.graph import NODE
+from archlint.systems.model import System
 from archlint.visible import visible
 
 if TYPE_CHECKING:

@@ -11,15 +11,15 @@ from collections.abc import Iterable
 from pathlib import PurePath
 from typing import TYPE_CHECKING, Any
 
-from archlint.checks.delivery import undelivered_on
-from archlint.facts.parameters import NotKnown
-from archlint.program import model as program
-from archlint.program.model import Creation, ParameterDeclaration, Qos
-from archlint.system.model import Connection, Endpoint, Node, System
+from archlint import model as program
+from archlint.analysis.delivery import undelivered_on
+from archlint.model import Creation, ParameterDeclaration, Qos
+from archlint.syntax.parameter_files import NotKnown
+from archlint.systems.model import Connection, Endpoint, Node, System
 
 if TYPE_CHECKING:
     from archlint.observed.model import Comparison, Difference
-    from archlint.system.overrides import Setting
+    from archlint.systems.overrides import Setting
 
 VERSION = 1
 

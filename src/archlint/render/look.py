@@ -6,9 +6,9 @@ from collections import Counter
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
-from archlint.program.model import Qos
-from archlint.system.graph import NODE
-from archlint.system.model import Endpoint, Node
+from archlint.model import Qos
+from archlint.systems.graph import NODE
+from archlint.systems.model import Endpoint, Node
 from archlint.visible import visible
 
 if TYPE_CHECKING:

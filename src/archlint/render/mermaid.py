@@ -10,8 +10,8 @@ from typing import TYPE_CHECKING, Any
 
 from archlint.render import look
 from archlint.render.picture import graph_of
-from archlint.system.graph import NODE, Key
-from archlint.system.model import System
+from archlint.systems.graph import NODE, Key
+from archlint.systems.model import System
 from archlint.visible import visible
 
 if TYPE_CHECKING:

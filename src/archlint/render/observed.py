@@ -9,18 +9,18 @@ from __future__ import annotations
 import re
 from typing import TYPE_CHECKING, Any
 
+from archlint.model import Blueprint, Creation, Text
 from archlint.observed.model import DIFFERENT, MISSING, UNEXPECTED, Comparison, Difference, SeenEnd, SeenNode
-from archlint.program.model import Blueprint, Creation, Text
-from archlint.system.graph import INTERFACE_OF, NODE, TOPIC, Key, interface_key
-from archlint.system.implicit import implicit_names
-from archlint.system.model import Endpoint, Node
-from archlint.system.names import is_hidden
+from archlint.ros.names import is_hidden
+from archlint.systems.graph import INTERFACE_OF, NODE, TOPIC, Key, interface_key
+from archlint.systems.implicit import implicit_names
+from archlint.systems.model import Endpoint, Node
 
 if TYPE_CHECKING:
     import networkx
 
     from archlint.finding import Place
-    from archlint.system.model import System
+    from archlint.systems.model import System
 
 _PACKAGE = re.compile(r"^\w+/(msg|srv|action)/")
 """What a picture leaves out of a type."""

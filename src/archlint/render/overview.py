@@ -6,7 +6,7 @@ from collections import Counter
 from typing import TYPE_CHECKING
 
 from archlint.render import look
-from archlint.system.graph import NODE
+from archlint.systems.graph import NODE
 
 if TYPE_CHECKING:
     import networkx

@@ -4,19 +4,19 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from archlint.checks.delivery import undelivered
+from archlint.analysis.delivery import undelivered
 from archlint.render.observed import mark
-from archlint.system.graph import to_networkx
-from archlint.system.model import System
+from archlint.systems.graph import to_networkx
+from archlint.systems.model import System
 
 if TYPE_CHECKING:
     import networkx
 
-    from archlint.system.model import Endpoint
+    from archlint.systems.model import Endpoint
 
 
 def graph_of(system: System) -> networkx.MultiDiGraph:
-    """As :func:`~archlint.system.graph.to_networkx`; each edge also has ``broken``: why no message gets through, or
+    """As :func:`~archlint.systems.graph.to_networkx`; each edge also has ``broken``: why no message gets through, or
     an empty text.  Where the system was held against a running one, :mod:`archlint.render.observed` marks that."""
     graph = to_networkx(system)
     reasons = broken_ends(system)

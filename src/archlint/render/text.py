@@ -5,16 +5,16 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from functools import partial
 
-from archlint.checks.delivery import undelivered_on
-from archlint.facts.parameters import NotKnown
+from archlint import model as program
+from archlint.analysis.delivery import undelivered_on
+from archlint.model import Creation, ParameterDeclaration
 from archlint.observed.model import DIFFERENT, MISSING, UNEXPECTED, Difference
 from archlint.observed.words import comparison_words
-from archlint.program import model as program
-from archlint.program.model import Creation, ParameterDeclaration
 from archlint.render import json, look
-from archlint.system.externals import connections_of_externals, remapped_names
-from archlint.system.model import Connection, Endpoint, Node, System
-from archlint.system.overrides import Setting
+from archlint.syntax.parameter_files import NotKnown
+from archlint.systems.externals import connections_of_externals, remapped_names
+from archlint.systems.model import Connection, Endpoint, Node, System
+from archlint.systems.overrides import Setting
 from archlint.visible import visible
 
 _VERBS = {
@@ -218,7 +218,7 @@ def _names(endpoints: Sequence[Endpoint], paint: Paint) -> str:
 
 def _shape(system: System, paint: Paint) -> Iterator[str]:
     """Which architecture pattern the system resembles, with its figures."""
-    from archlint.system import pattern
+    from archlint.systems import pattern
 
     if system.nodes:
         yield paint("shape", "title")

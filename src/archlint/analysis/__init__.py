@@ -1,0 +1,1 @@
+"""What rules ask of a system: waits, deadlocks, delivery, what reaches what."""

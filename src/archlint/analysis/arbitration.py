@@ -1,0 +1,203 @@
+"""Publishers of one topic that do not speak at once: somebody tells them whose turn it is, or they speak only once."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from typing import TYPE_CHECKING
+
+from archlint.analysis.completeness import facts_at, walk
+from archlint.analysis.left_over import idle_methods, kept_calls
+from archlint.analysis.reach import creations_of, once_for_each_system
+from archlint.model import CLIENT, PUBLISHER, SERVICE, SUBSCRIBER
+from archlint.syntax import facts
+from archlint.syntax.walk import blocks_in, called_name, calls_in, parts_of, statements_of
+
+if TYPE_CHECKING:
+    from archlint.finding import Place
+    from archlint.model import ApiCall
+    from archlint.systems.model import Endpoint, Node, System
+
+_PUBLISH = "rclpy.publisher.Publisher.publish"
+_WORD = frozenset({"Bool", "String", "Int8", "Int16", "Int32", "Int64", "UInt8", "UInt16", "UInt32", "UInt64"})
+_WORDS = frozenset({f"std_msgs/msg/{name}" for name in _WORD} | {"std_srvs/srv/SetBool", "std_srvs/srv/Trigger"})
+"""Messages and requests that can say whose turn it is; measurements have types of their own."""
+_HALTS = frozenset(
+    {"collision", "emergency", "estop", "fault", "halt", "kill", "obstacle", "obstacles", "pause", "safety", "stop"}
+)
+"""Words for what makes every publisher stop: that does not choose one of them."""
+_ONCE = frozenset({"init", "main", "module"})
+
+_Word = tuple[str, str]
+"""The kind and the final name of a topic or service."""
+
+
+def take_turns(system: System, owners: Sequence[Endpoint]) -> bool:
+    """Whether each publisher asks a word that it is told before it publishes: the same topic as the others, which one
+    of them may give instead of asking it, or a service of its own that turns it on and off."""
+    asked = [(owner.node, _asks(system, owner)) for owner in owners]
+    givers = {id(node): node for node, words in asked if not words}
+    if len(givers) > 1:
+        return False
+    asking = [words for node, words in asked if id(node) not in givers]
+    common = frozenset.intersection(*asking) if asking else frozenset()
+    for giver in givers.values():
+        return bool(common & _gives(giver))
+    return bool(common) or all(any(kind == SERVICE for kind, _ in words) for words in asking)
+
+
+def speaks_once(system: System, owner: Endpoint) -> bool:
+    """Whether a publisher says something only as its program starts or ends: no callback, thread or loop does."""
+    calls = _publishes(system).get(owner.place, [])
+    return bool(calls) and all(call.context.role in _ONCE and not call.looped for call in calls)
+
+
+@once_for_each_system
+def _publishes(system: System) -> dict[Place, list[ApiCall]]:
+    """What is published, by the place where the publisher is made."""
+    found: dict[Place, list[ApiCall]] = {}
+    for call in system.calls:
+        if call.api == _PUBLISH:
+            for creation in creations_of(call.receiver):
+                found.setdefault(creation.place, []).append(call)
+    return found
+
+
+def _asks(system: System, owner: Endpoint) -> frozenset[_Word]:
+    """The words that a publisher asks; none where it publishes anything without asking, or where that is not seen."""
+    told = _told(owner.node)
+    found = facts_at(system.world, owner.place.file) if told and system.world is not None else None
+    if found is None:
+        return frozenset()
+    kept = kept_calls(found).get((owner.place.line, owner.place.column))
+    cls = _class_around(found, owner.place)
+    if kept is None or cls is None:
+        return frozenset()
+    answers = {
+        callback.function.name: (end.kind, end.name)
+        for end in owner.node.of_kind(SUBSCRIBER, SERVICE)
+        for callback in end.creation.callbacks.values()
+        if isinstance(callback.function, facts.Function) and end.name is not None
+    }
+    here = {name: words for (file, name), words in told.items() if file == owner.place.file}
+    called = [item for item in cls.body if isinstance(item, facts.Function) and item.name not in idle_methods(found)]
+    return _Source(called, here, answers).before(kept, owner.place.line)
+
+
+class _Source:
+    """The methods of a class in which publishing is looked for: ``told`` are the attributes that words set, ``answers``
+    the words by the method that takes them in."""
+
+    def __init__(
+        self, methods: Sequence[facts.Function], told: dict[str, set[_Word]], answers: dict[str, _Word]
+    ) -> None:
+        self.methods = methods
+        self.told = told
+        self.answers = answers
+        self.waiting: set[str] = set()
+
+    def before(self, attribute: str, made: int) -> frozenset[_Word]:
+        """The words that are asked before an attribute is used anywhere but in the line where it is set; none where
+        one use asks none.  A word's own method may use it, as where a node that is turned off says zero once."""
+        uses = [
+            (method, part)
+            for method in self.methods
+            for part in parts_of(method.body)
+            if isinstance(part, facts.Attribute) and part.attr == attribute and not made <= part.span[0] <= made
+        ]
+        asked = [(method, self._on_the_way(method, part.span[0])) for method, part in uses]
+        words = frozenset(word for _, some in asked for word in some)
+        return words if all(some or self.answers.get(one.name) in words for one, some in asked) else frozenset()
+
+    def _on_the_way(self, method: facts.Function, line: int) -> frozenset[_Word]:
+        """The words that are asked in a method before a line, or else before the method is called, wherever it is."""
+        names = (name for test in _guards(method.body, line) for name in _of_self(test))
+        here = frozenset(word for name in names for word in self.told.get(name, ()))
+        if here or method.name in self.waiting or method.name.startswith("__"):
+            return here
+        self.waiting.add(method.name)
+        above = self.before(method.name, 0)
+        self.waiting.discard(method.name)
+        return above
+
+
+def _class_around(found: facts.Facts, place: Place) -> facts.Class | None:
+    around = [item for item in walk(found.body) if isinstance(item, facts.Class) and _is_in(place.line, item)]
+    return max(around, key=lambda one: one.span[0], default=None)
+
+
+def _told(node: Node) -> dict[tuple[str, str], set[_Word]]:
+    """The attributes of ``self``, with their file, that callbacks for such words set."""
+    found: dict[tuple[str, str], set[_Word]] = {}
+    for end in node.of_kind(SUBSCRIBER, SERVICE):
+        if end.type not in _WORDS or end.name is None or _halts(end.name):
+            continue
+        for callback in end.creation.callbacks.values():
+            for attribute in _sets(callback.function):
+                found.setdefault((callback.place.file, attribute), set()).add((end.kind, end.name))
+    return found
+
+
+def _halts(name: str) -> bool:
+    return not _HALTS.isdisjoint(name.lower().replace("/", "_").split("_"))
+
+
+def _sets(function: facts.Function | facts.Lambda | None) -> set[str]:
+    """The attributes of ``self`` that a callback sets, or hands to a function together with its message."""
+    if not isinstance(function, facts.Function) or not function.params:
+        return set()
+    message = {param.name for param in function.params[1:]}
+    found: set[str] = set()
+    for statement in statements_of(function.body):
+        if isinstance(statement, facts.Assign):
+            found.update(name for target in statement.targets for name in _of_self(target))
+    for call in calls_in(function.body):
+        given = [part for argument in call.args for part in parts_of(argument.value)]
+        if any(isinstance(part, facts.Name) and part.id in message for part in given):
+            found.update(name for argument in call.args for name in _of_self(argument.value))
+    return found
+
+
+def _of_self(expression: facts.Base) -> Iterator[str]:
+    for part in parts_of(expression):
+        if isinstance(part, facts.Attribute) and isinstance(part.value, facts.Name) and part.value.id == "self":
+            yield part.attr
+
+
+def _guards(body: Sequence[facts.Stmt], line: int) -> Iterator[facts.Expr]:
+    """The conditions of which one outcome keeps a body from getting to a line."""
+    for statement in body:
+        if not _is_in(line, statement):
+            if isinstance(statement, facts.If) and statement.body and _leaves(statement.body[-1]):
+                yield statement.test
+            continue
+        if isinstance(statement, facts.While) or (isinstance(statement, facts.If) and not _speaks_anyway(statement)):
+            yield statement.test
+        for block in blocks_in(statement):
+            if any(_is_in(line, one) for one in block):
+                yield from _guards(block, line)
+        return
+
+
+def _leaves(statement: facts.Stmt) -> bool:
+    jumps = isinstance(statement, facts.Jump) and statement.kind != "pass"
+    return jumps or isinstance(statement, (facts.Return, facts.Raise))
+
+
+def _speaks_anyway(statement: facts.If) -> bool:
+    """Whether both arms publish: the condition then chooses what is said, not whether."""
+    arms = (statement.body, statement.orelse)
+    return all(any(called_name(call) == "publish" for call in calls_in(arm)) for arm in arms)
+
+
+def _is_in(line: int, item: facts.Stmt) -> bool:
+    span: tuple[int, int, int, int] | None = getattr(item, "span", None)
+    return span is not None and span[0] <= line <= span[2]
+
+
+def _gives(node: Node) -> frozenset[_Word]:
+    """The words that a node says to others, as :func:`_told` names them."""
+    to_user = {PUBLISHER: SUBSCRIBER, CLIENT: SERVICE}
+    return frozenset((to_user[end.kind], end.name) for end in node.of_kind(PUBLISHER, CLIENT) if end.name is not None)
+
+
+__all__ = ["speaks_once", "take_turns"]

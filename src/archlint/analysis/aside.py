@@ -1,0 +1,106 @@
+"""Code in which nobody wants to hear what could be better: it is put aside, or there to try something out.
+
+Rules that judge the taste of code, and not whether it works, ask here.
+"""
+
+from __future__ import annotations
+
+import re
+from functools import lru_cache
+from typing import TYPE_CHECKING
+
+from archlint.syntax import facts
+from archlint.workspace.test_code import is_put_aside, is_trial_file
+
+if TYPE_CHECKING:
+    from archlint.launch.load import LaunchLoader
+    from archlint.programs.installs import Installs
+    from archlint.systems.launched import World
+
+
+def is_aside(world: World | None, file: str) -> bool:
+    """Whether a file is a trial, or put aside and no launch file of what is in use starts a node of it."""
+    if is_trial_file(file):
+        return True
+    return is_put_aside(file) and (world is None or file not in _in_use(world))
+
+
+@lru_cache(maxsize=2)
+def _in_use(world: World) -> frozenset[str]:
+    """The files of the nodes that launch files start which are not put aside themselves."""
+    return frozenset(
+        blueprint.place.file
+        for system in world.systems
+        if system.name is not None and not is_put_aside(system.name)
+        for node in system.nodes
+        for blueprint in node.blueprints
+    )
+
+
+def is_not_installed(world: World | None, file: str) -> bool:
+    """Whether a script is in a package that installs programs, but is none of them, and none of them imports it: only
+    who knows where it lies can start it.  So it is with scripts beside the packages of a workspace, and what they
+    import."""
+    if world is None or world.loader is None or file in _in_use(world):
+        return False
+    package = world.loader.package_of(file)
+    if package is None and world.manifests:
+        return file in _stray(world) and file not in _reached(world.loader)
+    installs = None if package is None else world.installs.get(package)
+    if installs is None or installs.open_executables or not installs.executables:
+        return False
+    if not file.startswith(f"{installs.folder}/") and installs.folder not in ("", "."):
+        return False  # another package of that name
+    return _is_script(world, file) and not _is_named(world, installs, file) and file not in _reached(world.loader)
+
+
+@lru_cache(maxsize=2)
+def _stray(world: World) -> frozenset[str]:
+    """The scripts that lie beside the packages, and all that they import."""
+    loader = world.loader
+    assert loader is not None
+    beside = [file.relative for file, _ in loader.python_facts() if file.kind == "python" and file.package is None]
+    return loader.reached_from(path for path in beside if _is_script(world, path))
+
+
+def _is_script(world: World, file: str) -> bool:
+    found = None if world.loader is None else world.loader.facts_at(file)
+    return found is not None and any(
+        isinstance(one, facts.If)
+        and isinstance(one.test, facts.Compare)
+        and isinstance(one.test.left, facts.Name)
+        and one.test.left.id == "__name__"
+        for one in found.body
+    )
+
+
+def _is_named(world: World, installs: Installs, file: str) -> bool:
+    """Whether the files that build the package mention a script, or a launch file does so as a file or a module."""
+    loader = world.loader
+    assert loader is not None
+    stem = file.rpartition("/")[2].removesuffix(".py")
+    same = installs.executables.get(stem)
+    if same is not None and same.module is not None and file not in loader.files_named(same.package, same.module):
+        return False  # that name means another file
+    if stem in installs.words or f"{stem}.py" in installs.words or stem in installs.executables:
+        return True
+    built = [f"{installs.folder}/{name}".removeprefix("./") for name in ("setup.py", "setup.cfg", "pyproject.toml")]
+    if any(loader.mentions(path, stem) for path in built):
+        return True
+    # A launch file starts executables by their names, and this file is none: only as a file or a module can it run.
+    return any(_mentions_file(loader, path, stem) for path in loader.launch_files())
+
+
+def _mentions_file(loader: LaunchLoader, path: str, stem: str) -> bool:
+    """Whether ``stem.py``, or a module of that name in a package (``robot.stem``), stands anywhere in a file."""
+    text, name = loader.tree.text(path), re.escape(stem)
+    return text is not None and re.search(rf"(?<!\w){name}\.py(?!\w)|\w\.{name}(?![\w(])", text) is not None
+
+
+@lru_cache(maxsize=2)
+def _reached(loader: LaunchLoader) -> frozenset[str]:
+    """The files that installed programs and launch files are, and all that these import."""
+    return loader.in_use()
+
+
+__all__ = ["is_aside", "is_not_installed"]

@@ -1,0 +1,187 @@
+"""What becomes of a wait inside a callback, as data: one row a form of waiting, executor and callback group.
+
+The answer to a request is an entity of the client's callback group.  It can be taken only while a thread of
+the executor is free and that group is not held; a mutually exclusive group is held from a callback's start
+until it has ended, also across ``await``.  The rows were gained by running rclpy's own executors of all
+supported distributions, and they differ only where a row says so; ``benchmarks/executors`` tries them again on
+jazzy and kilted.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass
+
+from archlint.config.settings import DISTROS
+
+CALL = "call"
+"""The thread stands still until the answer is there: ``call``, ``send_goal``, a loop, an event."""
+LIMITED_CALL = "call with a limit"
+"""The same with a limit that the code sets itself: an event's, or a clock in a loop."""
+TIMED_CALL = "call with timeout_sec"
+"""``Client.call(request, timeout_sec=…)``."""
+AWAIT = "await"
+"""The callback is put aside until the answer is there; the thread is free meanwhile."""
+SPIN = "spin"
+"""The callback spins its node, on the executor that is running."""
+LIMITED_SPIN = "spin with a limit"
+STEAL = "spin on another executor"
+"""The callback spins its node on an executor that does not run it."""
+LIMITED_STEAL = "spin on another executor with a limit"
+RATE = "rate"
+"""``Rate.sleep()``: the rate's timer has a group of its own."""
+RESULT = "result at once"
+"""``future.result()`` straight after ``call_async()``."""
+
+ONE = "one thread"
+SEVERAL = "several threads"
+NOBODY = "nobody seen to spin it"
+ANY = "executor not known"
+
+SAME = "same group"
+OTHER = "other group"
+REENTRANT = "reentrant group"
+UNCLEAR = "group not known"
+
+FINE = "works"
+HANGS = "hangs for ever"
+TIMES_OUT = "hangs until the timeout"
+NO_SUCH_ARGUMENT = "raises TypeError (call() has no timeout_sec)"
+GIVES_NONE = "hangs until the timeout and gives None"
+RAISES_TIMEOUT = "hangs until the timeout and raises TimeoutError"
+RAISES_NESTED = "raises 'Executor is already spinning'"
+STRANDS = "takes the node from its executor, so that none of its callbacks runs again"
+NONE_AT_ONCE = "gives None, for the answer is not there yet"
+UNKNOWN = "may hang"
+
+NESTED_SINCE = {"jazzy": "7.1.9", "kilted": "9.1.5"}
+"""The rclpy that first refuses a nested spin: before, these distributions let it in, as humble does."""
+
+Outcomes = Mapping[str, str]
+"""The outcome in each distribution."""
+
+
+def _everywhere(outcome: str) -> dict[str, str]:
+    return dict.fromkeys(DISTROS, outcome)
+
+
+def _humble_and_later(humble: str, later: str) -> dict[str, str]:
+    return {distro: humble if distro == "humble" else later for distro in DISTROS}
+
+
+_TIMED = {distro: {"humble": NO_SUCH_ARGUMENT, "jazzy": GIVES_NONE}.get(distro, RAISES_TIMEOUT) for distro in DISTROS}
+_TIMED_FINE = _humble_and_later(NO_SUCH_ARGUMENT, FINE)
+
+_GROUPS = (SAME, OTHER, REENTRANT, UNCLEAR)
+_APART = (OTHER, REENTRANT)
+_THREADS = (ONE, SEVERAL, NOBODY, ANY)
+
+
+def _stuck(form: str, outcomes: Outcomes, fine: Outcomes) -> dict[tuple[str, str, str], Outcomes]:
+    """The rows of a form that keeps its thread: it needs a second thread and a group apart."""
+    unknown = _everywhere(UNKNOWN)
+    return {
+        **{(form, ONE, group): outcomes for group in _GROUPS},
+        **{(form, threads, SAME): outcomes for threads in _THREADS},
+        **{(form, SEVERAL, group): fine for group in _APART},
+        **{(form, threads, group): unknown for threads in (NOBODY, ANY) for group in _APART},
+        **{(form, threads, UNCLEAR): unknown for threads in (SEVERAL, NOBODY, ANY)},
+    }
+
+
+MATRIX: dict[tuple[str, str, str], Outcomes] = {
+    **_stuck(CALL, _everywhere(HANGS), _everywhere(FINE)),
+    **_stuck(LIMITED_CALL, _everywhere(TIMES_OUT), _everywhere(FINE)),
+    **_stuck(TIMED_CALL, _TIMED, _TIMED_FINE),
+    **{(AWAIT, threads, SAME): _everywhere(HANGS) for threads in _THREADS},
+    **{(AWAIT, threads, group): _everywhere(FINE) for threads in _THREADS for group in _APART},
+    **{(AWAIT, threads, UNCLEAR): _everywhere(UNKNOWN) for threads in _THREADS},
+    # A nested spin of the running executor: humble lets it in, and it works where the group is free.
+    **{(SPIN, threads, SAME): _humble_and_later(HANGS, RAISES_NESTED) for threads in _THREADS},
+    **{(SPIN, threads, g): _humble_and_later(FINE, RAISES_NESTED) for threads in _THREADS for g in _APART},
+    **{(SPIN, threads, UNCLEAR): _humble_and_later(UNKNOWN, RAISES_NESTED) for threads in _THREADS},
+    **{(LIMITED_SPIN, threads, SAME): _humble_and_later(TIMES_OUT, RAISES_NESTED) for threads in _THREADS},
+    **{(LIMITED_SPIN, t, g): _humble_and_later(FINE, RAISES_NESTED) for t in _THREADS for g in _APART},
+    **{(LIMITED_SPIN, threads, UNCLEAR): _humble_and_later(UNKNOWN, RAISES_NESTED) for threads in _THREADS},
+    # Another executor takes the node along, and serves it while the callback spins; afterwards nobody does.
+    **{(STEAL, threads, SAME): _everywhere(HANGS) for threads in _THREADS},
+    **{(STEAL, threads, group): _everywhere(STRANDS) for threads in _THREADS for group in (*_APART, UNCLEAR)},
+    **{(LIMITED_STEAL, threads, group): _everywhere(STRANDS) for threads in _THREADS for group in _GROUPS},
+    **{(RATE, ONE, group): _everywhere(HANGS) for group in _GROUPS},
+    **{(RATE, SEVERAL, group): _everywhere(FINE) for group in _GROUPS},
+    **{(RATE, threads, group): _everywhere(UNKNOWN) for threads in (NOBODY, ANY) for group in _GROUPS},
+    **{(RESULT, threads, group): _everywhere(NONE_AT_ONCE) for threads in _THREADS for group in _GROUPS},
+}
+"""By form of waiting, threads of the executor, and how the client's group relates to the callback's.
+
+What runs in no group (an action's execute callback, done callbacks, executor tasks) holds none: :data:`OTHER`.
+"""
+
+
+@dataclass(frozen=True)
+class Verdict:
+    """What becomes of a wait, in each of the distributions asked for, and why in words that follow "…: "."""
+
+    outcomes: Mapping[str, str]
+    why: str
+    before: str | None = None
+    """What the first releases of the distributions of :data:`NESTED_SINCE` do, where that is something else."""
+
+    @property
+    def safe(self) -> bool:
+        """Proved to end well; a distribution that does not know ``timeout_sec`` is another matter."""
+        outcomes = set(self.outcomes.values())
+        return FINE in outcomes and outcomes <= {FINE, NO_SUCH_ARGUMENT}
+
+    @property
+    def unknown(self) -> bool:
+        """Nothing is proved, for better or for worse."""
+        outcomes = set(self.outcomes.values())
+        return UNKNOWN in outcomes and outcomes <= {UNKNOWN, NO_SUCH_ARGUMENT}
+
+    @property
+    def words(self) -> str:
+        """``hangs for ever``; where the distributions and their releases differ, which does what."""
+        return outcome_words(self.outcomes) + self._before_words()
+
+    def _before_words(self) -> str:
+        if self.before is None:
+            return ""
+        if len(self.outcomes) == 1:
+            return f" ({self.before} before rclpy {NESTED_SINCE[next(iter(self.outcomes))]})"
+        releases = [f"{one} before rclpy {since}" for one, since in NESTED_SINCE.items() if one in self.outcomes]
+        return f" ({self.before} in {' and '.join(releases)})"
+
+
+def look_up(form: str, threads: str, relation: str, why: str, distros: Sequence[str] = DISTROS) -> Verdict:
+    """The verdict of the matrix for some distributions."""
+    row = MATRIX[form, threads, relation]
+    outcomes = {distro: row[distro] for distro in distros}
+    if set(outcomes.values()) == {NO_SUCH_ARGUMENT}:
+        why = "the argument came with jazzy"
+    changed = any(outcomes.get(distro) == RAISES_NESTED for distro in NESTED_SINCE)
+    return Verdict(outcomes, why, row["humble"] if changed else None)
+
+
+def outcome_words(outcomes: Mapping[str, str]) -> str:
+    """The outcomes of all distributions in a phrase: ``hangs for ever in humble and raises … from jazzy on``."""
+    by_outcome: dict[str, list[str]] = {}
+    for distro in DISTROS:
+        if distro in outcomes:
+            by_outcome.setdefault(outcomes[distro], []).append(distro)
+    if len(by_outcome) == 1:
+        return next(iter(by_outcome))
+    *first, last = (f"{outcome} {in_distros(where)}" for outcome, where in by_outcome.items())
+    return f"{', '.join(first)} and {last}"
+
+
+def in_distros(distros: Iterable[str]) -> str:
+    """``in humble``, ``from kilted on``, ``up to jazzy``; nothing for all of them."""
+    where = [distro for distro in DISTROS if distro in set(distros)]
+    if len(where) == len(DISTROS):
+        return ""
+    if len(where) > 1 and where == list(DISTROS[-len(where) :]):
+        return f"from {where[0]} on"
+    if len(where) > 1 and where == list(DISTROS[: len(where)]):
+        return f"up to {where[-1]}"
+    return "in " + " and ".join(where)

@@ -1,0 +1,191 @@
+"""Which endpoints of one name meet in a running system, so that a rule may hold them against each other.
+
+Without a launch file nothing proves that two executables run together: those that look like variants of one
+node are then taken for alternatives.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Iterator
+from itertools import combinations
+from typing import TYPE_CHECKING
+
+from archlint.analysis.completeness import called_names, facts_at
+from archlint.systems.launched import key_of
+from archlint.systems.model import exclusive, runs_along
+
+if TYPE_CHECKING:
+    from archlint.systems.model import Connection, Endpoint, Node, System
+
+_NEVER_REACHED = frozenset({"method"})
+"""Roles of code that nothing in the workspace is seen to run."""
+_PLACEHOLDERS = frozenset({"placeholder", "unset", "undefined", "none", "null", "todo", "tbd", "changeme", "fixme"})
+
+
+def certain(endpoint: Endpoint) -> bool:
+    """Whether an endpoint exists for sure, under a known name, as long as its node runs."""
+    return possible(endpoint) and not endpoint.creation.conditional
+
+
+def possible(endpoint: Endpoint) -> bool:
+    """The same, or that it may exist so: some branch decides."""
+    creation = endpoint.creation
+    return (
+        endpoint.resolved
+        and endpoint.error is None
+        and endpoint.node.error is None  # the node does not come up at all
+        and endpoint.node.name is not None
+        and not endpoint.node.test
+        and not creation.destroyed
+        and not is_placeholder(endpoint.name or "")
+        and (creation.context is None or creation.context.role not in _NEVER_REACHED)
+    )
+
+
+def is_placeholder(name: str) -> bool:
+    """Whether a name only holds the place of the one that whoever starts the node gives: two nodes that both have
+    ``/_`` have no topic in common."""
+    last = name.rpartition("/")[2]
+    return last.lower() in _PLACEHOLDERS or not any(letter.isalnum() for letter in last)
+
+
+def named_by_library(endpoint: Endpoint) -> bool:
+    """Whether a library, and not this code, chose the name: every ``tf2_ros.Buffer`` offers ``tf2_frames``."""
+    return endpoint.creation.api.startswith("tf2_ros.")
+
+
+def in_source_order(endpoints: Iterable[Endpoint]) -> list[Endpoint]:
+    return sorted(endpoints, key=lambda e: (e.place, e.node.name or "", e.type or ""))
+
+
+def meeting(system: System, endpoints: Iterable[Endpoint]) -> Iterator[tuple[Endpoint, Endpoint]]:
+    """Pairs of certain endpoints that run together; in each, the second comes later in the source."""
+    for one, other in combinations(in_source_order(e for e in endpoints if certain(e)), 2):
+        if meet(system, one, other) and _under_one_name(system, one, other):
+            yield one, other
+
+
+def clashing(
+    system: System, endpoints: Iterable[Endpoint], agree: Callable[[Endpoint, Endpoint], bool]
+) -> Iterator[tuple[Endpoint, Endpoint]]:
+    """Pairs of endpoints that run together and do not agree whenever both exist.
+
+    One of them exists for sure.  The other may depend on a branch, unless its node has another endpoint of that
+    name which would agree: then the branches choose the one that fits.
+    """
+    ends = in_source_order(end for end in endpoints if possible(end))
+    sure = {id(end) for end in ends if certain(end)}
+    of_node: dict[tuple[int, str], list[Endpoint]] = {}
+    for end in ends:
+        of_node.setdefault((id(end.node), end.kind), []).append(end)
+    for one, other in combinations(ends, 2):
+        if agree(one, other) or not sure & {id(one), id(other)}:
+            continue
+        fixed, chosen = (one, other) if id(one) in sure else (other, one)
+        choices = [] if id(chosen) in sure else of_node[id(chosen.node), chosen.kind]
+        if any(agree(fixed, end) for end in choices) or not meet(system, one, other):
+            continue
+        if _under_one_name(system, one, other):
+            yield one, other
+
+
+def meet(system: System, one: Endpoint, other: Endpoint) -> bool:
+    """Whether two endpoints are seen to exist at the same time."""
+    if one.node is other.node:
+        return True
+    return (
+        system.together(one.node, other.node)
+        # Two nodes of one name are one node written twice, or a mistake of another kind.
+        and one.node.name != other.node.name
+        and not exclusive(one.creation.arms, other.creation.arms)
+        and _started_alike(one.node, other.node)
+        and not (not seen_together(system, one.node, other.node) and _apart(system, one, other))
+    )
+
+
+def _under_one_name(system: System, one: Endpoint, other: Endpoint) -> bool:
+    """False where launch files start the nodes of two endpoints under other names each time: what the code calls
+    them by default then proves nothing."""
+    if one.node is other.node or seen_together(system, one.node, other.node):
+        return True
+    return not _names_when_launched(system, one).isdisjoint(_names_when_launched(system, other))
+
+
+def _names_when_launched(system: System, end: Endpoint) -> frozenset[str | None]:
+    blueprint, world = end.node.blueprint, system.world
+    if blueprint is None or world is None:
+        return frozenset([end.name])
+    given = world.launched_names.get((key_of(blueprint), end.kind, end.place))
+    return given - {None} if given is not None else frozenset([end.name])
+
+
+def _started_alike(one: Node, other: Node) -> bool:
+    """False where a launch file starts the two under different conditions: then perhaps never both."""
+    return runs_along(one.alternatives, other.alternatives)
+
+
+def seen_together(system: System, one: Node, other: Node) -> bool:
+    """Whether a launch file or one executable is seen to start both nodes.  A script that is not installed may have
+    the name of an executable that is another file."""
+    if system.name is not None:
+        return True
+    made_in = {node.program.file for node in (one, other) if node.program is not None}
+    if system.world is not None and len(made_in) == 2 and len(one.executables) == len(other.executables) == 1:
+        return False
+    return not _starters(one).isdisjoint(_starters(other))
+
+
+def _starters(node: Node) -> set[tuple[str | None, str]]:
+    return {(node.package, executable) for executable in node.executables}
+
+
+def _apart(system: System, one: Endpoint, other: Endpoint) -> bool:
+    """Whether two nodes of different executables are probably never started together."""
+    alone = any(_tries_out(end.node) or _starts_others(system, end.node) for end in (one, other))
+    return alone or _variants(one, other)
+
+
+def _starts_others(system: System, node: Node) -> bool:
+    """Whether a script that no launch file starts starts processes of its own: it chooses what runs along with it."""
+    if system.world is None or node.blueprint is None or key_of(node.blueprint) in system.world.started_by_launch:
+        return False
+    found = facts_at(system.world, node.blueprint.place.file)
+    return found is not None and not _STARTERS.isdisjoint(called_names(found))
+
+
+_STARTERS = frozenset({"Popen", "LaunchService"})
+
+
+def _tries_out(node: Node) -> bool:
+    """A program called ``test_…`` is there to try something out by hand."""
+    return bool(node.executables) and all(
+        name.startswith("test_") or name.endswith("_test") for name in node.executables
+    )
+
+
+def _variants(one: Endpoint, other: Endpoint) -> bool:
+    """Whether the nodes of two endpoints look like two forms of one node, of which one runs: they share their
+    class, the very create call, or most of what they publish, serve, call and subscribe to."""
+    return (
+        _class_name(one.node) == _class_name(other.node)
+        or one.place == other.place
+        or _much_alike(one.node, other.node)
+    )
+
+
+def _much_alike(one: Node, other: Node) -> bool:
+    mine, yours = _interface(one), _interface(other)
+    shared = mine & yours
+    return len(shared) > 1 and 2 * len(shared) > len(mine | yours)
+
+
+def _interface(node: Node) -> set[tuple[str, str]]:
+    return {(endpoint.kind, endpoint.name) for endpoint in node.endpoints if endpoint.name is not None}
+
+
+def _class_name(node: Node) -> str:
+    return "" if node.blueprint is None else node.blueprint.class_name.rpartition(".")[2]
+
+
+def all_endpoints(connection: Connection) -> list[Endpoint]:
+    return [*connection.providers, *connection.users]

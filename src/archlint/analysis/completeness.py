@@ -1,0 +1,165 @@
+"""Whether all that a node creates can be seen: only then is the absence of something worth a word."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from functools import lru_cache
+from typing import TYPE_CHECKING
+
+import msgspec
+
+from archlint.finding import Place
+from archlint.syntax import facts
+
+if TYPE_CHECKING:
+    from archlint.model import Blueprint
+    from archlint.systems.launched import World
+    from archlint.systems.model import Node
+
+_NODE_BASES = frozenset({"Node", "LifecycleNode", "object", "ABC", "Generic", "Protocol"})
+
+
+def walk(item: object) -> Iterator[object]:
+    """Every fact below one, itself first, in no particular order."""
+    stack = [item]
+    while stack:
+        one = stack.pop()
+        yield one
+        if isinstance(one, msgspec.Struct):
+            stack.extend(getattr(one, name) for name in one.__struct_fields__)
+        elif isinstance(one, (list, tuple)):
+            stack.extend(one)
+
+
+def facts_at(world: World, file: str) -> facts.Facts | None:
+    return None if world.loader is None else world.loader.facts_at(file)
+
+
+def is_whole(world: World | None, node: Node) -> bool:
+    """True where nothing outside of this workspace is handed the node or is its base class, and each of its
+    endpoints has a known name."""
+    if world is None or node.blueprint is None or node.program is None or node.doubt is not None:
+        return False
+    if node.program.exhausted or any(b.held or not in_sight(b) for b in node.blueprints):
+        return False
+    if any(endpoint.name is None or endpoint.resolution in ("partial", "unknown") for endpoint in node.endpoints):
+        return False
+    return declares_all(world, node.blueprint)
+
+
+def in_sight(blueprint: Blueprint) -> bool:
+    """Whether all that is done with a node was followed: no code from elsewhere has it, and nothing was cut short."""
+    return blueprint.complete and not blueprint.gaps and not blueprint.handed_out
+
+
+def declares_all(world: World | None, blueprint: Blueprint) -> bool:
+    """Whether the class of a node derives from nothing but rclpy's nodes and classes of this workspace."""
+    if world is None or blueprint.held:
+        return False
+    found = facts_at(world, blueprint.place.file)
+    if found is None:
+        return False
+    local = _ours(world, found)
+    classes = _classes(OneFile(found))
+    waiting = [blueprint.class_name.rpartition(".")[2]]
+    for name in waiting:
+        cls = classes.get(name)
+        for base in cls.bases if cls is not None else ():
+            text = _last(base.value)
+            if text is None or (text not in _NODE_BASES and text not in classes and text not in local):
+                return False
+            if text in classes and text not in waiting:
+                waiting.append(text)
+    return True
+
+
+def _last(value: facts.Expr) -> str | None:
+    if isinstance(value, facts.Attribute):
+        return value.attr
+    return value.id if isinstance(value, facts.Name) else None
+
+
+class OneFile:
+    """The facts of a file, equal to themselves alone: comparing two files by content would cost a walk."""
+
+    __slots__ = ("found",)
+
+    def __init__(self, found: facts.Facts) -> None:
+        self.found = found
+
+    def __hash__(self) -> int:
+        return id(self.found)
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, OneFile) and other.found is self.found
+
+
+@lru_cache(maxsize=10_000)
+def _classes(file: OneFile) -> dict[str, facts.Class]:
+    return {item.name: item for item in walk(file.found.body) if isinstance(item, facts.Class)}
+
+
+@lru_cache(maxsize=10_000)
+def _defined_and_imported(file: OneFile) -> tuple[frozenset[str], tuple[facts.ImportFrom, ...]]:
+    items = list(walk(file.found.body))
+    names = frozenset(item.name for item in items if isinstance(item, (facts.Class, facts.Function)))
+    return names, tuple(item for item in items if isinstance(item, facts.ImportFrom))
+
+
+def _ours(world: World, found: facts.Facts) -> set[str]:
+    """Names of a file that mean something of this workspace."""
+    tops = world.loader.top_modules if world.loader is not None else frozenset()
+    defined, imports = _defined_and_imported(OneFile(found))
+    names = set(defined)
+    for item in imports:
+        if item.level or item.module.partition(".")[0] in tops:
+            names.update(bound for _, bound in item.names)
+    return names
+
+
+def called_names(found: facts.Facts) -> frozenset[str]:
+    """The last names of all that a file calls."""
+    return _called(OneFile(found))
+
+
+@lru_cache(maxsize=10_000)
+def _called(file: OneFile) -> frozenset[str]:
+    calls = (item.func for item in walk(file.found.body) if isinstance(item, facts.Call))
+    return frozenset(name for name in map(_last, calls) if name is not None)
+
+
+def enclosing_function(world: World, place: Place) -> facts.Function | None:
+    """The innermost function that a place is in."""
+    found = facts_at(world, place.file)
+    inner: facts.Function | None = None
+    for item in walk(found.body) if found is not None else ():
+        around = isinstance(item, facts.Function) and item.span[0] <= place.line <= item.span[2]
+        if around and isinstance(item, facts.Function) and (inner is None or item.span[0] >= inner.span[0]):
+            inner = item
+    return inner
+
+
+def enclosing_class(world: World | None, place: Place) -> str | None:
+    """The name of the innermost class that a place is in."""
+    found = None if world is None else facts_at(world, place.file)
+    if found is None:
+        return None
+    around = [one for one in _every_class(OneFile(found)) if one.span[0] <= place.line <= one.span[2]]
+    return max(around, key=lambda one: one.span[0]).name if around else None
+
+
+@lru_cache(maxsize=10_000)
+def _every_class(file: OneFile) -> tuple[facts.Class, ...]:
+    return tuple(item for item in walk(file.found.body) if isinstance(item, facts.Class))
+
+
+__all__ = [
+    "called_names",
+    "declares_all",
+    "enclosing_class",
+    "enclosing_function",
+    "facts_at",
+    "in_sight",
+    "is_whole",
+    "walk",
+]

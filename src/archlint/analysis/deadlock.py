@@ -1,0 +1,217 @@
+"""Whether a call that waits inside a callback can ever get its answer: which row of the matrix it is.
+
+The rows are in :mod:`archlint.analysis.blocking`; here the executor and the groups of a program are read.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from typing import TYPE_CHECKING
+
+from archlint.analysis.blocking import (
+    ANY,
+    AWAIT,
+    CALL,
+    FINE,
+    LIMITED_CALL,
+    LIMITED_SPIN,
+    LIMITED_STEAL,
+    NOBODY,
+    ONE,
+    OTHER,
+    REENTRANT,
+    SAME,
+    SEVERAL,
+    SPIN,
+    STEAL,
+    TIMED_CALL,
+    UNCLEAR,
+    UNKNOWN,
+    Verdict,
+    look_up,
+)
+from archlint.config.settings import DISTROS
+from archlint.finding import Related
+from archlint.model import FOR_A_MOMENT
+
+if TYPE_CHECKING:
+    from archlint.model import ApiCall, Blueprint, Creation, ExecutorUse, Group, Program
+
+__all__ = [
+    "AWAIT",
+    "CALL",
+    "SPIN",
+    "Verdict",
+    "group_relation",
+    "judge_wait",
+    "related_executor",
+    "threads_of",
+]
+
+_TIMED = "rclpy.client.Client.call"
+
+_ONE_HELD = "the executor has one thread, and the {who} holds it, so the answer cannot be taken"
+_GROUP_HELD = "the {who} holds the mutually exclusive group of the client, so the answer cannot be taken"
+_NO_SPIN = "nothing here spins the node with several threads, and one thread cannot wait for itself"
+_NO_EXECUTOR = "it is not known which executor spins the node"
+_NO_GROUP = "it is not known which callback group the client is in"
+_THREADS = "several threads and a group apart let the answer in"
+_FREE = "the client is in a group apart, so the answer is let in"
+_NESTED = "its executor is spinning already"
+_STOLEN = "its node is spun by another executor"
+_STOLEN_FROM_US = "the executor that runs this callback spins that node already"
+_OWN_SPIN = "a node and an executor of its own let the answer in"
+
+
+def judge_wait(
+    kind: str,
+    call: ApiCall,
+    client: Creation | None,
+    program: Program,
+    limited: bool = False,
+    distros: Sequence[str] = DISTROS,
+) -> Verdict:
+    """What becomes of a wait of the callback ``call.context`` for the answer of ``client``."""
+    callback = call.context
+    if kind == SPIN:
+        return judge_spin(call, None if client is None else client.node, client, program, limited, distros)
+    node = callback.node
+    form = _form(kind, call, limited)
+    if client is not None and node is not None and client.node is not node:
+        return _judge_two_nodes(form, node, client.node, program, distros)
+    relation = group_relation(callback.group, client.group if client is not None else None)
+    threads = threads_of(node, program)
+    return look_up(form, threads, relation, _why(form, threads, relation, callback.role), distros)
+
+
+def _form(kind: str, call: ApiCall, limited: bool) -> str:
+    if kind != CALL or not limited:
+        return kind
+    return TIMED_CALL if call.api == _TIMED else LIMITED_CALL
+
+
+def _why(form: str, threads: str, relation: str, role: str) -> str:
+    who = "handler" if role == "service" else "callback"
+    if form == AWAIT:
+        return {SAME: _GROUP_HELD.format(who=who), UNCLEAR: _NO_GROUP}.get(relation, _FREE)
+    if threads == ONE:
+        return _ONE_HELD.format(who=who)
+    if relation == SAME and threads != NOBODY:
+        return _GROUP_HELD.format(who=who)
+    if threads == SEVERAL:
+        return _NO_GROUP if relation == UNCLEAR else _THREADS
+    return _NO_SPIN if threads == NOBODY else _NO_EXECUTOR
+
+
+def threads_of(node: Blueprint | None, program: Program) -> str:
+    """How many threads run a node's callbacks."""
+    if node is None or node.executor == "unknown":
+        return ANY
+    if node.executor == "none":
+        # What nothing starts may be spun by whoever makes it elsewhere.
+        return NOBODY if program.executable and not node.held else ANY
+    uses = [use for use in program.executors_of(node) if use.kind == "multi_threaded"]
+    if node.executor == "multi_threaded":
+        # Without a number there are as many threads as processors.
+        return ONE if uses and all(use.threads == 1 for use in uses) else SEVERAL
+    return ONE
+
+
+def related_executor(node: Blueprint | None, program: Program) -> Iterator[Related]:
+    """Where the executor of a node is made and spun."""
+    if node is None:
+        return
+    for use in program.executors_of(node):
+        place = use.spins_at(node) or use.place
+        if place is not None:
+            yield Related(place, f"{_executor_words(use)} spins the node")
+
+
+def _executor_words(use: ExecutorUse) -> str:
+    if use.kind == "multi_threaded":
+        return "a MultiThreadedExecutor" + (f" with num_threads={use.threads}" if use.threads is not None else "")
+    if use.kind == "events":
+        return "an EventsExecutor, which has one thread,"
+    if use.kind == "unknown":
+        return "an executor that is not known"
+    return "a single-threaded executor"
+
+
+def group_relation(one: Group | None, other: Group | None) -> str:
+    """How the callback group of a callback and that of a client of the same node relate."""
+    if one is None:
+        return OTHER  # in no group: holds none
+    if other is None or "unknown" in (one.kind, other.kind):
+        return UNCLEAR
+    if one.kind == other.kind == "default":
+        return SAME
+    if one.kind == other.kind and (one.key is None or one.key == other.key):
+        return REENTRANT if one.kind == "reentrant" else UNCLEAR if one.key is None else SAME
+    return OTHER
+
+
+def _judge_two_nodes(
+    form: str, node: Blueprint, client: Blueprint, program: Program, distros: Sequence[str]
+) -> Verdict:
+    """The client belongs to another node: it matters who spins that one."""
+    if form == AWAIT:
+        return look_up(AWAIT, ANY, OTHER, _FREE, distros)
+    spinners = program.executors_of(client)
+    shared = [use for use in spinners if use in program.executors_of(node)]
+    if not shared and any(use.in_thread for use in spinners):
+        why = "another thread spins the client's node, so the answer is let in"
+        return look_up(form, SEVERAL, OTHER, why, distros)
+    if not spinners:
+        return look_up(form, ANY, OTHER, "nothing here spins the client's node meanwhile", distros)
+    threads = threads_of(node, program)
+    return look_up(form, threads, OTHER, _why(form, threads, OTHER, ""), distros)
+
+
+def judge_spin(
+    call: ApiCall,
+    spun: Blueprint | None,
+    client: Creation | None,
+    program: Program,
+    limited: bool = False,
+    distros: Sequence[str] = DISTROS,
+) -> Verdict:
+    """A spin inside a callback ends well only for another node on an executor that is not running."""
+    callback = call.context
+    node = callback.node
+    running = program.executors_of(node) if node is not None else []
+    relation = group_relation(callback.group, client.group if client is not None else None)
+    if client is not None and node is not None and client.node is not node:
+        relation = OTHER
+    elif client is None and "future" not in call.arguments and relation == UNCLEAR:
+        # What spins without a future waits for any work, and the group keeps out that of its own.
+        relation = SAME if callback.group is not None and callback.group.kind != "reentrant" else OTHER
+    globally = call.api.startswith("rclpy.spin") and not _given(call, "executor")
+    form = LIMITED_SPIN if limited else SPIN
+    # A spin without a future ends as soon as there is any work.
+    steal = LIMITED_STEAL if limited or "future" not in call.arguments else STEAL
+    if globally and any(use.place is None for use in running):
+        return look_up(form, ANY, relation, _NESTED, distros)
+    if spun is None or node is None:
+        return Verdict(dict.fromkeys(distros, UNKNOWN), "it is not known which node is spun")
+    if spun is not node:
+        if globally and any(spun in use.nodes for use in running):
+            return look_up(LIMITED_STEAL, ANY, relation, _STOLEN_FROM_US, distros)
+        if not running or any(spun in use.nodes for use in running):
+            return Verdict(dict.fromkeys(distros, UNKNOWN), "it is not known whether its executor is spinning already")
+        return Verdict(dict.fromkeys(distros, FINE), _OWN_SPIN)
+    if (globally and running) or _on_one_of_its_own(call, node, running):
+        return look_up(steal, ANY, relation, _STOLEN, distros)
+    return look_up(form, ANY, relation, _NESTED, distros)
+
+
+def _on_one_of_its_own(call: ApiCall, node: Blueprint, running: Sequence[ExecutorUse]) -> bool:
+    """Whether a spin is given an executor that runs the node for as long as this spin lasts, and no longer."""
+    use = getattr(call.arguments.get("executor"), "use", None)
+    if use is None or all(other is use for other in running):
+        return False
+    return use not in running or use.lasts_for(node) == FOR_A_MOMENT
+
+
+def _given(call: ApiCall, name: str) -> bool:
+    value = call.arguments.get(name)
+    return value is not None and getattr(value, "value", value) is not None

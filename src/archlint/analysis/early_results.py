@@ -1,0 +1,95 @@
+"""``future.result()`` read straight after ``call_async()``: before anything can have let the answer in."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from archlint.analysis.callback_roles import runs_in_executor
+from archlint.analysis.reach import creations_of, judged_calls, once_for_each_system, same_expression
+from archlint.interpreter.values import FutureValue
+from archlint.syntax import facts
+from archlint.syntax.walk import blocks_of, called_name, calls_in, parts_of
+
+if TYPE_CHECKING:
+    from archlint.model import ApiCall, Creation, Program
+    from archlint.systems.model import System
+
+_RESULT = "rclpy.task.Future.result"
+_SENDS = frozenset({"call_async", "send_goal_async", "get_result_async", "cancel_goal_async"})
+_PASTIMES = frozenset({"get_logger", "debug", "info", "warn", "warning", "error", "print", "format", "str"})
+"""Calls that let no time pass."""
+
+
+@dataclass(frozen=True)
+class EarlyResult:
+    """A result that is read before the answer can be there."""
+
+    call: ApiCall
+    client: Creation
+    program: Program
+
+
+@once_for_each_system
+def early_results(system: System) -> list[EarlyResult]:
+    """The results that callbacks read straight after they have sent the request."""
+    found = []
+    for program, call in judged_calls(system):
+        if call.api != _RESULT or not isinstance(call.receiver, FutureValue) or not runs_in_executor(call.context):
+            continue
+        clients = creations_of(call.receiver)
+        if clients and _straight_after(call):
+            found.append(EarlyResult(call, clients[0], program))
+    return found
+
+
+def _straight_after(call: ApiCall) -> bool:
+    result = call.expression
+    if result is None or not isinstance(result.func, facts.Attribute):
+        return False
+    future = result.func.value
+    if _sends(future):
+        return True  # call_async(...).result()
+    if not isinstance(future, facts.Name):
+        return False
+    return any(_sent_just_before(block, future.id, result) for block in blocks_of(call.body))
+
+
+def _sent_just_before(block: Sequence[facts.Stmt], name: str, result: facts.Call) -> bool:
+    sent = False
+    for statement in block:
+        inside = list(calls_in(statement))
+        if any(same_expression(one, result) for one in inside):
+            # Only at the head of a statement: further inside a branch something may have been asked before.
+            at_head = isinstance(statement, (facts.Assign, facts.Expression, facts.Return))
+            return sent and at_head and not _awaits_beside(statement, result)
+        if isinstance(statement, facts.Assign) and _sends(statement.value) and _binds(statement, name):
+            sent = True
+        elif sent and (not isinstance(statement, (facts.Assign, facts.Expression)) or not _idle(inside)):
+            sent = False
+        elif any(_awaits(statement)):
+            sent = False  # of the future itself, or of anything else: the executor goes on meanwhile
+    return False
+
+
+def _awaits(fact: object) -> Iterator[facts.Await]:
+    return (part for part in parts_of(fact) if isinstance(part, facts.Await))
+
+
+def _awaits_beside(statement: facts.Stmt, result: facts.Call) -> bool:
+    """Whether a statement awaits something else than what it reads: ``await future.result().get_result_async()`` has
+    read the result by then."""
+    return any(not any(same_expression(inner, result) for inner in calls_in(awaited)) for awaited in _awaits(statement))
+
+
+def _sends(value: facts.Expr) -> bool:
+    return isinstance(value, facts.Call) and isinstance(value.func, facts.Attribute) and value.func.attr in _SENDS
+
+
+def _binds(statement: facts.Assign, name: str) -> bool:
+    return any(isinstance(target, facts.Name) and target.id == name for target in statement.targets)
+
+
+def _idle(calls: Sequence[facts.Call]) -> bool:
+    return all(called_name(call) in _PASTIMES for call in calls)

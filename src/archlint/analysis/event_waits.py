@@ -1,0 +1,60 @@
+"""Events that a callback waits for and that only another callback of its own executor and group sets."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from archlint.analysis.blocking import ONE, SAME
+from archlint.analysis.callback_roles import runs_in_executor
+from archlint.analysis.deadlock import group_relation, threads_of
+from archlint.analysis.reach import has_limit, judged_calls, once_for_each_system
+from archlint.interpreter.values import Instance
+
+if TYPE_CHECKING:
+    from archlint.model import ApiCall, Callback, Program
+    from archlint.systems.model import System
+
+_WAIT = "threading.Event.wait"
+_SET = "threading.Event.set"
+
+
+@dataclass(frozen=True)
+class EventWait:
+    """A wait of one callback for another that cannot run meanwhile."""
+
+    call: ApiCall
+    setter: Callback
+    program: Program
+    limited: bool
+    why: str
+
+
+@once_for_each_system
+def event_waits(system: System) -> list[EventWait]:
+    """The waits for events that nothing but a callback kept out meanwhile sets."""
+    setters: dict[int, list[Callback]] = {}
+    for _, call in judged_calls(system):
+        if call.api == _SET and isinstance(call.receiver, Instance):
+            setters.setdefault(call.receiver.key, []).append(call.context)
+    found = []
+    for program, call in judged_calls(system):
+        if call.api != _WAIT or not isinstance(call.receiver, Instance) or not runs_in_executor(call.context):
+            continue
+        by = setters.get(call.receiver.key, [])
+        reasons = [_kept_out(call.context, setter, program) for setter in by]
+        if by and all(reasons):
+            found.append(EventWait(call, by[0], program, has_limit(call, "timeout"), reasons[0] or ""))
+    return found
+
+
+def _kept_out(waiting: Callback, setter: Callback, program: Program) -> str | None:
+    """Why a callback cannot run while the other waits; None where it may, or where nothing is known."""
+    if setter.role == "done" or not runs_in_executor(setter) or setter.node is not waiting.node:
+        return None  # what a done callback sets is judged with the client it belongs to
+    if threads_of(waiting.node, program) == ONE:
+        return "the executor has one thread, and this callback holds it"
+    grouped = waiting.group is not None and setter.group is not None
+    if grouped and group_relation(waiting.group, setter.group) == SAME:
+        return "both are in one mutually exclusive callback group"
+    return None

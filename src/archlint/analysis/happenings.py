@@ -1,0 +1,87 @@
+"""Topics that say that something has happened: of such, several nodes may have one to tell."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING
+
+from archlint.analysis.reach import creations_of
+from archlint.syntax import facts
+from archlint.syntax.walk import statements_of
+
+if TYPE_CHECKING:
+    from archlint.finding import Place
+    from archlint.model import ApiCall
+    from archlint.systems.model import Connection, Endpoint, System
+
+_PUBLISH = "rclpy.publisher.Publisher.publish"
+_BOOL = "std_msgs/msg/Bool"
+_STRING = "std_msgs/msg/String"
+_SIGNALS = frozenset({_BOOL, "std_msgs/msg/Empty", _STRING})
+"""Messages that carry a word at most."""
+_HAPPENED = frozenset(
+    {"alarm", "alarms", "alert", "alerts", "event", "events", "notification", "notifications"}
+    | {"clicked", "completed", "detected", "done", "finished", "heard", "occurred", "pressed", "reached", "received"}
+    | {"released", "requested", "tapped", "triggered"}
+)
+
+
+def tell_what_happened(system: System, publishers: Sequence[Endpoint]) -> bool:
+    """Whether publishers of one topic signal events: its name says so, and no Bool takes one back with false, which
+    makes it a state."""
+    if any(end.type not in _SIGNALS or not _is_event(end.name) for end in publishers):
+        return False
+    said: dict[Place, list[bool]] = {}
+    for call in system.calls:
+        if call.api == _PUBLISH:
+            for creation in creations_of(call.receiver):
+                said.setdefault(creation.place, []).append(_only_true(call))
+    flags = {end.place for end in publishers if end.type == _BOOL}
+    return all(place in said and all(said[place]) for place in flags)
+
+
+_REQUESTS = frozenset({"command", "commands", "cmd", "cmds", "queue", "request", "requests", "task", "tasks"})
+
+
+def are_requests(connection: Connection) -> bool:
+    """Whether what several say on a topic is asked of one node, one text at a time: none takes back another."""
+    words = connection.name.rpartition("/")[2].lower().split("_")
+    asked = {id(end.node) for end in connection.users}
+    return connection.types == [_STRING] and len(asked) == 1 and not _REQUESTS.isdisjoint(words)
+
+
+def _is_event(topic: str | None) -> bool:
+    return topic is not None and not _HAPPENED.isdisjoint(topic.rpartition("/")[2].lower().split("_"))
+
+
+def _only_true(call: ApiCall) -> bool:
+    """Whether a message of one field that is published is true, whichever way led there."""
+    given = call.expression.args if call.expression is not None else []
+    if len(given) != 1:
+        return False
+    message = given[0].value
+    if isinstance(message, facts.Call):
+        return [_is_true(one.value) for one in message.args if one.keyword == "data"] == [True]
+    if not isinstance(message, facts.Name):
+        return False
+    values = [value for one in statements_of(call.body) for value in _values_of(one, message.id)]
+    return bool(values) and all(_is_true(value) for value in values)
+
+
+def _values_of(statement: facts.Stmt, name: str) -> list[facts.Expr]:
+    """What a statement gives the field of the message that a variable holds."""
+    if not isinstance(statement, facts.Assign):
+        return []
+    found = [
+        statement.value
+        for target in statement.targets
+        if isinstance(target, facts.Attribute) and isinstance(target.value, facts.Name) and target.value.id == name
+    ]
+    if any(isinstance(target, facts.Name) and target.id == name for target in statement.targets):
+        made = statement.value.args if isinstance(statement.value, facts.Call) else []
+        found += [one.value for one in made]
+    return found
+
+
+def _is_true(value: facts.Expr) -> bool:
+    return isinstance(value, facts.Literal) and value.value is True

@@ -1,0 +1,158 @@
+"""What nothing uses: publishers that nothing publishes with, and methods that nothing calls."""
+
+from __future__ import annotations
+
+from functools import lru_cache
+from typing import TYPE_CHECKING
+
+from archlint.analysis.completeness import OneFile, facts_at, walk
+from archlint.model import PUBLISHER
+from archlint.syntax import facts
+
+if TYPE_CHECKING:
+    from archlint.finding import Place
+    from archlint.model import ApiCall, Program
+    from archlint.systems.launched import World
+    from archlint.systems.model import Endpoint
+
+_BY_NAME = frozenset({"getattr", "vars", "__dict__"})
+"""With one of these an attribute may be used that is not written out, unless ``getattr`` is given a literal."""
+
+
+def is_left_over(world: World | None, endpoint: Endpoint) -> bool:
+    """Whether a publisher is kept in an attribute of ``self`` that its file names again at most in methods that nothing
+    calls, and no other file of the package that does not set an attribute of that name itself: it says nothing on its
+    topic."""
+    if world is None or world.loader is None or endpoint.kind != PUBLISHER:
+        return False
+    loader, file, package = world.loader, endpoint.place.file, endpoint.node.package
+    kept = _kept_as(world, endpoint.place)
+    if kept is None or package is None:
+        return False
+    name, methods = kept
+    others = [other for other in loader.python_files_of(package) if other != file]
+    if any(loader.mentions(other, method) for other in others for method in methods):
+        return False
+    return not any(loader.mentions(other, name) and not _sets_itself(world, other, name) for other in others)
+
+
+def is_dead(world: World | None, program: Program, call: ApiCall) -> bool:
+    """Whether a call is in a method of a program that no Python file here names: that code does not run.  What a
+    library offers is for programs that are not here."""
+    callback = call.context
+    if world is None or world.loader is None or callback.role != "method" or not program.executable:
+        return False
+    if callback.node is None or callback.node.handed_out:
+        return False
+    loader, file, function = world.loader, callback.place.file, callback.function
+    found = facts_at(world, file)
+    package = loader.package_of(file)
+    if found is None or package is None or not isinstance(function, facts.Function):
+        return False
+    uses, name = _Uses.of(found), function.name
+    others = [other for one in world.packages for other in loader.python_files_of(one) if other != file]
+    return not uses.by_name and name in uses.idle and not any(loader.mentions(other, name) for other in others)
+
+
+def _sets_itself(world: World, file: str, name: str) -> bool:
+    found = facts_at(world, file)
+    return found is not None and name in _Uses.of(found).kept.values()
+
+
+def _kept_as(world: World, place: Place) -> tuple[str, frozenset[str]] | None:
+    """The attribute of ``self`` that the call at a place is assigned to, if nothing else in the file uses it but
+    methods that the file does not name: these too."""
+    found = facts_at(world, place.file)
+    if found is None:
+        return None
+    uses = _Uses.of(found)
+    name = uses.kept.get((place.line, place.column))
+    if name is None or uses.by_name:
+        return None
+    idle = {method: inside[name] for method, inside in uses.idle.items() if name in inside}
+    return (name, frozenset(idle)) if uses.count[name] == 1 + sum(idle.values()) else None
+
+
+def kept_calls(found: facts.Facts) -> dict[tuple[int, int], str]:
+    """The attributes of ``self`` that calls of a file are kept in, by the line and column of the call."""
+    return _Uses.of(found).kept
+
+
+def idle_methods(found: facts.Facts) -> frozenset[str]:
+    """The methods that a file defines and does not name again."""
+    return frozenset(_Uses.of(found).idle)
+
+
+class _Uses:
+    """The attributes that a file names: how often each, and which calls are kept in one of ``self``."""
+
+    def __init__(self, found: facts.Facts) -> None:
+        self.count: dict[str, int] = {}
+        self.names: set[str] = set()
+        self.kept: dict[tuple[int, int], str] = {}
+        unwritten = 0
+        for item in walk(found.body):
+            if isinstance(item, facts.Attribute):
+                self.count[item.attr] = self.count.get(item.attr, 0) + 1
+                unwritten += item.attr in _BY_NAME
+            elif isinstance(item, facts.Name):
+                unwritten += item.id in _BY_NAME
+                self.names.add(item.id)
+            elif isinstance(item, facts.Call) and (name := _asked_by_name(item)) is not None:
+                self.count[name] = self.count.get(name, 0) + 1
+                unwritten -= 1
+            elif isinstance(item, facts.Assign) and isinstance(item.value, facts.Call) and len(item.targets) == 1:
+                target = item.targets[0]
+                if isinstance(target, facts.Attribute) and isinstance(target.value, facts.Name):
+                    self.kept[item.value.span[0], item.value.span[1]] = target.attr
+        self.by_name = unwritten > 0
+        self.idle = {method.name: _attributes(method) for method in self._methods(found) if self._is_idle(method)}
+        """The methods that nothing in the file names, with the attributes that they use and how often."""
+
+    @staticmethod
+    def _methods(found: facts.Facts) -> list[facts.Function]:
+        """The methods of classes whose bases, if any, do not call methods of their own accord."""
+        classes = [item for item in walk(found.body) if isinstance(item, facts.Class)]
+        plain = [one for one in classes if all(_text(base.value) in _PLAIN_BASES for base in one.bases)]
+        methods = [item for one in plain for item in one.body if isinstance(item, facts.Function)]
+        names = [method.name for method in methods]
+        return [method for method in methods if names.count(method.name) == 1]
+
+    def _is_idle(self, method: facts.Function) -> bool:
+        name = method.name
+        called = name.startswith("__") or name == "destroy_node" or bool(method.decorators)
+        return not called and name not in self.count and name not in self.names
+
+    @staticmethod
+    def of(found: facts.Facts) -> _Uses:
+        return _uses(OneFile(found))
+
+
+_PLAIN_BASES = frozenset({"Node", "object"})
+
+
+def _text(value: facts.Expr) -> str | None:
+    if isinstance(value, facts.Attribute):
+        return value.attr
+    return value.id if isinstance(value, facts.Name) else None
+
+
+def _attributes(method: facts.Function) -> dict[str, int]:
+    found: dict[str, int] = {}
+    for item in walk(method.body):
+        if isinstance(item, facts.Attribute):
+            found[item.attr] = found.get(item.attr, 0) + 1
+    return found
+
+
+def _asked_by_name(call: facts.Call) -> str | None:
+    """The attribute that ``getattr(x, 'name')`` asks for; None for any other call."""
+    if not (isinstance(call.func, facts.Name) and call.func.id == "getattr" and len(call.args) > 1):
+        return None
+    name = call.args[1].value
+    return name.value if isinstance(name, facts.Literal) and isinstance(name.value, str) else None
+
+
+@lru_cache(maxsize=1_000)
+def _uses(file: OneFile) -> _Uses:
+    return _Uses(file.found)

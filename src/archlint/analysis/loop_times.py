@@ -1,0 +1,93 @@
+"""How long sleeps take with the loops around them."""
+
+from __future__ import annotations
+
+import math
+from typing import TYPE_CHECKING
+
+from archlint.analysis.completeness import facts_at, walk
+from archlint.finding import Place
+from archlint.libraries.interest import names_in
+from archlint.syntax import facts
+from archlint.syntax.walk import called_name, statements_of
+
+if TYPE_CHECKING:
+    from archlint.analysis.sleeps import Stay
+    from archlint.model import ApiCall
+    from archlint.systems.launched import World
+
+TINY = 0.01
+"""Seconds of a pause between the items of something."""
+
+_RUNS_EMPTY = frozenset({"in_waiting", "inWaiting", "out_waiting", "empty", "qsize"})
+"""What a loop asks that takes out what is there already: the bytes of a serial port, the items of a queue."""
+_CLOCKS = frozenset({"time", "monotonic", "perf_counter", "now", "time_ns"})
+
+
+def in_loops(call: ApiCall, stay: Stay, unknown: float = math.inf, world: World | None = None) -> float:
+    """How many seconds a sleep takes with the loops around it; what nobody knows has no end.
+
+    Of the loops of callers only those are known that a ``world`` has the files of.  ``unknown`` is how often a ``for``
+    is taken to go round over what is not known: it has an end, other than a ``while``.
+    """
+    if stay.seconds is None:
+        return math.inf
+    seconds = stay.seconds
+    for loop, limit in reversed(tuple(zip(call.loops, call.limits, strict=True))):
+        seconds = seconds * _times(loop, unknown) if limit is None else max(seconds, limit)
+    for place in call.rounds[: max(0, len(call.rounds) - len(call.loops))]:
+        seconds *= _rounds_at(world, place)
+    seconds = seconds if stay.seconds > 0 else 0.0
+    if math.isinf(seconds) and stay.seconds <= TINY and not any(isinstance(loop, facts.While) for loop in call.loops):
+        return stay.seconds  # a pause between the bytes or lines of something: it takes many to make it long
+    return seconds
+
+
+def _rounds_at(world: World | None, place: Place) -> float:
+    """How often the ``for`` of a caller goes round; for all that is not known, without end."""
+    found = None if world is None else facts_at(world, place.file)
+    loops = (one for one in walk([] if found is None else found.body) if isinstance(one, facts.For))
+    loop = next((one for one in loops if Place.of(place.file, one.span) == place), None)
+    return math.inf if loop is None else _times(loop, math.inf)
+
+
+def _times(loop: facts.While | facts.For, unknown: float) -> float:
+    """How often a loop goes round at most."""
+    if isinstance(loop, facts.While):
+        return 1.0 if not _RUNS_EMPTY.isdisjoint(names_in(loop.test)) else math.inf
+    if isinstance(loop.iterable, facts.Sequence):
+        return len(loop.iterable.elements)
+    given = (
+        loop.iterable.args if isinstance(loop.iterable, facts.Call) and called_name(loop.iterable) == "range" else []
+    )
+    bounds = [one.value.value for one in given if isinstance(one.value, facts.Literal)]
+    numbers = [bound for bound in bounds if isinstance(bound, int)]
+    return len(range(*numbers)) if given and len(numbers) == len(given) else unknown
+
+
+def is_retry(call: ApiCall) -> bool:
+    """Whether a ``for`` that ends as soon as something has worked goes round a call: the pause is the exception."""
+    loop = call.loops[-1] if call.loops else None
+    return isinstance(loop, facts.For) and any(
+        isinstance(one, facts.Return) or (isinstance(one, facts.Jump) and one.kind == "break")
+        for one in statements_of(loop.body)
+    )
+
+
+def watches_the_clock(call: ApiCall) -> bool:
+    """Whether a loop around a call compares the time with something: ``while time.time() < deadline``."""
+    return any(
+        isinstance(loop, facts.While) and any(not _CLOCKS.isdisjoint(names_in(one)) for one in _comparisons(loop.test))
+        for loop in call.loops
+    )
+
+
+def _comparisons(test: facts.Expr) -> list[facts.Expr]:
+    if isinstance(test, facts.Boolean) and test.op == "and":
+        return [one for value in test.values for one in _comparisons(value)]
+    return [test] if isinstance(test, facts.Compare) else []
+
+
+def around_future(call: ApiCall) -> bool:
+    """A loop around a future: that wait is what is wrong, not its pace."""
+    return any(isinstance(loop, facts.While) and "done" in names_in(loop.test) for loop in call.loops)

@@ -1,0 +1,49 @@
+"""The one ROS distribution that a workspace is built and tested for, as far as its own files say so."""
+
+from __future__ import annotations
+
+import re
+from functools import lru_cache
+from typing import TYPE_CHECKING
+
+from archlint.config.settings import DISTROS
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator
+
+    from archlint.launch.load import Tree
+    from archlint.systems.launched import World
+
+_FILES = (".gitlab-ci.yml", "Dockerfile")
+_FOLDERS = (".github/workflows", ".devcontainer", "docker")
+_READ = re.compile(r"(?:^|/)(?:[^/]*\.ya?ml|[^/]*Dockerfile[^/]*|devcontainer\.json)$")
+_OTHERS = ("dashing", "eloquent", "foxy", "galactic", "iron", "noetic", "melodic")
+_NAMED = re.compile(rf"(?<![A-Za-z0-9])({'|'.join((*DISTROS, *_OTHERS))})(?![A-Za-z0-9])", re.IGNORECASE)
+_OF_ROS = re.compile(
+    r"(?:\bros[:-]|/opt/ros/|\bros_distro\w*[\"']?\s*[:=]\s*[\"'\[ ]*|ros-distributions?:\s*)$", re.IGNORECASE
+)
+"""What stands in front of a distribution: ``ros:jazzy``, ``ros-jazzy-desktop``, ``ROS_DISTRO=jazzy``."""
+
+
+@lru_cache(maxsize=2)
+def pinned_distro(world: World | None) -> tuple[str, str] | None:
+    """The distribution, and the file that names it, where the files of CI and containers at the top of a workspace name
+    just one; a README is no evidence, for nothing runs it."""
+    if world is None or world.loader is None:
+        return None
+    named: dict[str, str] = {}
+    certain = False
+    for path, text in _texts(world.loader.tree):
+        for found in _NAMED.finditer(text):
+            named.setdefault(found[1].lower(), path)
+            certain = certain or _OF_ROS.search(text[max(0, found.start() - 60) : found.start()]) is not None
+    [one, *others] = sorted(named) or [""]
+    return (one, named[one]) if certain and not others and one in DISTROS else None
+
+
+def _texts(tree: Tree) -> Iterator[tuple[str, str]]:
+    below = [path for folder in _FOLDERS for path in tree.files_below(folder) if _READ.search(path)]
+    for path in (*below, *_FILES):
+        text = tree.text(path)
+        if text is not None:
+            yield path, text

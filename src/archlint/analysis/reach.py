@@ -1,0 +1,174 @@
+"""What callbacks and programs reach: the calls that wait, and the way that leads to them.
+
+Shared by the rules; worked out once for each system.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Iterator
+from functools import wraps
+from typing import TYPE_CHECKING, TypeVar
+from weakref import WeakKeyDictionary
+
+from archlint.finding import Finding, Related
+from archlint.interpreter.values import EntityValue, FutureValue, Known, Value, alternatives
+from archlint.model import ACTION_CLIENT, ACTION_SERVER, Creation
+from archlint.syntax import facts
+from archlint.workspace.test_code import is_test_file
+
+if TYPE_CHECKING:
+    from archlint.model import ApiCall, Blueprint, Program
+    from archlint.systems.model import System
+
+_Result = TypeVar("_Result")
+
+
+def once_for_each_system(analysis: Callable[[System], _Result]) -> Callable[[System], _Result]:
+    """Keep what an analysis finds for as long as the system lives."""
+    kept: WeakKeyDictionary[System, _Result] = WeakKeyDictionary()
+
+    @wraps(analysis)
+    def of(system: System) -> _Result:
+        if system not in kept:
+            kept[system] = analysis(system)
+        return kept[system]
+
+    return of
+
+
+@once_for_each_system
+def judged_calls(system: System) -> list[tuple[Program, ApiCall]]:
+    """Every call that is recorded outside of test code, in the order of the source."""
+    found = [
+        (program, call)
+        for program in system.programs
+        if not is_test_file(program.file)
+        for call in program.calls
+        if not is_test_file(call.place.file)
+    ]
+    return sorted(found, key=lambda row: (row[1].place, row[1].api, len(row[1].chain)))
+
+
+def calls_of(system: System, apis: Iterable[str]) -> Iterator[tuple[Program, ApiCall]]:
+    """The calls of some APIs, outside of test code."""
+    wanted = frozenset(apis)
+    return (row for row in judged_calls(system) if row[1].api in wanted)
+
+
+@once_for_each_system
+def _names_of_blueprints(system: System) -> dict[int, str]:
+    return {id(blueprint): node.name for node in system.nodes for blueprint in node.blueprints if node.name is not None}
+
+
+def node_name(system: System, blueprint: Blueprint | None) -> str | None:
+    """The name in the system of the node that a blueprint became."""
+    return None if blueprint is None else _names_of_blueprints(system).get(id(blueprint))
+
+
+# -------------------------------------------------------------------------------------------- arguments
+
+
+def argument(call: ApiCall, name: str) -> Value | None:
+    """What a call gives for a parameter of the API, None where it gives nothing."""
+    value = call.arguments.get(name)
+    return value if isinstance(value, Value) else None
+
+
+def all_arguments_seen(call: ApiCall) -> bool:
+    """False where ``*`` or ``**`` may pass more than can be seen."""
+    return call.expression is None or not any(given.star for given in call.expression.args)
+
+
+def waits_for_ever(call: ApiCall, parameter: str, *, negative: bool = True) -> bool:
+    """Whether a call sets no limit: the timeout is missing, None or (where that means the same) below zero.
+
+    A limit that cannot be known is taken for one.  So is the default of a function that nothing here calls:
+    its callers decide.
+    """
+    value = argument(call, parameter)
+    if value is None:
+        return all_arguments_seen(call)
+    return all(_no_limit(option, call, negative) for option in alternatives(value))
+
+
+def _no_limit(value: Value, call: ApiCall, negative: bool) -> bool:
+    if not isinstance(value, Known) or value.via:
+        return False
+    if value.kind == "argument_default" and (not call.chain or call.context.role == "method"):
+        return False
+    if value.value is None:
+        return True
+    return negative and isinstance(value.value, (int, float)) and value.value < 0
+
+
+def has_limit(call: ApiCall, parameter: str) -> bool:
+    """Whether a call is given a timeout that is known to end the wait."""
+    value = argument(call, parameter)
+    return value is not None and all(
+        isinstance(option, Known) and isinstance(option.value, (int, float)) and option.value >= 0
+        for option in alternatives(value)
+    )
+
+
+# ------------------------------------------------------------------------------------- what is waited for
+
+
+def creations_of(value: object) -> tuple[Creation, ...]:
+    """The clients that a value (a client, a goal handle, the future of an answer) belongs to."""
+    if isinstance(value, (EntityValue, FutureValue)):
+        return value.creations
+    if isinstance(value, Value):
+        options = alternatives(value)
+        if len(options) > 1:
+            return tuple(creation for option in options for creation in creations_of(option))
+    return ()
+
+
+def endpoint_words(creation: Creation | None, kind: str = "") -> str:
+    """``the service 'enable_motor'``, as far as it is known."""
+    if creation is None:
+        return f"a{'n' if kind == 'action' else ''} {kind or 'service'}"
+    what = "action" if creation.kind in (ACTION_CLIENT, ACTION_SERVER) else "service"
+    if creation.name.text is None or creation.name.resolution == "unknown":
+        return f"a{'n' if what == 'action' else ''} {what}"
+    return f"the {what} '{creation.name.text}'"
+
+
+# ------------------------------------------------------------------------------------- related places
+
+
+def related_chain(call: ApiCall) -> Iterator[Related]:
+    """Each hop of the calls that lead from what runs to ``call``."""
+    for frame in call.chain:
+        yield Related(frame.place, f"{frame.caller} calls {frame.callee} here")
+
+
+def related_creation(creation: Creation | None) -> Iterator[Related]:
+    """Where the client is created."""
+    if creation is not None:
+        yield Related(creation.place, "the client is created here")
+
+
+# --------------------------------------------------------------------------------------- one a place
+
+
+def one_for_each_place(found: Iterable[Finding]) -> Iterator[Finding]:
+    """The same line of code, reached by several programs, is one finding: the most severe, then the one with
+    the shortest way to it."""
+    best: dict[tuple[object, ...], Finding] = {}
+    for finding in found:
+        key = (finding.code, finding.place)
+        known = best.get(key)
+        if known is None or _weight(finding) < _weight(known):
+            best[key] = finding
+    yield from (best[key] for key in sorted(best, key=lambda key: best[key].sort_key))
+
+
+def _weight(finding: Finding) -> tuple[object, ...]:
+    related = tuple((related.place, related.message) for related in finding.related)
+    return (-finding.severity, len(related), finding.message, related)
+
+
+def same_expression(one: facts.Expr | None, other: facts.Expr | None) -> bool:
+    """Whether two facts are the same piece of source."""
+    return one is not None and other is not None and getattr(one, "span", 1) == getattr(other, "span", 2)

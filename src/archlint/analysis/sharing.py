@@ -1,0 +1,94 @@
+"""What kind of topic several nodes publish: a command that one at a time can be obeyed, a value, a bus for all."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from archlint.systems.launched import World
+    from archlint.systems.model import Connection, Endpoint
+
+_COMMANDS = frozenset(
+    {
+        "ackermann_msgs/msg/AckermannDrive",
+        "ackermann_msgs/msg/AckermannDriveStamped",
+        "control_msgs/msg/JointJog",
+        "geometry_msgs/msg/Twist",
+        "geometry_msgs/msg/TwistStamped",
+        "mavros_msgs/msg/AttitudeTarget",
+        "mavros_msgs/msg/GlobalPositionTarget",
+        "mavros_msgs/msg/ManualControl",
+        "mavros_msgs/msg/OverrideRCIn",
+        "mavros_msgs/msg/PositionTarget",
+        "px4_msgs/msg/TrajectorySetpoint",
+        "trajectory_msgs/msg/JointTrajectory",
+        "trajectory_msgs/msg/MultiDOFJointTrajectory",
+    }
+)
+"""Of these, one at a time can be obeyed."""
+_TO_COMMAND = frozenset({"cmd", "cmds", "command", "commands", "setpoint", "setpoints"})
+_STATES = frozenset({"mode", "state"})
+_TO_LOOK_AT = frozenset({"debug"})
+_WORDS = frozenset({"std_msgs/msg/Empty", "std_msgs/msg/String"})
+"""Messages that each stand for themselves, unless the topic's name says that they are a state."""
+_SENDERS = (
+    "device_id",
+    "id",
+    "node",
+    "node_name",
+    "robot_id",
+    "robot_name",
+    "sender",
+    "sender_id",
+    "source",
+    "source_id",
+)
+"""Fields that say whose a message is, or of what: such messages add up."""
+_MANY = 4
+
+
+def _are_commands(connection: Connection, owners: Sequence[Endpoint]) -> bool:
+    """Whether a machine is told what to do, by the type of the messages or the last part of the topic's name."""
+    if any(end.type in _COMMANDS for end in owners):
+        return True
+    return not are_words(owners) and not _TO_COMMAND.isdisjoint(_last_words(connection.name))
+
+
+def are_words(owners: Sequence[Endpoint]) -> bool:
+    """Whether all that is said is a text, or nothing but that it is said."""
+    return all(end.type in _WORDS for end in owners)
+
+
+def is_state(topic: str) -> bool:
+    """Whether a topic's name says that it tells how something is, so that the last message is what counts."""
+    return not _STATES.isdisjoint(_last_words(topic))
+
+
+def is_bus(world: World | None, connection: Connection, owners: Sequence[Endpoint]) -> bool:
+    """Whether so many nodes publish a topic, or different ones with the help of one class, or just those that listen to
+    it, too, that it is evidently there for all of them; or its messages say whose they are, or it is there for people
+    to look at.  Of commands that is never so."""
+    if any(end.type in _COMMANDS for end in owners):
+        return False
+    listening = {id(user.node) for user in connection.users}
+    if all(id(end.node) in listening for end in owners) or not _TO_LOOK_AT.isdisjoint(connection.name.split("/")):
+        return True
+    if not _are_commands(connection, owners) and all(_says_whose(world, end.type) for end in owners):
+        return True
+    classes = {end.node.blueprint.class_name for end in owners if end.node.blueprint is not None}
+    helped = len({end.place for end in owners}) == 1 and len(classes) > 1
+    return helped or len({end.node.name for end in owners}) >= _MANY
+
+
+def _says_whose(world: World | None, type_: str | None) -> bool:
+    if world is None or world.interfaces is None or type_ is None:
+        return False
+    return any(world.interfaces.has(type_, "", field) for field in _SENDERS)
+
+
+def _last_words(topic: str) -> list[str]:
+    return topic.rpartition("/")[2].lower().split("_")
+
+
+__all__ = ["are_words", "is_bus", "is_state"]

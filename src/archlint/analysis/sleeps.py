@@ -1,0 +1,116 @@
+"""How long a call keeps its thread, as far as that is known."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from archlint.analysis.reach import argument
+from archlint.interpreter.values import Instance, Known, alternatives
+from archlint.libraries import tables
+from archlint.libraries.interest import names_in
+from archlint.syntax import facts
+
+if TYPE_CHECKING:
+    from archlint.interpreter.values import Value
+    from archlint.model import ApiCall
+
+SLEEP = "time.sleep"
+_INPUT = "builtins.input"
+_WAITS = {
+    "rclpy.client.Client.wait_for_service": "timeout_sec",
+    "rclpy.action.client.ActionClient.wait_for_server": "timeout_sec",
+    "rclpy.parameter_client.AsyncParameterClient.wait_for_services": "timeout_sec",
+    "rclpy.node.Node.wait_for_node": "timeout",
+}
+_WAIT_FOR_MESSAGE = "rclpy.wait_for_message.wait_for_message"
+
+_OUTSIDE = frozenset(row.path for row in tables.ROWS if row.kind == tables.OUTSIDE)
+_LOCKS = ("fcntl.flock", "fcntl.lockf")
+_NETWORK = ("urllib.", "requests.", "socket.")
+
+
+@dataclass(frozen=True)
+class Stay:
+    """A call that keeps its thread.
+
+    ``seconds`` is None where that is not known; ``kind`` is ``sleep``, ``discovery``, ``network``, ``process``,
+    ``message``, ``lock`` or ``keyboard``.
+    """
+
+    kind: str
+    seconds: float | None
+    words: str
+
+
+def stay_of(call: ApiCall) -> Stay | None:
+    """How a call keeps its thread, if it is one that does."""
+    if call.api == SLEEP:
+        seconds = longest(argument(call, "seconds"))
+        return Stay("sleep", seconds, "sleeps" if seconds is None else f"sleeps for {seconds:.3g} s")
+    if call.api in _WAITS:
+        limit = longest(argument(call, _WAITS[call.api]))
+        function = call.api.rpartition(".")[2]
+        words = f"waits in {function}()" + (f" for up to {limit:g} s" if limit is not None else "")
+        return Stay("discovery", limit, words)
+    if call.api == _WAIT_FOR_MESSAGE:
+        return Stay("message", longest(argument(call, "time_to_wait")), "waits for a message")
+    if call.api == _INPUT:
+        return Stay("keyboard", None, "waits for the keyboard")
+    if call.api in _LOCKS:
+        return Stay("lock", None, f"waits for a file lock in {call.api}()") if _waits_for_lock(call) else None
+    if call.api in _OUTSIDE:
+        name = call.api.rpartition(".")[2] if call.api.startswith("urllib.") else call.api
+        if call.api.startswith(_NETWORK):
+            return Stay("network", None, f"waits for the network in {name}()")
+        limit = _limit_of_process(call)
+        end = "" if limit is None else f" for up to {limit:g} s"
+        return Stay("process", limit, f"waits for a process in {name}(){end}")
+    return None
+
+
+def _waits_for_lock(call: ApiCall) -> bool:
+    """Whether a lock is asked for by name, and nothing says to come back at once if somebody else has it."""
+    names = {name for one in ([] if call.expression is None else call.expression.args) for name in names_in(one.value)}
+    return not names.isdisjoint({"LOCK_EX", "LOCK_SH"}) and names.isdisjoint({"LOCK_NB", "LOCK_UN"})
+
+
+def _limit_of_process(call: ApiCall) -> float | None:
+    """The ``timeout`` that a call gives a process: a number in the code, or one that is known."""
+    given = [] if call.expression is None else call.expression.args
+    literal = next((one.value for one in given if one.keyword == "timeout"), None)
+    if isinstance(literal, facts.Literal) and isinstance(literal.value, (int, float)):
+        return float(literal.value)
+    return longest(argument(call, "timeout"))
+
+
+def longest(value: Value | None) -> float | None:
+    """The longest time that a value may stand for in seconds, None where that is not known."""
+    if value is None:
+        return None
+    found = [_seconds(option) for option in alternatives(value)]
+    known = [seconds for seconds in found if seconds is not None]
+    return max(known) if len(known) == len(found) else None
+
+
+def _seconds(value: Value) -> float | None:
+    if isinstance(value, Known) and isinstance(value.value, (int, float)):
+        return float(value.value)
+    if isinstance(value, Instance) and value.cls.__class__.__name__ == "External":
+        return _duration(value)
+    return None
+
+
+def _duration(value: Instance) -> float | None:
+    """``Duration(seconds=1, nanoseconds=500)`` in seconds."""
+    if getattr(value.cls, "path", "") != "rclpy.duration.Duration":
+        return None
+    total = 0.0
+    for name, scale in (("seconds", 1.0), ("nanoseconds", 1e-9)):
+        part = value.arguments.get(name)
+        if part is None:
+            continue
+        if not isinstance(part, Known) or not isinstance(part.value, (int, float)):
+            return None
+        total += part.value * scale
+    return total

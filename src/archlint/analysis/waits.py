@@ -1,0 +1,154 @@
+"""Which calls wait for the answer of a service or an action, in which way, and for which client."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from archlint.analysis.deadlock import AWAIT, CALL, SPIN
+from archlint.analysis.reach import (
+    argument,
+    creations_of,
+    has_limit,
+    judged_calls,
+    once_for_each_system,
+    same_expression,
+)
+from archlint.interpreter.values import FutureValue, Instance, Known, alternatives
+from archlint.libraries.interest import names_in
+from archlint.syntax import facts
+from archlint.syntax.control_flow import always_left
+from archlint.syntax.walk import called_name, statements_of
+
+if TYPE_CHECKING:
+    from archlint.finding import Place
+    from archlint.interpreter.values import Value
+    from archlint.model import ApiCall, Creation, Program
+    from archlint.systems.model import System
+
+BLOCKING_CALLS = (
+    "rclpy.client.Client.call",
+    "rclpy.action.client.ActionClient.send_goal",
+    "rclpy.action.client.ClientGoalHandle.get_result",
+    "rclpy.action.client.ClientGoalHandle.cancel_goal",
+)
+SPINS_FOR_FUTURE = (
+    "rclpy.spin_until_future_complete",
+    "rclpy.executors.Executor.spin_until_future_complete",
+    "rclpy.executors.Executor.spin_once_until_future_complete",
+)
+_LIMITS = ("timeout_sec", "timeout")
+DONE = "rclpy.task.Future.done"
+_ADD_DONE_CALLBACK = "rclpy.task.Future.add_done_callback"
+_EVENT_WAIT = "threading.Event.wait"
+_EVENT_SET = "threading.Event.set"
+
+
+_Signals = dict["int | Place | None", "Creation"]
+"""Clients by the events that their answers set: the object, and the place where it is made."""
+
+
+@dataclass(frozen=True)
+class Wait:
+    """A place where code stands still until an answer has come.
+
+    ``kind`` is one of those of :mod:`archlint.analysis.deadlock`; ``limited`` tells that a timeout ends it;
+    ``bounded``, that one does, or that a limit is given which is not known.
+    """
+
+    kind: str
+    call: ApiCall
+    client: Creation
+    program: Program
+    limited: bool = False
+    bounded: bool = False
+
+
+@once_for_each_system
+def waits(system: System) -> list[Wait]:
+    """Every wait for an answer outside of test code, in the order of the source."""
+    found: list[Wait] = []
+    signals = _signals(system)
+    for program, call in judged_calls(system):
+        for kind, clients in _waits_of(call, signals):
+            if clients:
+                limited = any(has_limit(call, name) for name in _LIMITS) or _gives_up(call)
+                bounded = limited or any(_may_end(argument(call, name)) for name in _LIMITS)
+                found.append(Wait(kind, call, clients[0], program, limited, bounded))
+    return found
+
+
+def _may_end(limit: Value | None) -> bool:
+    """Whether a limit is given, as far as is known: one that may be None is none."""
+    return limit is not None and all(
+        not isinstance(option, Known) or (isinstance(option.value, (int, float)) and option.value >= 0)
+        for option in alternatives(limit)
+    )
+
+
+def _waits_of(call: ApiCall, signals: _Signals) -> Iterator[tuple[str, tuple[Creation, ...]]]:
+    if call.api in BLOCKING_CALLS:
+        yield CALL, creations_of(call.receiver)
+    elif call.api in SPINS_FOR_FUTURE:
+        yield SPIN, creations_of(argument(call, "future"))
+    elif call.api.endswith(".await"):
+        yield AWAIT, creations_of(call.receiver)
+    elif call.api == DONE:
+        loop = _loop_until(call)
+        if loop is not None:
+            spins = not names_in(loop).isdisjoint({"spin", "spin_once", "spin_until_future_complete"})
+            yield SPIN if spins else CALL, creations_of(call.receiver)
+    elif call.api == _EVENT_WAIT and isinstance(call.receiver, Instance):
+        client = signals.get(call.receiver.key) or signals.get(call.receiver.place)
+        if client is not None:
+            yield CALL, (client,)
+
+
+def _loop_until(call: ApiCall) -> facts.While | None:
+    """The loop that goes round until a future is done: ``while not future.done()``.  What always leaves its body does
+    not wait."""
+    loop = call.loops[-1] if call.loops else None
+    if not isinstance(loop, facts.While) or always_left(loop):
+        return None
+    asked = [part for part in _conjuncts(loop.test) if isinstance(part, facts.Unary) and part.op == "not"]
+    return loop if any(same_expression(part.operand, call.expression) for part in asked) else None
+
+
+def _gives_up(call: ApiCall) -> bool:
+    """Whether a loop around a future also ends by itself: a clock or a counter in its test, a way out of its body."""
+    loop = _loop_until(call) if call.api == DONE else None
+    if loop is None:
+        return False
+    others = [part for part in _conjuncts(loop.test) if not (isinstance(part, facts.Unary) and part.op == "not")]
+    ends = any(
+        isinstance(s, (facts.Return, facts.Raise)) or (isinstance(s, facts.Jump) and s.kind == "break")
+        for s in statements_of(loop.body)
+    )
+    return ends or any(not (isinstance(part, facts.Call) and called_name(part) == "ok") for part in others)
+
+
+def _conjuncts(test: facts.Expr) -> list[facts.Expr]:
+    if isinstance(test, facts.Boolean) and test.op == "and":
+        return [part for value in test.values for part in _conjuncts(value)]
+    return [test]
+
+
+def _signals(system: System) -> _Signals:
+    """Event objects that the done callback of a future sets, with the client whose answer that is."""
+    clients = {
+        call.place: creations_of(call.receiver)
+        for _, call in judged_calls(system)
+        if call.api == _ADD_DONE_CALLBACK and isinstance(call.receiver, FutureValue)
+    }
+    found: _Signals = {}
+    of_place: dict[Place, list[Creation]] = {}
+    for _, call in judged_calls(system):
+        if call.api == _EVENT_SET and call.context.role == "done" and isinstance(call.receiver, Instance):
+            of_future = clients.get(call.context.registered) if call.context.registered else None
+            if of_future:
+                found.setdefault(call.receiver.key, of_future[0])
+                if call.receiver.place is not None:
+                    of_place.setdefault(call.receiver.place, []).append(of_future[0])
+    # A callback that several timers have makes an event each time, and its done callback was followed once.
+    return found | {place: given[0] for place, given in of_place.items() if all(one is given[0] for one in given)}

@@ -1,0 +1,255 @@
+"""The values of a configuration file, read with their types checked and their places known."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from difflib import get_close_matches
+from fnmatch import fnmatchcase
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from archlint.config.toml_places import KeyPath, locate
+from archlint.finding import Severity
+from archlint.rulebook import codes_of, find_rule, suggestion
+
+if TYPE_CHECKING:
+    from archlint.checks.registry import OptionValue
+    from archlint.rulebook import Rule
+
+
+class ConfigurationError(Exception):
+    """A configuration that cannot be used.  ``str()`` is the message with place and the line at fault."""
+
+    def __init__(self, message: str, file: str = "", frame: str = "", line: int | None = None) -> None:
+        place = file + (f":{line}" if line is not None else "")
+        super().__init__(": ".join(part for part in (place, message) if part) + (f"\n{frame}" if frame else ""))
+        self.message, self.file, self.line = message, file, line
+
+
+@dataclass(frozen=True)
+class Glob:
+    """A pattern and the folder that it is relative to: that of the file it is written in."""
+
+    pattern: str
+    base: str
+
+    def patterns(self) -> list[str]:
+        """The pattern as ``fnmatch`` patterns for paths relative to the working directory.
+
+        ``*`` crosses folders; a leading ``**/`` also stands for no folder at all; a pattern without a slash
+        is for the name of a file or folder wherever it lies.
+        """
+        pattern = self.pattern.rstrip("/")
+        if "/" not in pattern:
+            return [pattern]
+        base = os.path.relpath(self.base).replace(os.sep, "/")
+        prefix = "" if base == "." else f"{base}/"
+        pattern = pattern.removeprefix("./").lstrip("/")
+        return [prefix + pattern, *([prefix + pattern[3:]] if pattern.startswith("**/") else [])]
+
+    def matches(self, file: str) -> bool:
+        """Whether a file, by its path relative to the working directory, or a folder above it is meant."""
+        parts = file.split("/")
+        above = ["/".join(parts[: end + 1]) for end in range(len(parts))]
+        return any(
+            fnmatchcase(name, pattern) for pattern in self.patterns() for name in (above if "/" in pattern else parts)
+        )
+
+
+@dataclass(frozen=True)
+class Source:
+    """A configuration file: its path as shown, its text, and the table in which archlint's keys stand."""
+
+    path: Path
+    text: str
+    table: KeyPath
+    foreign: bool = False
+    """Whether it lies outside of the repository: then no line of it is shown, for it may be no configuration."""
+
+    @property
+    def shown(self) -> str:
+        try:
+            return self.path.relative_to(Path.cwd()).as_posix()
+        except ValueError:
+            return self.path.as_posix()
+
+    def error(self, message: str, path: KeyPath = (), element: str | None = None, after: int = 0) -> ConfigurationError:
+        """An error about a key (the first one after a line), or about a string in its value, with the line in a
+        frame."""
+        place = locate(self.text, self.table + path, element, after) if path else None
+        return self.error_at(message, *place) if place else ConfigurationError(message, self.shown)
+
+    def error_at(self, message: str, line: int, column: int, end: int) -> ConfigurationError:
+        if self.foreign:
+            return ConfigurationError(message, self.shown, line=line)
+        lines = self.text.splitlines()
+        text = lines[line - 1] if line <= len(lines) else ""
+        margin = " " * len(str(line))
+        marks = " " * (column - 1) + "^" * max(end - column, 1)
+        frame = f"{margin} |\n{line} | {text}\n{margin} | {marks}"
+        return ConfigurationError(message, self.shown, frame, line)
+
+    def line_of(self, path: KeyPath) -> str:
+        place = locate(self.text, self.table + path)
+        return f"{self.shown}:{place[0]}" if place else self.shown
+
+
+@dataclass(frozen=True)
+class Value:
+    """A value as TOML gives it, and where it stands."""
+
+    value: Any
+    path: KeyPath
+    source: Source
+    after: int = 0
+    """The line of the header that it stands under, where several tables have the same path."""
+
+    @property
+    def base(self) -> str:
+        return self.source.path.parent.as_posix()
+
+    def wrong(self, wanted: str) -> ConfigurationError:
+        return self.error(f"`{'.'.join(self.path)}` must be {wanted}, not {_kind(self.value)}")
+
+    def error(self, message: str) -> ConfigurationError:
+        return self.source.error(message, self.path, after=self.after)
+
+    def at(self, key: str) -> Value:
+        return Value(self.value[key], (*self.path, key), self.source)
+
+
+def _kind(value: object) -> str:
+    if isinstance(value, list) and value:
+        return f"a list with {_kind(next((v for v in value if not isinstance(v, str)), value[0]))}"
+    kinds = {
+        bool: "a boolean",
+        int: "a number",
+        float: "a number",
+        str: "a string",
+        dict: "a table",
+        list: "a list",
+    }
+    return kinds.get(type(value), "a date or time")
+
+
+def string(value: Value) -> str:
+    if not isinstance(value.value, str):
+        raise value.wrong("a string")
+    return value.value
+
+
+def boolean(value: Value) -> bool:
+    if not isinstance(value.value, bool):
+        raise value.wrong("true or false")
+    return value.value
+
+
+def strings(value: Value, wanted: str = "a list of strings") -> tuple[str, ...]:
+    if not isinstance(value.value, list) or not all(isinstance(text, str) for text in value.value):
+        raise value.wrong(wanted)
+    return tuple(value.value)
+
+
+def table(value: Value) -> dict[str, Value]:
+    if not isinstance(value.value, dict):
+        raise value.wrong("a table")
+    return {key: value.at(key) for key in value.value}
+
+
+def selectors(value: Value) -> tuple[str, ...]:
+    selectors = strings(value)
+    for selector in selectors:
+        if not codes_of(selector):
+            raise value.source.error(unknown_rule(selector), value.path, selector)
+    return selectors
+
+
+def unknown_rule(selector: str) -> str:
+    return f"unknown rule `{selector}`{suggestion(selector)}"
+
+
+def one_of(words: tuple[str, ...]) -> Callable[[Value], str]:
+    def read(value: Value) -> str:
+        if value.value not in words:
+            near = get_close_matches(str(value.value), words, 1)
+            raise value.error(
+                f"`{'.'.join(value.path)}` must be one of {', '.join(words)}"
+                + (f"; did you mean {near[0]}?" if near else "")
+            )
+        return str(value.value)
+
+    return read
+
+
+def globs(value: Value) -> tuple[Glob, ...]:
+    return tuple(Glob(pattern, value.base) for pattern in strings(value))
+
+
+def ignores_by_glob(value: Value) -> dict[Glob, tuple[str, ...]]:
+    return {Glob(glob, value.base): selectors(codes) for glob, codes in table(value).items()}
+
+
+def ignores_by_name(value: Value) -> dict[str, tuple[str, ...]]:
+    return {name: selectors(codes) for name, codes in table(value).items()}
+
+
+def severities(value: Value) -> dict[str, Severity]:
+    levels = tuple(severity.label for severity in Severity)
+    for selector in table(value):
+        if not codes_of(selector):
+            raise value.source.error(unknown_rule(selector), (*value.path, selector))
+    return {selector: Severity.parse(one_of(levels)(level)) for selector, level in table(value).items()}
+
+
+def folder(value: Value) -> str:
+    return (Path(value.base) / home_of(value.source, string(value), value.path)).as_posix()
+
+
+def home_of(source: Source, path: str, key: KeyPath) -> Path:
+    """A path with ``~`` and ``~user`` as folders.  Raises :class:`ConfigurationError` for what is no path."""
+    if "\0" in path:
+        raise source.error(f"`{key[-1]}` holds a character that no path has", key)
+    try:
+        return Path(path).expanduser()
+    except RuntimeError:
+        raise source.error(f"`{key[-1]}` names a user whose home is not known: {path}", key) from None
+
+
+def rule_options(value: Value) -> dict[str, dict[str, OptionValue]]:
+    from archlint.checks.registry import registered  # only a configuration with such tables pays for it
+
+    checks = registered()
+    found = {}
+    for name, given in table(value).items():
+        rule = find_rule(name)
+        if rule is None:
+            raise value.source.error(unknown_rule(name), given.path)
+        defaults = checks[rule.code].defaults if rule.code in checks else {}
+        found[rule.code] = {key: _option(rule, defaults, key, one) for key, one in table(given).items()}
+    return found
+
+
+def _option(rule: Rule, defaults: Mapping[str, OptionValue], key: str, given: Value) -> OptionValue:
+    if key not in defaults:
+        raise given.source.error(unknown_key(key, defaults, f"{rule.title} has no option"), given.path)
+    return _like(defaults[key], given)
+
+
+def _like(default: OptionValue, given: Value) -> OptionValue:
+    """A rule's option, of the type that its default has."""
+    if isinstance(default, bool):
+        return boolean(given)
+    if isinstance(default, tuple):
+        return strings(given)
+    if isinstance(default, str):
+        return string(given)
+    if isinstance(given.value, bool) or not isinstance(given.value, (int, float)):
+        raise given.wrong("a number")
+    return given.value
+
+
+def unknown_key(key: str, known: Mapping[str, object], words: str = "unknown key") -> str:
+    near = get_close_matches(key.replace("_", "-"), known, 1)
+    return f"{words} `{key}`" + (f"; did you mean `{near[0]}`?" if near else "")

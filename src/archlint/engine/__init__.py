@@ -1,0 +1,1 @@
+"""A run, from folders to findings, and what is kept of it."""

@@ -1,0 +1,87 @@
+"""What a run did not look at: told beside the findings, so that a run without any means something."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Sequence, Set
+from fnmatch import fnmatchcase
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from archlint.config.settings import Settings
+    from archlint.config.values import Glob
+    from archlint.report.model import Summary
+    from archlint.systems.model import System
+    from archlint.workspace.model import Workspace
+
+_SOMETIMES_THERE = frozenset(
+    {"build", "install", "log", "venv", ".venv", "node_modules", "site-packages", "__pycache__"}
+)
+"""Folders that a fresh checkout does not have, so that leaving them out is no mistake there."""
+
+
+def without_node(summary: Summary) -> Iterator[str]:
+    """A sentence where no node was found, on what else there was."""
+    if summary.nodes:
+        return
+    cpp = summary.cpp_packages
+    beside = f"; the C++ of {cpp} package{'s' if cpp > 1 else ''} is not read" if cpp else ""
+    yield f"no node was found in {summary.files} file{'s' if summary.files != 1 else ''}{beside}"
+
+
+def for_ros1(python: Sequence[str], launch: Sequence[str]) -> Iterator[str]:
+    """One sentence on the files that are for ROS 1."""
+    if len(python) + len(launch) == 1:
+        yield f"{[*python, *launch][0]} is for ROS 1 and passed over"
+        return
+    counts = [(len(launch), "launch file"), (len(python), "Python file")]
+    what = " and ".join(f"{count} {kind}{'s' if count > 1 else ''}" for count, kind in counts if count)
+    if what:
+        yield f"{what} are for ROS 1 and passed over"
+
+
+def without_start(systems: Iterable[System], context: Set[str]) -> Iterator[str]:
+    """A sentence for each launch file that starts nothing since it could not be followed."""
+    for launched in (system.launched for system in systems):
+        if launched is None or launched.started or launched.file in context:
+            continue
+        for gap in [gap for gap in launched.gaps if not gap.dormant][:1]:
+            place = f"{gap.place.file}:{gap.place.line}"
+            yield f"{place}: what this launch file starts is not known, so it is not judged: {gap.reason}"
+
+
+_NAMED = 10
+"""How many files a sentence names."""
+
+
+def followed_in_part(files: Sequence[str]) -> Iterator[str]:
+    """A sentence on the programs that were cut short because those before them had run so much."""
+    if not files:
+        return
+    more = f" and {len(files) - _NAMED} more" if len(files) > _NAMED else ""
+    these = "this file is" if len(files) == 1 else f"these {len(files)} files are"
+    named = ", ".join(files[:_NAMED])
+    yield f"the workspace has more code than is followed, so {these} followed only in part: {named}{more}"
+
+
+def idle_patterns(settings: Settings, workspace: Workspace) -> Iterator[str]:
+    """A sentence for each pattern of the configuration that no file or package of the workspace matches."""
+    files = [file.relative for file in workspace.files]
+    for key, globs in (("launch", settings.launch), ("per-file-ignores", tuple(settings.per_file_ignores))):
+        for glob in globs:
+            if not any(map(glob.matches, files)):
+                yield _matches_nothing(settings, key, glob.pattern, "file")
+    for glob in settings.exclude:
+        if set(glob.patterns()) <= set(workspace.idle_exclusions) and not _may_come(glob):
+            yield _matches_nothing(settings, "exclude", glob.pattern, "file")
+    names = [package.name for package in workspace.packages]
+    for pattern in settings.per_package_ignores:
+        if not any(fnmatchcase(name, pattern) for name in names):
+            yield _matches_nothing(settings, "per-package-ignores", pattern, "package")
+
+
+def _matches_nothing(settings: Settings, key: str, pattern: str, what: str) -> str:
+    return f"{settings.origins.get(key, settings.file)}: no {what} here matches '{pattern}' under {key}"
+
+
+def _may_come(glob: Glob) -> bool:
+    return not _SOMETIMES_THERE.isdisjoint(glob.pattern.split("/"))

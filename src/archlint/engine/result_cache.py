@@ -1,0 +1,176 @@
+"""The result of a whole run, kept under the content of all that it depends on.
+
+A record is plain JSON from a folder that anybody may have written to: one with anything wrong is a miss.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import json
+import os
+from dataclasses import astuple
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from archlint.engine.sources import PYTHON
+from archlint.finding import Edit, Finding, Fix, Place, Related, Severity
+from archlint.report.json import diagnostic
+from archlint.report.model import Judged, Summary
+
+if TYPE_CHECKING:
+    from archlint.engine.pipeline import Request
+    from archlint.syntax.cache import NullStore, Store
+    from archlint.syntax.files import FactsOfFiles
+    from archlint.workspace.model import SourceFile, Workspace
+    from archlint.workspace.tree import SourceTree
+
+
+_PIECE = 1_000_000
+
+
+class RunCache:
+    """The record of one request over one state of a workspace."""
+
+    def __init__(self, store: Store | NullStore, request: Request, workspace: Workspace, tree: SourceTree) -> None:
+        self._store = store
+        self._request = request
+        self._workspace = workspace
+        self._tree = tree
+        self._key: str | None = None
+
+    def load(self) -> Judged | None:
+        """The result of an equal run.  Of files that are unchanged nothing but the status is read."""
+        if not self._request.cached:
+            return None
+        self._key = self._key_of([self._known(file) for file in self._workspace.files])
+        return self._read()
+
+    def load_again(self, facts: FactsOfFiles) -> Judged | None:
+        """As :meth:`load`, once the files that had changed have been read."""
+        if not self._request.cached or self._key is not None:
+            return None
+        files = self._workspace.files
+        digests = [facts.digest(file) if file.kind in PYTHON else self._known(file) for file in files]
+        self._key = self._key_of(digests)
+        return self._read()
+
+    def save(self, judged: Judged) -> None:
+        """Keep a result, unless some input could not be read."""
+        if self._key is None:
+            return
+        record = {
+            "findings": [{**diagnostic(finding), "identity": finding.identity} for finding in judged.findings],
+            "summary": vars(judged.summary),
+            "notices": judged.notices,
+            "remarks": judged.remarks,
+            "asked": self._asked(),
+        }
+        self._store.put_run(self._key, json.dumps(record).encode())
+
+    def _read(self) -> Judged | None:
+        payload = None if self._key is None else self._store.get_run(self._key)
+        if payload is None:
+            return None
+        try:
+            record = json.loads(payload)
+            if any(self._tree.answer(question, path) != answer for question, path, answer in record["asked"]):
+                return None
+            findings = [_finding(entry) for entry in record["findings"]]
+            notices, remarks = ([str(text) for text in record[key]] for key in ("notices", "remarks"))
+            return Judged(findings, Summary(**record["summary"]), notices, remarks)
+        except (ValueError, KeyError, TypeError, AttributeError, RecursionError):
+            return None
+
+    def _asked(self) -> list[tuple[str, str, str | None]]:
+        """What was asked of the disk beside the files that the key is made of: a parameter file that git ignores,
+        a file that is not there."""
+        known = {file.relative for file in self._workspace.files}
+        rows = [(question, path, answer) for (question, path), answer in self._tree.asked.items()]
+        return [row for row in sorted(rows, key=lambda row: row[:2]) if row[0] == "listing" or row[1] not in known]
+
+    def _known(self, file: SourceFile) -> str | None:
+        """The digest of a file's content; of Python only a known one, for compiling hashes it anyway."""
+        digest = self._store.lookup(file.path, file.stamp)
+        if digest is None and file.kind not in PYTHON:
+            digest = _digest(Path(file.path))
+            if digest is not None:
+                self._store.remember(file.path, file.stamp, digest)
+        return digest
+
+    def _key_of(self, digests: list[str | None]) -> str | None:
+        if None in digests:
+            return None
+        files = self._workspace.files
+        inputs = [
+            [file.relative, file.kind, file.package, file.module, file.context, digest]
+            for file, digest in zip(files, digests, strict=True)
+        ]
+        problems = [astuple(problem) for problem in self._workspace.problems]
+        request = self._request
+        asked = [repr(request.paths), repr(request.settings), request.launch, request.launch_arguments]
+        observed = None if request.observed is None else (request.observed.file, request.observed.digest)
+        decisive: list[object] = [own_code(), asked, observed, inputs, problems]
+        return hashlib.sha256(json.dumps(decisive).encode()).hexdigest()
+
+
+def _digest(path: Path) -> str | None:
+    """A hash of a file's content; None for what cannot be read, or is no regular file."""
+    try:
+        if not path.is_file():
+            return None
+        digest = hashlib.sha256()
+        with path.open("rb") as stream:  # piece by piece: a bag or a map may lie among the YAML files
+            while piece := stream.read(_PIECE):
+                digest.update(piece)
+        return digest.hexdigest()
+    except OSError:
+        return None
+
+
+def own_code() -> list[tuple[str, int, int]]:
+    """Name, time and size of archlint's own modules: an edited rule must not be answered from the cache."""
+    from archlint.rulebook import pages_folder
+
+    entries: list[tuple[str, int, int]] = []
+    folders = [str(Path(__file__).parent), str(pages_folder())]
+    while folders:
+        with os.scandir(folders.pop()) as found:
+            for entry in found:
+                if entry.name.endswith((".py", ".md", ".json")):
+                    status = entry.stat()
+                    entries.append((entry.path, status.st_mtime_ns, status.st_size))
+                elif entry.name != "__pycache__" and entry.is_dir():
+                    folders.append(entry.path)
+    return sorted(entries)
+
+
+def _finding(entry: dict[str, Any]) -> Finding:
+    """The finding that :func:`~archlint.report.json.diagnostic` wrote."""
+    related = tuple(Related(_place(one), str(one["message"])) for one in entry["related"])
+    return Finding(
+        code=str(entry["code"]),
+        name=str(entry["name"]),
+        severity=Severity.parse(entry["severity"]),
+        message=str(entry["message"]),
+        place=_place(entry),
+        help=str(entry["help"]),
+        node=entry["node"],
+        system=entry["system"],
+        related=related,
+        fix=None if entry["fix"] is None else _fix(entry["fix"]),
+        identity=tuple(str(part) for part in entry["identity"]),
+        condition=entry["condition"],
+    )
+
+
+def _fix(entry: dict[str, Any]) -> Fix:
+    edits = (
+        Edit(Place(str(one["file"]), *(int(at) for at in (*one["start"], *one["end"]))), str(one["text"]))
+        for one in entry["edits"]
+    )
+    return Fix(str(entry["safety"]), tuple(edits), str(entry.get("title", "")))
+
+
+def _place(entry: dict[str, Any]) -> Place:
+    keys = ("line", "column", "end_line", "end_column")
+    return Place(str(entry["file"]), *(int(entry[key]) for key in keys))

@@ -1,0 +1,592 @@
+"""Python's own functions and the methods of its texts and collections, as far as names need them."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Hashable
+from typing import TYPE_CHECKING, Any
+
+from archlint.interpreter.heap import Items
+from archlint.interpreter.type_tests import isinstance_of
+from archlint.interpreter.value_methods import Arguments, Keywords, call_method, update_entries
+from archlint.interpreter.values import (
+    FALSE,
+    NONE,
+    TRUE,
+    ApiMethod,
+    BoundMethod,
+    Builtin,
+    ClassValue,
+    EachValue,
+    External,
+    FunctionValue,
+    Instance,
+    Known,
+    ListValue,
+    MessageValue,
+    OneOf,
+    Partial,
+    Unknown,
+    Value,
+    alternatives,
+    as_default,
+    constant,
+    one_of,
+    reason,
+    via,
+)
+from archlint.libraries.rclpy import escapes, names
+from archlint.syntax import facts
+
+if TYPE_CHECKING:
+    from archlint.interpreter.machine import Run
+
+
+def call_builtin(
+    run: Run,
+    function: Builtin,
+    args: Arguments,
+    keywords: Keywords,
+    expression: facts.Call | None,
+    open_arguments: bool,
+) -> Value:
+    target = function.self_value
+    if target is not None:
+        method = function.name.rpartition(".")[2]
+        return call_method(run, target, method, args, keywords, expression, open_arguments)
+    found = _call_known(run, function.name, args, keywords, expression, open_arguments)
+    if function.name in _LEAVE_ALONE:
+        return found
+    return escapes.lost(run, found, [*args, *keywords.values()], f"it is given to {function.name}()")
+
+
+def _call_known(
+    run: Run, name: str, args: Arguments, keywords: Keywords, expression: facts.Call | None, open_arguments: bool
+) -> Value:
+    handler = BUILTINS.get(name)
+    if handler is None:
+        return Unknown(f"{name}() is not followed")
+    if open_arguments and name not in ("print", "dict", "set", "list"):
+        return Unknown(f"{name}() of arguments that are not known")
+    return handler(run, args, keywords, expression)
+
+
+_LEAVE_ALONE = frozenset(
+    {"print", "str", "repr", "format", "int", "float", "bool", "abs", "round", "len", "range", "any", "all"}
+    | {"isinstance", "issubclass", "callable", "hasattr", "getattr", "id", "hash", "dir", "vars", "super"}
+)
+"""Functions of Python's own that keep nothing of what they are given."""
+
+
+def _first(args: Arguments, why: str = "an argument is missing") -> Value:
+    return args[0] if args else Unknown(why)
+
+
+def _nothing(run: Run, args: Arguments, keywords: Keywords, e: object) -> Value:
+    return NONE
+
+
+def _unknown(what: str) -> Callable[..., Value]:
+    def handler(run: Run, args: Arguments, keywords: Keywords, e: object) -> Value:
+        return Unknown(reason(*args) if args else what)
+
+    return handler
+
+
+def _input(run: Run, args: Arguments, keywords: Keywords, e: facts.Call | None) -> Value:
+    from archlint.libraries import tables
+    from archlint.libraries.rclpy import effects
+
+    api = tables.find("builtins.input")
+    if api is not None and e is not None:
+        effects.record(run, api, None, {}, e)
+    return Unknown("what a user types")
+
+
+def _open(run: Run, args: Arguments, keywords: Keywords, e: object) -> Value:
+    """A file; only launch files read any that matter here."""
+    from archlint.launch.effects import open_file
+
+    return open_file(run, args)
+
+
+def _str(run: Run, args: Arguments, keywords: Keywords, e: object) -> Value:
+    from archlint.interpreter import formatting
+
+    if not args:
+        return Known("")
+    found = []
+    for option in alternatives(args[0]):
+        text = formatting.text_of(run, option)
+        found.append(_as_text(text) if isinstance(text, Known) else text)
+    return one_of(found)
+
+
+def _as_text(value: Known) -> Known:
+    """``str(value)``: of a path, a text like any other."""
+    return Known(str(value.value), value.via, value.origin, "other" if value.kind == "path" else value.kind)
+
+
+def _number(convert: Callable[[Any], Any]) -> Callable[..., Value]:
+    def handler(run: Run, args: Arguments, keywords: Keywords, e: object) -> Value:
+        if not args:
+            return Known(convert()) if isinstance(convert, type) else Unknown("a call that fails")
+        found: list[Value] = []
+        for option in alternatives(args[0]):
+            if isinstance(option, Known):
+                try:
+                    found.append(constant(convert(option.value), option.via))
+                except (TypeError, ValueError, OverflowError):
+                    found.append(Unknown("a conversion that fails"))
+            else:
+                found.append(Unknown(reason(option), next(iter(sorted(via(option))), None)))
+        return one_of(found)
+
+    return handler
+
+
+def _eval(run: Run, args: Arguments, keywords: Keywords, e: object) -> Value:
+    """``eval('True')``: how launch files turn an argument's text into a value.  Constants only; nothing runs."""
+    from archlint.launch.expression import NotFollowed, evaluate
+
+    found: list[Value] = []
+    for option in alternatives(_first(args)):
+        value: object = None
+        if isinstance(option, Known) and isinstance(option.value, str):
+            try:
+                value = evaluate(option.value)
+            except NotFollowed:
+                value = None
+        if isinstance(value, (str, int, float)):
+            found.append(Known(value, via(option)))
+        else:
+            found.append(Unknown("what eval() gives"))
+    return one_of(found)
+
+
+def _bool(run: Run, args: Arguments, keywords: Keywords, e: object) -> Value:
+    from archlint.interpreter import decisions
+
+    if not args:
+        return FALSE
+    if isinstance(args[0], Known):
+        return Known(bool(args[0].value), args[0].via)
+    known = decisions.truth(run, args[0])
+    return Unknown(reason(args[0])) if known is None else Known(known)
+
+
+def _len(run: Run, args: Arguments, keywords: Keywords, e: object) -> Value:
+    from archlint.interpreter import containers
+
+    value = _first(args)
+    if isinstance(value, Known) and isinstance(value.value, str):
+        return Known(len(value.value), value.via)
+    if isinstance(value, Known):
+        return Unknown("the length of a number")
+    items = containers.iterate(run, value)
+    if items is None or items.open or isinstance(value, OneOf):
+        return Unknown("the length of a collection that is not known")
+    return Known(len(items.values))
+
+
+def _range(run: Run, args: Arguments, keywords: Keywords, e: object) -> Value:
+    from archlint.interpreter import containers
+
+    numbers = [arg.value for arg in args if isinstance(arg, Known) and isinstance(arg.value, int)]
+    if not args or len(numbers) != len(args):
+        return Unknown(reason(*args), next(iter(sorted(via(*args))), None))
+    try:
+        wanted = range(*numbers)
+    except (TypeError, ValueError):
+        return Unknown("a range that fails")
+    if wanted[containers.ITEM_LIMIT :]:  # its length may be too large a number for len()
+        return Unknown("a range too long to follow")
+    return containers.new_list(run, [Known(number, via(*args)) for number in wanted])
+
+
+def _rows(row: list[Value], run: Run) -> Value:
+    from archlint.interpreter import containers
+
+    return EachValue(containers.new_list(run, row, "tuple"))
+
+
+def _element(value: Value) -> Value:
+    return value.element if isinstance(value, EachValue) else Unknown("an item beside others")
+
+
+def _enumerate(run: Run, args: Arguments, keywords: Keywords, e: object) -> Value:
+    from archlint.interpreter import containers
+
+    items = containers.iterate(run, _first(args))
+    start = args[1] if len(args) > 1 else keywords.get("start", Known(0))
+    if isinstance(_first(args), EachValue):
+        return _rows([Unknown("the number of an item"), _element(_first(args))], run)
+    if items is None:
+        return Unknown(reason(*args))
+    rows: list[Value] = []
+    for number, item in enumerate(items.values):
+        at = Known(start.value + number) if isinstance(start, Known) and isinstance(start.value, int) else start
+        rows.append(containers.new_list(run, [at, item], "tuple"))
+    return containers.new_list(run, rows, "list", items.open)
+
+
+def _zip(run: Run, args: Arguments, keywords: Keywords, e: object) -> Value:
+    from archlint.interpreter import containers
+
+    if any(isinstance(arg, EachValue) for arg in args):
+        return _rows([_element(arg) for arg in args], run)
+    columns = [containers.iterate(run, arg) for arg in args]
+    if not columns or any(column is None for column in columns):
+        return Unknown(reason(*args))
+    known = [column for column in columns if column is not None]
+    rows: list[Value] = [
+        containers.new_list(run, list(row), "tuple") for row in zip(*(column.values for column in known), strict=False)
+    ]
+    return containers.new_list(run, rows, "list", any(column.open for column in known))
+
+
+def _collect(kind: str) -> Callable[..., Value]:
+    def handler(run: Run, args: Arguments, keywords: Keywords, e: object) -> Value:
+        from archlint.interpreter import containers
+
+        if not args:
+            return containers.new_list(run, [], kind)
+        found: list[Value] = []
+        for option in alternatives(args[0]):
+            if isinstance(option, EachValue):
+                found.append(option)
+                continue
+            items = containers.iterate(run, option)
+            if items is None:
+                found.append(Unknown(reason(option), next(iter(sorted(via(option))), None)))
+                continue
+            values = list(items.values)
+            if kind == "set":
+                values = list(dict.fromkeys(values)) if all(isinstance(v, Known) for v in values) else values
+            found.append(containers.new_list(run, values, kind, items.open))
+        return one_of(found)
+
+    return handler
+
+
+def _reversed(run: Run, args: Arguments, keywords: Keywords, e: object) -> Value:
+    from archlint.interpreter import containers
+
+    if isinstance(_first(args), EachValue):
+        return _first(args)
+    items = containers.iterate(run, _first(args))
+    if items is None:
+        return Unknown(reason(*args))
+    return containers.new_list(run, list(reversed(items.values)), "list", items.open)
+
+
+def _sorted(run: Run, args: Arguments, keywords: Keywords, e: object) -> Value:
+    from archlint.interpreter import containers
+
+    if isinstance(_first(args), EachValue):
+        return _first(args)
+    items = containers.iterate(run, _first(args))
+    if items is None:
+        return Unknown(reason(*args))
+    values = [item.value for item in items.values if isinstance(item, Known)]
+    if len(values) == len(items.values) and "key" not in keywords:
+        try:
+            reverse = keywords.get("reverse", FALSE) == TRUE
+            order = sorted(range(len(values)), key=lambda i: values[i], reverse=reverse)  # type: ignore[arg-type,return-value]
+            return containers.new_list(run, [items.values[i] for i in order], "list", items.open)
+        except TypeError:
+            pass
+    return containers.new_list(run, items.values, "list", items.open)
+
+
+def _dict(run: Run, args: Arguments, keywords: Keywords, e: object) -> Value:
+    from archlint.interpreter import containers
+
+    entries: dict[Hashable, tuple[Value, Value]] = {}
+    open_ = False
+    if args:
+        open_ = not update_entries(run, entries, args[0])
+    for name, value in keywords.items():
+        at = containers.hashable(Known(name))
+        assert at is not None
+        entries[at] = (Known(name), value)
+    return containers.new_dict(run, entries, open_)
+
+
+def _getattr(run: Run, args: Arguments, keywords: Keywords, e: object) -> Value:
+    from archlint.interpreter.attributes import get_attribute
+
+    if len(args) < 2:
+        return Unknown("getattr() without a name")
+    found = []
+    for name in alternatives(args[1]):
+        if isinstance(name, Known) and isinstance(name.value, str):
+            value = get_attribute(run, args[0], name.value)
+            if isinstance(value, External) and name.via:
+                value = External(value.path, value.via | name.via)
+            missing = _is_missing(value)
+            found.append(as_default(args[2]) if missing and len(args) > 2 else value)
+            if isinstance(value, Unknown) and not missing and len(args) > 2:
+                found.append(as_default(args[2]))
+        else:
+            found.append(Unknown(reason(name)))
+    return one_of(found)
+
+
+def _is_missing(value: Value) -> bool:
+    """Whether an object certainly lacks an attribute: neither its class here nor rclpy's Node has it."""
+    if isinstance(value, Unknown):
+        return (value.name or "").startswith("missing:")
+    if isinstance(value, ApiMethod):
+        owner, _, name = value.path.rpartition(".")
+        return owner in names.NODE_CLASSES and not names.is_node_attribute(name)
+    return False
+
+
+def _setattr(run: Run, args: Arguments, keywords: Keywords, e: object) -> Value:
+    from archlint.interpreter.attributes import set_attribute
+
+    if len(args) == 3 and isinstance(args[1], Known) and isinstance(args[1].value, str):
+        set_attribute(run, args[0], args[1].value, args[2])
+    else:
+        escapes.escape(run, args[2:], "setattr() stores it under a name that is not known")
+    return NONE
+
+
+def _hasattr(run: Run, args: Arguments, keywords: Keywords, e: object) -> Value:
+    from archlint.interpreter.attributes import get_attribute
+
+    if len(args) != 2 or not isinstance(args[1], Known) or not isinstance(args[1].value, str):
+        return Unknown("hasattr() of a name that is not known")
+    if isinstance(args[0], MessageValue) and run.interfaces is not None:
+        known = run.interfaces.has(args[0].type, args[0].part, args[1].value)
+        return Unknown("hasattr() of a message that is not known") if known is None else Known(known)
+    if not isinstance(args[0], Instance) or not isinstance(args[0].cls, ClassValue):
+        return Unknown("hasattr() of an object that is not followed")
+    value = get_attribute(run, args[0], args[1].value)
+    if _is_missing(value):
+        return FALSE if run.context.role in ("init", "main") else Unknown("whether it is set by then")
+    return Unknown(value.reason) if isinstance(value, Unknown) else TRUE
+
+
+def _map(run: Run, args: Arguments, keywords: Keywords, e: object) -> Value:
+    from archlint.interpreter import containers
+
+    if len(args) != 2:
+        return Unknown("map() over several collections")
+    items = containers.iterate(run, args[1])
+    if items is None:
+        return Unknown(reason(args[1]))
+    return containers.new_list(run, [run.call(args[0], [item], {}) for item in items.values], "list", items.open)
+
+
+def _filter(run: Run, args: Arguments, keywords: Keywords, e: object) -> Value:
+    from archlint.interpreter import containers, decisions
+
+    if len(args) == 2 and isinstance(args[1], EachValue):
+        return args[1]
+    items = containers.iterate(run, args[1]) if len(args) == 2 else None
+    if items is None:
+        return Unknown("what filter() leaves")
+    kept: list[Value] = []
+    open_ = items.open
+    for item in items.values:
+        verdict = decisions.truth(run, item if args[0] == NONE else run.call(args[0], [item], {}))
+        if verdict is not False:
+            kept.append(item)
+        open_ = open_ or verdict is None
+    return containers.new_list(run, kept, "list", open_)
+
+
+def _extreme(pick: Callable[..., Any]) -> Callable[..., Value]:
+    def handler(run: Run, args: Arguments, keywords: Keywords, e: object) -> Value:
+        from archlint.interpreter import containers
+
+        if len(args) == 1 and isinstance(args[0], EachValue):
+            return args[0].element
+        items = containers.iterate(run, args[0]) if len(args) == 1 else Items(tuple(args))
+        if items is None or items.open or "key" in keywords:
+            return Unknown(reason(*args))
+        values = [item.value for item in items.values if isinstance(item, Known)]
+        if len(values) != len(items.values) or not values:
+            return Unknown(reason(*items.values))
+        try:
+            return constant(pick(values), via(*items.values))
+        except (TypeError, OverflowError):
+            return Unknown("an operation that fails")
+
+    return handler
+
+
+def _sum(run: Run, args: Arguments, keywords: Keywords, e: object) -> Value:
+    """Of numbers the sum; of lists, ``sum(lists, [])``, one list with all that they hold."""
+    from archlint.interpreter import containers
+
+    start = args[1] if len(args) == 2 else keywords.get("start")
+    if not isinstance(start, ListValue) or start.kind != "list":
+        return _extreme(sum)(run, args, {}, e) if start is None else Unknown(reason(*args))
+    lists = containers.iterate(run, args[0])
+    parts = None if lists is None else [containers.iterate(run, one) for one in (start, *lists.values)]
+    known = [part for part in parts or () if part is not None]
+    if lists is None or parts is None or len(known) != len(parts):
+        return Unknown(reason(*args))
+    values = [value for part in known for value in part.values]
+    return containers.new_list(run, values, "list", lists.open or any(part.open for part in known))
+
+
+def _any_all(wanted: bool) -> Callable[..., Value]:
+    def handler(run: Run, args: Arguments, keywords: Keywords, e: object) -> Value:
+        from archlint.interpreter import containers, decisions
+
+        items = containers.iterate(run, _first(args))
+        if items is None:
+            return Unknown(reason(*args))
+        verdicts = [decisions.truth(run, item) for item in items.values]
+        if wanted in verdicts:
+            return Known(wanted)
+        return Unknown("not all items are known") if None in verdicts or items.open else Known(not wanted)
+
+    return handler
+
+
+def _type(run: Run, args: Arguments, keywords: Keywords, e: object) -> Value:
+    value = _first(args)
+    if isinstance(value, Instance):
+        return value.cls
+    if isinstance(value, MessageValue) and not value.part:
+        return External(value.type.replace("/", "."))
+    return Unknown("the type of a value")
+
+
+def _callable(run: Run, args: Arguments, keywords: Keywords, e: object) -> Value:
+    value = _first(args)
+    if isinstance(value, (FunctionValue, BoundMethod, ClassValue, Partial)):
+        return TRUE
+    return FALSE if isinstance(value, Known) else Unknown(reason(value))
+
+
+def _next(run: Run, args: Arguments, keywords: Keywords, e: object) -> Value:
+    from archlint.interpreter import containers
+
+    first = _first(args)
+    if isinstance(first, EachValue):
+        return one_of((first.element, *args[1:]))
+    items = containers.iterate(run, first)
+    if items is not None and items.values:
+        return one_of(items.values)
+    return args[1] if len(args) > 1 and items is not None and not items.open else Unknown("what an iterator gives")
+
+
+def _same(run: Run, args: Arguments, keywords: Keywords, e: object) -> Value:
+    return _first(args)
+
+
+def _object_new(run: Run, args: Arguments, keywords: Keywords, e: object) -> Value:
+    from archlint.interpreter.definitions import allocate
+
+    return allocate(run, args[0]) if args and isinstance(args[0], ClassValue) else Unknown("an object")
+
+
+def _object_setattr(run: Run, args: Arguments, keywords: Keywords, e: object) -> Value:
+    """``object.__setattr__(self, 'x', value)``: how frozen dataclasses fill themselves."""
+    return _setattr(run, args, keywords, e)
+
+
+BUILTINS: dict[str, Callable[..., Value]] = {
+    "object.__new__": _object_new,
+    "object.__setattr__": _object_setattr,
+    "print": _nothing,
+    "str": _str,
+    "repr": _unknown("a repr"),
+    "int": _number(int),
+    "float": _number(float),
+    "bool": _bool,
+    "abs": _number(abs),
+    "round": _unknown("a rounded number"),
+    "len": _len,
+    "range": _range,
+    "enumerate": _enumerate,
+    "zip": _zip,
+    "list": _collect("list"),
+    "tuple": _collect("tuple"),
+    "set": _collect("set"),
+    "frozenset": _collect("set"),
+    "iter": _same,
+    "reversed": _reversed,
+    "sorted": _sorted,
+    "dict": _dict,
+    "getattr": _getattr,
+    "setattr": _setattr,
+    "hasattr": _hasattr,
+    "isinstance": isinstance_of,
+    "issubclass": _unknown("a class relation"),
+    "map": _map,
+    "filter": _filter,
+    "min": _extreme(min),
+    "max": _extreme(max),
+    "sum": _sum,
+    "any": _any_all(True),
+    "all": _any_all(False),
+    "type": _type,
+    "callable": _callable,
+    "next": _next,
+    "input": _input,
+    "open": _open,
+    "id": _unknown("an identity"),
+    "hash": _unknown("a hash"),
+    "vars": _unknown("the attributes of an object"),
+    "dir": _unknown("the attributes of an object"),
+    "object": _unknown("an object"),
+    "property": _same,
+    "staticmethod": _same,
+    "classmethod": _same,
+    "super": _unknown("super()"),
+    "chr": _unknown("a character"),
+    "ord": _unknown("a character"),
+    "eval": _eval,
+    "exec": _nothing,
+    "exit": _nothing,
+    "quit": _nothing,
+    "bytes": _unknown("bytes"),
+    "bytearray": _unknown("bytes"),
+    "memoryview": _unknown("bytes"),
+    "complex": _unknown("a number"),
+    "divmod": _unknown("a number"),
+    "pow": _unknown("a number"),
+    "format": _unknown("a formatted text"),
+    "globals": _unknown("the variables"),
+    "locals": _unknown("the variables"),
+    "__import__": _unknown("a module"),
+    "hex": _unknown("a number"),
+    "bin": _unknown("a number"),
+    "slice": _unknown("a slice"),
+    **{
+        name: _unknown("an exception")
+        for name in [
+            "Exception",
+            "BaseException",
+            "RuntimeError",
+            "ValueError",
+            "TypeError",
+            "KeyError",
+            "IndexError",
+            "AttributeError",
+            "OSError",
+            "IOError",
+            "ImportError",
+            "NotImplementedError",
+            "KeyboardInterrupt",
+            "SystemExit",
+            "TimeoutError",
+            "StopIteration",
+            "AssertionError",
+            "ConnectionError",
+            "FileNotFoundError",
+            "PermissionError",
+            "ZeroDivisionError",
+            "ArithmeticError",
+        ]
+    },
+}
+
+
+__all__ = ["BUILTINS", "call_builtin"]

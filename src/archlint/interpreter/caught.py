@@ -1,0 +1,74 @@
+"""What an ``except`` is there for, as far as its text tells."""
+
+from __future__ import annotations
+
+import re
+
+from archlint.syntax import facts
+
+_IMPORT_ERRORS = {"ImportError", "ModuleNotFoundError"}
+_OTHER_ERROR = re.compile(r"(?!Attribute)\w+(Error|Exception|Warning|Interrupt|Timeout)$")
+"""A class whose name says what else went wrong."""
+_FOR_ALL = frozenset({"Exception", "BaseException"})
+_TELLS = frozenset({"debug", "info", "warn", "warning", "error", "fatal", "critical", "exception"}) | {
+    "print",
+    "print_exc",
+}
+"""What is called to say that something went wrong: methods of loggers, and functions."""
+
+
+def is_import_error(expression: facts.Expr | None) -> bool:
+    """Whether a handler is for imports that fail, and for nothing else."""
+    if isinstance(expression, facts.Name):
+        return expression.id in _IMPORT_ERRORS
+    if isinstance(expression, facts.Sequence):
+        return bool(expression.elements) and all(is_import_error(e) for e in expression.elements)
+    return False
+
+
+def may_expect_missing_attribute(handler: facts.Handler) -> bool:
+    """Whether a handler may be there for an attribute that is missing: not one for all errors that does no more than
+    say so."""
+    return _names_attribute_error(handler.type) and not (_is_for_all(handler.type) and _only_tells(handler))
+
+
+def _names_attribute_error(expression: facts.Expr | None) -> bool:
+    if isinstance(expression, facts.Sequence):
+        return any(_names_attribute_error(element) for element in expression.elements)
+    return _is_for_all(expression) or _OTHER_ERROR.match(_last_name(expression)) is None
+
+
+def _is_for_all(expression: facts.Expr | None) -> bool:
+    return expression is None or _last_name(expression) in _FOR_ALL
+
+
+def _last_name(expression: facts.Expr | None) -> str:
+    return expression.id if isinstance(expression, facts.Name) else getattr(expression, "attr", "")
+
+
+def _only_tells(handler: facts.Handler) -> bool:
+    """Whether a handler says something or raises, and does nothing else but leave."""
+    speaks = [isinstance(one, facts.Raise) or _is_telling_call(one, handler.name) for one in handler.body]
+    return any(speaks) and all(said or _returns_nothing(one) for said, one in zip(speaks, handler.body, strict=True))
+
+
+def _is_telling_call(statement: facts.Stmt, error: str | None) -> bool:
+    """Whether a statement logs or prints words or the error: ``print(scan.ranges)`` may be another way to the data."""
+    call = statement.value if isinstance(statement, facts.Expression) else None
+    if not isinstance(call, facts.Call) or _last_name(call.func) not in _TELLS:
+        return False
+    given = [argument.value for argument in call.args]
+    return not given or any(_is_text(value) or (isinstance(value, facts.Name) and value.id == error) for value in given)
+
+
+def _is_text(value: facts.Expr) -> bool:
+    if isinstance(value, facts.Literal):
+        return isinstance(value.value, str)
+    if isinstance(value, facts.Call):
+        return _last_name(value.func) in ("str", "repr", "format", "format_exc")
+    return isinstance(value, facts.FormatString) or (isinstance(value, facts.Binary) and _is_text(value.left))
+
+
+def _returns_nothing(statement: facts.Stmt) -> bool:
+    value = statement.value if isinstance(statement, facts.Return) else statement
+    return value is None or (isinstance(value, facts.Literal) and value.value is None)

@@ -1,0 +1,327 @@
+"""Collections: lists, tuples, sets and dicts, and the items that iterating yields."""
+
+from __future__ import annotations
+
+from collections.abc import Hashable, Sequence
+from typing import TYPE_CHECKING
+
+from archlint.interpreter.attributes import get_attribute, set_attribute
+from archlint.interpreter.heap import Entries, Items
+from archlint.interpreter.values import (
+    AttributesValue,
+    BoundMethod,
+    ClassValue,
+    DictValue,
+    EachValue,
+    EntityValue,
+    External,
+    Instance,
+    Known,
+    ListValue,
+    OneOf,
+    Unknown,
+    Value,
+    alternatives,
+    as_default,
+    one_of,
+    reason,
+    via,
+    with_via,
+)
+from archlint.libraries.rclpy import escapes
+
+if TYPE_CHECKING:
+    from archlint.interpreter.machine import Run
+ITEM_LIMIT = 4096
+STRANGE_KEYS = 64
+"""How many values under keys that are not known a dict keeps."""
+
+
+def new_list(
+    run: Run, values: Sequence[Value], kind: str = "list", open_: bool = False, whole: bool = False
+) -> ListValue:
+    made = ListValue(run.store.new_key(), kind)
+    run.store.set(made.key, "#items", Items(tuple(values), open_, whole))
+    return made
+
+
+def new_dict(run: Run, entries: dict[Hashable, tuple[Value, Value]], open_: bool = False) -> DictValue:
+    made = DictValue(run.store.new_key())
+    run.store.set(made.key, "#items", Entries(entries, open_))
+    return made
+
+
+def items_of(run: Run, value: ListValue) -> Items:
+    items = run.store.get(value.key, "#items")
+    if not isinstance(items, Items):
+        return Items((), True)
+    if not value.via:
+        return items
+    return Items(tuple(with_via(item, value.via) for item in items.values), items.open, items.whole)
+
+
+def entries_of(run: Run, value: DictValue) -> Entries:
+    entries = run.store.get(value.key, "#items")
+    if not isinstance(entries, Entries):
+        return Entries({}, True)
+    if not value.via:
+        return entries
+    rows = {at: (key, with_via(entry, value.via)) for at, (key, entry) in entries.entries.items()}
+    return Entries(rows, entries.open)
+
+
+def hashable(value: Value) -> Hashable | None:
+    """What stands for a value as a key; None where it is not known."""
+    if isinstance(value, Known):
+        return (type(value.value).__name__ if isinstance(value.value, str) else "", value.value)
+    if isinstance(value, (Instance, ClassValue, EntityValue)):
+        return ("#", id(value))
+    if isinstance(value, External):
+        return ("#external", value.path)
+    return None
+
+
+def iterate(run: Run, value: Value) -> Items | None:
+    """The items that iterating yields; None where nothing is known of them."""
+    if isinstance(value, ListValue):
+        return items_of(run, value)
+    if isinstance(value, DictValue):
+        entries = entries_of(run, value)
+        return Items(tuple(key for key, _ in entries.entries.values()), entries.open)
+    if isinstance(value, Known) and isinstance(value.value, str):
+        if len(value.value) > 256:
+            return None
+        return Items(tuple(Known(character, value.via) for character in value.value))
+    if isinstance(value, ClassValue):
+        members = enum_members(run, value)
+        return Items(tuple(members)) if members else None
+    if isinstance(value, Instance):
+        return _fields_of_tuple(run, value)
+    if isinstance(value, OneOf):
+        rows = [iterate(run, alternative) for alternative in value.values]
+        known = [row for row in rows if row is not None]
+        if not known:
+            return None
+        union: list[Value] = []
+        for row in known:
+            union.extend(item for item in row.values if item not in union)
+        same = len(known) == len(rows) and all(row == known[0] for row in known)
+        whole = len(known) == len(rows) and all(row.whole for row in known)
+        return Items(tuple(union), not same or known[0].open, whole)
+    return None
+
+
+def _fields_of_tuple(run: Run, value: Instance) -> Items | None:
+    """The items of a named tuple."""
+    names = run.store.get(value.key, "#fields")
+    if not isinstance(names, tuple):
+        return None
+    fields = [run.store.get(value.key, name) for name in names]
+    return Items(tuple(field for field in fields if isinstance(field, Value)))
+
+
+def unknown_item(run: Run, iterable: Value, why: str) -> Value:
+    """What stands for any of the items of what cannot be iterated over."""
+    if isinstance(iterable, EachValue):
+        return iterable.element
+    if isinstance(iterable, Unknown) and iterable.parameter is not None:
+        return Unknown(iterable.reason, iterable.parameter)
+    return Unknown(why)
+
+
+def enum_members(run: Run, cls: ClassValue) -> list[Value]:
+    names = run.store.get(cls.key, "#members")
+    if not isinstance(names, tuple):
+        return []
+    found = [run.store.get(cls.key, name) for name in names]
+    return [value for value in found if isinstance(value, Value)]
+
+
+def slice_of(run: Run, value: Value, bounds: slice | None) -> Value:
+    return escapes.lost(run, _slice_of(run, value, bounds), (value,), "it is in a part of a list")
+
+
+def _slice_of(run: Run, value: Value, bounds: slice | None) -> Value:
+    if isinstance(value, EachValue):
+        return value
+    if bounds is None or bounds.step == 0:
+        return Unknown("a slice whose bounds are not known")
+    if isinstance(value, ListValue):
+        items = items_of(run, value)
+        if items.open:
+            return Unknown("the items of this list are not known")
+        return new_list(run, items.values[bounds], value.kind)
+    if isinstance(value, Known) and isinstance(value.value, str):
+        return Known(value.value[bounds], value.via)
+    return Unknown(reason(value))
+
+
+def get_item(run: Run, container: Value, index: Value) -> Value:
+    """``container[index]``."""
+    found = _get_item(run, container, index)
+    if isinstance(container, (ListValue, DictValue)):
+        return escapes.lost(run, found, (container,), _TAKEN)
+    return found
+
+
+_TAKEN = "it is in a container from which something is taken"
+
+
+def _get_item(run: Run, container: Value, index: Value) -> Value:
+    if isinstance(container, EachValue):
+        return container.element
+    if isinstance(container, ListValue):
+        items = items_of(run, container)
+        if isinstance(index, Known) and isinstance(index.value, int):
+            inside = -len(items.values) <= index.value < len(items.values)
+            if inside and not items.open:
+                return with_via(items.values[index.value], index.via)
+            return Unknown("the items of this list are not known")
+        if items.values and not items.open:
+            return with_via(one_of(items.values), via(index))
+        return Unknown(reason(index, *items.values[:1]))
+    if isinstance(container, DictValue):
+        return get_entry(run, container, index, None)
+    if isinstance(container, Known) and isinstance(container.value, str):
+        if isinstance(index, Known) and isinstance(index.value, int):
+            try:
+                return Known(container.value[index.value], container.via | index.via)
+            except IndexError:
+                return Unknown("an index outside of the text")
+        return Unknown(reason(index))
+    if isinstance(container, ClassValue):
+        if isinstance(index, Known) and isinstance(index.value, str):
+            member = run.store.get(container.key, index.value)  # an enum by name, or a generic class
+            if isinstance(member, Value):
+                return member
+        return container
+    if isinstance(container, External):
+        return _external_item(run, container, index)
+    if isinstance(container, Instance):
+        items_ = _fields_of_tuple(run, container)
+        if items_ is not None and isinstance(index, Known) and isinstance(index.value, int):
+            return items_.values[index.value] if abs(index.value) < len(items_.values) else Unknown("no such item")
+        method = get_attribute(run, container, "__getitem__")
+        if isinstance(method, BoundMethod):
+            return run.call(method, [index], {})
+    if isinstance(container, AttributesValue) and isinstance(index, Known) and isinstance(index.value, str):
+        return get_attribute(run, container.instance, index.value)
+    if isinstance(container, Unknown):
+        return Unknown(container.reason, container.parameter)
+    return Unknown(reason(container, index))
+
+
+def _external_item(run: Run, container: External, index: Value) -> Value:
+    """``os.environ['X']``, an enum by name, or a generic such as ``list[str]``."""
+    name = index.value if isinstance(index, Known) else None
+    if container.path == "os.environ":
+        known = environment_of(run, name)
+        return known or Unknown(f"the environment variable {name!s}" if name else "an environment variable")
+    if container.path == "sys.version_info" and name == 0:
+        return Known(PYTHON[0])
+    if container.path.startswith("rclpy.qos.") and isinstance(name, str):
+        return External(f"{container.path}.{name.upper()}")
+    return container
+
+
+ENVIRONMENT = {"ROS_VERSION": "2", "ROS_PYTHON_VERSION": "3"}
+"""What the environment of every ROS 2 process says."""
+
+
+def environment_of(run: Run, name: object) -> Known | None:
+    """What a variable is in any process of ROS 2; ``ROS_DISTRO`` where the configuration says the distribution."""
+    text = run.distro if name == "ROS_DISTRO" else ENVIRONMENT.get(str(name))
+    return None if text is None else Known(text)
+
+
+def get_entry(run: Run, container: DictValue, index: Value, default: Value | None) -> Value:
+    """``dict[index]``, or ``dict.get(index, default)`` where a default is given; what chose the index chooses it."""
+    return with_via(_get_entry(run, container, index, default), via(index))
+
+
+def _get_entry(run: Run, container: DictValue, index: Value, default: Value | None) -> Value:
+    entries = entries_of(run, container)
+    at = hashable(index)
+    if at is not None:
+        found = entries.entries.get(at)
+        if found is not None:
+            return found[1]
+        if entries.open:
+            why = Unknown("the dict has entries that are not known")
+            return why if default is None else one_of((as_default(default), why))
+        if default is None:
+            return _made_entry(run, container, index)
+        return default
+    values = [value for _, value in entries.entries.values()]
+    if default is not None:
+        values.append(default)
+    if entries.open or not values:
+        return Unknown(reason(index, *values[:1]))
+    return one_of(values)
+
+
+def _made_entry(run: Run, container: DictValue, index: Value) -> Value:
+    """What a ``defaultdict`` makes for a new key."""
+    factory = run.store.get(container.key, "#factory")
+    if not isinstance(factory, Value):
+        return Unknown("the dict has no such key")
+    made = run.call(factory, [], {})
+    set_item(run, container, index, made)
+    return made
+
+
+def set_item(run: Run, container: Value, index: Value, value: Value) -> None:
+    """``container[index] = value``; where it is one of several containers, each may now hold it."""
+    several = isinstance(container, OneOf)
+    for target in alternatives(container):
+        if isinstance(target, (DictValue, ListValue)):
+            escapes.kept(run, target.key, (index, value))
+        if isinstance(target, DictValue):
+            entries = entries_of(run, target)
+            at = hashable(index)
+            updated = dict(entries.entries)
+            if at is None:
+                strange = [row for key, row in updated.items() if isinstance(key, tuple) and key[0] == "#unknown"]
+                if len(strange) < STRANGE_KEYS and (index, value) not in strange:
+                    updated[("#unknown", len(updated))] = (index, value)
+                run.store.set(target.key, "#items", Entries(updated, True))
+                continue
+            if several and at in updated:
+                value = one_of((updated[at][1], value))
+            updated[at] = (index, value)
+            if len(updated) <= ITEM_LIMIT:
+                run.store.set(target.key, "#items", Entries(updated, entries.open))
+        elif isinstance(target, ListValue):
+            items = items_of(run, target)
+            if isinstance(index, Known) and isinstance(index.value, int) and not items.open:
+                values = list(items.values)
+                if -len(values) <= index.value < len(values):
+                    values[index.value] = value
+                    run.store.set(target.key, "#items", Items(tuple(values)))
+            else:
+                run.store.set(target.key, "#items", Items((*items.values, value)[:ITEM_LIMIT], True))
+        elif isinstance(target, AttributesValue):
+            if isinstance(index, Known) and isinstance(index.value, str):
+                set_attribute(run, target.instance, index.value, value)
+        elif isinstance(target, Instance):
+            method = get_attribute(run, target, "__setitem__")
+            if isinstance(method, BoundMethod):
+                run.call(method, [index, value], {})
+            else:
+                escapes.escape(run, (value,), "it is put into something that is not followed")
+        else:
+            escapes.escape(run, (value,), "it is put into something that is not followed")
+
+
+def delete_item(run: Run, container: Value, index: Value) -> None:
+    at = hashable(index)
+    if isinstance(container, DictValue):
+        entries = entries_of(run, container)
+        kept = {key: entry for key, entry in entries.entries.items() if key != at}
+        run.store.set(container.key, "#items", Entries(kept, entries.open or at is None))
+    elif isinstance(container, ListValue):
+        run.store.set(container.key, "#items", Items(items_of(run, container).values, True))
+
+
+PYTHON = (3, 10)
+"""The oldest Python of a supported distribution: humble's."""

@@ -1,0 +1,169 @@
+"""Texts: what ``str``, ``%``, ``format`` and f-strings make of values."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+from typing import TYPE_CHECKING
+
+from archlint.interpreter.attributes import get_attribute
+from archlint.interpreter.containers import get_entry, items_of
+from archlint.interpreter.values import (
+    TEXT_LIMIT,
+    BoundMethod,
+    ClassValue,
+    DictValue,
+    Holed,
+    Instance,
+    Known,
+    ListValue,
+    Unknown,
+    Value,
+    alternatives,
+    join_texts,
+    one_of,
+    reason,
+)
+from archlint.syntax import facts
+
+if TYPE_CHECKING:
+    from archlint.interpreter.machine import Run
+
+CARTESIAN = 36
+"""How many combinations of alternatives one operation follows."""
+_WIDE = re.compile(r"\d{5,}")
+"""A width or a precision that nobody asks for; Python would make a text as long as that."""
+
+
+def percent_format(run: Run, template: Value, argument: Value, span: facts.Span) -> Value:
+    """``'…%s…' % argument``."""
+    if not isinstance(template, Known) or not isinstance(template.value, str):
+        return Unknown(reason(template))
+    if isinstance(argument, ListValue) and argument.kind == "tuple":
+        items = items_of(run, argument)
+        if items.open:
+            return Unknown("the arguments of % are not known")
+        arguments = list(items.values)
+    elif isinstance(argument, DictValue):
+        return _percent_dict(run, template, argument, span)
+    else:
+        arguments = [argument]
+    parts: list[Value] = []
+    text = template.value
+    at = 0
+    for match in re.finditer(r"%(?:%|[-#0 +]*[\d.]*[hlL]?[a-zA-Z])", text):
+        parts.append(Known(text[at : match.start()], template.via))
+        at = match.end()
+        if match.group() == "%%":
+            parts.append(Known("%"))
+            continue
+        if not arguments:
+            return Unknown("% has fewer arguments than the text asks for")
+        parts.append(_formatted(match.group(), arguments.pop(0)))
+    parts.append(Known(text[at:]))
+    return combine(run, parts, span)
+
+
+def _formatted(conversion: str, value: Value) -> Value:
+    found: list[Value] = []
+    for alternative in alternatives(value):
+        if isinstance(alternative, Known):
+            try:
+                text = None if _WIDE.search(conversion) else conversion % (alternative.value,)
+            except (TypeError, ValueError, OverflowError):
+                found.append(Unknown("a format that fails"))
+                continue
+            found.append(_short(text, alternative))
+        elif conversion == "%s":
+            found.append(alternative)
+        else:
+            found.append(Unknown(reason(alternative)))
+    return one_of(found)
+
+
+def _percent_dict(run: Run, template: Known, argument: DictValue, span: facts.Span) -> Value:
+    assert isinstance(template.value, str)
+    parts: list[Value] = []
+    at = 0
+    for match in re.finditer(r"%(?:%|\((\w+)\)([-#0 +]*[\d.]*[a-zA-Z]))", template.value):
+        parts.append(Known(template.value[at : match.start()]))
+        at = match.end()
+        if match.group(1) is None:
+            parts.append(Known("%"))
+        else:
+            value = get_entry(run, argument, Known(match.group(1)), None)
+            parts.append(_formatted("%" + match.group(2), value))
+    parts.append(Known(template.value[at:]))
+    return combine(run, parts, span)
+
+
+def combine(run: Run, parts: Sequence[Value], span: facts.Span | None) -> Value:
+    """Join text parts over all combinations of their alternatives."""
+    rows: list[list[Value]] = [[]]
+    for part in parts:
+        options = _meant(part)
+        if len(rows) * len(options) > CARTESIAN:
+            options = (Unknown("more values than can be followed"),)
+        rows = [[*row, option] for row in rows for option in options]
+    place = None if span is None else run.place(span)
+    return one_of(join_texts([text_of(run, part) for part in row], place) for row in rows)
+
+
+def _meant(part: Value) -> Sequence[Value]:
+    """The alternatives of a part.  ``None`` among others is what stands there until a value comes: nobody means a text
+    with that word in it, so what the text then is counts as not known."""
+    options = alternatives(part)
+    if len(options) == 1:
+        return options
+    return [Unknown("it may be None in this text") if _is_none(option) else option for option in options]
+
+
+def _is_none(value: Value) -> bool:
+    """Whether a value is ``None``, whichever parameter chose it."""
+    return isinstance(value, Known) and value.value is None
+
+
+def plain_text(run: Run, value: Value) -> Value:
+    """A member of ``class X(str, Enum)`` is the text it holds; everything else is itself."""
+    if isinstance(value, Instance) and isinstance(value.cls, ClassValue) and run.store.get(value.key, "#enum"):
+        held = run.store.get(value.key, "value")
+        if {"str", "enum.StrEnum"} & set(value.cls.external_bases()) and isinstance(held, Value):
+            return held
+    return value
+
+
+def text_of(run: Run, value: Value) -> Value:
+    """``str(value)``."""
+    if isinstance(value, (Known, Holed, Unknown)):
+        return value
+    if isinstance(value, Instance) and isinstance(value.cls, ClassValue):
+        enum = run.store.get(value.key, "value") if run.store.get(value.key, "#enum") else None
+        if isinstance(enum, Known) and _is_text_enum(value.cls):
+            return enum
+        for name in ("__str__", "__repr__"):
+            method = get_attribute(run, value, name)
+            if isinstance(method, BoundMethod):
+                return run.call(method, [], {})
+    return Unknown(reason(value))
+
+
+def _is_text_enum(cls: ClassValue) -> bool:
+    return any(path in ("enum.StrEnum",) for path in cls.external_bases())
+
+
+def format_one(value: Value, conversion: str | None, spec: str | None) -> Value:
+    """What one ``{value!conversion:spec}`` gives."""
+    if not isinstance(value, Known):
+        return value
+    try:
+        shown: object = repr(value.value) if conversion == "r" else value.value
+        shown = str(shown) if conversion == "s" else shown
+        text = None if _WIDE.search(spec or "") else format(shown, spec or "")
+    except (TypeError, ValueError, OverflowError):
+        return Unknown("a format that fails")
+    return _short(text, value)
+
+
+def _short(text: str | None, value: Known) -> Value:
+    too_long = text is None or len(text) > TEXT_LIMIT
+    return Unknown("a text too long to follow") if too_long else Known(text, value.via)

@@ -1,0 +1,106 @@
+"""Collections that start empty and grow while the program runs.
+
+``self.items = {}`` in a constructor says nothing of what a callback finds there, if some method fills it.  When the
+callbacks begin, such a collection holds what is not known: loops over it are judged once, both ways of a test are.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from functools import lru_cache
+from typing import TYPE_CHECKING
+
+from archlint.interpreter.heap import Entries, Items
+from archlint.interpreter.values import ClassValue, DictValue, ListValue, Value, alternatives
+from archlint.libraries.uses import everything_in
+from archlint.syntax import facts
+
+if TYPE_CHECKING:
+    from archlint.interpreter.machine import Run
+
+_FILLS = frozenset({"append", "appendleft", "add", "extend", "insert", "update", "setdefault"})
+_EMPTY_CALLS = frozenset({"dict", "list", "set", "deque", "defaultdict", "OrderedDict"})
+
+
+def open_up(run: Run) -> None:
+    """Forget that collections are empty which objects keep and methods of theirs fill, once for each."""
+    for instance in list(run.instances.values()):
+        if isinstance(instance.cls, ClassValue) and instance.key not in run.opened:
+            run.opened.add(instance.key)
+            for name in _filled_of(instance.cls) & run.store.held.get(instance.key, {}).keys():
+                value = run.store.get(instance.key, name)
+                if isinstance(value, Value):
+                    _open(run, value)
+
+
+def _open(run: Run, value: Value) -> None:
+    for option in alternatives(value):
+        items = run.store.get(option.key, "#items") if isinstance(option, (ListValue, DictValue)) else None
+        if isinstance(option, ListValue) and isinstance(items, Items) and not items.values:
+            run.store.set(option.key, "#items", Items((), True))
+        elif isinstance(option, DictValue) and isinstance(items, Entries) and not items.entries:
+            run.store.set(option.key, "#items", Entries({}, True))
+
+
+def _filled_of(cls: ClassValue) -> frozenset[str]:
+    """The attributes that methods other than constructors fill, of a class and of those it derives from."""
+    return frozenset().union(*(_filled(_Same(base.ir)) for base in cls.mro if isinstance(base, ClassValue)))
+
+
+class _Same:
+    """A class, equal to itself alone."""
+
+    __slots__ = ("ir",)
+
+    def __init__(self, ir: facts.Class) -> None:
+        self.ir = ir
+
+    def __hash__(self) -> int:
+        return id(self.ir)
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, _Same) and other.ir is self.ir
+
+
+@lru_cache(maxsize=4096)
+def _filled(key: _Same) -> frozenset[str]:
+    return frozenset(
+        name
+        for method in key.ir.body
+        if isinstance(method, facts.Function) and method.name != "__init__"
+        for part in everything_in(method)
+        for name in _fills(part)
+    )
+
+
+def _fills(part: object) -> Iterator[str]:
+    """The attributes that a statement or a call puts something into."""
+    if isinstance(part, facts.Assign):
+        for target in part.targets:
+            if isinstance(target, facts.Subscript):
+                yield from _attribute(target.value)
+            elif not _is_empty(part.value):
+                yield from _attribute(target)
+    elif isinstance(part, facts.Augmented):
+        yield from _attribute(part.target)
+    elif isinstance(part, facts.Call) and isinstance(part.func, facts.Attribute) and part.func.attr in _FILLS:
+        filled = part.func.value
+        yield from _attribute(filled.value if isinstance(filled, facts.Subscript) else filled)
+
+
+def _attribute(expression: facts.Expr) -> Iterator[str]:
+    if isinstance(expression, facts.Attribute):
+        yield expression.attr
+
+
+def _is_empty(value: facts.Expr) -> bool:
+    """Whether an expression makes an empty collection."""
+    if isinstance(value, facts.Sequence):
+        return not value.elements
+    if isinstance(value, facts.Mapping):
+        return not value.keys
+    if isinstance(value, facts.Call):
+        function = value.func
+        name = function.id if isinstance(function, facts.Name) else getattr(function, "attr", "")
+        return name in _EMPTY_CALLS
+    return isinstance(value, facts.Literal) and value.value is None

@@ -1,0 +1,211 @@
+"""Operators and comparisons, over all alternatives of their operands."""
+
+from __future__ import annotations
+
+import operator
+import posixpath
+from collections.abc import Callable
+from typing import TYPE_CHECKING, Any
+
+from archlint.interpreter.containers import ITEM_LIMIT, PYTHON, entries_of, hashable, items_of, new_dict, new_list
+from archlint.interpreter.formatting import CARTESIAN, percent_format, plain_text
+from archlint.interpreter.values import (
+    TEXT_LIMIT,
+    ApiMethod,
+    BoundMethod,
+    Builtin,
+    ClassValue,
+    DictValue,
+    EntityValue,
+    External,
+    FunctionValue,
+    FutureValue,
+    Holed,
+    Instance,
+    Known,
+    ListValue,
+    MessageValue,
+    ModuleValue,
+    NodeValue,
+    Partial,
+    Unknown,
+    Value,
+    alternatives,
+    constant,
+    join_texts,
+    one_of,
+    reason,
+    via,
+)
+from archlint.libraries.rclpy import escapes
+from archlint.syntax import facts
+
+if TYPE_CHECKING:
+    from archlint.interpreter.machine import Run
+
+
+_ARITHMETIC: dict[str, Callable[[Any, Any], Any]] = {
+    "+": operator.add,
+    "-": operator.sub,
+    "*": operator.mul,
+    "/": operator.truediv,
+    "//": operator.floordiv,
+    "%": operator.mod,
+    "**": operator.pow,
+    "&": operator.and_,
+    "|": operator.or_,
+    "^": operator.xor,
+    "<<": operator.lshift,
+    ">>": operator.rshift,
+}
+
+
+def binary(run: Run, op: str, left: Value, right: Value, span: facts.Span) -> Value:
+    """``left op right`` over all alternatives."""
+    found = [_binary_one(run, op, one, other, span) for one in alternatives(left) for other in alternatives(right)]
+    result = one_of(found[:CARTESIAN])
+    return result if is_text(left) else escapes.lost(run, result, (left, right), f"it is an operand of '{op}'")
+
+
+def is_text(value: Value) -> bool:
+    return (isinstance(value, Known) and isinstance(value.value, str)) or isinstance(value, Holed)
+
+
+def _binary_one(run: Run, op: str, left: Value, right: Value, span: facts.Span) -> Value:
+    left, right = plain_text(run, left), plain_text(run, right)
+    if op == "+" and (is_text(left) or is_text(right)):
+        both_known = isinstance(left, Known) and isinstance(right, Known)
+        if both_known and not (is_text(left) and is_text(right)):
+            return Unknown("adding a text and something else fails")
+        return join_texts((left, right), run.place(span))
+    if op == "/" and isinstance(left, Known) and isinstance(right, Known) and is_text(left) and is_text(right):
+        joined = posixpath.join(str(left.value), str(right.value))  # of a pathlib.Path
+        return constant(joined, via(left, right), kind="path")
+    if op == "%" and is_text(left):
+        return percent_format(run, left, right, span)
+    if op == "+" and isinstance(left, ListValue) and isinstance(right, ListValue):
+        one, other = items_of(run, left), items_of(run, right)
+        values = one.values + other.values
+        whole = one.whole and other.whole and len(values) <= ITEM_LIMIT
+        return new_list(run, values[:ITEM_LIMIT], left.kind, one.open or other.open, whole)
+    if op == "|" and isinstance(left, DictValue) and isinstance(right, DictValue):
+        first, second = entries_of(run, left), entries_of(run, right)
+        return new_dict(run, {**first.entries, **second.entries}, first.open or second.open)
+    if op == "*" and isinstance(left, ListValue) and isinstance(right, Known):
+        items = items_of(run, left)
+        if isinstance(right.value, int) and 0 <= right.value * len(items.values) <= ITEM_LIMIT:
+            return new_list(run, items.values * min(right.value, ITEM_LIMIT), left.kind, items.open)
+    if isinstance(left, Known) and isinstance(right, Known):
+        return _arithmetic(op, left, right)
+    return Unknown(reason(left, right), next(iter(sorted(via(left, right))), None))
+
+
+def _arithmetic(op: str, left: Known, right: Known) -> Value:
+    one, other = left.value, right.value
+    if op not in _ARITHMETIC:
+        return Unknown(f"the operator {op} is not followed")
+    big = isinstance(one, (int, float)) and isinstance(other, (int, float))
+    if op in ("**", "<<") and (not big or abs(other) > 64):  # type: ignore[arg-type]
+        return Unknown("a number too large to follow")
+    if op == "*" and (isinstance(one, str) or isinstance(other, str)):
+        length = len(one) if isinstance(one, str) else len(other) if isinstance(other, str) else 0
+        count = other if isinstance(one, str) else one
+        if not isinstance(count, int) or length * count > TEXT_LIMIT:
+            return Unknown("a text too long to follow")
+    try:
+        result = _ARITHMETIC[op](one, other)
+    except (TypeError, ValueError, ArithmeticError):
+        return Unknown("an operation that fails")
+    if not isinstance(result, (str, int, float, bool)):
+        return Unknown("an operation whose result is not a constant")
+    return constant(result, left.via | right.via)
+
+
+def compare_values(run: Run, op: str, left: Value, right: Value) -> bool | None:
+    found = {_compare_one(run, op, one, other) for one in alternatives(left) for other in alternatives(right)}
+    return found.pop() if len(found) == 1 else None
+
+
+_ORDER: dict[str, Callable[[Any, Any], bool]] = {
+    "<": operator.lt,
+    "<=": operator.le,
+    ">": operator.gt,
+    ">=": operator.ge,
+}
+
+
+def _compare_one(run: Run, op: str, left: Value, right: Value) -> bool | None:
+    if op in ("not in", "!=", "is not"):
+        opposite = {"not in": "in", "!=": "==", "is not": "is"}[op]
+        verdict = _compare_one(run, opposite, left, right)
+        return None if verdict is None else not verdict
+    if op == "in":
+        return _contains(run, left, right)
+    if isinstance(left, External) and left.path == "sys.version_info":
+        return _compare_version(run, op, right)
+    if isinstance(left, Known) and isinstance(right, Known):
+        if op == "==":
+            return bool(left.value == right.value)
+        if op == "is":
+            return left.value is right.value if None in (left.value, right.value) else left.value == right.value
+        try:
+            return bool(_ORDER[op](left.value, right.value))
+        except (TypeError, KeyError):
+            return None
+    if op in ("==", "is"):
+        return _same(left, right)
+    return None
+
+
+def _compare_version(run: Run, op: str, right: Value) -> bool | None:
+    """``sys.version_info >= (3, 8)``: decided where it is the same for every supported Python."""
+    if not isinstance(right, ListValue):
+        return None
+    numbers = tuple(item.value for item in items_of(run, right).values if isinstance(item, Known))
+    if not numbers or not all(isinstance(number, int) for number in numbers):
+        return None
+    if numbers <= PYTHON:
+        return {">=": True, ">": True, "<": False, "<=": False}.get(op)
+    return None
+
+
+_OBJECTS = (Instance, EntityValue, NodeValue, FunctionValue, BoundMethod, ClassValue, MessageValue, FutureValue)
+
+
+def _same(left: Value, right: Value) -> bool | None:
+    for one, other in ((left, right), (right, left)):
+        if isinstance(one, Known) and one.value is None and is_object(other):
+            return False
+    if isinstance(left, _OBJECTS) and isinstance(right, _OBJECTS):
+        return left == right if type(left) is type(right) else False
+    if isinstance(left, External) and isinstance(right, External):
+        return left == right
+    return None
+
+
+def is_object(value: Value) -> bool:
+    """Whether a value is certainly not None."""
+    return isinstance(
+        value,
+        (*_OBJECTS, ListValue, DictValue, Holed, ModuleValue, Partial, Builtin, ApiMethod),
+    )
+
+
+def _contains(run: Run, item: Value, container: Value) -> bool | None:
+    if isinstance(container, Known) and isinstance(container.value, str):
+        if isinstance(item, Known) and isinstance(item.value, str):
+            return item.value in container.value
+        return None
+    if isinstance(container, DictValue):
+        at = hashable(item)
+        entries = entries_of(run, container)
+        if at is None:
+            return None
+        return True if at in entries.entries else None if entries.open else False
+    if isinstance(container, ListValue):
+        items = items_of(run, container)
+        verdicts = [_compare_one(run, "==", item, other) for other in items.values]
+        if True in verdicts:
+            return True
+        return None if None in verdicts or items.open else False
+    return None

@@ -1,0 +1,130 @@
+"""What Python refuses with a TypeError: a call whose arguments do not fit, a loop over a number, a module as a base.
+
+What stands behind it on the same path never runs.  Only callbacks are cut short there: a program whose start fails is
+noticed by whoever starts it, and what its nodes would create still says what they are meant to be.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from typing import TYPE_CHECKING
+
+from archlint.interpreter.values import (
+    ApiMethod,
+    BoundMethod,
+    ClassValue,
+    External,
+    FunctionValue,
+    Instance,
+    Known,
+    ModuleValue,
+    NodeValue,
+    Value,
+    alternatives,
+)
+from archlint.libraries import tables
+from archlint.libraries.rclpy import names, signatures
+from archlint.syntax import facts
+
+if TYPE_CHECKING:
+    from archlint.interpreter.machine import Run
+
+_AT_START = frozenset({"init", "main", "module"})
+"""Roles of what runs before anything spins."""
+_TRANSPARENT = frozenset({"staticmethod", "classmethod"})
+"""Decorators that leave a function's parameters as they are."""
+
+
+class Refused(Exception):
+    """Ends the path that runs: the statement raises a TypeError."""
+
+
+def check_call(
+    run: Run,
+    function: Value,
+    args: Sequence[Value],
+    keywords: Mapping[str, Value],
+    expression: facts.Call,
+    open_arguments: bool,
+) -> None:
+    """Raise Refused where a call of a function of the workspace, or of a node's method, cannot bind its arguments, if
+    the statement always comes to that call; note the place of the call in any case."""
+    if open_arguments or not _is_certain(run) or not _refuses(function, len(args), keywords):
+        return
+    run.program.refused.add(run.place(expression.span))
+    if run.context.role not in _AT_START:
+        raise Refused
+
+
+_MODULES = frozenset(
+    ".".join(parts[:length])
+    for row in tables.ROWS
+    if row.path.startswith("rclpy.")
+    for parts in [row.path.split(".")]
+    for length in range(1, len(parts))
+    if parts[length - 1].islower()
+)
+"""The modules of rclpy."""
+
+
+def is_module(base: Value) -> bool:
+    """Whether a class is to inherit from a module: ``import rclpy.node as Node``, then ``class Robot(Node)``."""
+    return all(
+        isinstance(option, ModuleValue) or (isinstance(option, External) and option.path in _MODULES)
+        for option in alternatives(base)
+    )
+
+
+def refuses_to_iterate(run: Run, iterable: Value) -> bool:
+    """Whether a ``for`` over a value fails: ``for i in len(items)``."""
+    number = isinstance(iterable, Known) and isinstance(iterable.value, (int, float)) and not iterable.via
+    return number and run.context.role not in _AT_START
+
+
+def _is_certain(run: Run) -> bool:
+    activation = run.activation
+    return activation.scope.kind != "comprehension" and activation.settled == len(run.arms)
+
+
+def _refuses(function: Value, given: int, keywords: Mapping[str, Value]) -> bool:
+    if isinstance(function, ApiMethod):
+        owner, _, name = function.path.rpartition(".")
+        of_node = owner in names.NODE_CLASSES and _is_node(function.self_value)
+        return of_node and signatures.refuses(name, given, keywords)
+    if isinstance(function, BoundMethod):
+        function, given = function.function, given + 1
+    if not isinstance(function, FunctionValue):
+        return False
+    ir = function.ir
+    if isinstance(ir, facts.Function) and (
+        len(ir.decorators) != len(function.decorators) or not function.decorators <= _TRANSPARENT
+    ):
+        return False
+    return not _binds(ir.params, given, keywords)
+
+
+def _is_node(value: Value) -> bool:
+    """Whether a value is a node for certain, whose methods are rclpy's own where the workspace defines none."""
+    if isinstance(value, NodeValue):
+        return not value.blueprint.held
+    if not isinstance(value, Instance) or not isinstance(value.cls, ClassValue):
+        return False
+    known = names.NODE_CLASSES | names.PLAIN_BASES
+    return all(
+        isinstance(base, ClassValue) or (isinstance(base, External) and names.canonical(base.path) in known)
+        for base in value.cls.mro
+    )
+
+
+def _binds(params: Sequence[facts.Param], given: int, keywords: Mapping[str, Value]) -> bool:
+    kinds = {param.kind for param in params}
+    positional = [param for param in params if param.kind in ("positional_only", "normal")]
+    if given > len(positional) and "star" not in kinds:
+        return False
+    left = [*positional[given:], *(param for param in params if param.kind == "keyword_only")]
+    by_name = {param.name for param in left if param.kind != "positional_only"}
+    taken = {param.name for param in positional[:given] if param.kind == "normal"}
+    named = keywords.keys()
+    if taken & named or ("double_star" not in kinds and not named <= by_name):
+        return False
+    return all(param.default is not None or (param.name in by_name and param.name in named) for param in left)

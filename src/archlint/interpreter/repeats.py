@@ -1,0 +1,120 @@
+"""Calls that a run has followed before: which of them are alike, and what the next one gives.
+
+A function is followed a few times with the same arguments.  What it gave then is the answer to one more such call only
+where nothing that it reads or writes has changed since, and where it makes no object.  Otherwise it is followed some
+more times, and then its answer is unknown: that of another call never stands in for it.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from archlint.interpreter.heap import MISSING, Slot
+from archlint.interpreter.identity import Key, argument_key
+from archlint.interpreter.values import (
+    BoundMethod,
+    EachValue,
+    FunctionValue,
+    FutureValue,
+    OneOf,
+    Partial,
+    PythonValue,
+    Unknown,
+    Value,
+)
+from archlint.libraries.interest import interesting
+
+if TYPE_CHECKING:
+    from collections.abc import Callable, Iterable, Mapping
+
+    from archlint.interpreter.machine import Run
+
+REPEATS = 3
+"""How often one root runs a function with the same arguments, whatever it does."""
+AGAIN = 12
+"""How often it runs one with the same arguments that does something else each time, or makes an object."""
+RUNS = 150
+"""How often one root runs a function with any arguments."""
+
+
+@dataclass(slots=True)
+class Repeated:
+    """What is known of the calls of one function with the same arguments."""
+
+    count: int = 0
+    value: Value | None = None
+    """What the last call gave; None while it runs."""
+    around: Mapping[Slot, object] | None = None
+    """What it read of the state, and what it left there; None where that was not watched."""
+
+
+def call_key(function: FunctionValue, args: Iterable[Value], keywords: Mapping[str, Value]) -> Key:
+    """What tells one call from another: the function, what it closes over, and the arguments."""
+    named = tuple((name, argument_key(value)) for name, value in sorted(keywords.items()))
+    return (argument_key(function), tuple(map(argument_key, args)), named)
+
+
+def follow(run: Run, function: FunctionValue, key: Key, enter: Callable[[], Value]) -> Value:
+    """What a call gives: it is followed, by ``enter``, as long as it may give or do something new."""
+    known = run.repeats.setdefault(key, Repeated())
+    if known.count >= REPEATS:
+        if known.value is None:
+            return Unknown(f"'{function.qualified}' calls itself")
+        if known.around is not None and _holds(run, known.around):
+            return known.value
+        if known.count >= AGAIN:
+            run.program.exhausted |= interesting(function.ir)
+            return Unknown(f"'{function.qualified}' is called too often to follow")
+    else:
+        runs = run.runs.get(id(function.ir), 0)
+        if runs >= RUNS:
+            run.program.exhausted = True
+            return Unknown(f"'{function.qualified}' is called too often to follow")
+        run.runs[id(function.ir)] = runs + 1
+    known.count += 1
+    known.value, known.around = None, None
+    if known.count < REPEATS:
+        known.value = enter()
+        return known.value
+    before = run.store.new_key()
+    with run.store.watched() as around:
+        value = enter()
+    known.value = value
+    known.around = around if _is_old(value, before) else None
+    return value
+
+
+def _holds(run: Run, around: Mapping[Slot, object]) -> bool:
+    """Whether the state is as it was, as far as these slots go."""
+    return all(_same(run.store.get(*at, MISSING), value) for at, value in around.items())
+
+
+def _same(now: object, then: object) -> bool:
+    if now is then:
+        return True
+    return isinstance(now, Value) and isinstance(then, Value) and argument_key(now) == argument_key(then)
+
+
+def _is_old(value: Value, before: int) -> bool:
+    """Whether a value holds no object that was made after the key ``before`` was."""
+    if isinstance(value, PythonValue):
+        return False
+    if isinstance(value, FunctionValue):
+        return value.scope.key <= before and all(_is_old(one, before) for _, one in value.defaults)
+    key = getattr(value, "key", None)
+    return (not isinstance(key, int) or key <= before) and all(_is_old(part, before) for part in _parts(value))
+
+
+def _parts(value: Value) -> tuple[Value, ...]:
+    """The values that a value is made of."""
+    if isinstance(value, OneOf):
+        return value.values
+    if isinstance(value, Partial):
+        return (value.function, *value.args, *(one for _, one in value.keywords))
+    if isinstance(value, BoundMethod):
+        return (value.function, value.self_value)
+    if isinstance(value, EachValue):
+        return (value.element,)
+    held = getattr(value, "result" if isinstance(value, FutureValue) else "self_value", None)
+    return (held,) if isinstance(held, Value) else ()

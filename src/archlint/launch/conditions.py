@@ -1,0 +1,219 @@
+"""Conditions: whether an action runs, and where no default decides it, what the two branches are called."""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from archlint.interpreter import decisions
+from archlint.interpreter.attributes import get_attribute
+from archlint.interpreter.values import (
+    BoundMethod,
+    ClassValue,
+    FunctionValue,
+    Instance,
+    Known,
+    ListValue,
+    OneOf,
+    Partial,
+    Value,
+    alternatives,
+)
+from archlint.launch.model import NOT_FOLLOWED
+from archlint.launch.shapes import OPAQUE, WHERE, shape_of
+from archlint.launch.substitutions import SUBSTITUTIONS, argument, kind_of, made_by_base, perform, truth_of
+from archlint.syntax import facts
+
+if TYPE_CHECKING:
+    from archlint.launch.run import LaunchRun
+
+
+@dataclass(frozen=True)
+class Verdict:
+    """``holds`` is None where the arguments do not decide; ``branch`` is then the arm that this action is in."""
+
+    holds: bool | None
+    branch: tuple[str, int] | None = None
+
+
+ALWAYS = Verdict(True)
+
+
+def judge(run: LaunchRun, condition: Value | None) -> Verdict:
+    """The verdict on a ``condition=`` argument."""
+    if condition is None:
+        return ALWAYS
+    if isinstance(condition, OneOf):
+        return _one_of_several(run, condition)
+    kind = kind_of(condition)
+    if kind in ("IfCondition", "UnlessCondition"):
+        expected = kind == "IfCondition"
+        given = argument(condition, "predicate_expression")
+        holds = truth_of(perform(run, given))
+        if holds is not None:
+            return Verdict(holds is expected)
+        return Verdict(None, _branch(run, given, expected))
+    if kind in ("LaunchConfigurationEquals", "LaunchConfigurationNotEquals"):
+        return _equality(run, condition, kind == "LaunchConfigurationEquals")
+    holds = _asked(run, condition)
+    if holds is not None:
+        return Verdict(holds)
+    base = made_by_base(run, condition)
+    if base is not None and kind_of(base) != "Condition" and _own_predicate(run, condition) is None:
+        return judge(run, base)
+    return Verdict(None, _branch(run, condition, True))
+
+
+def _one_of_several(run: LaunchRun, condition: OneOf) -> Verdict:
+    """One of several conditions, None among them: decided where all of them agree."""
+    options = [None if option == Known(None) else option for option in condition.values]
+    found = {judge(run, option).holds for option in options}
+    if len(found) == 1 and None not in found:
+        return Verdict(found.pop())
+    return Verdict(None, _branch(run, condition, True))
+
+
+_PREDICATES = ("evaluate", "_predicate_func")
+"""What a class that derives from launch's conditions may define of its own."""
+
+
+def _asked(run: LaunchRun, condition: Value) -> bool | None:
+    """What the condition's own code says, for a class of the workspace and for ``Condition(predicate=…)``."""
+    made = made_by_base(run, condition) or condition
+    predicate = _own_predicate(run, condition) or argument(made, "predicate")
+    if predicate is None:
+        return None
+    return decisions.truth(run, run.ask(predicate))
+
+
+def _own_predicate(run: LaunchRun, condition: Value) -> Value | None:
+    if not isinstance(condition, Instance) or not isinstance(condition.cls, ClassValue):
+        return None
+    for name in _PREDICATES:
+        found = get_attribute(run, condition, name)
+        if isinstance(found, BoundMethod) and isinstance(found.function, FunctionValue):
+            return found
+    return None
+
+
+def _equality(run: LaunchRun, condition: Value, wanted: bool) -> Verdict:
+    name = perform(run, argument(condition, "launch_configuration_name"))
+    given = argument(condition, "expected_value")
+    if not isinstance(name, Known):
+        return Verdict(None, _branch(run, condition, True))
+    text = str(name.value)
+    run.result.read.add(text)
+    found = run.launch.configurations.get(text)
+    if given is None:
+        return Verdict((found is None) is wanted)
+    expected = perform(run, given)
+    verdicts = set()
+    for option in alternatives(found) if found is not None else ():
+        both = isinstance(option, Known) and isinstance(expected, Known)
+        verdicts.add(_same(option, expected) if both else None)
+    if found is None:
+        verdicts = {False}
+    if len(verdicts) == 1 and None not in verdicts:
+        return Verdict(verdicts.pop() is wanted)
+    if not isinstance(expected, Known):
+        return Verdict(None, _branch(run, condition, True))
+    arm = _arm_of_value(run, run.argument_behind(text), str(expected.value), wanted)
+    if found is not None:
+        run.note_open_test(arm[0], found)
+    return Verdict(None, arm)
+
+
+def _same(one: Value, other: Value) -> bool:
+    assert isinstance(one, Known) and isinstance(other, Known)
+    return str(one.value) == str(other.value)
+
+
+def _arm_of_value(run: LaunchRun, name: str, text: str, wanted: bool) -> tuple[str, int]:
+    """One branch an argument, one arm a value: ``mode:=a`` and ``mode:=b`` exclude each other."""
+    if text.lower() in ("true", "false"):
+        return _arm_of_truth(run, name, (text.lower() == "true") is wanted)
+    run.note_undecided(name, text)
+    shown = run.shown(name)
+    if wanted:
+        return run.label((name, 2 + run.number_of_value(name, text)), f"{shown}:={text}")
+    return run.label((f"{name}!={text}", 1), f"{shown} other than {text}")
+
+
+def _arm_of_truth(run: LaunchRun, name: str, truth: bool) -> tuple[str, int]:
+    run.note_undecided(name, "true", "false")
+    return run.label((name, int(truth)), f"{run.shown(name)}:={str(truth).lower()}")
+
+
+_EQUALS = re.compile(r"""^\s*['"]?\0(?P<name>[^\0]+)\0['"]?\s*(?P<op>==|!=)\s*['"](?P<value>[^'"]*)['"]\s*$""")
+_PLAIN = re.compile(r"^\s*\0(?P<name>[^\0]+)\0\s*$")
+_ARGUMENT = re.compile(r"\0([^\0]+)\0")
+_FILE = re.compile(f"{WHERE}[^{WHERE}]*{WHERE}")
+_OPERANDS = re.compile(r"\0[^\0]+\0|\b(?:and|or|not)\b|[()]")
+"""What a test of truth values consists of."""
+_NOT = re.compile(r"^\s*not\s+\0(?P<name>[^\0]+)\0\s*$")
+
+
+def _branch(run: LaunchRun, expression: Value | None, expected: bool) -> tuple[str, int]:
+    """The arm of an undecided test.  The same test elsewhere has the same branch."""
+    arm = _arm(run, expression, expected)
+    if expression is not None:
+        run.note_open_test(arm[0], perform(run, expression))
+    return arm
+
+
+def _arm(run: LaunchRun, expression: Value | None, expected: bool) -> tuple[str, int]:
+    shape = "" if expression is None else shape_of(run, expression)
+    names = _ARGUMENT.findall(shape)
+    if all(map(run.is_open_argument, names)):
+        known = _known_form(run, shape, expected)
+        if known is not None:
+            return known
+        if not _OPERANDS.sub("", shape).strip():
+            for name in names:
+                run.note_undecided(name, "true", "false")
+    arm = (f"{NOT_FOLLOWED}{shape})", int(expected))
+    if OPAQUE in shape:
+        return arm
+    shown = _ARGUMENT.sub(lambda found: run.shown(found[1]), _FILE.sub("", shape))
+    return run.label(arm, f"{'' if expected else 'not '}({shown})")
+
+
+def _known_form(run: LaunchRun, shape: str, expected: bool) -> tuple[str, int] | None:
+    """The arm of a test of one argument: for its truth, or against one value."""
+    plain = _PLAIN.match(shape)
+    negated = _NOT.match(shape)
+    if plain is not None:
+        return _arm_of_truth(run, plain["name"], expected)
+    if negated is not None:
+        return _arm_of_truth(run, negated["name"], not expected)
+    equality = _EQUALS.match(shape)
+    if equality is None:
+        return None
+    return _arm_of_value(run, equality["name"], equality["value"], (equality["op"] == "==") is expected)
+
+
+def mistaken(run: LaunchRun, condition: Value) -> str | None:
+    """What a ``condition=`` is that has no ``evaluate`` for launch to call; None for what has one, or may."""
+    if isinstance(condition, FunctionValue):
+        return "a lambda" if isinstance(condition.ir, facts.Lambda) else f"the function '{condition.qualified}'"
+    if isinstance(condition, (BoundMethod, Partial)):
+        return "a callable"
+    if isinstance(condition, Known):
+        return f"the text '{condition.value}'" if isinstance(condition.value, str) else f"the value {condition.value!r}"
+    if isinstance(condition, ListValue):
+        return f"a {condition.kind}"
+    if kind_of(condition) in SUBSTITUTIONS:
+        return f"a {kind_of(condition)}"
+    if isinstance(condition, Instance) and isinstance(condition.cls, ClassValue):
+        bases = {kind_of(made_by_base(run, condition)), *map(_last, condition.cls.external_bases())}
+        if bases & {"Substitution", *SUBSTITUTIONS} and _own_predicate(run, condition) is None:
+            return f"a {condition.cls.qualified}"
+    return None
+
+
+def _last(path: str) -> str:
+    return path.rpartition(".")[2]
+
+
+__all__ = ["ALWAYS", "Verdict", "judge", "mistaken"]

@@ -1,0 +1,125 @@
+"""The state of a launch: configurations, namespace, remappings and global parameters, and their scopes."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+
+from archlint.interpreter.values import Holed, Known, Unknown, Value, alternatives, join_texts, one_of
+from archlint.launch.model import OpenParameters, ParameterFileUse, ParameterSetting, Remap
+
+Global = list["ParameterSetting | ParameterFileUse | OpenParameters"]
+
+
+@dataclass(eq=False)
+class Context:
+    """``remaps`` and ``parameters`` are lists that scopes share: launch_ros keeps them in the configurations,
+    which a scoped group copies shallowly, so that a group adds to a list that was there before it."""
+
+    configurations: dict[str, Value] = field(default_factory=dict)
+    environment: dict[str, Value] = field(default_factory=dict)
+    namespace: Value | None = None
+    remaps: list[Remap] | None = None
+    parameters: Global | None = None
+
+    def copy(self) -> Context:
+        """What ``PushLaunchConfigurations`` and ``PushEnvironment`` keep."""
+        return Context(dict(self.configurations), dict(self.environment), self.namespace, self.remaps, self.parameters)
+
+    def fork(self) -> Context:
+        """A copy that shares nothing, for a branch that may not be taken."""
+        made = self.copy()
+        made.remaps = None if self.remaps is None else list(self.remaps)
+        made.parameters = None if self.parameters is None else list(self.parameters)
+        return made
+
+    def set_aside(self) -> Context:
+        """The context as it is, with the lists that it shares with the scopes around it; what comes next goes to
+        copies of them."""
+        kept, apart = self.copy(), self.fork()
+        self.remaps, self.parameters = apart.remaps, apart.parameters
+        return kept
+
+    def restore(self, kept: Context) -> None:
+        self.configurations = kept.configurations
+        self.environment = kept.environment
+        self.namespace = kept.namespace
+        self.remaps = kept.remaps
+        self.parameters = kept.parameters
+
+    def add_remap(self, remap: Remap) -> None:
+        if self.remaps is None:
+            self.remaps = []
+        self.remaps.append(remap)
+
+    def add_parameter(self, parameter: ParameterSetting | ParameterFileUse | OpenParameters) -> None:
+        if self.parameters is None:
+            self.parameters = []
+        self.parameters.append(parameter)
+
+    def join(self, before: Context, why: str) -> None:
+        """After a branch that may not have been taken: each value is that of before or of now."""
+        for name in sorted({*self.configurations, *before.configurations}):
+            now, then = self.configurations.get(name), before.configurations.get(name)
+            if now is not then:
+                missing = Unknown(f"the launch configuration '{name}' is set in {why}")
+                self.configurations[name] = one_of((then or missing, now or missing))
+        if self.namespace is not before.namespace:
+            self.namespace = one_of((before.namespace or Known("/"), self.namespace or Known("/")))
+
+
+def prefix_namespace(base: Value | None, namespace: Value | None) -> Value | None:
+    """launch_ros' ``prefix_namespace``: an absolute one replaces, a relative one is joined below ``base``."""
+    if namespace is None or base is None or _is(base, ""):
+        found = namespace if namespace is not None else base
+        return None if found is None else _stripped(found)
+    if _is(namespace, ""):
+        return _stripped(base)
+    rows = [_below(one, other) for one in alternatives(base) for other in alternatives(namespace)]
+    return _stripped(one_of(rows))
+
+
+def _below(base: Value, namespace: Value) -> Value:
+    start = _start(namespace)
+    if start is None:
+        return Unknown(_why(namespace))
+    return namespace if start.startswith("/") else join_texts((base, Known("/"), namespace))
+
+
+def absolute(namespace: Value | None) -> Value | None:
+    """launch_ros' ``make_namespace_absolute``."""
+    if namespace is None:
+        return None
+    rows: list[Value] = []
+    for option in alternatives(namespace):
+        start = _start(option)
+        if start is None:
+            rows.append(Unknown(_why(option)))
+        else:
+            rows.append(option if start.startswith("/") else join_texts((Known("/"), option)))
+    return one_of(rows)
+
+
+def _is(value: Value, text: str) -> bool:
+    return isinstance(value, Known) and value.value == text
+
+
+def _start(value: Value) -> str | None:
+    """What a text starts with; None where that is not known."""
+    if isinstance(value, Known):
+        return str(value.value)
+    if isinstance(value, Holed):
+        return value.parts[0]
+    return None
+
+
+def _why(value: Value) -> str:
+    return value.reason if isinstance(value, (Unknown, Holed)) else "the namespace is not known"
+
+
+def _stripped(value: Value) -> Value:
+    rows: list[Value] = []
+    for option in alternatives(value):
+        if isinstance(option, Known) and option.value != "/":
+            option = Known(str(option.value).rstrip("/"), option.via, option.origin, option.kind)
+        rows.append(option)
+    return one_of(rows)

@@ -1,0 +1,97 @@
+"""``<param>`` and ``param:``: one parameter, a dict of them, or a file."""
+
+from __future__ import annotations
+
+from collections.abc import Hashable
+from typing import TYPE_CHECKING
+
+from archlint.interpreter.values import External, Instance, Known, Unknown, Value
+from archlint.launch.parameters import from_yaml
+from archlint.syntax.launch_elements import Element
+from archlint.syntax.parameter_files import NotKnown
+
+if TYPE_CHECKING:
+    from archlint.launch.frontends import Frontend
+
+
+def read_parameter(frontend: Frontend, element: Element) -> Value | None:
+    place = frontend.place(element.span)
+    if "from" in element.attributes:
+        given = {"param_file": frontend.text(element.attributes["from"])}
+        if (element.text("allow_substs") or "").lower() == "true":
+            given["allow_substs"] = Known(True)
+        return frontend.make("ParameterFile", frontend.place(element.attributes["from"].span), given, {})
+    nested = element.of("param")
+    name = frontend.get(element, "name") or Known("")
+    if nested:
+        return _nested(frontend, element, name)
+    value = _value(frontend, element)
+    return frontend.make("Parameter", place, {"name": name, "value": value}, {})
+
+
+def _nested(frontend: Frontend, element: Element, name: Value) -> Value | None:
+    """A parameter with parameters in it: a dict."""
+    from archlint.interpreter import containers
+
+    entries: dict[Hashable, tuple[Value, Value]] = {}
+    for number, child in enumerate(element.of("param")):
+        key = frontend.get(child, "name") or Known("")
+        if isinstance(key, Known):
+            key = Known(str(key.value), origin=frontend.place(child.span))
+        inner = _nested(frontend, child, Known("")) if child.of("param") else _value(frontend, child)
+        entries[("#", number)] = (key, inner or Unknown("a parameter without a value"))
+    made = containers.new_dict(frontend.run, entries)
+    if isinstance(name, Known) and not name.value:
+        return made
+    return containers.new_dict(frontend.run, {("#", 0): (name, made)})
+
+
+def set_parameter(frontend: Frontend, element: Element) -> Instance:
+    """``<set_parameter>``: its value is read as that of ``<param>`` is."""
+    given, places = frontend.arguments(element, {"name": "name"})
+    given["value"] = _value(frontend, element)
+    return frontend.make("SetParameter", frontend.place(element.span), given, places)
+
+
+def _value(frontend: Frontend, element: Element) -> Value:
+    """The value of a parameter: in XML text that is read as YAML, in YAML what it is."""
+    attribute = element.attributes.get("value")
+    if attribute is None:
+        return Unknown("a parameter without a value")
+    kind = element.text("type")
+    place = frontend.place(attribute.span)
+    if isinstance(attribute.value, str):
+        separator = element.text("value-sep")
+        if separator:
+            return frontend.list([_scalar(frontend, part.strip(), kind) for part in attribute.value.split(separator)])
+        quoted_number = frontend.file.endswith((".yaml", ".yml")) and from_yaml(attribute.value) != attribute.value
+        if quoted_number and kind is None:
+            return Unknown("a text that looks like a number: releases differ in what they make of it")
+        if "$(" not in attribute.value:
+            return _scalar(frontend, attribute.value, kind)
+        given = {"value": frontend.parse(attribute.value, place)}
+        if kind is not None:
+            given["value_type"] = External(f"builtins.{kind}")
+        return frontend.make("ParameterValue", place, given, {})
+    return frontend.text(attribute)
+
+
+_TYPES: dict[str, type] = {"int": int, "float": float, "bool": bool}
+
+
+def _scalar(frontend: Frontend, text: str, kind: str | None) -> Value:
+    if kind == "str":
+        return Known(text)
+    found = from_yaml(text)
+    if kind == "float" and isinstance(found, int) and not isinstance(found, bool):
+        found = float(found)
+    if kind in _TYPES and not isinstance(found, _TYPES[kind]):
+        return Unknown(f"a value that is no {kind}")
+    if isinstance(found, NotKnown):
+        return Unknown("a value that a parameter cannot have")
+    if isinstance(found, list):
+        return frontend.list(
+            [Known(item) if not isinstance(item, (list, dict)) else Unknown("nested") for item in found]
+        )
+    assert found is None or isinstance(found, (str, int, float, bool))
+    return Known(found)

@@ -1,0 +1,336 @@
+"""The symbolic run of one launch file: a run with a launch context, and what it has found so far."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
+from typing import TYPE_CHECKING
+
+from archlint import model
+from archlint.finding import Place
+from archlint.interpreter import values
+from archlint.interpreter.heap import Store
+from archlint.interpreter.machine import FEW_STEPS, PROGRAM_STEPS, Run
+from archlint.interpreter.modules import Module, ModuleIndex
+from archlint.interpreter.values import DictValue, External, Instance, Known, OneOf, Unknown, Value
+from archlint.launch.argument_names import AGAIN, ArgumentNames
+from archlint.launch.conditions import Verdict
+from archlint.launch.context import Context
+from archlint.launch.model import (
+    Arms,
+    FileReference,
+    Gap,
+    Launched,
+    MadeFile,
+    NotACondition,
+    Started,
+    UndeclaredUse,
+    UnknownAttribute,
+    merge,
+    once_more,
+)
+
+if TYPE_CHECKING:
+    from archlint.launch.load import LaunchLoader
+
+
+LAUNCH_STEPS = 400_000
+"""How many statements all functions of one launch may run: each OpaqueFunction is a run of its own."""
+
+
+class LaunchRun(Run):
+    """``launch`` is the launch context; ``file`` the launch file whose actions are visited now."""
+
+    def __init__(self, index: ModuleIndex, store: Store, loader: LaunchLoader, file: str, result: Launched) -> None:
+        place = Place(file, 1, 1, 1, 1)
+        super().__init__(
+            index, store, model.Program(file, None, file), model.Callback("launch", file, place, None, file=file)
+        )
+        self.loader = loader
+        self.distro = loader.distro
+        self.faults = loader.faults
+        self.launch = Context()
+        self.file = file
+        self.result = result
+        self.place_now = place
+        self.visits = 0
+        self.nesting = 0
+        self.current_arms: Arms = frozenset()
+        self.code_arms: Arms = frozenset()
+        """Branches of the code that have already been taken note of."""
+        self.dormant = 0
+        self.undecided = 0
+        self.stack: list[str] = []
+        self.includes: list[Place] = []
+        """Where the files of the stack are included; nothing for the first."""
+        self.visiting: list[tuple[int, int]] = []
+        """The actions around what is visited now, outermost first, each with the number of its visit."""
+        self.names = ArgumentNames()
+        self.declaring: str | None = None
+        """The argument whose default value is performed now."""
+        self._values: dict[str, list[str]] = {}
+        self._seen: set[object] = set()
+        self._started: dict[object, bool] = {}
+        """What has been started, and whether an event handler does that."""
+        self._by_place: dict[Place, list[Started]] = {}
+        self.in_handler = False
+        self.made_files: dict[str, MadeFile] = {}
+        """The files that the launch makes of others, each under a path of its own."""
+        self.performing = 0
+        """How deep the text is nested that is performed now, and ``performed`` of how many parts it has been."""
+        self.performed = 0
+        self.left = LAUNCH_STEPS
+
+    # -------------------------------------------------------------------------------------------- where
+
+    @property
+    def file_path(self) -> str:
+        """The path of the current launch file, as its own code sees it."""
+        return f"$(workspace)/{self.file}"
+
+    def path_of(self, module: Module) -> Value:
+        """A launch file runs from where it is installed; a Python module elsewhere, which is not known."""
+        if module.file.kind == "launch_python" or module.path in self.stack:
+            return Known(f"$(workspace)/{module.path}")
+        return super().path_of(module)
+
+    @property
+    def is_dormant(self) -> bool:
+        return self.dormant > 0
+
+    @property
+    def is_conditional(self) -> bool:
+        return self.dormant > 0 or self.undecided > 0 or bool(self.arms)
+
+    def gap(self, reason: str, kind: str = "launch", place: Place | None = None) -> None:
+        gap = Gap(reason, place or self.place_now, kind, self.is_dormant)
+        if gap not in self._seen:
+            self._seen.add(gap)
+            self.result.gaps.append(gap)
+
+    def note_fault(self, what: str, error: Exception, place: Place) -> None:
+        super().note_fault(what, error, place)
+        self.gap("archlint failed here", place=place)
+
+    def start(self, started: Started) -> None:
+        """Note a process.  What an event handler starts at a place that starts it otherwise, too, is the same
+        process, started again; and an action that is met again is started once."""
+        process = (
+            *(started.place, started.kind, started.package, started.executable, started.name, started.namespace),
+            tuple(started.arguments),
+        )
+        known = process in self._started
+        self._started[process] = self._started.get(process, False) or self.in_handler
+        if known and self._started[process]:
+            return
+        started.includes, started.visited = tuple(self.includes), tuple(self.visiting)
+        again = [one for one in self._by_place.setdefault(started.place, []) if once_more(one, started)]
+        if any(merge(one, started) for one in again):
+            return
+        for one in again:
+            branch = f"one visit of {len(self.result.started)}"
+            one.arms, started.arms = one.arms | {(branch, 0)}, started.arms | {(branch, 1)}
+        self._by_place[started.place].append(started)
+        self.result.started.append(started)
+
+    def note_undeclared(self, name: str, place: Place, conditional: bool) -> None:
+        own = self.place_now if self.declaring == name else None
+        unseen = next((one.place for one in self.result.included if one.is_missing), None)
+        use = UndeclaredUse(name, place, self.file, conditional, own, unseen)
+        if use not in self._seen:
+            self._seen.add(use)
+            self.result.undeclared.append(use)
+
+    def note_unknown_attribute(self, wrong: UnknownAttribute) -> None:
+        if wrong not in self._seen:
+            self._seen.add(wrong)
+            self.result.unknown_attributes.append(wrong)
+
+    def note_mistake(self, mistake: NotACondition) -> None:
+        if mistake not in self._seen:
+            self._seen.add(mistake)
+            self.result.mistakes.append(mistake)
+
+    def reference(self, kind: str, path: Value, place: Place) -> FileReference:
+        found = self.loader.resolve(self, kind, path, place)
+        if found not in self._seen:
+            self._seen.add(found)
+            self.result.references.append(found)
+        return found
+
+    # ------------------------------------------------------------------------------------------- values
+
+    def items(self, value: Value | None) -> list[Value]:
+        """The known items of a list, dict (as pairs) or ``dict.items()``."""
+        from archlint.interpreter import containers
+
+        if value is None:
+            return []
+        if isinstance(value, DictValue):
+            rows = containers.entries_of(self, value).entries.values()
+            return [containers.new_list(self, pair, "tuple") for pair in rows]
+        if isinstance(value, OneOf):
+            return [item for option in value.values for item in self.items(option)]
+        items = containers.iterate(self, value)
+        return [] if items is None else list(items.values)
+
+    def is_open(self, value: Value) -> bool:
+        from archlint.interpreter import containers
+
+        items = containers.iterate(self, value)
+        return items is None or not items.whole
+
+    def is_closed(self, value: Value) -> bool:
+        """Whether all items of a list are there for certain."""
+        from archlint.interpreter import containers
+
+        items = containers.iterate(self, value)
+        return items is not None and not items.open
+
+    def places_of(self, entity: Instance) -> dict[str, Place]:
+        found = self.store.get(entity.key, "#places")
+        return found if isinstance(found, dict) else {}
+
+    # ----------------------------------------------------------------------------------------- branches
+
+    def note_open_test(self, key: str, test: Value) -> None:
+        self.result.why_open.setdefault(key, values.reason(test))
+
+    def label(self, arm: tuple[str, int], text: str) -> tuple[str, int]:
+        self.result.labels.setdefault(arm, text)
+        return arm
+
+    def argument_behind(self, name: str) -> str:
+        """The name of the launch argument that a configuration's value comes from."""
+        return self.names.behind(name, self.launch.configurations.get(name))
+
+    def is_open_argument(self, name: str) -> bool:
+        """Whether nothing decides what an argument is."""
+        return not isinstance(self.launch.configurations.get(name), Known)
+
+    @staticmethod
+    def shown(name: str) -> str:
+        return name.partition(AGAIN)[0]
+
+    def note_undecided(self, name: str, *values: str) -> None:
+        """A condition asks for an argument that nothing decides."""
+        if AGAIN in name:
+            return  # set anew on the way: no argument from outside decides it
+        known = self.result.undecided.setdefault(name, [])
+        known.extend(value for value in values if value not in known)
+
+    def number_of_value(self, name: str, value: str) -> int:
+        """A number for one value of an argument that is compared with several."""
+        values = self._values.setdefault(name, [])
+        if value not in values:
+            values.append(value)
+        return values.index(value)
+
+    @contextmanager
+    def under(self, own: Arms, verdict: Verdict, place: Place) -> Iterator[None]:
+        """An action under a condition: one that does not hold leaves no trace in the context, one that is not
+        decided leaves both."""
+        if verdict.holds is True and not own:
+            yield
+            return
+        arms = own if verdict.branch is None else own | {verdict.branch}
+        kept, kept_code = self.current_arms, self.code_arms
+        asleep = verdict.holds is False or (verdict.branch is not None and self._excluded(verdict.branch))
+        before = self.launch.set_aside() if asleep else self.launch.fork()
+        self.current_arms, self.code_arms = kept | arms, kept_code | own
+        self.dormant += asleep
+        self.undecided += not asleep
+        try:
+            yield
+        finally:
+            self.dormant -= asleep
+            self.undecided -= not asleep
+            self.current_arms, self.code_arms = kept, kept_code
+            if asleep:
+                self.launch.restore(before)
+            else:
+                self.launch.join(before, "a branch that the arguments do not decide")
+
+    @contextmanager
+    def perhaps(self) -> Iterator[None]:
+        """What is read here is read only where one of several values is the one."""
+        self.undecided += 1
+        try:
+            yield
+        finally:
+            self.undecided -= 1
+
+    def _excluded(self, branch: tuple[str, int]) -> bool:
+        """Whether an outer branch already says the opposite."""
+        return any(name == branch[0] and arm != branch[1] for name, arm in self.current_arms)
+
+    # --------------------------------------------------------------------------------------------- code
+
+    @contextmanager
+    def root(self, module: Module) -> Iterator[None]:
+        """Run code of a module, from a fresh chain of calls."""
+        from archlint.programs.roots import enter_root
+
+        kept, kept_arms = self.activations, self.arms
+        self.steps, self.repeats, self.runs = 0, {}, {}
+        self.allowed_steps = max(FEW_STEPS, min(PROGRAM_STEPS, self.left))
+        self.activations, self.arms = [], sorted(self.code_arms)
+        enter_root(self, module)
+        depth = self.store.depth
+        self.store.push()
+        try:
+            yield
+        finally:
+            layer = self.store.cut(depth)
+            self.store.merge([layer])
+            self.activations, self.arms = kept, kept_arms
+            self.left -= self.steps
+
+    def call_handler(self, function: Value) -> Value:
+        """Call the function of an event handler with an event and the launch context."""
+        unknown = Unknown("what an event handler is told")
+        return self.call_opaque(function, [], None, before=[unknown])
+
+    def call_opaque(
+        self, function: Value, args: list[Value], kwargs: Value | None, before: Sequence[Value] = ()
+    ) -> Value:
+        """Call the function of an OpaqueFunction with a launch context; what it sets there stays set."""
+        from archlint.interpreter import containers
+
+        context, known = self._context()
+        keywords = {}
+        if isinstance(kwargs, DictValue):
+            for key, value in containers.entries_of(self, kwargs).entries.values():
+                if isinstance(key, Known):
+                    keywords[str(key.value)] = value
+        result = self._call(function, [*before, context, *args], keywords)
+        for key, value in containers.entries_of(self, known).entries.values():
+            if isinstance(key, Known):
+                self.launch.configurations[str(key.value)] = value
+        return result
+
+    def ask(self, function: Value) -> Value:
+        """What a predicate or a ``perform`` of the workspace says of the launch context."""
+        return self._call(function, [self._context()[0]], {})
+
+    def _context(self) -> tuple[Value, DictValue]:
+        """The launch context as code sees it, and the dict of its configurations."""
+        from archlint.interpreter import containers
+
+        context = Instance(External("launch.LaunchContext"), self.store.new_key())
+        entries = {containers.hashable(Known(n)): (Known(n), v) for n, v in self.launch.configurations.items()}
+        known = containers.new_dict(self, {key: row for key, row in entries.items() if key is not None})
+        self.store.set(context.key, "launch_configurations", known)
+        return context, known
+
+    def _call(self, function: Value, args: list[Value], keywords: dict[str, Value]) -> Value:
+        from archlint.interpreter import calls
+        from archlint.programs.roots import _module_of
+
+        module = _module_of(function)
+        if module is None:
+            return Unknown("a function that launch calls, and that is not followed")
+        if self.activations:
+            return calls.call(self, function, args, keywords)
+        with self.root(module):
+            return calls.call(self, function, args, keywords)

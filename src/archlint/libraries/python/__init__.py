@@ -1,0 +1,1 @@
+"""What interpreted code imports of Python's own library."""

@@ -1,0 +1,271 @@
+"""Functions of Python's library that names pass through."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import TYPE_CHECKING
+
+from archlint.interpreter.builtin_functions import BUILTINS
+from archlint.interpreter.containers import ITEM_LIMIT
+from archlint.interpreter.values import (
+    EntityValue,
+    External,
+    FutureValue,
+    Instance,
+    Known,
+    MessageValue,
+    OneOf,
+    Partial,
+    PythonValue,
+    Unknown,
+    Value,
+    alternatives,
+    as_default,
+    constant,
+    one_of,
+    reason,
+    via,
+)
+from archlint.libraries.rclpy import escapes, profiles
+from archlint.syntax import facts
+
+if TYPE_CHECKING:
+    from archlint.interpreter.machine import Run
+    from archlint.libraries.rclpy.effects import ApiUse
+
+
+def partial(run: Run, call: ApiUse) -> Value:
+    function = call.get("function")
+    if function is None:
+        return Unknown("partial() without a function")
+    keywords = tuple((name, value) for name, value in call.keywords.items() if name != "function")
+    if isinstance(function, Partial):
+        # One of one, as Python makes it: a chain of them would be as deep as the loop that builds it.
+        keywords = tuple({**dict(function.keywords), **dict(keywords)}.items())
+        return Partial(function.function, (*function.args, *call.rest)[:ITEM_LIMIT], keywords)
+    return Partial(function, tuple(call.rest), keywords)
+
+
+def import_module(run: Run, call: ApiUse) -> Value:
+    name = call.get("name")
+    if not isinstance(name, Known) or not isinstance(name.value, str):
+        return Unknown("the module is chosen by data")
+    level = len(name.value) - len(name.value.lstrip("."))
+    module = run.index.find(run.activation.module, name.value.lstrip("."), level)
+    return External(name.value, name.via) if module is None else run.import_module(module)
+
+
+def path_join(run: Run, call: ApiUse) -> Value:
+    parts = [call.get("path"), *call.rest]
+    texts = [part.value for part in parts if isinstance(part, Known) and isinstance(part.value, str)]
+    if len(texts) != len(parts):
+        return Unknown(reason(*(part for part in parts if part is not None)))
+    import posixpath
+
+    return constant(posixpath.join(*texts), via(*(part for part in parts if part is not None)))
+
+
+def environment(run: Run, call: ApiUse) -> Value:
+    """``os.environ.get('X', default)``: the default, or what the environment says."""
+    from archlint.interpreter.containers import environment_of
+
+    key = call.get("key")
+    known = environment_of(run, key.value) if isinstance(key, Known) else None
+    if known is not None:
+        return known
+    name = f"the environment variable {key.value!s}" if isinstance(key, Known) else "an environment variable"
+    default = call.get("default")
+    return Unknown(name) if default is None else one_of((as_default(default), Unknown(name)))
+
+
+Method = Callable[["Run", Value, list[Value], dict[str, Value], "facts.Call | None"], Value]
+
+METHODS: dict[str, Method] = {}
+
+Plain = Callable[["Run", list[Value], dict[str, Value], "facts.Call | None"], Value]
+
+
+def _copy(run: Run, args: list[Value], keywords: dict[str, Value], e: facts.Call | None) -> Value:
+    from archlint.interpreter import containers
+    from archlint.interpreter.values import DictValue, ListValue
+
+    found: list[Value] = []
+    for value in alternatives(args[0]) if args else ():
+        if isinstance(value, ListValue):
+            items = containers.items_of(run, value)
+            found.append(containers.new_list(run, items.values, value.kind, items.open, items.whole))
+        elif isinstance(value, DictValue):
+            entries = containers.entries_of(run, value)
+            found.append(containers.new_dict(run, dict(entries.entries), entries.open))
+        else:
+            found.append(profiles.copy_profile(run, value))
+    return one_of(found)
+
+
+def _deep_copy(run: Run, args: list[Value], keywords: dict[str, Value], e: facts.Call | None) -> Value:
+    return _copied_deep(run, args[0], {}) if args else Unknown("no argument")
+
+
+def _copied_deep(run: Run, value: Value, copies: dict[int, Value]) -> Value:
+    """A copy, the containers inside it copied as well; ``copies`` has those already made, by key."""
+    from archlint.interpreter import containers
+    from archlint.interpreter.values import DictValue, ListValue
+
+    if isinstance(value, OneOf):
+        return one_of(_copied_deep(run, option, copies) for option in value.values)
+    if not isinstance(value, (ListValue, DictValue)):
+        return profiles.copy_profile(run, value)
+    if value.key in copies:
+        return copies[value.key]
+    copies[value.key] = Unknown("a container that contains itself")
+    if isinstance(value, ListValue):
+        items = containers.items_of(run, value)
+        inside = [_copied_deep(run, item, copies) for item in items.values]
+        made: Value = containers.new_list(run, inside, value.kind, items.open, items.whole)
+    else:
+        held = containers.entries_of(run, value)
+        entries = {at: (key, _copied_deep(run, one, copies)) for at, (key, one) in held.entries.items()}
+        made = containers.new_dict(run, entries, held.open)
+    copies[value.key] = made
+    return made
+
+
+def _builtin(name: str) -> Plain:
+    return BUILTINS[name]
+
+
+def _identity(run: Run, args: list[Value], keywords: dict[str, Value], e: facts.Call | None) -> Value:
+    return args[0] if args else Unknown("no argument")
+
+
+def _decorator(run: Run, args: list[Value], keywords: dict[str, Value], e: facts.Call | None) -> Value:
+    return Unknown("a decorator that is not followed")
+
+
+def _namespace(run: Run, args: list[Value], keywords: dict[str, Value], e: facts.Call | None) -> Value:
+    made = Instance(External("types.SimpleNamespace"), run.store.new_key())
+    for name, value in keywords.items():
+        escapes.kept(run, made.key, (value,), name)
+        run.store.set(made.key, name, value)
+    return made
+
+
+def _auto(run: Run, args: list[Value], keywords: dict[str, Value], e: facts.Call | None) -> Value:
+    return External("enum.auto")
+
+
+def _default_dict(run: Run, args: list[Value], keywords: dict[str, Value], e: facts.Call | None) -> Value:
+    from archlint.interpreter import containers
+
+    made = containers.new_dict(run, {}, len(args) > 1)
+    if args:
+        run.store.set(made.key, "#factory", args[0])
+    return made
+
+
+def _named_tuple(run: Run, args: list[Value], keywords: dict[str, Value], e: facts.Call | None) -> Value:
+    """``namedtuple('Point', 'x y')``: a class whose objects have these fields."""
+    from archlint.interpreter import containers
+
+    fields = args[1] if len(args) > 1 else keywords.get("field_names")
+    if isinstance(fields, Known) and isinstance(fields.value, str):
+        names: list[Value] = [Known(name) for name in fields.value.replace(",", " ").split()]
+    else:
+        items = containers.iterate(run, fields) if fields is not None else None
+        if items is None or items.open:
+            return Unknown("a named tuple whose fields are not known")
+        names = list(items.values)
+    texts = tuple(name.value for name in names if isinstance(name, Known) and isinstance(name.value, str))
+
+    def make(*values: Value, **named: Value) -> Value:
+        made = Instance(External("collections.namedtuple"), run.store.new_key())
+        for number, name in enumerate(texts):
+            given = values[number] if number < len(values) else named.get(name, Unknown("a field that is not set"))
+            run.store.set(made.key, name, given)
+        run.store.set(made.key, "#fields", texts)
+        return made
+
+    return PythonValue("namedtuple", make)
+
+
+def _product(run: Run, args: list[Value], keywords: dict[str, Value], e: facts.Call | None) -> Value:
+    from archlint.interpreter import containers
+
+    rows: list[list[Value]] = [[]]
+    for arg in args:
+        items = containers.iterate(run, arg)
+        if items is None or items.open or "repeat" in keywords or len(rows) * len(items.values) > 4096:
+            return Unknown("the combinations are not known")
+        rows = [[*row, item] for row in rows for item in items.values]
+    return containers.new_list(run, [containers.new_list(run, row, "tuple") for row in rows])
+
+
+def _of_setup(name: str) -> Plain:
+    """What only means something while a setup.py is read."""
+
+    def handler(run: Run, args: list[Value], keywords: dict[str, Value], e: facts.Call | None) -> Value:
+        from archlint.libraries.python import setup_manifest
+        from archlint.programs import entry_points
+
+        if not isinstance(run, entry_points.SetupRun):
+            return Unknown("what only a setup.py asks for")
+        function: Plain = getattr(setup_manifest if hasattr(setup_manifest, name) else entry_points, name)
+        return function(run, args, keywords, e)
+
+    return handler
+
+
+PLAIN: dict[str, Plain] = {
+    "setuptools.setup": _of_setup("record_setup"),
+    "distutils.core.setup": _of_setup("record_setup"),
+    "glob.glob": _of_setup("glob_pattern"),
+    "glob.iglob": _of_setup("glob_pattern"),
+    "xml.etree.ElementTree.parse": _of_setup("element_tree"),
+    "defusedxml.ElementTree.parse": _of_setup("element_tree"),
+    "lxml.etree.parse": _of_setup("element_tree"),
+    "xml.dom.minidom.parse": _of_setup("document"),
+    "catkin_pkg.package.parse_package": _of_setup("package"),
+    "copy.copy": _copy,
+    "copy.deepcopy": _deep_copy,
+    "collections.OrderedDict": _builtin("dict"),
+    "collections.deque": _builtin("list"),
+    "collections.defaultdict": _default_dict,
+    "collections.namedtuple": _named_tuple,
+    "itertools.product": _product,
+    "types.SimpleNamespace": _namespace,
+    "enum.auto": _auto,
+    "asyncio.run": _identity,
+    "asyncio.create_task": _identity,
+    "asyncio.ensure_future": _identity,
+    "typing.cast": lambda run, args, keywords, e: args[1] if len(args) > 1 else Unknown("no argument"),
+    "itertools.chain": lambda run, args, keywords, e: _chain(run, args),
+    "os.path.basename": lambda run, args, keywords, e: _path_part(args, 1),
+    "os.path.dirname": lambda run, args, keywords, e: _path_part(args, 0),
+}
+
+
+def _chain(run: Run, args: list[Value]) -> Value:
+    from archlint.interpreter import containers
+
+    values: list[Value] = []
+    open_ = False
+    for arg in args:
+        items = containers.iterate(run, arg)
+        if items is None:
+            open_ = True
+        else:
+            values.extend(items.values[: containers.ITEM_LIMIT + 1 - len(values)])
+            open_ = open_ or items.open
+    open_ = open_ or len(values) > containers.ITEM_LIMIT
+    return containers.new_list(run, values[: containers.ITEM_LIMIT], "list", open_)
+
+
+def _path_part(args: list[Value], at: int) -> Value:
+    import posixpath
+
+    if args and isinstance(args[0], Known) and isinstance(args[0].value, str):
+        return Known(posixpath.split(args[0].value)[at], args[0].via)
+    return Unknown(reason(*args))
+
+
+__all__ = ["METHODS", "PLAIN", "EntityValue", "FutureValue", "MessageValue", "OneOf"]

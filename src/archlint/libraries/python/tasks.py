@@ -1,0 +1,43 @@
+"""Coroutines that a call hands to an event loop: ``asyncio.create_task(self.go())`` waits for nothing."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from contextlib import contextmanager
+from typing import TYPE_CHECKING
+
+from archlint.interpreter.values import BoundMethod, External, FunctionValue, Unknown, Value
+from archlint.syntax import facts
+
+if TYPE_CHECKING:
+    from archlint.interpreter.machine import Run
+
+STARTERS = frozenset({"create_task", "ensure_future", "run_coroutine_threadsafe"})
+"""Calls of asyncio, its loops and task groups that start a coroutine and return at once.  ``create_task`` of an
+executor of rclpy is none of them: its task runs in the executor's thread."""
+
+
+def note_started(run: Run, e: facts.Call, starter: Value) -> None:
+    """Remember the calls among the arguments of ``e`` whose coroutines it starts."""
+    name = e.func.attr if isinstance(e.func, facts.Attribute) else e.func.id if isinstance(e.func, facts.Name) else ""
+    if name in STARTERS and isinstance(starter, (External, Unknown)):
+        run.coroutines.update(id(argument.value) for argument in e.args if isinstance(argument.value, facts.Call))
+
+
+@contextmanager
+def apart(run: Run, e: facts.Call, function: Value) -> Iterator[None]:
+    """While ``e`` is called: the body of a coroutine that another call starts is followed like that of a thread, so
+    that what it waits for holds up nobody here."""
+    inner = function.function if isinstance(function, BoundMethod) else function
+    if id(e) not in run.coroutines or not (isinstance(inner, FunctionValue) and getattr(inner.ir, "is_async", False)):
+        yield
+        return
+    from archlint.libraries.rclpy import callbacks
+
+    kept = run.context
+    run.context = callbacks.describe(run, function)
+    run.context.role = "thread"
+    try:
+        yield
+    finally:
+        run.context = kept

@@ -1,0 +1,1 @@
+"""What interpreted code imports of rclpy: nodes and all that they make."""

@@ -1,0 +1,370 @@
+"""Callbacks: what is handed to an executor, a future or a thread, noted to be run later."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from typing import TYPE_CHECKING, Any
+
+from archlint import model
+from archlint.finding import Place
+from archlint.interpreter.identity import Key, kind_key
+from archlint.interpreter.values import (
+    ApiMethod,
+    BoundMethod,
+    Builtin,
+    ClassValue,
+    DictValue,
+    EntityValue,
+    External,
+    FunctionValue,
+    FutureValue,
+    Instance,
+    Known,
+    ListValue,
+    MessageValue,
+    NodeValue,
+    OneOf,
+    Partial,
+    Scope,
+    Unknown,
+    Value,
+    alternatives,
+)
+from archlint.libraries.rclpy import messages
+from archlint.libraries.rclpy import names as rclpy_names
+from archlint.syntax import facts
+
+if TYPE_CHECKING:
+    from archlint.interpreter.machine import Run
+    from archlint.libraries.rclpy.effects import ApiUse
+
+WAYS = 16
+"""For how many values one place hands the same callback over: the next ones are taken to be like these."""
+GOAL_HANDLE = External("rclpy.action.server.ServerGoalHandle")
+
+
+def register_row(
+    run: Run,
+    call: ApiUse,
+    node: model.Blueprint | None,
+    creation: model.Creation | None,
+    group: model.Group | None = None,
+) -> dict[str, model.Callback]:
+    """Register all callbacks that a call of the table hands over."""
+    found: dict[str, model.Callback] = {}
+    for parameter, role in call.api.callbacks:
+        value = call.get(parameter)
+        if value is None:
+            continue
+        callback = register(run, value, role, node, creation, group, call)
+        if callback is not None:
+            found[role] = callback
+    return found
+
+
+def register(
+    run: Run,
+    value: Value,
+    role: str,
+    node: model.Blueprint | None,
+    creation: model.Creation | None,
+    group: model.Group | None,
+    call: ApiUse,
+    arguments: tuple[Value, ...] | None = None,
+) -> model.Callback | None:
+    """Note a callable under its role; the first callable of several alternatives names the callback."""
+    made: model.Callback | None = None
+    for option in alternatives(value):
+        if isinstance(option, Known):
+            continue  # None: no callback
+        callback = describe(run, option)
+        callback.role = role
+        callback.node = node
+        callback.creation = creation
+        callback.group = None if role in ("execute", "done", "task", "thread") else group
+        callback.registered = run.place(call.expression.span) if call.expression is not None else None
+        key = (role, callback.registered, callback.name, callback.place, id(creation), _receiver(option))
+        if not _is_new(run, key, callback, (option, call.receiver, *(arguments or ()))):
+            continue
+        run.program.callbacks.append(callback)
+        if node is not None:
+            node.callbacks.append(callback)
+        if callback.function is not None:
+            from archlint.interpreter.machine import Pending
+
+            given = arguments if arguments is not None else default_arguments(run, role, creation, call)
+            if creation is not None and not _is_one_of_several(value, creation):
+                messages.deliver(run, given, creation)
+            run.pending.append(Pending(callback, option, given, run.lineage))
+        elif isinstance(option, (Partial, ApiMethod)):
+            from archlint.libraries.rclpy import escapes
+
+            escapes.escape(run, (option,), "a callback takes it along that is not followed", call.expression)
+        made = made or callback
+    return made
+
+
+def _is_one_of_several(value: Value, creation: model.Creation) -> bool:
+    """Whether it is not known which of several callables, names or types the create call is given: they may belong
+    together in pairs."""
+    callables = [option for option in alternatives(value) if not isinstance(option, Known)]
+    return len(callables) > 1 or any(branch.endswith("|") for branch, _ in creation.arms)
+
+
+def _is_new(run: Run, key: tuple[Any, ...], callback: model.Callback, given: Iterable[Value | None]) -> bool:
+    """Whether a callback was not handed over in this way before; one place may do it for several futures, names or
+    objects.  One that hands itself over again is not new, whatever it takes along."""
+    ways = run.registered.setdefault(key, set())
+    if ways and id(callback.function) in run.lineage:
+        return False
+    way = tuple(kind_key(run, one) for one in given if one is not None)
+    if way in ways or len(ways) >= WAYS:
+        return False
+    ways.add(way)
+    return True
+
+
+def hand_out(run: Run, values: Iterable[Value]) -> None:
+    """Note functions that are given to code which we do not see (an event loop, a user interface): it may call
+    them.  Methods of objects need a note only where a partial gives them something to work on, since all that can
+    matter are run."""
+    from archlint.interpreter.machine import Pending
+    from archlint.libraries.interest import interesting
+
+    for option in (option for value in values for option in alternatives(value)):
+        function, given = _taken_apart(option)
+        method = isinstance(function, BoundMethod) and any(isinstance(value, _OBJECTS) for value in given)
+        inner = function.function if isinstance(function, BoundMethod) else function
+        if not isinstance(inner, FunctionValue) or (inner is not function and not method):
+            continue
+        if not (given or any(interesting(one.ir) or _passes_on(run, one) for one in _led_to(run, inner))):
+            continue
+        callback = describe(run, option)
+        # Once a function, whatever scope it is defined in: one that defines others and hands them out has no end.
+        key = ("method", None, callback.name, callback.place, 0, 0)
+        if key in run.registered:
+            continue
+        run.registered[key] = set()
+        callback.role = "method"
+        run.program.callbacks.append(callback)
+        run.pending.append(Pending(callback, option, (), run.lineage))
+
+
+_OBJECTS = (Instance, NodeValue, ListValue, DictValue)
+
+
+def _taken_apart(value: Value) -> tuple[Value, list[Value]]:
+    """A callable without its partials, and what these give it."""
+    given: list[Value] = []
+    while isinstance(value, Partial):
+        given += [*value.args, *(one for _, one in value.keywords)]
+        value = value.function
+    return value, given
+
+
+def _led_to(run: Run, function: FunctionValue) -> Iterator[FunctionValue]:
+    """A function, and the functions that it names (so it may call them), and so on."""
+    from archlint.libraries.interest import names_in
+
+    waiting = [function]
+    seen: set[int] = set()
+    while waiting:
+        one = waiting.pop()
+        if id(one.ir) in seen:
+            continue
+        seen.add(id(one.ir))
+        yield one
+        names = names_in(one.ir)
+        scope: Scope | None = one.scope
+        while scope is not None:
+            values = (run.store.get(scope.key, name) for name in sorted(names) if scope.kind != "class")
+            waiting += [value for value in values if isinstance(value, FunctionValue)]
+            scope = scope.parent
+
+
+def _passes_on(run: Run, function: FunctionValue) -> bool:
+    """Whether a function hands on an object that it closes over."""
+    from archlint.interpreter.bindings import bound_names
+    from archlint.libraries.interest import names_in
+    from archlint.libraries.uses import bare
+
+    own = bound_names(function.ir)[0]
+    closed_over: set[str] = {name for name, value in function.defaults if isinstance(value, _OBJECTS)}
+    scope: Scope | None = function.scope
+    while scope is not None and scope.kind != "module":
+        if scope.kind != "class":
+            names = names_in(function.ir) - own
+            closed_over |= {name for name in names if isinstance(run.store.get(scope.key, name), _OBJECTS)}
+        scope = scope.parent
+    return bool(closed_over) and bare(function.ir, frozenset(closed_over))
+
+
+def _receiver(value: Value) -> int:
+    if isinstance(value, BoundMethod) and isinstance(value.self_value, Instance):
+        return value.self_value.key
+    if isinstance(value, Partial):
+        return _receiver(value.function)
+    return 0
+
+
+def told_apart(run: Run, base: Key, call: ApiUse) -> Key:
+    """What tells a creation from others of the same place and name (``base``): the functions that are called, for
+    timers with all that they take along.  Where callbacks run once more, the first one there is meant."""
+    given = [call.get(parameter) for parameter, _ in call.api.callbacks]
+    closely = call.api.effect == "timer"
+    options = [option for value in given if value is not None for option in alternatives(value)]
+    functions = options if closely else [_taken_apart(option)[0] for option in options]
+    apart = tuple(kind_key(run, function, closely=closely) for function in functions)
+    first = run.told_apart.setdefault(base, apart)
+    return (*base, apart if run.met_again is None else first)
+
+
+def default_arguments(run: Run, role: str, creation: model.Creation | None, call: ApiUse) -> tuple[Value, ...]:
+    """What rclpy calls a callback of this role with."""
+    type_ = creation.type if creation is not None and not _may_be_another_type(call) else None
+
+    def message(part: str) -> Value:
+        if type_ is None:
+            return Unknown("a message of unknown type")
+        return MessageValue(type_, part, run.store.new_key())
+
+    if role == "subscription":
+        return (message(""),)
+    if role == "service":
+        return (message("Request"), message("Response"))
+    if role in ("execute", "cancel", "accepted"):
+        goal = message("Goal")
+        made = Instance(GOAL_HANDLE, run.store.new_key(), None, {"request": goal})
+        run.store.set(made.key, "request", goal)
+        return (made,)
+    if role == "goal":
+        return (message("Goal"),)
+    if role == "done":
+        return (call.receiver,) if isinstance(call.receiver, FutureValue) else (Unknown("a future"),)
+    if role == "feedback":
+        return (_feedback(run, call),)
+    if role in ("parameter", "event", "filter"):
+        return (Unknown("what rclpy passes to the callback"),)
+    return ()
+
+
+def _may_be_another_type(call: ApiUse) -> bool:
+    """Whether the create call is given one of several types, not all of which are known: the callback may be for
+    those alone."""
+    from archlint.libraries.rclpy.entities import types_of
+
+    types = types_of(call)
+    return len(types) > 1 and any(type_ is None for type_, _ in types)
+
+
+def _feedback(run: Run, call: ApiUse) -> Value:
+    """What a feedback callback is called with: the feedback and the goal it is for."""
+    creations = call.receiver.creations if isinstance(call.receiver, EntityValue) else ()
+    type_ = creations[0].type if len(creations) == 1 else None
+    if type_ is None:
+        return Unknown("the feedback of an action of unknown type")
+    made = MessageValue(type_, "FeedbackMessage", run.store.new_key())
+    run.store.set(made.key, "feedback", MessageValue(type_, "Feedback", run.store.new_key()))
+    return made
+
+
+def describe(run: Run, value: Value) -> model.Callback:
+    """What a callable is, for people: its name and where it is defined."""
+    here = run.place((1, 1, 1, 1))
+    if isinstance(value, FunctionValue):
+        span = value.ir.name_span if isinstance(value.ir, facts.Function) else value.ir.span
+        place = Place(value.scope.module.path, *span)
+        is_async = isinstance(value.ir, facts.Function) and value.ir.is_async
+        return model.Callback("", value.qualified, place, value.ir, is_async=is_async, file=value.scope.module.path)
+    if isinstance(value, BoundMethod):
+        callback = describe(run, value.function)
+        callback.bound_arguments += 1
+        return callback
+    if isinstance(value, Partial):
+        callback = describe(run, value.function)
+        callback.bound_arguments += len(value.args)
+        callback.bound_keywords |= {name for name, _ in value.keywords}
+        return callback
+    if isinstance(value, Instance) and isinstance(value.cls, ClassValue):
+        from archlint.interpreter.attributes import get_attribute
+
+        method = get_attribute(run, value, "__call__")
+        if isinstance(method, BoundMethod):
+            return describe(run, method)
+        return model.Callback("", value.cls.qualified, here, None)
+    if isinstance(value, (ApiMethod, External)):
+        callback = model.Callback("", value.path, here, None)
+        callback.missing = _missing_method(value)
+        return callback
+    if isinstance(value, Builtin):
+        return model.Callback("", value.name, here, None)
+    if isinstance(value, Unknown):
+        callback = model.Callback("", "?", here, None)
+        if (value.name or "").startswith("missing:"):
+            callback.missing = (value.name or "").removeprefix("missing:")
+        return callback
+    return model.Callback("", "?", here, None)
+
+
+def _missing_method(value: ApiMethod | External) -> str | None:
+    """The name of a method that a node of ours is asked for and that neither its class nor rclpy's has."""
+    if not isinstance(value, ApiMethod) or not isinstance(value.self_value, Instance):
+        return None
+    cls, (base, _, name) = value.self_value.cls, value.path.rpartition(".")
+    special = name.startswith("__") and name.endswith("__")
+    if not isinstance(cls, ClassValue) or base not in rclpy_names.NODE_CLASSES or special:
+        return None
+    foreign = [b for b in cls.mro if not isinstance(b, (ClassValue, External))] + [
+        b for b in cls.external_bases() if b not in rclpy_names.NODE_CLASSES | rclpy_names.PLAIN_BASES
+    ]
+    public = rclpy_names.is_node_attribute(name) and not name.startswith(("on_", "__"))
+    of_rclpy = public or name in rclpy_names.PRIVATE_NODE_METHODS
+    if rclpy_names.LIFECYCLE_NODE in cls.external_bases():
+        of_rclpy = of_rclpy or name in rclpy_names.LIFECYCLE_METHODS
+    return None if foreign or of_rclpy else name
+
+
+def thread(run: Run, call: ApiUse) -> Value:
+    """``threading.Thread(target=…, args=…)``."""
+    from archlint.interpreter import containers
+
+    arguments: list[Value] = []
+    given = call.get("args")
+    if isinstance(given, ListValue):
+        arguments = list(containers.items_of(run, given).values)
+    keywords = call.get("kwargs")
+    for parameter, role in call.api.callbacks:
+        value = call.get(parameter)
+        if value is None:
+            continue
+        if isinstance(keywords, DictValue):
+            entries = containers.entries_of(run, keywords).entries.values()
+            pairs = tuple(
+                (key.value, item) for key, item in entries if isinstance(key, Known) and isinstance(key.value, str)
+            )
+            value = Partial(value, (), pairs) if pairs else value
+        register(run, value, role, None, None, None, call, tuple(arguments))
+        if isinstance(value, (Unknown, OneOf)):
+            from archlint.libraries.rclpy import escapes
+
+            escapes.to_call(run, arguments, "", None)
+        _run_foreign_target(run, value, arguments, call)
+    place = run.place(call.expression.span) if call.expression is not None else None
+    return Instance(External(call.api.path), run.store.new_key(), place)
+
+
+def _run_foreign_target(run: Run, value: Value, arguments: list[Value], call: ApiUse) -> None:
+    """``Thread(target=executor.spin)`` and ``Thread(target=rclpy.spin, args=(node,))``: no function of ours, so
+    nothing is left to be run later."""
+    for option in alternatives(value):
+        target = option
+        while isinstance(target, Partial):
+            target = target.function
+        if isinstance(target, (ApiMethod, External)):
+            kept = run.context
+            place = kept.place if call.expression is None else run.place(call.expression.span)
+            run.context = model.Callback("thread", target.path, place, None, file=place.file)
+            try:
+                run.call(option, list(arguments), {})
+            finally:
+                run.context = kept

@@ -1,0 +1,316 @@
+"""Create calls: publishers, subscriptions, services, clients, actions, timers."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from archlint import model
+from archlint.finding import Place
+from archlint.interpreter.values import (
+    NONE,
+    ClassValue,
+    EntityValue,
+    External,
+    Instance,
+    Known,
+    Unknown,
+    Value,
+    alternatives,
+    join_texts,
+    via,
+)
+from archlint.libraries.rclpy import callbacks, messages, nodes, profiles
+from archlint.libraries.rclpy import names as rclpy_names
+from archlint.libraries.rclpy.effects import ApiUse, argument_places
+from archlint.libraries.rclpy.guards import guard_of, proven_of
+from archlint.libraries.tables import Api
+from archlint.libraries.texts import text_of_value
+from archlint.syntax import facts
+
+if TYPE_CHECKING:
+    from archlint.interpreter.machine import Run
+
+COMBINATIONS = 32
+"""How many combinations of names and types one create call may stand for."""
+
+
+def type_of_value(value: Value | None) -> tuple[str | None, str | None]:
+    """The ROS type that a class stands for, or why it is not known."""
+    if value is None:
+        return None, "no type is given"
+    if isinstance(value, External):
+        interface, part = rclpy_names.interface_and_part(rclpy_names.canonical(value.path))
+        if interface is not None and not part:
+            return interface, None
+        return None, f"'{value.path}' is no interface"
+    if isinstance(value, ClassValue):
+        return None, f"'{value.qualified}' is a class of the workspace, not an interface"
+    if isinstance(value, Unknown):
+        written = value.name or ""
+        if written.startswith(messages.MISSING):
+            return written.removeprefix(messages.MISSING), None
+        return None, value.reason
+    return None, "the type is not an interface class"
+
+
+def _plausible(value: Value | None, receiver: Value | None) -> bool:
+    """Whether a create call on an object that we do not see can be one on a node: ``create_client('s3')`` of
+    another library is not."""
+    return not isinstance(value, Known) and not isinstance(receiver, Known)
+
+
+def endpoint(run: Run, call: ApiUse) -> Value:
+    """One create call of the table: an endpoint for each node, name and type it may have."""
+    api = call.api
+    on = call.get(api.node) if api.node is not None else call.receiver
+    type_value = call.get(api.type)
+    if api.type is not None and not _plausible(type_value, on):
+        return Unknown(f"what {api.path}() of another library gives")
+    of = nodes.nodes_of if api.node is None else nodes.given_nodes
+    blueprints = of(run, on, plausible=api.node is None or isinstance(on, (Unknown, Instance)))
+    if not blueprints:
+        return Unknown("a create call on something that is no node")
+    missing = "passed by * or **" if call.open else "no name is given"
+    names = _names(run, call, missing)
+    types = types_of(call)
+    made = []
+    profiles_ = profiles.resolve_all(run, call.get(api.qos), api.default_qos, call)
+    rows = [(n, t, q) for n in names for t in types for q in profiles_][:COMBINATIONS]
+    for blueprint in blueprints:
+        for number, (name, (type_, why), qos) in enumerate(rows):
+            made.append(_create(run, call, blueprint, name, type_, why, qos, number if len(rows) > 1 else None))
+    return EntityValue(tuple(made), api.returns or api.path, run.store.new_key())
+
+
+def _names(run: Run, call: ApiUse, missing: str) -> list[model.Text]:
+    from archlint.interpreter.formatting import plain_text
+
+    api = call.api
+    if api.fixed_name is not None:
+        return [model.Text(api.fixed_name, "exact")]
+    value = call.get(api.name)
+    if value is None:
+        return [text_of_value(None, missing)]
+    return [text_of_value(plain_text(run, option), missing) for option in alternatives(value)]
+
+
+def types_of(call: ApiUse) -> list[tuple[str | None, str | None]]:
+    api = call.api
+    if api.fixed_type is not None:
+        return [(api.fixed_type, None)]
+    value = call.get(api.type)
+    if value is None and call.open:
+        return [(None, "passed by * or **")]
+    options = [option for option in alternatives(value) if option != NONE] if value is not None else []
+    found = [type_of_value(option) for option in options or (value,)]
+    known = [row for row in found if row[0] is not None]
+    # What is not known is one more type: nothing that holds for the known ones is certain then.
+    return known + [row for row in found if row[0] is None][:1]
+
+
+def _create(
+    run: Run,
+    call: ApiUse,
+    blueprint: model.Blueprint,
+    name: model.Text,
+    type_: str | None,
+    why: str | None,
+    qos: model.Qos,
+    alternative: int | None,
+) -> model.Creation:
+    place = run.place(call.expression.span) if call.expression is not None else Place("", 1, 1, 1, 1)
+    arms = frozenset(run.arms)
+    if alternative is not None:
+        arms |= {(f"{place.file}:{place.line}:{place.column}|", alternative)}
+    policies = (qos.history, qos.depth, qos.reliability, qos.durability)
+    base = (call.api.kind, id(blueprint), place, name.text, name.resolution, type_, policies)
+    key = callbacks.told_apart(run, base, call)
+    known = run.creations.get(key)
+    if known is not None:
+        if not arms:
+            known.conditional, known.arms = False, frozenset()
+        else:
+            known.arms &= arms
+        known.proven = known.proven if known.proven == proven_of(run) else ()
+        return known
+    places = argument_places(run, call.api, call.expression)
+    creation = model.Creation(
+        call.api.kind,
+        call.api.path,
+        blueprint,
+        place,
+        name,
+        type_,
+        why,
+        places.get(call.api.type or ""),
+        qos,
+        {},
+        group_of(run, call.get(call.api.group)),
+        bool(arms),
+        arms,
+        run.chain(),
+        run.context,
+        function=run.activation.qualified,
+        guard=guard_of(run),
+        proven=proven_of(run),
+        name_place=places.get(call.api.name or ""),
+        raw=call.get("raw") == Known(True),
+        stored=_stored(run, call),
+        key=len(run.creations),
+    )
+    run.creations[key] = creation
+    blueprint.creations.append(creation)
+    creation.type_parameter = _chosen_by(call.get(call.api.type))
+    creation.callbacks = callbacks.register_row(run, call, blueprint, creation, creation.group)
+    return creation
+
+
+def _chosen_by(type_: Value | None) -> str | None:
+    """The parameters that a type depends on, separated by commas."""
+    return ",".join(sorted(via(*alternatives(type_)))) or None if type_ is not None else None
+
+
+def _stored(run: Run, call: ApiUse) -> bool:
+    statement = run.activation.statement
+    return not (isinstance(statement, facts.Expression) and statement.value is call.expression)
+
+
+_GROUPS = {
+    "rclpy.callback_groups.MutuallyExclusiveCallbackGroup": "mutually_exclusive",
+    "rclpy.callback_groups.ReentrantCallbackGroup": "reentrant",
+}
+
+
+def group_of(run: Run, value: Value | None) -> model.Group:
+    """The callback group that an argument names."""
+    if value is None or (isinstance(value, Known) and value.value is None):
+        return model.Group("default")
+    if isinstance(value, External) and value.path.endswith("default_callback_group"):
+        return model.Group("default")
+    if isinstance(value, Instance):
+        bases = [value.cls.path] if isinstance(value.cls, External) else value.cls.external_bases()
+        for base in bases:
+            kind = _GROUPS.get(rclpy_names.canonical(base))
+            if kind is not None:
+                return model.Group(kind, str(value.key), value.place)
+    return model.Group("unknown")
+
+
+def timer(run: Run, call: ApiUse) -> Value:
+    """``create_timer(period, callback)``."""
+    if isinstance(call.receiver, Unknown) and call.get("callback") is None:
+        return Unknown("what create_timer() of another library gives")
+    place = run.place(call.expression.span) if call.expression is not None else Place("", 1, 1, 1, 1)
+    period, parameter = _seconds(call.get("timer_period_sec"))
+    made = []
+    for blueprint in nodes.nodes_of(run, call.receiver):
+        key = callbacks.told_apart(run, (model.TIMER, id(blueprint), place, period), call)
+        creation = run.creations.get(key)
+        if creation is None:
+            creation = model.Creation(
+                model.TIMER,
+                call.api.path,
+                blueprint,
+                place,
+                model.Text(None, "exact"),
+                None,
+                group=group_of(run, call.get("callback_group")),
+                conditional=bool(run.arms),
+                arms=frozenset(run.arms),
+                chain=run.chain(),
+                context=run.context,
+                period=period,
+                period_parameter=parameter,
+                function=run.activation.qualified,
+                guard=guard_of(run),
+                stored=_stored(run, call),
+                key=len(run.creations),
+            )
+            run.creations[key] = creation
+            blueprint.creations.append(creation)
+            creation.callbacks = callbacks.register_row(run, call, blueprint, creation, creation.group)
+        elif not run.arms:
+            creation.conditional, creation.arms = False, frozenset()
+        made.append(creation)
+    return EntityValue(tuple(made), "rclpy.timer.Timer", run.store.new_key())
+
+
+def _seconds(value: Value | None) -> tuple[float | None, str | None]:
+    if isinstance(value, Known) and isinstance(value.value, (int, float)):
+        return float(value.value), ",".join(sorted(value.via)) or None
+    if isinstance(value, Unknown):
+        return None, value.parameter
+    return None, None
+
+
+def rate(run: Run, call: ApiUse) -> Value:
+    return EntityValue((), "rclpy.timer.Rate", run.store.new_key())
+
+
+def transform_listener(run: Run, call: ApiUse) -> Value:
+    """``TransformListener(buffer, node)`` subscribes to /tf and /tf_static in a reentrant group of its own."""
+    topics = [] if call.api.kind == "static" else [("tf_topic", "/tf", "qos", "tf")]
+    topics.append(("tf_static_topic", "/tf_static", "static_qos", "tf_static_listener"))
+    if call.get("static_only") == Known(True):
+        topics = topics[-1:]
+    made = []
+    for blueprint in nodes.given_nodes(run, call.get("node")):
+        for parameter, name, qos, default in topics:
+            value = call.get(parameter)
+            text = model.Text(name, "exact") if value is None else text_of_value(value, "no name is given")
+            part = ApiUse(
+                _subscription_of(call.api.path, qos, default), None, call.arguments, call.expression, False, [], {}
+            )
+            profile = profiles.resolve(run, call.get(qos), default, call)
+            creation = _create(run, part, blueprint, text, "tf2_msgs/msg/TFMessage", None, profile, None)
+            creation.group = model.Group("reentrant")
+            made.append(creation)
+    return EntityValue(tuple(made), call.api.path, run.store.new_key())
+
+
+def _subscription_of(path: str, qos: str, default: str) -> Api:
+    return Api(path, (), "endpoint", kind=model.SUBSCRIBER, qos=qos, default_qos=default)
+
+
+def transform_buffer(run: Run, call: ApiUse) -> Value:
+    """``Buffer(cache_time, node)`` offers the service ``tf2_frames`` on the node it is given."""
+    node = call.get("node")
+    if node is not None and not (isinstance(node, Known) and node.value is None):
+        row = Api(call.api.path, (), "endpoint", kind=model.SERVICE, default_qos="services_default")
+        part = ApiUse(row, None, {}, call.expression, False, [], {})
+        for blueprint in nodes.given_nodes(run, node):
+            text = model.Text("tf2_frames", "exact")
+            _create(run, part, blueprint, text, "tf2_msgs/srv/FrameGraph", None, profiles.DEFAULT, None)
+    return Instance(External("tf2_ros.buffer.Buffer"), run.store.new_key())
+
+
+_PARAMETER_SERVICES = (
+    ("describe_parameters", "DescribeParameters"),
+    ("get_parameter_types", "GetParameterTypes"),
+    ("get_parameters", "GetParameters"),
+    ("list_parameters", "ListParameters"),
+    ("set_parameters", "SetParameters"),
+    ("set_parameters_atomically", "SetParametersAtomically"),
+)
+
+
+def parameter_client(run: Run, call: ApiUse) -> Value:
+    """``AsyncParameterClient(node, 'other')``: a client for each of the six parameter services of the other."""
+    row = Api(call.api.path, (), "endpoint", kind=model.CLIENT, default_qos="services_default")
+    made = []
+    remote = call.get("remote_node_name") or Unknown("no name is given")
+    for blueprint in nodes.given_nodes(run, call.get("node")):
+        for name, type_ in _PARAMETER_SERVICES:
+            text = text_of_value(join_texts((remote, Known(f"/{name}"))), "no name is given")
+            part = ApiUse(row, None, {}, call.expression, False, [], {})
+            profile = profiles.resolve(run, call.get("qos_profile"), "services_default", call)
+            made.append(_create(run, part, blueprint, text, f"rcl_interfaces/srv/{type_}", None, profile, None))
+    return EntityValue(tuple(made), call.api.path, run.store.new_key())
+
+
+def destroy(run: Run, call: ApiUse) -> Value:
+    value = call.rest[0] if call.rest else next(iter(call.arguments.values()), None)
+    if isinstance(value, EntityValue):
+        for creation in value.creations:
+            creation.destroyed = True
+    return Known(True)

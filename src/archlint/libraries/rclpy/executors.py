@@ -1,0 +1,204 @@
+"""Executors: which one spins which node, and with how many threads."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING
+
+from archlint import model
+from archlint.interpreter.values import ExecutorValue, FutureValue, Instance, Known, OneOf, Unknown, Value
+from archlint.libraries.rclpy import nodes
+from archlint.syntax import facts
+from archlint.syntax.walk import called_name, calls_in, has_literal_true, statements_of
+
+if TYPE_CHECKING:
+    from archlint.finding import Place
+    from archlint.interpreter.machine import Run
+    from archlint.libraries.rclpy.effects import ApiUse
+    from archlint.libraries.tables import Api
+
+_STARTED = ("init", "main", "module", "thread", "method")
+"""Roles of what no executor runs."""
+
+
+def make_executor(run: Run, call: ApiUse) -> Value:
+    use = _new_use(run, call.api.kind, call.get("num_threads"), call)
+    return ExecutorValue(use, call.api.path, run.store.new_key())
+
+
+def adopt_executor(run: Run, api: Api, receiver: Instance, args: list[Value], keywords: dict[str, Value]) -> Value:
+    """An executor class of ours: ``super().__init__()`` tells which kind it is."""
+    threads = keywords.get("num_threads", args[0] if args else None)
+    run.store.set(receiver.key, "#executor", _new_use(run, api.kind, threads, None))
+    return Known(None)
+
+
+def _new_use(run: Run, kind: str, threads: Value | None, call: ApiUse | None) -> model.ExecutorUse:
+    count = threads.value if isinstance(threads, Known) and isinstance(threads.value, int) else None
+    if kind in ("single_threaded", "events"):
+        count = 1
+    place = run.place(call.expression.span) if call is not None and call.expression is not None else None
+    use = model.ExecutorUse(kind, count, [], place)
+    run.program.executors.append(use)
+    return use
+
+
+def use_of(run: Run, value: Value | None) -> model.ExecutorUse | None:
+    if isinstance(value, ExecutorValue):
+        return value.use
+    if isinstance(value, Instance):
+        use = run.store.get(value.key, "#executor")
+        return use if isinstance(use, model.ExecutorUse) else None
+    if isinstance(value, OneOf):
+        found = [use for use in (use_of(run, option) for option in value.values) if use is not None]
+        return found[0] if len(found) == 1 else None
+    return None
+
+
+def _global_use(run: Run) -> model.ExecutorUse:
+    """The process-wide single-threaded executor of ``rclpy.spin``."""
+    for use in run.program.executors:
+        if use.place is None and use.kind == "single_threaded":
+            return use
+    use = model.ExecutorUse("single_threaded", 1, [], None)
+    run.program.executors.append(use)
+    return use
+
+
+def _put(use: model.ExecutorUse, node: model.Blueprint) -> None:
+    use.spells.pop(node, None)
+    if node not in use.nodes:
+        use.nodes.append(node)
+
+
+def settle(program: model.Program) -> None:
+    """Say of each node which kind of executor serves it, once all of them are known."""
+    astray = any(use.kind == "unknown" and use.spun and not use.nodes for use in program.executors)
+    for node in program.nodes:
+        kinds = {"single_threaded" if use.kind == "events" else use.kind for use in program.executors_of(node)}
+        if not kinds:
+            node.executor = "unknown" if astray or node.handed_out else "none"
+        elif len(kinds) == 1:
+            node.executor = kinds.pop()
+        else:
+            node.executor = "multi_threaded" if "multi_threaded" in kinds else "unknown"
+
+
+def running(run: Run, node: model.Blueprint | None) -> model.ExecutorUse | None:
+    """The executor that a node has been added to, where there is one."""
+    found = [use for use in run.program.executors if node is not None and node in use.nodes]
+    return found[0] if len(found) == 1 else None
+
+
+def _spins(run: Run, use: model.ExecutorUse, call: ApiUse, lasting: int) -> None:
+    if not use.spun or lasting > use.lasting:
+        use.spun_at = _place(run, call)
+    use.spun = True
+    use.lasting = max(use.lasting, lasting)
+    use.in_thread = use.in_thread or run.context.role == "thread"
+
+
+def _place(run: Run, call: ApiUse) -> Place:
+    # A thread whose target is the spin itself: there is no call, but the place where it is handed over.
+    return run.context.place if call.expression is None else run.place(call.expression.span)
+
+
+def _lasting(run: Run, call: ApiUse, spun: Sequence[model.Blueprint]) -> int:
+    """How long a spin goes on, be it by itself or because a loop goes round it."""
+    last = call.api.path.rpartition(".")[2]
+    if last == "spin":
+        return model.TO_THE_END
+    loops = [loop for one in run.activations for loop in one.loops]
+    if last != "spin_once" or not loops or run.context.role not in _STARTED:
+        return model.FOR_A_MOMENT
+    if any(_endless(loop) for loop in loops):
+        return model.TO_THE_END
+    return model.FOR_A_MOMENT if any(_makes(run, node) for node in spun) else model.FOR_A_WHILE
+
+
+def _endless(loop: facts.While | facts.For) -> bool:
+    """``while rclpy.ok()`` or ``while True``, with no other way out."""
+    if not isinstance(loop, facts.While):
+        return False
+    endless = isinstance(loop.test, facts.Call) and called_name(loop.test) == "ok"
+    return (endless or has_literal_true(loop.test)) and not any(
+        isinstance(one, facts.Return) or (isinstance(one, facts.Jump) and one.kind == "break")
+        for one in statements_of(loop.body)
+    )
+
+
+def _makes(run: Run, node: model.Blueprint) -> bool:
+    """Whether the constructor of a node is running."""
+    constructors = (one for one in run.activations if one.function is not None and _is_init(one.function.ir))
+    made = (one.self_value for one in constructors)
+    return any(isinstance(one, Instance) and run.blueprints.get(one.key) is node for one in made)
+
+
+def _is_init(function: facts.Function | facts.Lambda) -> bool:
+    return isinstance(function, facts.Function) and function.name == "__init__"
+
+
+def spin(run: Run, call: ApiUse) -> Value:
+    """``rclpy.spin(node)`` and its relatives."""
+    spun = nodes.given_nodes(run, call.get("node"), plausible=False)
+    lasting = _lasting(run, call, spun)
+    if run.context.role in _STARTED or spun != [run.context.node]:
+        given = call.get("executor")
+        use = use_of(run, given)
+        if use is None:
+            unknown = given is not None and not (isinstance(given, Known) and given.value is None)
+            use = _new_use(run, "unknown", None, call) if unknown else _global_use(run)
+        _spins(run, use, call, lasting)
+        use.astray = use.astray or not spun
+        _note_apart(spun if lasting == model.TO_THE_END else ())
+        for node in spun:
+            _visit(use, node, _spell(run, call, node, lasting))
+    _serve(run, call)
+    return Unknown("what a spin gives")
+
+
+def _spell(run: Run, call: ApiUse, node: model.Blueprint, lasting: int) -> model.Spell:
+    round_ = next((one.loops[-1] for one in reversed(run.activations) if one.loops), None)
+    asked = isinstance(round_, facts.While) and any(called_name(one) == "done" for one in calls_in(round_.test))
+    for_answer = asked or isinstance(call.get("future"), FutureValue)
+    return model.Spell(_place(run, call), lasting, _makes(run, node), for_answer, len(node.creations))
+
+
+def _visit(use: model.ExecutorUse, node: model.Blueprint, spell: model.Spell) -> None:
+    """A spin adds the node that it is given, and takes it off again."""
+    if node not in use.nodes:
+        use.spells[node] = []
+        use.nodes.append(node)
+    if node in use.spells and spell not in use.spells[node]:
+        use.spells[node].append(spell)
+
+
+def _note_apart(given: Sequence[model.Blueprint]) -> None:
+    if len(given) == 1:
+        given[0].served_apart = True
+
+
+def _serve(run: Run, call: ApiUse) -> None:
+    """A spin without end is where callbacks run."""
+    endless = call.api.path in ("rclpy.spin", "rclpy.executors.Executor.spin")
+    if endless and run.context.role in ("main", "module") and run.at_spin is not None:
+        run.at_spin(run)
+
+
+def add_node(run: Run, call: ApiUse) -> Value:
+    use = use_of(run, call.receiver)
+    if use is not None:
+        added = nodes.given_nodes(run, call.get("node"), plausible=False)
+        use.astray = use.astray or not added
+        _note_apart(added)
+        for node in added:
+            _put(use, node)
+    return Known(True)
+
+
+def executor_spin(run: Run, call: ApiUse) -> Value:
+    use = use_of(run, call.receiver)
+    if use is not None:
+        _spins(run, use, call, _lasting(run, call, use.nodes))
+    _serve(run, call)
+    return Unknown("what a spin gives")

@@ -1,0 +1,65 @@
+"""What programs do with messages: the fields that they use, and interfaces that are not there."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from archlint.finding import Place
+    from archlint.model import Blueprint, Creation
+
+
+@dataclass(frozen=True)
+class Passed:
+    """One hop of a message that a function is called with."""
+
+    call: Place
+    helper: str
+    """Qualified name of the function."""
+    function: Place
+
+
+@dataclass(frozen=True)
+class FieldUse:
+    """A field of a message that the code names; ``access`` is ``read``, ``write`` or ``keyword``, or ``constant`` for
+    what looks like one and is read from the class.
+
+    ``type`` and ``part`` are those of the message.  ``exists`` is None where its definition is not known; where
+    it is False, ``fields`` are those that the message has, and ``inside`` is the one whose own message has the name;
+    for a constant the class of the same service or action that has it.
+    """
+
+    place: Place
+    type: str
+    part: str
+    name: str
+    access: str
+    exists: bool | None
+    fields: tuple[str, ...] = ()
+    node: Blueprint | None = None
+    delivered: Creation | None = None
+    """What calls with the message, where this use of it certainly is reached whatever its type."""
+    inside: str | None = None
+    passed: tuple[Passed, ...] = ()
+    """The calls that pass the message, or what it is in, to where it is used; the last of them first."""
+    certain: bool = False
+    """Whether a message that is passed certainly comes to this use, whatever its type."""
+
+
+@dataclass(frozen=True)
+class UnknownInterface:
+    """An interface that is imported from a package which does not define it; ``others`` are what was perhaps
+    meant, with the kind where that is another."""
+
+    place: Place
+    package: str
+    kind: str
+    name: str
+    others: tuple[str, ...] = ()
+    left_out: bool = False
+    """True where its file is there, but the package does not generate it."""
+    elsewhere: tuple[str, ...] = ()
+    """The packages of the workspace that define an interface of that kind and name."""
+    in_function: bool = False
+    """Whether a function imports it, when it runs."""

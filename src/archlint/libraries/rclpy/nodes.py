@@ -1,0 +1,401 @@
+"""Nodes: made by a class of ours, by ``create_node``, or handed in by nobody we can see."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from archlint import model
+from archlint.finding import Place
+from archlint.interpreter.values import (
+    TRUE,
+    AttributeOf,
+    ClassValue,
+    External,
+    FunctionValue,
+    Holed,
+    Instance,
+    Known,
+    ListValue,
+    NodeValue,
+    OneOf,
+    Unknown,
+    Value,
+    alternatives,
+    join_texts,
+)
+from archlint.libraries.rclpy import names, short_lived
+from archlint.libraries.texts import text_of_value
+from archlint.workspace.test_code import is_test_file
+
+if TYPE_CHECKING:
+    from archlint.interpreter.machine import Run
+    from archlint.libraries.rclpy.effects import ApiUse
+
+_ROOT = model.Text("/", "exact")
+
+
+def new_blueprint(run: Run, class_name: str, place: Place, key: str, package: str | None) -> model.Blueprint:
+    blueprint = model.Blueprint(
+        class_name,
+        model.Text(None, "unknown", reason=model.NEVER_CONSTRUCTED),
+        _ROOT,
+        place,
+        package,
+        test=is_test_file(place.file),
+        key=key,
+        number=len(run.nodes),
+        arms=frozenset(run.arms),
+        made_by=run.context,
+    )
+    run.nodes[key] = blueprint
+    run.program.nodes.append(blueprint)
+    return blueprint
+
+
+def is_node_class(cls: ClassValue) -> bool:
+    """Whether a class of ours derives from rclpy's Node."""
+    return any(path in names.NODE_CLASSES for path in cls.external_bases())
+
+
+def is_lifecycle_class(cls: ClassValue) -> bool:
+    return names.LIFECYCLE_NODE in cls.external_bases()
+
+
+def adopt(run: Run, instance: Instance) -> None:
+    """Give an object its blueprint if its class is a node."""
+    if isinstance(instance.cls, ClassValue) and is_node_class(instance.cls):
+        blueprint_of_instance(run, instance)
+
+
+def blueprint_of_instance(run: Run, instance: Instance) -> model.Blueprint:
+    known = run.blueprints.get(instance.key)
+    if known is not None:
+        return known
+    cls = instance.cls
+    assert isinstance(cls, ClassValue)
+    place = Place(cls.scope.module.path, *cls.ir.name_span)
+    again = _met_again(run, (place, instance.place, cls.qualified))
+    if again is not None:
+        run.blueprints[instance.key] = again
+        return again
+    key = f"{place.file}:{place.line}#{instance.key}"
+    blueprint = new_blueprint(run, cls.qualified, place, key, cls.scope.module.file.package)
+    blueprint.made_at = instance.place
+    blueprint.lifecycle = is_lifecycle_class(cls)
+    blueprint.held = not _may_be_node_class(cls)
+    blueprint.classes = class_keys(cls)
+    run.blueprints[instance.key] = blueprint
+    return blueprint
+
+
+def class_keys(cls: ClassValue) -> tuple[model.ClassKey, ...]:
+    """A class and the bases of it that are of this workspace."""
+    return tuple(
+        (Place(base.scope.module.path, *base.ir.name_span), base.qualified)
+        for base in cls.mro
+        if isinstance(base, ClassValue)
+    )
+
+
+def _met_again(run: Run, same: tuple[Place, Place | None, str]) -> model.Blueprint | None:
+    """The node that a callback made there the first time, where it runs for a second time."""
+    if run.met_again is None:
+        return None
+    for node in run.nodes.values():
+        if (node.place, node.made_at, node.class_name) == same and id(node) not in run.met_again:
+            run.met_again.add(id(node))
+            return node
+    return None
+
+
+def known_node(run: Run, value: Value | None) -> model.Blueprint | None:
+    """The blueprint of a value that is a node for certain."""
+    if isinstance(value, NodeValue):
+        return value.blueprint
+    if isinstance(value, Instance):
+        return run.blueprints.get(value.key)
+    return None
+
+
+def note_replaced(run: Run, made: Instance, before: object) -> None:
+    """Note that a new node takes the place in a variable that one of its class and name had."""
+    node = run.blueprints.get(made.key)
+    for option in alternatives(before) if node is not None and isinstance(before, Value) else ():
+        old = known_node(run, option)
+        if node is None or old is None or old is node:
+            continue
+        if (old.place, old.class_name, old.name.text) == (node.place, node.class_name, node.name.text):
+            node.instead_of = old
+            return
+
+
+def hand_out_class(run: Run, value: ClassValue) -> None:
+    """Note that the class of a node is given to code that we do not see."""
+    if run.context.role == "main" and _may_be_node_class(value):
+        run.handed_out.setdefault(id(value), value)
+
+
+def _may_be_node_class(cls: ClassValue) -> bool:
+    """Whether a class derives from rclpy's Node, or from something elsewhere that is called or known as one."""
+    return is_node_class(cls) or any(
+        path.endswith("Node") or path in names.FOREIGN_NODES for path in cls.external_bases()
+    )
+
+
+def node_key(run: Run, value: Value | None) -> int:
+    """Where a node's parameters are kept in the store."""
+    if isinstance(value, (NodeValue, Instance)):
+        return value.key
+    return held_key(run)
+
+
+def given_nodes(run: Run, value: Value | None, *, plausible: bool = True) -> list[model.Blueprint]:
+    """The nodes that an argument stands for which ROS takes nothing but a node for."""
+    found = nodes_of(run, value, plausible=plausible)
+    for option in alternatives(value) if value is not None else ():
+        node = known_node(run, option)
+        if node is not None:
+            node.held = False
+    return found
+
+
+def nodes_of(run: Run, value: Value | None, *, plausible: bool = True) -> list[model.Blueprint]:
+    """The nodes that a create call makes something on; an unseen one where nobody hands it in."""
+    if isinstance(value, OneOf):
+        found: list[model.Blueprint] = []
+        options: list[Value] = [o for o in value.values if isinstance(o, (NodeValue, Instance))]
+        options = options or list(value.values)
+        for option in options:
+            found.extend(node for node in nodes_of(run, option, plausible=plausible) if node not in found)
+        return found
+    if isinstance(value, NodeValue):
+        return [value.blueprint]
+    if isinstance(value, Instance):
+        known = run.blueprints.get(value.key)
+        if known is not None:
+            return [known]
+        if isinstance(value.cls, ClassValue):
+            foreign = any(
+                isinstance(base, Unknown) or (isinstance(base, External) and base.path not in names.PLAIN_BASES)
+                for base in value.cls.mro
+            )
+            if foreign:
+                return [blueprint_of_instance(run, value)]
+            if plausible:
+                return [held_blueprint(run, value)]  # a mixin: whoever inherits it is the node
+        elif isinstance(value.cls, External) and value.cls.path.startswith("rclpy."):
+            return []
+        return [held_blueprint(run)] if plausible else []
+    if isinstance(value, (Unknown, External)) and plausible:
+        return [held_blueprint(run, annotated=_annotated(value))]
+    return []
+
+
+def _annotated(value: Value) -> tuple[model.ClassKey, str] | None:
+    meant = value.annotation if isinstance(value, Unknown) else None
+    if isinstance(meant, AttributeOf):
+        return class_keys(meant.cls)[0], meant.name
+    return (class_keys(meant)[0], "") if isinstance(meant, ClassValue) else None
+
+
+def _holder(run: Run, instance: Instance | None = None) -> tuple[str, Place, str | None]:
+    """Which class (or function) holds a node that nobody hands in: the object whose method is running."""
+    if instance is not None and isinstance(instance.cls, ClassValue):
+        cls = instance.cls
+        return cls.qualified, Place(cls.scope.module.path, *cls.ir.name_span), cls.scope.module.file.package
+    for activation in reversed(run.activations):
+        value = activation.self_value
+        if isinstance(value, Instance) and isinstance(value.cls, ClassValue):
+            cls = value.cls
+            return (
+                cls.qualified,
+                Place(cls.scope.module.path, *cls.ir.name_span),
+                cls.scope.module.file.package,
+            )
+        if activation.function is not None and isinstance(activation.function, FunctionValue):
+            ir = activation.function.ir
+            span = getattr(ir, "name_span", ir.span)
+            return (
+                activation.qualified,
+                Place(activation.module.path, *span),
+                activation.module.file.package,
+            )
+    activation = run.activation
+    return activation.qualified, Place(activation.module.path, 1, 1, 1, 1), activation.module.file.package
+
+
+def held_blueprint(
+    run: Run, instance: Instance | None = None, annotated: tuple[model.ClassKey, str] | None = None
+) -> model.Blueprint:
+    """The blueprint of a node that a helper is handed by nobody in the workspace."""
+    name, place, package = _holder(run, instance)
+    key = f"{place.file}:{place.line}#held" + (f" {annotated}" if annotated is not None else "")
+    known = run.nodes.get(key)
+    if known is not None:
+        return known
+    blueprint = new_blueprint(run, name, place, key, package)
+    blueprint.held = True
+    blueprint.annotated = annotated
+    blueprint.name = model.Text(None, "unknown", reason="nothing in the workspace hands a node in")
+    # Like every node that no launch file puts elsewhere, it is in the root namespace.
+    return blueprint
+
+
+def held_key(run: Run) -> int:
+    name, place, _ = _holder(run)
+    return -abs(hash_of(f"{place.file}:{place.line}:{name}"))
+
+
+def hash_of(text: str) -> int:
+    """A number for a text that is the same in every process."""
+    import zlib
+
+    return zlib.crc32(text.encode("utf-8", "surrogatepass")) + 1
+
+
+def create_node(run: Run, call: ApiUse) -> Value:
+    """``rclpy.create_node('x')`` and ``Node('x')``."""
+    place = run.place(call.expression.span) if call.expression is not None else Place("", 1, 1, 1, 1)
+    text = text_of_value(call.get("node_name"), "a node without a name")
+    key = f"{place.file}:{place.line}:{place.column}#{text.text}"
+    known = run.nodes.get(key)
+    if known is None:
+        activation = run.activation
+        known = new_blueprint(run, activation.qualified, place, key, activation.module.file.package)
+        known.lifecycle = call.api.kind == "lifecycle"
+        _set_names(run, known, call)
+        holder = short_lived.holder(run.activations, call.expression)
+        if holder is not None:
+            holder.short_lived.append(known)
+    elif known.until is not None and known.until < len(run.nodes):
+        known.until = None  # made again, beside nodes that came later
+    known.destroyed_at = None
+    return NodeValue(known, run.store.new_key())
+
+
+def node_init(run: Run, call: ApiUse) -> Value:
+    """``super().__init__('x')`` of a node class."""
+    receiver = call.receiver
+    if isinstance(receiver, Instance) and isinstance(receiver.cls, ClassValue):
+        blueprint = blueprint_of_instance(run, receiver)
+        _set_names(run, blueprint, call)
+    return Known(None)
+
+
+def destroy_node(run: Run, call: ApiUse) -> Value:
+    """``node.destroy_node()``: from here on there is no such node, if no branch leaves it alive."""
+    node = known_node(run, call.receiver)
+    if node is not None and node.made_by is run.context and node.arms.issuperset(run.arms):
+        node.destroyed_at = len(run.nodes)
+    return Known(None)
+
+
+def name_by_foreign_base(run: Run, receiver: Instance, path: str) -> None:
+    """The constructor of a foreign base class decides the name of the node."""
+    blueprint = run.blueprints.get(receiver.key)
+    if blueprint is not None and blueprint.name.resolution == "unknown":
+        owner = path.removesuffix(".__init__")
+        blueprint.name = model.Text(None, "unknown", reason=f"{owner}, outside of this workspace, names the node")
+
+
+def _set_names(run: Run, blueprint: model.Blueprint, call: ApiUse) -> None:
+    if call.open and "node_name" not in call.arguments:
+        reason = "the node's name is passed by * or **"
+        blueprint.name = model.Text(None, "unknown", reason=reason)
+    else:
+        blueprint.name = text_of_value(call.get("node_name"), "a node without a name")
+    namespace = call.get("namespace")
+    if namespace is None:
+        # **kwargs may carry a namespace; rclpy's default is the root.
+        blueprint.namespace = _ROOT
+    elif isinstance(namespace, Known) and namespace.value in (None, ""):
+        blueprint.namespace = _ROOT
+    else:
+        blueprint.namespace = text_of_value(namespace, "a namespace")
+    blueprint.allow_undeclared_parameters = call.get("allow_undeclared_parameters") == TRUE
+    blueprint.automatically_declare_parameters = call.get("automatically_declare_parameters_from_overrides") == TRUE
+    blueprint.enable_rosout = call.get("enable_rosout") != Known(False)
+    blueprint.use_global_arguments = call.get("use_global_arguments") != Known(False)
+    blueprint.start_parameter_services = call.get("start_parameter_services") != Known(False)
+    _note_overrides(run, call)
+    arguments = call.get("cli_args")
+    if isinstance(arguments, ListValue):
+        from archlint.interpreter import containers
+
+        items = containers.items_of(run, arguments)
+        blueprint.cli_arguments = tuple(
+            item.value for item in items.values if isinstance(item, Known) and isinstance(item.value, str)
+        )
+
+
+def _note_overrides(run: Run, call: ApiUse) -> None:
+    """``parameter_overrides=[Parameter(…)]``: the constructor wins over every default and the command line."""
+    from archlint.interpreter import containers
+
+    given = call.get("parameter_overrides")
+    items = containers.iterate(run, given) if given is not None else None
+    key = call.receiver.key if isinstance(call.receiver, Instance) else None
+    for item in items.values if items is not None else ():
+        if key is not None and isinstance(item, Instance):
+            name, value = run.store.get(item.key, "name"), run.store.get(item.key, "value")
+            if isinstance(name, Known) and isinstance(value, Value):
+                run.store.set(key, ("#override", name.value), value)
+
+
+def _as_value(text: model.Text) -> Value:
+    if text.text is None:
+        return Unknown(text.reason or "the name is not known")
+    if text.resolution == "exact":
+        return Known(text.text, kind="node_name")
+    if text.resolution == "parameter":
+        return Known(text.text, frozenset((text.parameter or "").split(",")), kind="node_name")
+    parts: list[str | None] = []
+    for number, piece in enumerate(text.text.split("*")):
+        if number:
+            parts.append(None)
+        if piece:
+            parts.append(piece)
+    return Holed(tuple(parts), text.reason or "")
+
+
+def get_name(run: Run, call: ApiUse) -> Value:
+    node = known_node(run, call.receiver)
+    if node is None:
+        return Unknown("the name of a node that is not known")
+    return _as_value(_final_names(run, node)[0])
+
+
+def _final_names(run: Run, node: model.Blueprint) -> tuple[model.Text, model.Text]:
+    """The name and the namespace that a node has in this process."""
+    run.program.reads_node_names = True
+    return run.overrides.names.get(model.node_key(node), (node.name, node.namespace))
+
+
+def get_namespace(run: Run, call: ApiUse) -> Value:
+    node = known_node(run, call.receiver)
+    if node is None:
+        return Unknown("the namespace of a node that is not known")
+    value = _as_value(_final_names(run, node)[1])
+    if isinstance(value, Known) and isinstance(value.value, str) and not value.value.startswith("/"):
+        return Known("/" + value.value, value.via, kind="node_name")
+    return value
+
+
+def get_fully_qualified_name(run: Run, call: ApiUse) -> Value:
+    namespace, name = get_namespace(run, call), get_name(run, call)
+    if isinstance(namespace, Known) and namespace.value == "/":
+        return join_texts((Known("/"), name))
+    return join_texts((namespace, Known("/"), name))
+
+
+def resolve_name(run: Run, call: ApiUse) -> Value:
+    """``resolve_topic_name``: without remaps, rcl's expansion."""
+    value = call.get("topic") or call.get("service")
+    if isinstance(value, Known) and isinstance(value.value, str) and not value.value.startswith("/"):
+        namespace = get_namespace(run, call)
+        if value.value.startswith("~"):
+            return join_texts((get_fully_qualified_name(run, call), Known(value.value[1:])))
+        if isinstance(namespace, Known) and namespace.value == "/":
+            return join_texts((Known("/"), value))
+        return join_texts((namespace, Known("/"), value))
+    return value if value is not None else Unknown("no name to resolve")

@@ -1,0 +1,355 @@
+"""ROS parameters: declared with a default, overridden from outside, read in every spelling."""
+
+from __future__ import annotations
+
+from collections.abc import Hashable
+from typing import TYPE_CHECKING
+
+from archlint import model
+from archlint.finding import Place
+from archlint.interpreter.values import (
+    FALSE,
+    NONE,
+    TRUE,
+    DictValue,
+    External,
+    Holed,
+    Instance,
+    Known,
+    ListValue,
+    MessageValue,
+    Unknown,
+    Value,
+    alternatives,
+    join_texts,
+    one_of,
+)
+from archlint.libraries.rclpy import nodes, profiles
+from archlint.libraries.texts import text_of_value
+from archlint.syntax.parameter_files import NotKnown
+
+if TYPE_CHECKING:
+    from archlint.interpreter.machine import Run
+    from archlint.libraries.rclpy.effects import ApiUse
+
+_PARAMETER = External("rclpy.parameter.Parameter")
+
+BY_NAME = frozenset(f"rclpy.node.Node.{name}" for name in ("get_parameter", "get_parameter_or", "has_parameter"))
+"""Calls that name one parameter."""
+
+_TYPES: dict[type, str] = {bool: "bool", int: "integer", float: "double", str: "string"}
+_TYPE_NAMES = {
+    "BOOL": "bool",
+    "INTEGER": "integer",
+    "DOUBLE": "double",
+    "STRING": "string",
+    "BYTE_ARRAY": "byte_array",
+    "BOOL_ARRAY": "bool_array",
+    "INTEGER_ARRAY": "integer_array",
+    "DOUBLE_ARRAY": "double_array",
+    "STRING_ARRAY": "string_array",
+}
+
+
+def new_parameter(run: Run, name: Value, value: Value) -> Instance:
+    made = Instance(_PARAMETER, run.store.new_key())
+    run.store.set(made.key, "name", name)
+    run.store.set(made.key, "value", value)
+    return made
+
+
+def make_parameter(run: Run, call: ApiUse) -> Value:
+    """``Parameter('name', Parameter.Type.STRING, 'value')``."""
+    return new_parameter(run, call.get("name") or Unknown("no name"), call.get("value") or NONE)
+
+
+def type_name(run: Run, value: Value | None) -> str | None:
+    """The ROS type of a default, or of a ``Parameter.Type``."""
+    if isinstance(value, Known):
+        return _TYPES.get(type(value.value))
+    if isinstance(value, External) and profiles.policy_number(value.path) is not None:
+        return "integer"
+    if isinstance(value, External) and ".Type." in value.path:
+        return _TYPE_NAMES.get(value.path.rpartition(".")[2])
+    if isinstance(value, ListValue):
+        from archlint.interpreter import containers
+
+        items = containers.items_of(run, value)
+        kinds = {type_name(run, item) for item in items.values}
+        if len(kinds) == 1 and not items.open:
+            kind = kinds.pop()
+            return None if kind is None else f"{kind}_array"
+    return None
+
+
+def _is_type(value: Value | None) -> bool:
+    return isinstance(value, External) and (".Type." in value.path or ".ParameterType." in value.path)
+
+
+def from_parameter(run: Run, value: Value, name: str) -> Value:
+    """A default as the value of a parameter: known, but by way of the parameter."""
+    if isinstance(value, External):
+        number = profiles.policy_number(value.path)
+        value = value if number is None else Known(number)
+    if isinstance(value, Known):
+        return Known(value.value, value.via | {name}, value.origin, value.kind)
+    if isinstance(value, Holed):
+        return Holed(value.parts, value.reason, value.via | {name}, value.origin)
+    if isinstance(value, ListValue):
+        from archlint.interpreter import containers
+
+        items = containers.items_of(run, value)
+        # An empty default waits for somebody to fill it, unless a launch file is seen to leave it so.
+        open_ = items.open or not (items.values or name in run.overrides.settled)
+        return containers.new_list(run, [from_parameter(run, item, name) for item in items.values], value.kind, open_)
+    if isinstance(value, Unknown):
+        return Unknown(f"the parameter '{name}' has a default that is not known: {value.reason}", name)
+    return (
+        one_of(from_parameter(run, option, name) for option in alternatives(value))
+        if (len(alternatives(value)) > 1)
+        else Unknown(f"the parameter '{name}' decides it", name)
+    )
+
+
+def value_from_python(run: Run, value: object) -> Value:
+    """A value of a parameter file or launch file."""
+    if isinstance(value, (list, tuple)):
+        from archlint.interpreter import containers
+
+        return containers.new_list(run, [value_from_python(run, item) for item in value])
+    if isinstance(value, (str, int, float, bool)):
+        return Known(value)
+    why = value.reason if isinstance(value, NotKnown) else "not known here"
+    return Unknown(f"it is set from outside, to what is not known: {why}")
+
+
+def declare_one(
+    run: Run,
+    call: ApiUse,
+    name: Value,
+    default: Value | None,
+    ignore_override: bool = False,
+    span_place: Place | None = None,
+    descriptor: Value | None = None,
+) -> Value:
+    """Declare a parameter on the node of a call; returns the Parameter object."""
+    place = span_place or (run.place(call.expression.span) if call.expression is not None else Place("", 1, 1, 1, 1))
+    found = []
+    overrides = run.overrides.of(nodes.known_node(run, call.receiver))
+    for option in alternatives(name):
+        text = text_of_value(option, "no name is given")
+        dynamic = _is_dynamic(run, descriptor)
+        kind = None if dynamic else type_name(run, default)
+        typed = _is_type(default)
+        has_default = default is not None and not typed and default != NONE
+        override = run.store.get(nodes.node_key(run, call.receiver), ("#override", text.text))
+        given = override if isinstance(override, Value) and not ignore_override else None
+        for blueprint in nodes.nodes_of(run, call.receiver):
+            _note(run, blueprint, text, kind, default if has_default else None, place, ignore_override, dynamic, given)
+        value: Value
+        if isinstance(override, Value) and text.text is not None and not ignore_override:
+            value = from_parameter(run, override, text.text)
+        elif text.text is None or text.resolution not in ("exact", "parameter"):
+            value = Unknown("the parameter's name is not known")
+        elif text.text in overrides and not ignore_override:
+            value = from_parameter(run, value_from_python(run, overrides[text.text]), text.text)
+        elif has_default:
+            assert default is not None
+            value = from_parameter(run, default, text.text)
+        else:
+            value = Unknown(f"the parameter '{text.text}' has no default", text.text)
+        if text.text is not None:
+            run.store.set(nodes.node_key(run, call.receiver), ("#parameter", text.text), value)
+        found.append(new_parameter(run, option, value))
+    return one_of(found)
+
+
+def _is_dynamic(run: Run, descriptor: Value | None) -> bool:
+    """``ParameterDescriptor(dynamic_typing=True)``: any type will do."""
+    return isinstance(descriptor, MessageValue) and run.store.get(descriptor.key, "dynamic_typing") == TRUE
+
+
+def _note(
+    run: Run,
+    blueprint: model.Blueprint,
+    name: model.Text,
+    kind: str | None,
+    default: Value | None,
+    place: Place,
+    ignore_override: bool,
+    dynamic: bool,
+    given: Value | None,
+) -> None:
+    for known in blueprint.parameters:
+        if known.place == place and known.name.text == name.text:
+            known.conditional = known.conditional and bool(run.arms)
+            return
+    python, is_known = to_python(run, default)
+    in_code, in_code_known = to_python(run, given)
+    blueprint.parameters.append(
+        model.ParameterDeclaration(
+            name,
+            kind,
+            python,
+            is_known,
+            place,
+            blueprint,
+            bool(run.arms),
+            ignore_override,
+            dynamic,
+            chain=run.chain(),
+            given=(in_code,) if given is not None and in_code_known else (),
+            uncalled=run.context.role == "method",
+        )
+    )
+
+
+def to_python(run: Run, value: Value | None) -> tuple[object, bool]:
+    """The Python value of a constant, and whether it is known."""
+    if isinstance(value, Known):
+        return value.value, True
+    if isinstance(value, ListValue):
+        from archlint.interpreter import containers
+
+        items = containers.items_of(run, value)
+        rows = [to_python(run, item) for item in items.values]
+        if not items.open and all(known for _, known in rows):
+            return [item for item, _ in rows], True
+    return None, False
+
+
+def declare_parameter(run: Run, call: ApiUse) -> Value:
+    return declare_one(
+        run,
+        call,
+        call.get("name") or Unknown("no name is given"),
+        call.get("value"),
+        call.get("ignore_override") == TRUE,
+        descriptor=call.get("descriptor"),
+    )
+
+
+def declare_parameters(run: Run, call: ApiUse) -> Value:
+    from archlint.interpreter import containers
+
+    namespace = call.get("namespace")
+    rows = containers.iterate(run, call.get("parameters") or Unknown("no parameters"))
+    made: list[Value] = []
+    if rows is None:
+        return Unknown("the parameters that are declared are not known")
+    for row in rows.values:
+        parts = containers.iterate(run, row)
+        if parts is None or not parts.values:
+            continue
+        name = parts.values[0]
+        place = _entry_place(run, call, name)
+        if isinstance(namespace, Known) and namespace.value:
+            name = one_of(join_texts((namespace, Known("."), option)) for option in alternatives(name))
+        elif namespace is not None and not isinstance(namespace, Known):
+            name = Unknown("the namespace of the parameters is not known")
+        default, descriptor = [*parts.values[1:3], None, None][:2]
+        ignore = call.get("ignore_override") == TRUE
+        made.append(declare_one(run, call, name, default, ignore, place, descriptor))
+    return containers.new_list(run, made, "list", rows.open)
+
+
+def _entry_place(run: Run, call: ApiUse, name: Value) -> Place | None:
+    """Where the call spells the name of one of the parameters that it declares; None where something else does."""
+    origin = name.origin if isinstance(name, Known) else None
+    if origin is None or call.expression is None:
+        return None
+    whole = run.place(call.expression.span)
+    starts = (whole.line, whole.column) <= (origin.line, origin.column)
+    ends = (origin.end_line, origin.end_column) <= (whole.end_line, whole.end_column)
+    return origin if origin.file == whole.file and starts and ends else None
+
+
+def read(run: Run, call: ApiUse, name: Value) -> Value:
+    """The value of a parameter by name."""
+    found: list[Value] = []
+    overrides = run.overrides.of(nodes.known_node(run, call.receiver))
+    for option in alternatives(name):
+        if not isinstance(option, Known) or not isinstance(option.value, str):
+            found.append(Unknown("the parameter's name is not known"))
+            continue
+        value = run.store.get(nodes.node_key(run, call.receiver), ("#parameter", option.value))
+        if isinstance(value, Value):
+            found.append(value)
+        elif option.value in overrides:
+            found.append(from_parameter(run, value_from_python(run, overrides[option.value]), option.value))
+        elif option.value == "use_sim_time":
+            found.append(Known(False, frozenset({"use_sim_time"})))
+        else:
+            found.append(Unknown(f"the parameter '{option.value}' is not declared in reach", option.value))
+    return one_of(found)
+
+
+def get_parameter(run: Run, call: ApiUse) -> Value:
+    name = call.get("name") or Unknown("no name is given")
+    return new_parameter(run, name, read(run, call, name))
+
+
+def get_parameters(run: Run, call: ApiUse) -> Value:
+    from archlint.interpreter import containers
+
+    names = containers.iterate(run, call.get("names") or Unknown("no names"))
+    if names is None:
+        return Unknown("the parameters that are read are not known")
+    made: list[Value] = [new_parameter(run, name, read(run, call, name)) for name in names.values]
+    return containers.new_list(run, made, "list", names.open)
+
+
+def get_parameter_or(run: Run, call: ApiUse) -> Value:
+    name = call.get("name") or Unknown("no name is given")
+    value = read(run, call, name)
+    alternative = call.get("alternative_value")
+    undeclared = isinstance(value, Unknown) and "not declared" in value.reason
+    if undeclared and isinstance(alternative, Instance) and isinstance(name, Known):
+        held = run.store.get(alternative.key, "value")
+        if isinstance(held, Value):
+            value = from_parameter(run, held, str(name.value))
+    return new_parameter(run, name, value)
+
+
+def get_parameters_by_prefix(run: Run, call: ApiUse) -> Value:
+    from archlint.interpreter import containers
+
+    prefix = call.get("prefix")
+    node = nodes.known_node(run, call.receiver)
+    if not isinstance(prefix, Known) or node is None:
+        return Unknown("the parameters that are read are not known")
+    start = f"{prefix.value!s}." if prefix.value else ""
+    entries: dict[Hashable, tuple[Value, Value]] = {}
+    for declared in node.parameters:
+        text = declared.name.text
+        if text is not None and text.startswith(start):
+            key = Known(text[len(start) :])
+            at = containers.hashable(key)
+            if at is not None:
+                entries[at] = (key, new_parameter(run, Known(text), read(run, call, Known(text))))
+    made: DictValue = containers.new_dict(run, entries, True)
+    return made
+
+
+def has_parameter(run: Run, call: ApiUse) -> Value:
+    name = call.get("name")
+    if isinstance(name, Known):
+        value = run.store.get(nodes.node_key(run, call.receiver), ("#parameter", name.value))
+        if isinstance(value, Value):
+            return TRUE
+        if run.context.role == "init" and not run.arms and run.overrides == model.Overrides():
+            return FALSE
+    return Unknown("whether the parameter is declared")
+
+
+def set_parameters(run: Run, call: ApiUse) -> Value:
+    from archlint.interpreter import containers
+
+    rows = containers.iterate(run, call.get("parameter_list") or Unknown("no parameters"))
+    key = nodes.node_key(run, call.receiver)
+    for row in rows.values if rows is not None else ():
+        if isinstance(row, Instance):
+            name, value = run.store.get(row.key, "name"), run.store.get(row.key, "value")
+            if isinstance(name, Known) and isinstance(value, Value):
+                run.store.set(key, ("#parameter", name.value), from_parameter(run, value, str(name.value)))
+    return Unknown("the result of setting parameters")

@@ -1,0 +1,143 @@
+"""What a module shares with all of its functions, and which of these use it although nothing is seen to call them."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from functools import lru_cache
+from typing import TYPE_CHECKING
+
+import msgspec
+
+from archlint.interpreter.bindings import bound_in, bound_names
+from archlint.libraries.interest import interesting, names_in
+from archlint.syntax import facts
+
+if TYPE_CHECKING:
+    from archlint.interpreter.machine import Run
+    from archlint.interpreter.modules import Module
+
+
+@dataclass(frozen=True)
+class Root:
+    """How code gets at something: by a variable of a module, or by an attribute of one of its classes."""
+
+    module: Module
+    name: str
+    owner: str | None = None
+
+
+def unseen_use(run: Run, root: Root) -> str | None:
+    """The first function that uses what is shared and that this program is not seen to call, in words; None where
+    there is none."""
+    for module in run.index.loaded():
+        here = module is root.module
+        if not here and not _imports(_Same(module.facts), root.module.name.rpartition(".")[2]):
+            continue
+        for function in _functions(_Same(module.facts)):
+            if id(function) not in run.ran and _uses(function, root, here):
+                return f"{function.name}() in {module.path} can get at it, and nothing here calls that"
+    return None
+
+
+def _uses(function: facts.Function, root: Root, here: bool) -> bool:
+    names = names_in(function)
+    if root.name not in names or (root.owner is not None and not here and root.owner not in names):
+        return False
+    if root.owner is None and here and root.name in bound_names(function)[0]:
+        return False  # a variable of its own that is called the same
+    return interesting(function) or bare(function, frozenset({root.name}))
+
+
+@lru_cache(maxsize=20_000)
+def _bare(key: _Same, names: frozenset[str]) -> bool:
+    stack: list[object] = [key.fact]
+    while stack:
+        item = stack.pop()
+        if isinstance(item, facts.Attribute):
+            if item.attr in names:
+                return True
+            # What only an attribute is read of stays where it is.
+            stack.append(_below(item))
+        elif isinstance(item, facts.Name):
+            if item.id in names:
+                return True
+        elif isinstance(item, msgspec.Struct):
+            stack.extend(getattr(item, name) for name in item.__struct_fields__)
+        elif isinstance(item, (list, tuple)):
+            stack.extend(item)
+    return False
+
+
+def _below(expression: facts.Expr) -> object:
+    """What attributes are read of, unless that is a variable."""
+    while isinstance(expression, facts.Attribute):
+        expression = expression.value
+    return () if isinstance(expression, facts.Name) else expression
+
+
+def bare(function: facts.Function | facts.Lambda, names: frozenset[str]) -> bool:
+    """Whether a function does more with one of these names (variables, or attributes of any object) than read
+    attributes of it and call its methods."""
+    return _bare(_Same(function), names)
+
+
+class _Same:
+    """A fact, equal to itself alone: comparing by content would cost a walk."""
+
+    __slots__ = ("fact",)
+
+    def __init__(self, fact: msgspec.Struct) -> None:
+        self.fact = fact
+
+    def __hash__(self) -> int:
+        return id(self.fact)
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, _Same) and other.fact is self.fact
+
+
+def everything_in(fact: object) -> Iterator[object]:
+    """Every fact inside another, in the order of the source."""
+    stack: list[object] = [fact]
+    while stack:
+        item = stack.pop()
+        if isinstance(item, (list, tuple)):
+            stack.extend(reversed(item))
+        elif isinstance(item, msgspec.Struct):
+            yield item
+            stack.extend(getattr(item, name) for name in reversed(item.__struct_fields__))
+
+
+@lru_cache(maxsize=4096)
+def _functions(key: _Same) -> tuple[facts.Function, ...]:
+    return tuple(item for item in everything_in(key.fact) if isinstance(item, facts.Function))
+
+
+@lru_cache(maxsize=20_000)
+def _imports(key: _Same, name: str) -> bool:
+    for item in everything_in(key.fact):
+        if isinstance(item, facts.Import) and name in item.module.split("."):
+            return True
+        if isinstance(item, facts.ImportFrom) and name in (*item.module.split("."), *(one for one, _ in item.names)):
+            return True
+    return False
+
+
+def variables(module: Module) -> frozenset[str]:
+    """The variables that a module's top level binds."""
+    return _variables(_Same(module.facts))
+
+
+@lru_cache(maxsize=4096)
+def _variables(key: _Same) -> frozenset[str]:
+    assert isinstance(key.fact, (facts.Facts, facts.Class))
+    return bound_in(key.fact.body)
+
+
+def class_variables(ir: facts.Class) -> frozenset[str]:
+    """The names that a class body binds."""
+    return _variables(_Same(ir))
+
+
+__all__ = ["Root", "bare", "class_variables", "everything_in", "unseen_use", "variables"]

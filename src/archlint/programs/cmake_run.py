@@ -1,0 +1,360 @@
+"""What a CMakeLists.txt comes to: its commands with variables replaced, loops unrolled, other files followed.
+
+Nothing is configured, and conditions are not evaluated: of an ``if`` every branch counts.  A path of the source tree
+is written ``//`` and the shown path, so that it means the same in each folder.
+"""
+
+from __future__ import annotations
+
+import fnmatch
+import posixpath
+import re
+from collections.abc import Callable, Iterable, Sequence
+from dataclasses import dataclass
+
+from archlint.syntax.cmake import Argument, Command, parse_cmake
+
+SOURCE = "//"
+"""How a path below a folder of the source tree begins."""
+
+STEPS = 20_000
+"""Commands that one package may come to."""
+_DEPTH = 12
+"""How deep calls, loops and included files may be nested."""
+_VALUES = 2_000
+"""Items of a list that are kept."""
+_CHARACTERS = 20_000
+
+_VARIABLE = re.compile(r"\$\{([\w.+/-]+)\}")
+_BLOCKS = {"foreach": "endforeach", "while": "endwhile", "macro": "endmacro", "function": "endfunction"}
+_NO_EFFECT = frozenset({"if", "else", "elseif", "endif", "return", "break", "continue", *_BLOCKS.values()})
+_OUTPUT = frozenset(
+    {"string", "math", "execute_process", "file", "list", "cmake_path", "separate_arguments"}
+    | {"get_filename_component", "get_property", "get_target_property", "get_directory_property"}
+    | {"find_file", "find_library", "find_path", "find_program", "cmake_parse_arguments", "unset", "option"}
+)
+"""Commands that set a variable of which they are given the name."""
+
+
+@dataclass(frozen=True)
+class Step:
+    """A command that runs: in which ``file`` it stands, and the shown path of the ``folder`` that it works in."""
+
+    command: Command
+    file: str
+    folder: str
+
+    def path(self, text: str) -> str:
+        """The shown path that an argument means."""
+        if text.startswith(SOURCE):
+            return posixpath.normpath(text[len(SOURCE) :])
+        return posixpath.normpath(posixpath.join(self.folder, text))
+
+
+@dataclass
+class _Scope:
+    """The variables of a folder or function: lists of texts, None for what is set and not known."""
+
+    variables: dict[str, list[str] | None]
+    folder: str
+    around: _Scope | None = None
+
+    def inner(self, folder: str | None = None) -> _Scope:
+        return _Scope(dict(self.variables), self.folder if folder is None else folder, self)
+
+
+class CMakeRun:
+    """The steps of a package's build.  ``read`` gives the text of a file, ``list_files`` the files below a folder, both
+    by shown paths.  ``open`` is set where something of the build could not be read."""
+
+    def __init__(self, read: Callable[[str], str | None], list_files: Callable[[str], Sequence[str]]) -> None:
+        self._read = read
+        self._list_files = list_files
+        self._functions: dict[str, tuple[list[str], list[Command], str, bool]] = {}
+        self._left = STEPS
+        self._conditions = 0
+        """How many ``if`` blocks are around the command that runs."""
+        self.steps: list[Step] = []
+        self.files: list[str] = []
+        """The files that were read."""
+        self.texts: list[str] = []
+        self.open = False
+
+    def run(self, file: str, folder: str) -> None:
+        """Run the CMakeLists.txt of a package."""
+        here = SOURCE + folder
+        scope = _Scope({"CMAKE_SOURCE_DIR": [here], "PROJECT_SOURCE_DIR": [here]}, folder)
+        self._file(file, scope, 0)
+
+    def _file(self, path: str, scope: _Scope, depth: int) -> bool:
+        """Run a file in a scope; False where it cannot be read."""
+        text = self._read(path) if depth <= _DEPTH else None
+        if text is None:
+            self.open = True
+            return False
+        self.files.append(path)
+        self.texts.append(text)
+        scope.variables["CMAKE_CURRENT_SOURCE_DIR"] = [SOURCE + scope.folder]
+        scope.variables["CMAKE_CURRENT_LIST_DIR"] = [SOURCE + (posixpath.dirname(path) or ".")]
+        self._block(parse_cmake(text), path, scope, depth)
+        return True
+
+    def _block(self, commands: Sequence[Command], file: str, scope: _Scope, depth: int) -> None:
+        at = 0
+        while at < len(commands):
+            command = commands[at]
+            end = _end(commands, at)
+            self._conditions += {"if": 1, "endif": -1}.get(command.name, 0)
+            self._left -= 1
+            if self._left < 0 or depth > _DEPTH:
+                self.open = True
+                return
+            if command.name == "foreach":
+                self._loop(command, commands[at + 1 : end], file, scope, depth)
+            elif command.name in ("macro", "function"):
+                self._define(command, commands[at + 1 : end], file)
+            elif command.name != "while":
+                self._one(command, file, scope, depth)
+            at = end + 1
+
+    # ----------------------------------------------------------------------------------------------- blocks
+
+    def _loop(self, command: Command, body: Sequence[Command], file: str, scope: _Scope, depth: int) -> None:
+        words = _expanded(command, scope)
+        if not words or words[0].open:
+            self.open = True
+            return
+        values = _loop_values(words, scope)
+        for value in [None] if values is None else values:
+            scope.variables[words[0].text] = None if value is None else [value]
+            self._block(body, file, scope, depth + 1)
+
+    def _define(self, command: Command, body: Sequence[Command], file: str) -> None:
+        if command.arguments:
+            name, *parameters = command.texts
+            self._functions[name.lower()] = (parameters, list(body), file, command.name == "function")
+
+    def _call(self, command: Command, arguments: Sequence[Argument], scope: _Scope, depth: int) -> None:
+        parameters, body, file, own_scope = self._functions[command.name]
+        values = [argument.text for argument in arguments]
+        known: dict[str, list[str] | None] = {n: [value] for n, value in zip(parameters, values, strict=False)}
+        known |= {"ARGN": values[len(parameters) :], "ARGV": values, "ARGC": [str(len(values))]}
+        known |= {f"ARGV{number}": [value] for number, value in enumerate(values)}
+        inner = scope.inner() if own_scope else scope
+        before = {name: scope.variables.get(name) for name in known}
+        inner.variables.update(known)
+        self._block(body, file, inner, depth + 1)
+        if not own_scope:
+            scope.variables.update(before)
+
+    # --------------------------------------------------------------------------------------------- commands
+
+    def _one(self, command: Command, file: str, scope: _Scope, depth: int) -> None:
+        if command.name in _NO_EFFECT:
+            return
+        arguments = _expanded(command, scope)
+        texts = [argument.text for argument in arguments]
+        step = Step(Command(command.name, tuple(arguments), command.line, command.column), file, scope.folder)
+        if command.name in self._functions:
+            self._call(command, arguments, scope, depth)
+        elif command.name == "add_subdirectory" and texts:
+            self._subdirectory(step.path(texts[0]), arguments[0], scope, depth)
+        elif command.name == "include" and texts:
+            self._include(step, arguments[0], scope, depth)
+        else:
+            self._assign(step, texts, scope)
+            self.steps.append(step)
+
+    def _subdirectory(self, folder: str, argument: Argument, scope: _Scope, depth: int) -> None:
+        if argument.open:
+            self.open = True
+            return
+        self._file(posixpath.normpath(posixpath.join(folder, "CMakeLists.txt")), scope.inner(folder), depth + 1)
+
+    def _include(self, step: Step, argument: Argument, scope: _Scope, depth: int) -> None:
+        if not argument.open and "/" not in argument.text and "." not in argument.text:
+            return  # a module of CMake's own: these install nothing
+        if argument.open:
+            self.open = True
+            return
+        here = scope.variables.get("CMAKE_CURRENT_LIST_DIR")
+        self._file(step.path(argument.text), scope, depth + 1)
+        scope.variables["CMAKE_CURRENT_LIST_DIR"] = here
+
+    def _assign(self, step: Step, texts: list[str], scope: _Scope) -> None:
+        """What a command does to variables."""
+        name = step.command.name
+        if name == "project" and texts:
+            scope.variables["PROJECT_NAME"] = [texts[0]]
+            scope.variables["PROJECT_SOURCE_DIR"] = [SOURCE + scope.folder]
+            scope.variables.setdefault("CMAKE_PROJECT_NAME", [texts[0]])
+        elif name == "set" and texts:
+            _set_command(texts, scope, self._conditions > 0)
+        elif name == "list" and len(texts) > 1 and texts[0].upper() in _LISTS:
+            scope.variables[texts[1]] = _list_command(texts[0].upper(), scope.variables.get(texts[1], []), texts[2:])
+        elif name in _OUTPUT:
+            result = self._result(step, texts)
+            if result is None:
+                scope.variables.update({text: None for text in texts if text in scope.variables or text.isidentifier()})
+            else:
+                _set(scope, *result)
+
+    def _result(self, step: Step, texts: list[str]) -> tuple[str, list[str] | None] | None:
+        """The variable that a command sets, and its new value where it is known; None where neither is."""
+        name, mode = step.command.name, texts[0].upper() if texts else ""
+        if name == "file" and mode in ("GLOB", "GLOB_RECURSE") and len(texts) > 2:
+            return texts[1], self._glob(step, texts[2:], recursive=mode == "GLOB_RECURSE")
+        if name == "get_filename_component" and len(texts) > 2:
+            return texts[0], _component(texts[1], texts[2])
+        if name == "string" and mode == "REPLACE" and len(texts) > 4:
+            return texts[3], [part.replace(texts[1], texts[2]) for part in texts[4:]]
+        return None
+
+    def _glob(self, step: Step, words: list[str], recursive: bool) -> list[str] | None:
+        """The files that patterns find, as paths of the source tree."""
+        patterns, relative = [], False
+        skip = False
+        for word in words:
+            if skip or word in ("CONFIGURE_DEPENDS", "LIST_DIRECTORIES", "true", "false", "FOLLOW_SYMLINKS"):
+                skip = False
+            elif word == "RELATIVE":
+                relative = skip = True
+            else:
+                patterns.append(word)
+        if any("$" in pattern for pattern in patterns):
+            return None
+        found = {path: None for pattern in patterns for path in self._matches(step.path(pattern), recursive)}
+        # RELATIVE is, but for rare cases, to the folder itself, from which such a path is read again.
+        shown = (posixpath.relpath(path, step.folder) if relative else SOURCE + path for path in sorted(found))
+        return list(shown)[:_VALUES]
+
+    def _matches(self, pattern: str, recursive: bool) -> Iterable[str]:
+        folder, name = posixpath.split(pattern)
+        while any(mark in folder for mark in "*?["):
+            folder = posixpath.dirname(folder)
+        files = self._list_files(folder or ".")
+        if recursive:
+            return [path for path in files if fnmatch.fnmatchcase(posixpath.basename(path), name)]
+        entries = {"/".join(path.split("/")[: pattern.count("/") + 1]) for path in files}
+        return [entry for entry in entries if _matches_parts(entry.split("/"), pattern.split("/"))]
+
+
+def _matches_parts(parts: list[str], patterns: list[str]) -> bool:
+    return len(parts) == len(patterns) and all(map(fnmatch.fnmatchcase, parts, patterns))
+
+
+def _end(commands: Sequence[Command], at: int) -> int:
+    """The index of the command that ends the block which begins at ``at``; ``at`` itself where none does."""
+    closing = _BLOCKS.get(commands[at].name)
+    if closing is None:
+        return at
+    depth = 0
+    for index in range(at, len(commands)):
+        depth += {commands[at].name: 1, closing: -1}.get(commands[index].name, 0)
+        if depth == 0:
+            return index
+    return len(commands)
+
+
+# ------------------------------------------------------------------------------------------------ variables
+
+
+def _expanded(command: Command, scope: _Scope) -> list[Argument]:
+    """The arguments with known variables replaced; a list that is not quoted becomes several."""
+    found: list[Argument] = []
+    for argument in command.arguments:
+        text = argument.text
+        for _ in range(3):  # ${${name}}
+            if "${" not in text or len(text) > _CHARACTERS:
+                break
+            text = _VARIABLE.sub(lambda match: _value(match, scope), text)
+        parts = [text] if argument.quoted else [part for part in text.split(";") if part]
+        found.extend(Argument(part, argument.line, argument.column, argument.quoted) for part in parts)
+    return found[:10_000]
+
+
+def _value(variable: re.Match[str], scope: _Scope) -> str:
+    values = scope.variables.get(variable[1])
+    return variable[0] if values is None else ";".join(values)
+
+
+def _set(scope: _Scope, name: str, value: list[str] | None) -> None:
+    small = value is not None and len(value) <= _VALUES and sum(map(len, value)) <= _CHARACTERS
+    scope.variables[name] = value if small else None
+
+
+def _set_command(texts: Sequence[str], scope: _Scope, maybe: bool) -> None:
+    name, *values = texts
+    target: _Scope | None = scope
+    if "PARENT_SCOPE" in values:
+        target = scope.around
+        values = values[: values.index("PARENT_SCOPE")]
+    if "CACHE" in values:
+        values = values[: values.index("CACHE")]
+    if target is not None:
+        parts = [part for value in values for part in value.split(";") if part]
+        old = target.variables.get(name, parts)
+        unknown = any("$" in part for part in parts) or (maybe and old != parts)
+        _set(target, name, None if unknown else parts)
+
+
+_LISTS = frozenset({"APPEND", "PREPEND", "REMOVE_ITEM", "REMOVE_DUPLICATES", "SORT", "REVERSE", "FILTER"})
+
+
+def _list_command(mode: str, old: list[str] | None, texts: Sequence[str]) -> list[str] | None:
+    """The new value of a list; one that is filtered keeps all."""
+    new = list(texts)
+    if old is None or any("$" in text for text in new):
+        return None
+    if mode in ("APPEND", "PREPEND"):
+        return [*old, *new] if mode == "APPEND" else [*new, *old]
+    return [text for text in old if text not in new] if mode == "REMOVE_ITEM" else old
+
+
+def _component(path: str, mode: str) -> list[str] | None:
+    """``get_filename_component``: part of a path."""
+    folder, name = posixpath.split(path)
+    stem, dot, _ = name.partition(".")
+    last, _, suffix = name.rpartition(".")
+    parts = {
+        "NAME": name,
+        "NAME_WE": stem or name,
+        "NAME_WLE": last or name,
+        "EXT": dot + name[len(stem) + 1 :] if dot else "",
+        "LAST_EXT": f".{suffix}" if last else "",
+        "DIRECTORY": folder,
+        "PATH": folder,
+    }
+    return None if "$" in path or mode not in parts else [parts[mode]]
+
+
+def _loop_values(words: Sequence[Argument], scope: _Scope) -> list[str] | None:
+    """What a ``foreach`` goes through; None where that is not known."""
+    texts = [word.text for word in words[1:]]
+    if any("$" in text for text in texts) or "ZIP_LISTS" in texts:
+        return None
+    if texts[:1] == ["RANGE"]:
+        return _range(texts[1:])
+    if texts[:1] != ["IN"]:
+        return texts
+    found: list[str] = []
+    mode = ""
+    for text in texts[1:]:
+        if text in ("LISTS", "ITEMS"):
+            mode = text
+        elif mode != "LISTS":
+            found.append(text)
+        else:
+            values = scope.variables.get(text)
+            if values is None:
+                return None
+            found.extend(values)
+    return found
+
+
+def _range(texts: Sequence[str]) -> list[str] | None:
+    if not 1 <= len(texts) <= 3 or not all(text.isdecimal() for text in texts):
+        return None
+    numbers = [int(text) for text in texts]
+    start, stop, step = (0, *numbers, 1)[-3:] if len(numbers) == 1 else (*numbers, 1)[:3]
+    return [str(number) for number in range(start, stop + 1, max(step, 1))[:_VALUES]]

@@ -1,0 +1,325 @@
+"""Executables: what setup.py, setup.cfg, pyproject.toml and CMakeLists.txt start, and the files they install.
+
+setup.py is never executed: its module is run symbolically, and the keywords of its ``setup(…)`` call are
+read, so that variables, f-strings and comprehensions resolve.
+"""
+
+from __future__ import annotations
+
+import posixpath
+import re
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from contextlib import contextmanager
+from dataclasses import replace
+from typing import TYPE_CHECKING, Protocol
+
+from archlint import model
+from archlint.faults import Faults
+from archlint.finding import Place
+from archlint.interpreter.heap import Store
+from archlint.interpreter.machine import Run
+from archlint.interpreter.modules import Module, ModuleIndex
+from archlint.interpreter.values import DictValue, Known, OneOf, Unknown, Value
+from archlint.programs.installs import Executable, InstalledFiles, Installs, console_script, read_cmake
+from archlint.programs.linker import EntryPoint
+from archlint.syntax import facts
+from archlint.syntax.entry_point_tables import ScriptEntry, entries_of_pyproject, entries_of_setup_cfg, parse_entry
+
+if TYPE_CHECKING:
+    from archlint.workspace.model import SourceFile
+
+FactsOf = Callable[["SourceFile"], "facts.Facts | None"]
+
+
+class PackageFolder(Protocol):
+    """A package of the workspace: its name, the shown path of the folder of its package.xml, its build type."""
+
+    @property
+    def name(self) -> str: ...
+
+    @property
+    def relative(self) -> str: ...
+
+    @property
+    def build_type(self) -> str: ...
+
+
+class Tree(Protocol):
+    def text(self, path: str) -> str | None: ...
+
+    def is_file(self, path: str) -> bool: ...
+
+    def files_below(self, folder: str) -> list[str]: ...
+
+    def same_file(self, path: str, files: Iterable[SourceFile]) -> SourceFile | None: ...
+
+
+class SetupRun(Run):
+    """The symbolic run of a setup.py: what it calls ``setup`` with, and where."""
+
+    keywords: dict[str, Value] | None = None
+    open = False
+    called_at: Place | None = None
+
+
+def read_installs(
+    packages: Iterable[PackageFolder],
+    files: Sequence[SourceFile],
+    facts_of: FactsOf,
+    tree: Tree,
+    faults: Faults | None = None,
+) -> dict[str, Installs]:
+    """What each package installs, by package name.  Of what fails here, ``faults`` are told."""
+    index = ModuleIndex(files, facts_of)
+    setups = {file.relative: file for file in files if file.kind == "setup_py"}
+    faults = faults or Faults()
+    found: dict[str, Installs] = {}
+    for package in packages:
+        installs = found[package.name] = Installs(package.name, package.relative)
+        with _apart(installs, "CMakeLists.txt", faults) as cmake:
+            if tree.is_file(cmake):
+                read_cmake(installs, cmake, tree)
+        if package.build_type == "ament_python":  # which does not run CMake
+            installs.open_executables = installs.open_files = False
+        installs.generates_nothing &= package.build_type == "ament_cmake"
+        installs.generates_nothing |= package.build_type == "ament_python"
+        with _apart(installs, "setup.cfg", faults):
+            _read_tables(installs, tree)
+        before = installs.open_executables, installs.open_files
+        with _apart(installs, "setup.py", faults) as path:
+            _read_setup_at(installs, path, setups, index, tree, faults)
+        if package.build_type == "ament_cmake":  # which does not run setup.py
+            installs.open_executables, installs.open_files = before
+        with _apart(installs, "package.xml", faults):
+            _find_programs(installs, files)
+            _follow_links(installs, files, tree)
+    return found
+
+
+@contextmanager
+def _apart(installs: Installs, name: str, faults: Faults) -> Iterator[str]:
+    """The path of a package's build file.  Where reading it fails there may be more than is known of, and ``faults``
+    are told."""
+    path = posixpath.normpath(posixpath.join(installs.folder, name))
+    try:
+        yield path
+    except Exception as error:
+        faults.note("reading what this package installs", error, Place(path, 1, 1, 1, 1))
+        installs.open_executables = installs.open_files = True
+
+
+def _read_setup_at(
+    installs: Installs, path: str, setups: dict[str, SourceFile], index: ModuleIndex, tree: Tree, faults: Faults
+) -> None:
+    setup = setups.get(path)
+    if setup is None:
+        return
+    module = index.module(setup)
+    if module is None:
+        installs.open_executables = installs.open_files = True
+    else:
+        _read_setup(installs, module, index, tree, faults)
+
+
+def _find_programs(installs: Installs, files: Sequence[SourceFile]) -> None:
+    """The scripts that come to the program folder with a whole folder or by a pattern."""
+    programs = f"lib/{installs.package}"
+    rows = [row for row in installs.files if posixpath.normpath(row.destination) == programs]
+    if not rows:
+        return
+    place = Place(installs.build_files[-1], 1, 1, 1, 1)
+    for file in files:
+        if file.kind != "python" or file.package != installs.package:
+            continue
+        name = posixpath.basename(file.relative)
+        if file.relative in installs.source_of(f"{programs}/{name}", rows):
+            installs.add(Executable(name, installs.package, place, script=file.relative))
+
+
+def _follow_links(installs: Installs, files: Sequence[SourceFile], tree: Tree) -> None:
+    """A script that is a link to another file of the workspace is that file."""
+    scripts = [executable for executable in installs.executables.values() if executable.script is not None]
+    if not scripts:
+        return
+    known = {file.relative for file in files}
+    for executable in scripts:
+        assert executable.script is not None
+        if executable.script not in known:
+            meant = tree.same_file(executable.script, files)
+            if meant is not None:
+                installs.executables[executable.name] = replace(executable, script=meant.relative)
+
+
+def entry_points(installs: dict[str, Installs], files: Sequence[SourceFile]) -> list[EntryPoint]:
+    """Every Python executable of the workspace as the linker wants it."""
+    by_path = {file.relative: file for file in files}
+    found: list[EntryPoint] = []
+    for package in sorted(installs):
+        for executable in installs[package].executables.values():
+            if executable.module is not None:
+                found.append(EntryPoint(executable.name, package, executable.module, executable.function))
+            elif executable.script in by_path:
+                file = by_path[executable.script]
+                if file.kind in ("python", "launch_python"):
+                    found.append(EntryPoint(executable.name, package, file.module or "", None, file))
+    return found
+
+
+def _read_tables(installs: Installs, tree: Tree) -> None:
+    for name, read in (("setup.cfg", entries_of_setup_cfg), ("pyproject.toml", entries_of_pyproject)):
+        path = posixpath.normpath(posixpath.join(installs.folder, name))
+        text = tree.text(path)
+        for entry in read(text) if text is not None and "scripts" in text else ():
+            installs.build_files.append(path)
+            installs.add(console_script(entry, installs.package, path))
+
+
+# ------------------------------------------------------------------------------------------------ setup.py
+
+
+def _read_setup(installs: Installs, module: Module, index: ModuleIndex, tree: Tree, faults: Faults) -> None:
+    installs.build_files.append(module.path)
+    place = Place(module.path, 1, 1, 1, 1)
+    program = model.Program("setup", module.file.package, module.path)
+    run = SetupRun(index, Store(), program, model.Callback("module", "setup", place, None))
+    run.faults = faults
+    run.import_module(module)
+    if run.program.exhausted:
+        installs.open_executables = installs.open_files = True
+    if run.keywords is None:
+        installs.open_executables = installs.open_files = True
+        return
+    keywords = run.keywords
+    installs.open_executables |= run.open
+    installs.open_files |= run.open
+    where = run.called_at or place
+    _console_scripts(installs, run, keywords.get("entry_points"), where, tree)
+    _scripts(installs, run, keywords.get("scripts"), where)
+    _data_files(installs, run, keywords.get("data_files"))
+
+
+def _items(run: Run, value: Value | None) -> tuple[list[Value], bool]:
+    """The items of a list, and whether there may be more."""
+    from archlint.interpreter import containers
+
+    if value is None or (isinstance(value, Known) and value.value is None):
+        return [], False
+    items = containers.iterate(run, value)
+    return ([], True) if items is None else (list(items.values), items.open)
+
+
+def _console_scripts(installs: Installs, run: Run, value: Value | None, where: Place, tree: Tree) -> None:
+    from archlint.interpreter import containers
+
+    if value is None:
+        return
+    if not isinstance(value, DictValue):
+        installs.open_executables = True
+        return
+    entries = containers.entries_of(run, value)
+    installs.open_executables |= entries.open
+    for key, rows in entries.entries.values():
+        if not isinstance(key, Known) or key.value != "console_scripts":
+            continue
+        texts, more = _items(run, rows)
+        if isinstance(rows, Known) and isinstance(rows.value, str):
+            texts, more = [Known(row, rows.via, rows.origin) for row in rows.value.splitlines()], False
+        installs.open_executables |= more
+        for text in texts:
+            _script_text(installs, text, where, tree)
+
+
+def _script_text(installs: Installs, text: Value, where: Place, tree: Tree) -> None:
+    if isinstance(text, OneOf):
+        for option in text.values:
+            _script_text(installs, option, where, tree)
+        return
+    if not isinstance(text, Known) or not isinstance(text.value, str):
+        installs.open_executables = True
+        return
+    entry = parse_entry(text.value)
+    if entry is None:
+        return
+    run_together = _run_together(text.origin, tree) if entry.wrong else []
+    if run_together:
+        names = " and ".join(f"'{one.name}'" for one in run_together)
+        wrong = f"a comma is missing between {names}; newer setuptools stop the build here"
+        entry = replace(run_together[0], wrong=wrong)
+    for one in (entry, *run_together[1:]):
+        place = text.origin or where
+        installs.add(Executable(one.name, installs.package, place, one.module, one.function, wrong=one.wrong))
+
+
+_LITERAL = re.compile(r"""(["'])([^"'\n]*)\1""")
+
+
+def _run_together(place: Place | None, tree: Tree) -> list[ScriptEntry]:
+    """The entries of neighbouring strings, which Python makes one text; none where they are something else."""
+    text = None if place is None else tree.text(place.file)
+    if place is None or text is None:
+        return []
+    lines = text.splitlines()[place.line - 1 : place.end_line]
+    lines[-1:] = [line[: place.end_column - 1] for line in lines[-1:]]
+    lines[:1] = [line[place.column - 1 :] for line in lines[:1]]
+    written = "\n".join(lines)
+    parts = [parse_entry(match[2]) for match in _LITERAL.finditer(written)]
+    entries = [one for one in parts if one is not None and not one.wrong]
+    return entries if len(entries) == len(parts) > 1 else []
+
+
+def _scripts(installs: Installs, run: Run, value: Value | None, where: Place) -> None:
+    rows, more = _items(run, value)
+    installs.open_executables |= more
+    for row in rows:
+        if isinstance(row, Known) and isinstance(row.value, str) and "*" not in row.value:
+            shown = posixpath.normpath(posixpath.join(installs.folder, row.value))
+            name = posixpath.basename(row.value)
+            installs.add(Executable(name, installs.package, row.origin or where, script=shown))
+        else:
+            installs.open_executables = True
+
+
+def _data_files(installs: Installs, run: Run, value: Value | None) -> None:
+    rows, more = _items(run, value)
+    installs.open_files |= more
+    for row in rows:
+        parts, open_ = _items(run, row)
+        if open_ or len(parts) != 2 or not isinstance(parts[0], Known):
+            installs.open_files = True
+            continue
+        destination = str(parts[0].value).lstrip("/")
+        sources, more = _items(run, parts[1])
+        patterns = [source.value for source in sources if isinstance(source, Known)]
+        installs.open_files |= len(patterns) != len(sources) or (
+            more and not any("*" in str(pattern) for pattern in patterns)
+        )
+        for pattern in patterns:
+            shown = posixpath.normpath(posixpath.join(installs.folder, str(pattern)))
+            if destination.rstrip("/") == f"lib/{installs.package}" and "*" not in str(pattern):
+                name = posixpath.basename(shown)
+                place = Place(installs.build_files[-1], 1, 1, 1, 1)
+                installs.add(Executable(name, installs.package, place, script=shown))
+            installs.files.append(InstalledFiles(shown, destination or "."))
+
+
+def record_setup(run: Run, args: list[Value], keywords: dict[str, Value], e: facts.Call | None) -> Value:
+    """A call of ``setup(…)``; what it is given is kept where a setup.py is read."""
+    if isinstance(run, SetupRun) and (run.keywords is None or "entry_points" in keywords):
+        # Of two calls (one for ROS 1, one for ROS 2) the one with entry points is that of ROS 2.
+        run.keywords = dict(keywords)
+        starred = e is not None and any(argument.star for argument in e.args)
+        run.open = starred and "entry_points" not in keywords
+        run.called_at = None if e is None else run.place(e.span)
+    return Unknown("what setup() gives")
+
+
+def glob_pattern(run: Run, args: list[Value], keywords: dict[str, Value], e: facts.Call | None) -> Value:
+    """``glob(pattern)`` in a setup.py: the pattern stands for the files."""
+    from archlint.interpreter import containers
+
+    if isinstance(run, SetupRun) and args and isinstance(args[0], Known):
+        return containers.new_list(run, [args[0]])
+    return Unknown("the files that a pattern finds")
+
+
+__all__ = ["EntryPoint", "entry_points", "glob_pattern", "read_installs", "record_setup"]

@@ -1,0 +1,159 @@
+"""Helpers: classes and functions that work on a node which they are handed.
+
+Each is also tried alone, with a node that is not known, so that no create call is missed.  Where other code hands it
+a node, that node has its endpoints, and what was tried says nothing more.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from dataclasses import replace
+from typing import TYPE_CHECKING, TypeVar
+
+from archlint import model
+from archlint.finding import Place
+from archlint.interpreter.heap import Slot
+from archlint.interpreter.values import ClassValue, Value, alternatives
+from archlint.libraries.rclpy import nodes
+from archlint.programs.roots import NOT_PASSED
+
+if TYPE_CHECKING:
+    from archlint.interpreter.machine import Run
+
+Holders = dict[tuple[model.ClassKey, str], list[model.Blueprint]]
+"""The nodes that objects of a class were seen to hold, by class and attribute."""
+
+_Made = TypeVar("_Made", model.Creation, model.ParameterDeclaration)
+
+
+def note_holders(holders: Holders, run: Run, layer: Mapping[Slot, object]) -> None:
+    """Which objects of a program hold a node in the end, and in which attribute."""
+    for (key, slot), value in layer.items():
+        holder = run.instances.get(key)
+        if holder is None or not isinstance(slot, str) or not isinstance(holder.cls, ClassValue):
+            continue
+        for option in alternatives(value) if isinstance(value, Value) else ():
+            node = nodes.known_node(run, option)
+            if node is not None:
+                for cls in nodes.class_keys(holder.cls):
+                    holders.setdefault((cls, slot), []).append(node)
+
+
+def settle_helpers(programs: Sequence[model.Program], holders: Holders) -> None:
+    """Drop what helpers create on nodes that are not known, where a known node has it; give the rest to the node that
+    annotations name; then drop the empty ones."""
+    every = [node for program in programs for node in program.nodes]
+    owned = _names_by_place(creation for node in every if not node.held for creation in node.creations)
+    declared = _names_by_place(parameter for node in every if not node.held for parameter in node.parameters)
+    for node in every:
+        if node.held:
+            node.creations = [one for one in node.creations if not _is_known(one, owned)]
+            node.parameters = [one for one in node.parameters if not _is_known(one, declared)]
+            _give_away(node, _meant(node, every, holders))
+    for program in programs:
+        program.nodes[:] = [node for node in program.nodes if not _is_nothing(node, program)]
+
+
+def helpers_in(programs: Sequence[model.Program]) -> list[model.Blueprint]:
+    """What works on a node that is not known, outside of tests."""
+    return [node for program in programs for node in program.nodes if node.held and not node.test]
+
+
+def note_unfollowed(
+    programs: Sequence[model.Program],
+    names_in_file: Callable[[str], frozenset[str]],
+    others: Sequence[model.Blueprint] = (),
+) -> None:
+    """A node that may be the one which a helper works on is not complete: those of its program, and those whose file
+    speaks of it.  ``others`` are helpers of programs that were run before these."""
+    known = [(helper, program) for program in programs for helper in helpers_in([program])]
+    for helper, home in [*known, *((helper, None) for helper in others)]:
+        name = helper.class_name.rpartition(".")[2]
+        gap = (helper.place, f"the node that {helper.class_name} works on is not known")
+        for program in programs:
+            for node in program.nodes:
+                if node.held or gap in node.gaps:
+                    continue
+                if program is home or name in names_in_file(node.place.file):
+                    node.complete = False
+                    node.gaps.append(gap)
+
+
+def _names_by_place(made: Iterable[_Made]) -> dict[Place, set[str | None]]:
+    found: dict[Place, set[str | None]] = {}
+    for one in made:
+        found.setdefault(one.place, set()).add(one.name.text)
+    return found
+
+
+def _is_known(made: _Made, owned: dict[Place, set[str | None]]) -> bool:
+    """Whether a known node has what one line creates: under this name, or where the name is that of a caller."""
+    names = owned.get(made.place)
+    return names is not None and (made.name.text in names or made.name.resolution in ("partial", "unknown"))
+
+
+def _meant(helper: model.Blueprint, every: Sequence[model.Blueprint], holders: Holders) -> list[model.Blueprint]:
+    """The node, as each program makes it, that annotations name; none where they may mean several."""
+    if helper.annotated is None:
+        return []
+    cls, attribute = helper.annotated
+    found = holders.get(helper.annotated, []) if attribute else [node for node in every if cls in node.classes]
+    found = [node for node in found if not node.held and node.test <= helper.test]
+    one = len({(node.place, node.class_name, node.name.text) for node in found}) == 1
+    return list({id(node): node for node in found}.values()) if one else []
+
+
+def _give_away(helper: model.Blueprint, owners: Sequence[model.Blueprint]) -> None:
+    """Put a helper's endpoints and parameters under a node.  Nothing shows that it is handed over, so each is there
+    under a condition."""
+    if not owners:
+        return
+    for number, owner in enumerate(owners):
+        for creation in helper.creations:
+            made = creation if number == 0 else replace(creation)
+            made.node, made.conditional = owner, True
+            owner.creations.append(made)
+        owner.parameters += [replace(parameter, node=owner, conditional=True) for parameter in helper.parameters]
+    for callback in (one for creation in helper.creations for one in creation.callbacks.values()):
+        callback.node = owners[0]
+    helper.creations, helper.parameters = [], []
+
+
+def _is_nothing(node: model.Blueprint, program: model.Program) -> bool:
+    """Whether there is nothing to say of it: no endpoint or parameter, of a helper or of an object that runs its
+    own constructor and never that of its base, rclpy's Node."""
+    unmade = node.name.reason == model.NEVER_CONSTRUCTED and not program.exhausted and node.complete
+    return (node.held or unmade) and not node.creations and not node.parameters
+
+
+def prune_uncalled(programs: list[model.Program]) -> None:
+    """Drop what a method would create if anybody called it, where others show what it creates when called.
+
+    A wrapper that every node inherits and few call is tried on each of them; it is kept where nothing better is
+    known of its create call, and then once.
+    """
+    sites: dict[Place, list[model.Creation]] = {}
+    for program in programs:
+        for node in program.nodes:
+            for creation in node.creations:
+                sites.setdefault(creation.place, []).append(creation)
+    dropped: set[int] = set()
+    for creations in sites.values():
+        uncalled = [creation for creation in creations if _is_uncalled(creation)]
+        kept = uncalled[:1] if len(uncalled) == len(creations) else []
+        dropped.update(id(creation) for creation in uncalled if creation not in kept)
+    for program in programs:
+        for node in program.nodes:
+            node.creations = [creation for creation in node.creations if id(creation) not in dropped]
+
+
+def _is_uncalled(creation: model.Creation) -> bool:
+    return (
+        creation.context is not None
+        and creation.context.role == "method"
+        and creation.name.text is None
+        and (creation.name.reason or "").startswith(NOT_PASSED)
+    )
+
+
+__all__ = ["Holders", "helpers_in", "note_holders", "note_unfollowed", "prune_uncalled", "settle_helpers"]

@@ -1,0 +1,292 @@
+"""What a package installs where: executables, and the files under ``share``."""
+
+from __future__ import annotations
+
+import fnmatch
+import posixpath
+import re
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, field
+from typing import Protocol
+
+from archlint.finding import Place
+from archlint.programs.cmake_run import CMakeRun, Step
+from archlint.syntax.cmake import Argument, Command
+from archlint.syntax.entry_point_tables import ScriptEntry, entries_of_setup_cfg
+
+
+class CMakeTree(Protocol):
+    """The files of the workspace by shown paths."""
+
+    def text(self, path: str) -> str | None: ...
+
+    def files_below(self, folder: str) -> list[str]: ...
+
+
+@dataclass(frozen=True)
+class Executable:
+    """One executable of a package.
+
+    A console script has ``module`` and ``function``; an installed script has ``script`` (a shown path); a
+    target of CMake has neither: its source is not Python.  One that is ``wrong`` is not installed, for the reason that
+    is said there, but was meant to be.
+    """
+
+    name: str
+    package: str
+    place: Place
+    module: str | None = None
+    function: str | None = None
+    script: str | None = None
+    wrong: str = ""
+
+
+@dataclass(frozen=True)
+class InstalledFiles:
+    """Files that go to ``destination`` (below the install prefix).  ``source`` is a shown path: a file, a
+    pattern, or a folder; of a folder either itself or (``contents``) what is in it is installed."""
+
+    source: str
+    destination: str
+    folder: bool = False
+    contents: bool = False
+    rename: str | None = None
+
+
+@dataclass
+class Installs:
+    """All that is known of what one package installs.  ``open_executables`` and ``open_files`` are set where
+    the build installs more than can be read from it."""
+
+    package: str
+    folder: str
+    executables: dict[str, Executable] = field(default_factory=dict)
+    files: list[InstalledFiles] = field(default_factory=list)
+    open_executables: bool = False
+    open_files: bool = False
+    words: frozenset[str] = frozenset()
+    """Every word of the CMake files."""
+    mentioned: frozenset[str] = frozenset()
+    """What CMake commands that are not known here are given: each may be the name of an executable."""
+    too_deep: dict[str, str] = field(default_factory=dict)
+    """Programs by name that come to a folder inside ``lib/<package>``, where ``ros2 run`` finds them and launch does
+    not: that folder."""
+    generated: frozenset[str] | None = None
+    """The words that ``rosidl_generate_interfaces`` is given; None where there is none, or one is not known."""
+    build_files: list[str] = field(default_factory=list)
+
+    generates_nothing: bool = False
+    """True where no command of the build can generate interfaces."""
+
+    def add(self, executable: Executable) -> None:
+        self.executables.setdefault(executable.name, executable)
+
+    def source_of(self, installed: str, rows: Sequence[InstalledFiles] | None = None) -> Iterator[str]:
+        """Shown paths that an installed path (below the prefix) may come from, best first; ``rows`` narrows the
+        choice."""
+        installed = posixpath.normpath(installed)
+        for row in self.files if rows is None else rows:
+            destination = posixpath.normpath(row.destination)
+            if row.folder:
+                base = destination
+                if not row.contents:
+                    base = posixpath.join(destination, posixpath.basename(row.source))
+                if installed == base or installed.startswith(base + "/"):
+                    yield posixpath.normpath(posixpath.join(row.source, installed[len(base) + 1 :]))
+            elif posixpath.dirname(installed) == destination:
+                name = posixpath.basename(installed)
+                own = row.rename or posixpath.basename(row.source)
+                if fnmatch.fnmatchcase(name, own):
+                    source = row.source if row.rename else posixpath.join(posixpath.dirname(row.source), name)
+                    if "**" not in row.source:
+                        yield posixpath.normpath(source)
+
+    def places_of(self, source: str) -> Iterator[str]:
+        """Where a shown path is installed, below the prefix; nowhere for what is not."""
+        source = posixpath.normpath(source)
+        for row in self.files:
+            own = posixpath.normpath(row.source)
+            if row.folder:
+                below = "" if row.contents else posixpath.basename(own)
+                if source.startswith(own + "/"):
+                    yield posixpath.normpath(posixpath.join(row.destination, below, source[len(own) + 1 :]))
+            elif fnmatch.fnmatchcase(source, own):
+                yield posixpath.normpath(posixpath.join(row.destination, row.rename or posixpath.basename(source)))
+
+
+# --------------------------------------------------------------------------------------------------- CMake
+
+_KEYWORDS = frozenset(
+    [
+        "PROGRAMS",
+        "FILES",
+        "DIRECTORY",
+        "TARGETS",
+        "DESTINATION",
+        "RENAME",
+        "PERMISSIONS",
+        "CONFIGURATIONS",
+        "COMPONENT",
+        "OPTIONAL",
+        "PATTERN",
+        "REGEX",
+        "EXCLUDE",
+        "USE_SOURCE_PERMISSIONS",
+        "FILE_PERMISSIONS",
+        "DIRECTORY_PERMISSIONS",
+        "FILES_MATCHING",
+        "EXPORT",
+        "ARCHIVE",
+        "LIBRARY",
+        "RUNTIME",
+        "INCLUDES",
+        "TYPE",
+        "EXCLUDE_FROM_ALL",
+        "MESSAGE_NEVER",
+        "CODE",
+        "SCRIPT",
+    ]
+)
+_NAMES_NO_EXECUTABLE = frozenset(
+    {"project", "find_package", "cmake_minimum_required", "set", "list", "file", "message", "add_library", "install"}
+    | {"get_filename_component", "string", "option", "if", "add_compile_options", "add_definitions", "unset"}
+    | {"include_directories", "link_directories", "link_libraries", "pkg_check_modules"}
+    | {"ament_package", "ament_target_dependencies", "ament_python_install_package", "ament_auto_package"}
+    | {"rosidl_generate_interfaces", "rosidl_target_interfaces", "rosidl_get_typesupport_target"}
+)
+"""Commands whose words are names of other things."""
+_PREFIXES = ("target_", "set_", "ament_export_", "ament_add_", "ament_lint_", "catkin_add_", "_")
+
+
+_GENERATES = "rosidl_generate_interfaces"
+
+
+def read_cmake(installs: Installs, path: str, tree: CMakeTree) -> None:
+    """Add what a CMakeLists.txt, and what it includes, installs."""
+    run = CMakeRun(tree.text, tree.files_below)
+    run.run(path, installs.folder)
+    installs.build_files.extend(run.files)
+    installs.words |= frozenset(word for text in run.texts for word in re.findall(r"[\w.-]+", text))
+    installs.open_executables |= run.open
+    installs.open_files |= run.open
+    for step in run.steps:
+        _read_step(installs, step, tree)
+    installs.generates_nothing = not run.open and not installs.mentioned and _GENERATES not in installs.words
+
+
+def _read_step(installs: Installs, step: Step, tree: CMakeTree) -> None:
+    command, arguments, texts = step.command, step.command.arguments, step.command.texts
+    if command.name in ("install", "catkin_install_python"):
+        _install(installs, step, tree)
+    elif "add_executable" in command.name and arguments:
+        _target(installs, arguments[0], step.file)
+    elif command.name == "ament_auto_package":
+        at = texts.index("INSTALL_TO_SHARE") if "INSTALL_TO_SHARE" in texts else len(texts)
+        for name in texts[at + 1 :]:
+            installs.files.append(InstalledFiles(step.path(name), f"share/{installs.package}", folder=True))
+    elif command.name == _GENERATES:
+        known = not any(argument.open for argument in arguments)
+        installs.generated = frozenset(texts) if known and installs.generated is None else None
+    elif command.name == "ament_python_install_package":
+        _console_scripts(installs, step, tree)
+    elif command.name not in _NAMES_NO_EXECUTABLE and not command.name.startswith(_PREFIXES):
+        installs.mentioned |= frozenset(texts)
+    if "EXECUTABLE" in texts[:-1]:
+        _target(installs, arguments[texts.index("EXECUTABLE") + 1], step.file)
+
+
+def _console_scripts(installs: Installs, step: Step, tree: CMakeTree) -> None:
+    """``ament_python_install_package(… SCRIPTS_DESTINATION …)`` installs what a setup.cfg beside the Python package
+    names; that of the ROS package is read anyway."""
+    texts = step.command.texts
+    if "SCRIPTS_DESTINATION" not in texts:
+        return
+    folder = texts[texts.index("PACKAGE_DIR") + 1] if "PACKAGE_DIR" in texts[:-1] else texts[0]
+    table = texts[texts.index("SETUP_CFG") + 1] if "SETUP_CFG" in texts[:-1] else f"{folder}/../setup.cfg"
+    path = step.path(table)
+    text = None if "$" in table else tree.text(path)
+    if text is None:
+        installs.open_executables = True
+    elif path != posixpath.normpath(posixpath.join(installs.folder, "setup.cfg")):
+        installs.build_files.append(path)
+        for entry in entries_of_setup_cfg(text):
+            installs.add(console_script(entry, installs.package, path))
+
+
+def console_script(entry: ScriptEntry, package: str, path: str) -> Executable:
+    """The executable that an entry of a table stands for."""
+    place = Place(path, entry.line, entry.column, entry.line, entry.end_column)
+    return Executable(entry.name, package, place, entry.module, entry.function, wrong=entry.wrong)
+
+
+def _target(installs: Installs, argument: Argument, path: str) -> None:
+    if argument.open:
+        installs.open_executables = True
+        return
+    installs.add(Executable(argument.text, installs.package, _place(argument, path)))
+
+
+def _place(argument: Argument, path: str) -> Place:
+    end = argument.column + len(argument.text) + (2 if argument.quoted else 0)
+    return Place(path, argument.line, argument.column, argument.line, end)
+
+
+def _install(installs: Installs, step: Step, tree: CMakeTree) -> None:
+    groups = _groups(step.command)
+    where = groups.get("DESTINATION") or []
+    destination = _destination(where[0].text) if where else None
+    if not {"TARGETS", "CODE", "SCRIPT", "EXPORT"}.isdisjoint(groups):
+        return
+    if destination is None or "$" in destination:
+        installs.open_executables = installs.open_files = True
+        return
+    programs = destination in (f"lib/{installs.package}", "${CATKIN_PACKAGE_BIN_DESTINATION}")
+    own = next((argument.text for argument in groups.get("RENAME", [])), None)
+    for kind in ("PROGRAMS", "FILES", "DIRECTORY"):
+        for argument in groups.get(kind, []):
+            if "$" in argument.text:
+                installs.open_executables |= programs
+                installs.open_files |= not programs
+                continue
+            shown = step.path(argument.text)
+            contents = kind == "DIRECTORY" and (argument.text.endswith("/") or shown == installs.folder)
+            row = InstalledFiles(shown, destination, kind == "DIRECTORY", contents, own)
+            if not programs or kind == "DIRECTORY":
+                installs.files.append(row)
+            if programs and kind == "DIRECTORY":
+                _programs_of_folder(installs, row, _place(argument, step.file), tree)
+            elif programs:
+                name = own or posixpath.basename(shown)
+                installs.add(Executable(name, installs.package, _place(argument, step.file), script=shown))
+
+
+def _programs_of_folder(installs: Installs, row: InstalledFiles, place: Place, tree: CMakeTree) -> None:
+    """``install(DIRECTORY … DESTINATION lib/<package>)``: launch finds what comes to that very folder."""
+    for script in tree.files_below(row.source):
+        name = posixpath.basename(script)
+        inside = posixpath.relpath(script, row.source)
+        if row.contents and inside == name:
+            installs.add(Executable(name, installs.package, place, script=script))
+        else:
+            top = row.destination if row.contents else posixpath.join(row.destination, posixpath.basename(row.source))
+            installs.too_deep.setdefault(name, posixpath.normpath(posixpath.join(top, posixpath.dirname(inside))))
+
+
+def _groups(command: Command) -> dict[str, list[Argument]]:
+    """The arguments of ``install`` by the keyword that they follow."""
+    groups: dict[str, list[Argument]] = {}
+    current = ""
+    for argument in command.arguments:
+        if argument.text in _KEYWORDS and not argument.quoted:
+            current = argument.text
+            groups.setdefault(current, [])
+        else:
+            groups.setdefault(current, []).append(argument)
+    return groups
+
+
+def _destination(text: str) -> str:
+    text = re.sub(r"^\$\{(?:CMAKE_INSTALL_PREFIX)\}/?", "", text)
+    text = text.replace("${CMAKE_INSTALL_LIBDIR}", "lib").replace("${CMAKE_INSTALL_DATADIR}", "share")
+    text = text.replace("${CMAKE_INSTALL_DATAROOTDIR}", "share").replace("${CMAKE_INSTALL_BINDIR}", "bin")
+    return posixpath.normpath(text) if text else "."

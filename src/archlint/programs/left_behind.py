@@ -1,0 +1,130 @@
+"""What callbacks leave in attributes, and which callbacks have to run again for it.
+
+The first time, each callback meets what the constructors left and what the callbacks before it did: ``self.state`` may
+be a constant then that decides a test.  Where another callback leaves something else there, those that read it run
+again on the joined state, so that no live branch counts as dead.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Sequence
+from typing import TYPE_CHECKING
+
+from archlint.interpreter.heap import Layer
+from archlint.interpreter.values import (
+    ClassValue,
+    EntityValue,
+    ExecutorValue,
+    Instance,
+    Known,
+    NodeValue,
+    OneOf,
+    Unknown,
+    Value,
+    alternatives,
+    one_of,
+)
+from archlint.libraries.interest import names_in
+from archlint.syntax import facts
+
+if TYPE_CHECKING:
+    from archlint.interpreter.machine import Pending, Run
+
+Written = list[tuple[int, str, object, Value]]
+"""Object, attribute, what it held before and what was left in it."""
+
+
+def written(run: Run, layer: Layer) -> Written:
+    """What a callback wrote into attributes of the program's objects and into variables of modules."""
+    modules = {module.scope.key for module in run.index.loaded() if module.scope is not None}
+    return [
+        (key, slot, run.store.get(key, slot), value)
+        for (key, slot), value in layer.items()
+        if isinstance(slot, str) and not slot.startswith("#")
+        if (key in run.instances or key in modules) and isinstance(value, Value)
+    ]
+
+
+def note(run: Run, layer: Written) -> None:
+    """Take note of the attributes that now hold what another callback may act on."""
+    for key, slot, before, value in layer:
+        if _is_news(run, before, value):
+            run.news.setdefault(slot, set()).add(key)
+
+
+def _is_news(run: Run, before: object, value: Value) -> bool:
+    """Whether an attribute now holds an object to work with, or what may decide a test in another way than before."""
+    earlier = alternatives(before) if isinstance(before, Value) else ()
+    fresh = [one for one in alternatives(value) if not any(_alike(run, one, other) for other in earlier)]
+    if any(_is_entity(one) for one in fresh):
+        return True
+    return bool(fresh) and not any(isinstance(one, Unknown) for one in earlier)
+
+
+def _is_entity(value: Value) -> bool:
+    from archlint.libraries.rclpy.callbacks import GOAL_HANDLE
+
+    entity = isinstance(value, (EntityValue, NodeValue, ExecutorValue))
+    return entity or (isinstance(value, Instance) and value.cls == GOAL_HANDLE)
+
+
+def _alike(run: Run, one: Value, other: Value) -> bool:
+    """Whether no test tells two values apart; each run of a callback makes messages and lists of its own."""
+    if one == other or type(one) is not type(other):
+        return one == other
+    if isinstance(one, (Known, EntityValue, NodeValue, ExecutorValue)):
+        return False
+    if isinstance(one, Instance) and isinstance(other, Instance):
+        return one.cls == other.cls and not run.store.get(one.key, "#enum") and not _is_entity(one)
+    return True
+
+
+def readers(run: Run, pending: Iterable[Pending], names: Iterable[str]) -> list[Pending]:
+    """The callbacks that read one of these attributes, themselves or in a function of the workspace that they name."""
+    wanted = set(names)
+    called = _functions(run)
+    return [one for one in pending if not wanted.isdisjoint(_all_names(one.callback.function, called))]
+
+
+def _functions(run: Run) -> dict[str, list[facts.Function]]:
+    """The methods of the program's objects and the functions beside them, by name."""
+    classes = {id(base): base for one in run.instances.values() for base in _classes_of(one)}
+    bodies: dict[int, Sequence[facts.Stmt]] = {}
+    for cls in classes.values():
+        bodies[id(cls.ir)] = cls.ir.body
+        bodies[id(cls.scope.module.facts)] = cls.scope.module.facts.body
+    found: dict[str, list[facts.Function]] = {}
+    for body in bodies.values():
+        for statement in body:
+            if isinstance(statement, facts.Function):
+                found.setdefault(statement.name, []).append(statement)
+    return found
+
+
+def _classes_of(instance: Instance) -> Iterator[ClassValue]:
+    if isinstance(instance.cls, ClassValue):
+        yield from (base for base in instance.cls.mro if isinstance(base, ClassValue))
+
+
+def _all_names(function: object, called: dict[str, list[facts.Function]]) -> set[str]:
+    found: set[str] = set()
+    rest = list(names_in(function))
+    while rest:
+        name = rest.pop()
+        if name not in found:
+            found.add(name)
+            rest.extend(inner for one in called.get(name, ()) for inner in names_in(one))
+    return found
+
+
+def forget(run: Run, news: dict[str, set[int]]) -> None:
+    """What goes on changing, such as the state of a state machine, may be anything from now on."""
+    for slot, keys in news.items():
+        for key in sorted(keys):
+            value = run.store.get(key, slot)
+            if isinstance(value, (Known, OneOf, Instance)) and all(_is_plain(run, one) for one in alternatives(value)):
+                run.store.set(key, slot, one_of([value, Unknown("callbacks change it")]))
+
+
+def _is_plain(run: Run, value: Value) -> bool:
+    return isinstance(value, Known) or (isinstance(value, Instance) and bool(run.store.get(value.key, "#enum")))

@@ -1,0 +1,440 @@
+"""Link: run every program of a workspace symbolically.
+
+First what is started: console scripts and files with a main guard.  Then the node classes that nothing starts,
+then classes and functions that work on a node which nobody here hands them; so each create call is seen, with
+the arguments of its callers where there are any.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Sequence
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING
+
+from archlint import model
+from archlint.faults import Faults
+from archlint.finding import Place
+from archlint.interpreter import calls, definitions
+from archlint.interpreter.attributes import class_lookup
+from archlint.interpreter.heap import Store
+from archlint.interpreter.machine import TEST_STEPS, Activation, Run
+from archlint.interpreter.modules import Module, ModuleIndex
+from archlint.interpreter.values import ClassValue, FunctionValue, Value
+from archlint.libraries.interest import interesting, names_in
+from archlint.libraries.python import command_line
+from archlint.libraries.rclpy import escapes, nodes
+from archlint.programs.budget import Budget, cut_short
+from archlint.programs.helpers import Holders, helpers_in, note_holders, note_unfollowed, prune_uncalled, settle_helpers
+from archlint.programs.roots import enter_root, finish, flags_of, run_callbacks, run_pending
+from archlint.syntax import facts
+from archlint.syntax.python.deep_stack import call_with_deep_stack
+from archlint.workspace.test_code import is_test_file, look_below
+
+if TYPE_CHECKING:
+    from archlint.ros.interfaces import InterfaceTable
+    from archlint.workspace.model import SourceFile
+
+
+@dataclass(frozen=True)
+class EntryPoint:
+    """An executable of a package: ``module:function``, or a script (``function`` is None)."""
+
+    executable: str
+    package: str | None
+    module: str
+    function: str | None
+    file: SourceFile | None = None
+
+
+@dataclass
+class Linked:
+    """What linking found: programs in a fixed order, and the files that no program reads."""
+
+    programs: list[model.Program] = field(default_factory=list)
+
+
+def link_files(
+    files: Sequence[SourceFile],
+    facts_of: Callable[[SourceFile], facts.Facts | None],
+    relevant: Callable[[SourceFile], bool],
+    entry_points: Iterable[EntryPoint] = (),
+    interfaces: InterfaceTable | None = None,
+) -> list[model.Program]:
+    """Run all programs of these files.
+
+    ``facts_of`` gives a file's facts, compiling on demand; ``relevant`` tells the files that the screen kept.
+    """
+    linker = Linker(files, facts_of, relevant, interfaces)
+    return call_with_deep_stack(lambda: linker.run_all(list(entry_points)))
+
+
+class Linker:
+    """Runs programs over one index of modules and one base store."""
+
+    def __init__(
+        self,
+        files: Sequence[SourceFile],
+        facts_of: Callable[[SourceFile], facts.Facts | None],
+        relevant: Callable[[SourceFile], bool],
+        interfaces: InterfaceTable | None = None,
+        faults: Faults | None = None,
+    ) -> None:
+        self.index = ModuleIndex(files, facts_of)
+        self.files = sorted(files, key=lambda file: file.relative)
+        self._shown = {file.relative: file for file in self.files}
+        look_below(_common_folder([file.relative for file in self.files]))
+        self.relevant = relevant
+        self.interfaces = interfaces
+        self.store = Store()
+        self.faults = faults or Faults()
+        self.programs: list[model.Program] = []
+        self.budget = Budget()
+        self.started: dict[tuple[str | None, str], model.Program] = {}
+        """The program of each entry point, by package and executable."""
+        self.ran: set[int] = set()
+        self.made: set[int] = set()
+        """Classes of which an object was made, and their bases."""
+        self.holders: Holders = {}
+        """The nodes that objects of a class were seen to hold in an attribute."""
+        self.helpers: list[model.Blueprint] = []
+        """What works on nodes that are not known, once all programs have run."""
+        self._settled = False
+
+    # ----------------------------------------------------------------------------------------- programs
+
+    def run_all(self, entry_points: list[EntryPoint]) -> list[model.Program]:
+        started: dict[str, set[str]] = {}
+        for entry in sorted(entry_points, key=lambda e: (e.package or "", e.executable)):
+            module = self.module_of(entry)
+            if module is not None:
+                started.setdefault(module.file.path, set()).add(entry.function or "")
+                self.started[entry.package, entry.executable] = self.run_entry(entry, module)
+        modules = [m for m in (self._relevant_module(file) for file in self.files) if m is not None]
+        for test in (False, True):
+            chosen = [m for m in modules if is_test_file(m.path) is test]
+            for module in chosen:
+                if self._is_started(module, started):
+                    continue
+                if _main_guard(module) or module.state == "new":
+                    self.run_script(module)
+            self._sweep(chosen, test)
+        prune_uncalled(self.programs)
+        settle_helpers(self.programs, self.holders)
+        note_unfollowed(self.programs, self._names_in_file)
+        self.helpers = helpers_in(self.programs)
+        self._settled = True
+        self.budget = Budget()  # for what launch files run again
+        return [p for p in self.programs if p.nodes or p.calls or p.callbacks or p.unknown_interfaces or p.field_uses]
+
+    def _is_started(self, module: Module, started: dict[str, set[str]]) -> bool:
+        """Whether a console script runs this file just as its main guard would."""
+        functions = started.get(module.file.path)
+        guard = _main_guard(module)
+        if functions is None:
+            return False
+        if guard is None or "" in functions:
+            return True
+        calls_only = [
+            s.value.func.id
+            for s in guard.body
+            if isinstance(s, facts.Expression)
+            and isinstance(s.value, facts.Call)
+            and isinstance(s.value.func, facts.Name)
+            and not s.value.args
+        ]
+        return len(calls_only) == len(guard.body) and functions.issuperset(calls_only)
+
+    def _relevant_module(self, file: SourceFile) -> Module | None:
+        if file.kind not in ("python", "launch_python") or not self.relevant(file):
+            return None
+        return self.index.module(file)
+
+    def module_of(self, entry: EntryPoint, near: str = "") -> Module | None:
+        """The module that an entry point starts; of packages that share a name, that of the one nearest to the
+        shown path ``near``."""
+        if entry.file is not None:
+            return self.index.module(entry.file)
+        found = [
+            file
+            for file in self.files
+            if file.module == entry.module and file.package == entry.package and file.kind != "setup_py"
+        ]
+        found = found or self._files_at(entry)
+        if not found:
+            return None
+        return self.index.module(max(found, key=lambda file: len(_common_folder([file.relative, near]))))
+
+    def _files_at(self, entry: EntryPoint) -> list[SourceFile]:
+        """The one file of the package whose path ends like the module's name: a build may move folders."""
+        tail = "/" + entry.module.replace(".", "/") + ".py"
+        files = (file for file in self.files if file.package == entry.package and file.kind != "setup_py")
+        found = [file for file in files if f"/{file.relative}".endswith(tail)]
+        return found if len(found) == 1 else []
+
+    def new_run(self, name: str, module: Module, role: str = "main", overrides: model.Overrides | None = None) -> Run:
+        place = Place(module.path, 1, 1, 1, 1)
+        program = model.Program(name, module.file.package, module.path)
+        context = model.Callback(role, name, place, None, file=module.path)
+        run = Run(self.index, self.store, program, context, self.interfaces, overrides)
+        run.at_spin = run_pending
+        run.faults = self.faults
+        self.budget.grant(run, TEST_STEPS if is_test_file(module.path) else run.left)
+        return run
+
+    def cut_short(self) -> list[str]:
+        """The files of the programs that were followed only in part, for the sake of all the others."""
+        return cut_short(self.programs)
+
+    def run_entry(
+        self,
+        entry: EntryPoint,
+        module: Module,
+        overrides: model.Overrides | None = None,
+        words: Sequence[str | None] | None = None,
+    ) -> model.Program:
+        """Run one executable; also used to run it again with parameter overrides, and with the words of a command
+        line (None for one that is not known)."""
+        run = self.new_run(entry.executable, module, overrides=overrides)
+        run.program.package = entry.package
+        ran_before = module.state != "new"
+        with _Program(self, run, module) as root:
+            if words is not None:
+                command_line.give_words(run, words)
+            run.import_module(module)
+            if entry.function is not None:
+                function = self._dotted(run, module, entry.function)
+                if function is not None:
+                    run.context.name = entry.function
+                    root.place = _place_of(function) or root.place
+                    calls.call(run, function, [], {})
+            elif _main_guard(module) is not None:
+                _run_block(run, module, _main_guard(module))
+            elif ran_before:
+                _run_block(run, module, module.facts)
+            _make_handed_out(run)
+        if self._settled:
+            settle_helpers([run.program], {})
+            note_unfollowed([run.program], self._names_in_file, self.helpers)
+        return run.program
+
+    def _names_in_file(self, file: str) -> frozenset[str]:
+        """All names that a file, by its shown path, uses."""
+        module = self.index.module(self._shown[file]) if file in self._shown else None
+        return frozenset() if module is None else names_in(module.facts)
+
+    def _dotted(self, run: Run, module: Module, name: str) -> Value | None:
+        from archlint.interpreter.attributes import get_attribute
+
+        head, *rest = name.split(".")
+        value = run.module_attribute(module, head)
+        for part in rest:
+            value = None if value is None else get_attribute(run, value, part)
+        return value
+
+    def run_script(self, module: Module) -> model.Program:
+        """Run a file as ``python file``: its top level, then what the main guard holds."""
+        name = module.path.rpartition("/")[2]
+        run = self.new_run(name.removesuffix(".py"), module)
+        guard = _main_guard(module)
+        run.program.executable = guard is not None
+        with _Program(self, run, module, None if guard is None else Place(module.path, *guard.span)):
+            run.import_module(module)
+            _run_block(run, module, guard)
+            _make_handed_out(run)
+        return run.program
+
+    # ------------------------------------------------------------------------------------------- the rest
+
+    def _sweep(self, modules: list[Module], test: bool) -> None:
+        """Run the classes and functions that no program has run, callers before what they call."""
+        classes: list[tuple[Module, ClassValue]] = []
+        for module in modules:
+            classes.extend((module, cls) for cls in self._classes(module))
+        self._run_classes([row for row in classes if nodes.is_node_class(row[1])])
+        self._run_rest(modules, [row for row in classes if not nodes.is_node_class(row[1])], test)
+
+    def _scope_values(self, module: Module) -> list[Value]:
+        run = self.new_run(module.name, module, "module")
+        with _Program(self, run, module):
+            run.import_module(module)
+        assert module.scope is not None
+        names = [s.name for s in _definitions(module.facts.body)]
+        found = [self.store.get(module.scope.key, name) for name in dict.fromkeys(names)]
+        return [value for value in found if isinstance(value, Value)]
+
+    def _classes(self, module: Module) -> list[ClassValue]:
+        return [
+            value
+            for value in self._scope_values(module)
+            if isinstance(value, ClassValue) and value.scope.module is module
+        ]
+
+    def _run_classes(self, classes: list[tuple[Module, ClassValue]]) -> None:
+        """Node classes that nothing makes: once, with the constructor's defaults, flags either way.  A class that
+        others here derive from is covered by them."""
+        bases = {id(base) for _, cls in classes for base in cls.mro[1:]}
+        for last in (False, True):
+            for module, cls in classes:
+                if (id(cls) in bases) is last and id(cls) not in self.made:
+                    self._run_class(module, cls)
+
+    def _run_class(self, module: Module, cls: ClassValue) -> None:
+        run = self.new_run(cls.qualified, module, "init")
+        run.program.executable = False
+        with _Program(self, run, module, _place_of(cls)):
+            init, _ = class_lookup(run, cls, "__init__")
+            definitions.instantiate(run, cls, [], flags_of(init))
+
+    def _run_rest(self, modules: list[Module], classes: list[tuple[Module, ClassValue]], test: bool) -> None:
+        candidates: list[tuple[Module, ClassValue | FunctionValue]] = [
+            (module, cls) for module, cls in classes if interesting(cls.ir) and id(cls) not in self.made
+        ]
+        for module in modules:
+            for value in self._scope_values(module):
+                if isinstance(value, FunctionValue) and interesting(value.ir) and id(value.ir) not in self.ran:
+                    candidates.append((module, value))
+        mentioned: dict[str, int] = {}
+        for _, value in candidates:
+            for name in names_in(value.ir):
+                mentioned[name] = mentioned.get(name, 0) + 1
+        for last in (False, True):
+            for module, value in candidates:
+                name = value.ir.name if isinstance(value.ir, (facts.Class, facts.Function)) else ""
+                own = 1 if name in names_in(value.ir) else 0
+                if (mentioned.get(name, 0) > own) is not last:
+                    continue
+                if isinstance(value, ClassValue) and id(value) not in self.made:
+                    self._run_class(module, value)
+                elif isinstance(value, FunctionValue) and id(value.ir) not in self.ran:
+                    run = self.new_run(value.qualified, module, "method")
+                    run.program.executable = False
+                    with _Program(self, run, module, _place_of(value)):
+                        made = calls.call(run, value, [], flags_of(value))
+                        escapes.escape(run, [made], f"{value.qualified}() returns it, and nothing here calls that")
+
+
+def _common_folder(paths: Sequence[str]) -> str:
+    """The folder that all paths lie in."""
+    folders = [path.split("/")[:-1] for path in paths]
+    if not folders:
+        return ""
+    first, last = min(folders), max(folders)
+    shared = 0
+    while shared < min(len(first), len(last)) and first[shared] == last[shared]:
+        shared += 1
+    return "/".join(first[:shared])
+
+
+class _Program:
+    """One program on a layer of its own: its callbacks run when the block ends, then the layer goes.
+
+    What is raised inside is noted at ``place``, and what the program has done until then stays."""
+
+    def __init__(self, linker: Linker, run: Run, module: Module, place: Place | None = None) -> None:
+        self.linker = linker
+        self.run = run
+        self.module = module
+        self.place = place or run.context.place
+
+    def __enter__(self) -> _Program:
+        self.depth = self.run.store.depth
+        self.run.store.push()
+        enter_root(self.run, self.module)
+        return self
+
+    def __exit__(self, kind: object, error: BaseException | None, trace: object) -> bool:
+        run = self.run
+        try:
+            if isinstance(error, Exception):
+                self._recover(error)
+            if error is None or isinstance(error, Exception):
+                run_callbacks(run)
+                escapes.settle(run)
+        except Exception as raised:
+            run.note_fault(self._what, raised, self.place)
+        finally:
+            run.activations.clear()
+            note_holders(self.linker.holders, run, run.store.cut(self.depth))
+        self._finish()
+        return isinstance(error, Exception)
+
+    @property
+    def _what(self) -> str:
+        return f"following {self.run.context.name}"
+
+    def _recover(self, error: Exception) -> None:
+        """Where the program failed: its callbacks are run all the same."""
+        run = self.run
+        run.note_fault(self._what, error, self.place)
+        run.activations.clear()
+        run.arms.clear()
+        run.store.merge([run.store.cut(self.depth + 1)])
+        enter_root(run, self.module)
+
+    def _finish(self) -> None:
+        linker, run = self.linker, self.run
+        linker.budget.settle(run)
+        linker.ran |= run.ran
+        for instance in run.instances.values():
+            if isinstance(instance.cls, ClassValue):
+                linker.made.update(id(base) for base in instance.cls.mro)
+        try:
+            finish(run)
+        except Exception as raised:
+            run.note_fault(self._what, raised, self.place)
+        if run.program not in linker.programs:
+            linker.programs.append(run.program)
+
+
+def _place_of(value: Value) -> Place | None:
+    """Where a class or a function is defined."""
+    if isinstance(value, (ClassValue, FunctionValue)):
+        span = value.ir.span if isinstance(value.ir, facts.Lambda) else value.ir.name_span
+        return Place(value.scope.module.path, *span)
+    return None
+
+
+def _main_guard(module: Module) -> facts.If | None:
+    """``if __name__ == '__main__':`` at the top level."""
+    for statement in module.facts.body:
+        if isinstance(statement, facts.If) and isinstance(statement.test, facts.Compare):
+            test = statement.test
+            sides = [test.left, *test.comparators]
+            names = [side.id for side in sides if isinstance(side, facts.Name)]
+            texts = [side.value for side in sides if isinstance(side, facts.Literal)]
+            if names == ["__name__"] and texts == ["__main__"] and test.ops == ["=="]:
+                return statement
+    return None
+
+
+def _run_block(run: Run, module: Module, block: facts.If | facts.Facts | None) -> None:
+    """Run what stands at the top level of a module: its main guard, or all of it."""
+    if block is None or module.scope is None:
+        return
+    run.activations[-1] = Activation(module.name, module, module.scope, block.body, run.store.depth)
+    run.execute(block.body)
+
+
+def _make_handed_out(run: Run) -> None:
+    """An entry point that makes no node itself, and gives one node class to code that is not here, has that make
+    the node."""
+    if run.program.nodes or len(run.handed_out) != 1:
+        return
+    [cls] = run.handed_out.values()
+    run.activations[-1].statement = None
+    made = definitions.instantiate(run, cls, [], {})
+    escapes.escape(run, [made], "code that is not followed makes it")
+
+
+def _definitions(body: list[facts.Stmt]) -> list[facts.Function | facts.Class]:
+    found: list[facts.Function | facts.Class] = []
+    for statement in body:
+        if isinstance(statement, (facts.Function, facts.Class)):
+            found.append(statement)
+        elif isinstance(statement, (facts.If, facts.Try)):
+            found.extend(_definitions(statement.body))
+            found.extend(_definitions(statement.orelse))
+    return found
+
+
+__all__ = ["EntryPoint", "Linker", "link_files", "run_callbacks"]

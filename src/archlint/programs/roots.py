@@ -1,0 +1,294 @@
+"""Running callbacks and the methods that nothing calls, each from the state that it would meet."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from archlint import model
+from archlint.interpreter import calls, definitions
+from archlint.interpreter.growing import open_up
+from archlint.interpreter.machine import EXTRA_STEPS, FEW_STEPS, ROOTS, SELF_STARTS, STEPS, Activation, Pending, Run
+from archlint.interpreter.modules import Module
+from archlint.interpreter.values import (
+    NONE,
+    BoundMethod,
+    ClassValue,
+    FunctionValue,
+    Instance,
+    Known,
+    OneOf,
+    Unknown,
+    Value,
+)
+from archlint.libraries.interest import interesting, names_in
+from archlint.libraries.rclpy import escapes, executors
+from archlint.libraries.rclpy.callbacks import describe
+from archlint.libraries.uses import bare
+from archlint.programs import left_behind
+from archlint.programs.budget import LATE_STEPS
+from archlint.syntax import facts
+from archlint.workspace.test_code import is_test_file
+
+if TYPE_CHECKING:
+    pass
+
+INSTANCES = 8
+"""On how many objects of one class the methods that nothing calls are tried."""
+ROUNDS = 4
+"""How often callbacks that hand over callbacks are followed."""
+AGAIN = 2
+"""How often callbacks run again on what others left in attributes; the last time what still changes is not known."""
+
+NOT_PASSED = "nothing in the workspace passes"
+
+LIFECYCLE = frozenset({"on_configure", "on_activate", "on_deactivate", "on_cleanup", "on_shutdown", "on_error"})
+
+
+def enter_root(run: Run, module: Module) -> None:
+    """An activation at the root, so that what runs has a module and a scope."""
+    scope = module.scope
+    if scope is None:
+        scope = run.new_scope(None, module, "module", module.name)
+    run.activations.append(Activation(module.name, module, scope, [], run.store.depth))
+
+
+def run_callbacks(run: Run) -> None:
+    """Run what was handed over, then the methods that nothing calls; again where they hand over more."""
+    for _ in range(ROUNDS):
+        run_pending(run)
+        _run_methods(run)
+        if not run.pending:
+            break
+    for number in range(AGAIN):
+        if not run.news or run.left <= 0:
+            break
+        _run_again(run, last=number > 0)
+
+
+def _run_again(run: Run, last: bool) -> None:
+    """What one callback leaves in an attribute, another may use: each that reads it sees the joined state."""
+    news, run.news = run.news, {}
+    if last:
+        left_behind.forget(run, news)
+    run.met_again = set()
+    for pending in left_behind.readers(run, [*run.started, *run.tried], news):
+        run_root(run, pending.callback, pending.value, pending.arguments, lineage=pending.lineage)
+    run.met_again = None
+    run_pending(run)
+
+
+def run_pending(run: Run) -> None:
+    """Run the callbacks that were handed over so far, and those that they hand over."""
+    open_up(run)
+    while run.pending:
+        pending = run.pending.pop(0)
+        if pending.lineage.count(id(pending.callback.function)) >= SELF_STARTS:
+            run.program.exhausted = True
+            continue
+        run.started.append(pending)
+        run_root(run, pending.callback, pending.value, pending.arguments, lineage=pending.lineage)
+
+
+def run_root(
+    run: Run,
+    callback: model.Callback,
+    value: Value,
+    arguments: tuple[Value, ...],
+    *,
+    certain: bool = False,
+    lineage: tuple[int, ...] = (),
+) -> None:
+    """Run one callback on the state so far."""
+    extra = LATE_STEPS if run.late else EXTRA_STEPS
+    if run.roots >= ROOTS or run.left - run.steps <= -extra:
+        run.program.exhausted = True
+        return
+    run.roots += 1
+    kept_context, kept_activations, kept_lineage = run.context, run.activations, run.lineage
+    kept_bounds = run.steps, run.repeats, run.runs, run.arms
+    kept_allowed = run.allowed_steps
+    run.left -= run.steps
+    run.allowed_steps = max(FEW_STEPS, min(STEPS, run.left))
+    run.context = callback
+    run.lineage = (*lineage, id(callback.function))
+    run.steps = 0
+    run.repeats = {}
+    run.runs = {}
+    run.arms = []
+    module = _module_of(value) or kept_activations[0].module
+    run.activations = []
+    enter_root(run, module)
+    depth = run.store.depth
+    run.store.push()
+    try:
+        given = calls.call(run, value, _fit(value, arguments), {})
+        if callback.role == "method" and not isinstance(value, BoundMethod):
+            escapes.escape(run, [given], f"{callback.name}() gives it to whoever calls that")
+    except Exception as error:
+        run.note_fault(f"following {callback.name}", error, callback.place)
+    finally:
+        layer = run.store.cut(depth)
+        run.context, run.activations, run.lineage = kept_context, kept_activations, kept_lineage
+        run.left -= run.steps
+        _, run.repeats, run.runs, run.arms = kept_bounds
+        run.steps, run.allowed_steps = 0, max(FEW_STEPS, kept_allowed - kept_bounds[0])
+    written = left_behind.written(run, layer)
+    if run.store.merge([layer] if certain else [layer, {}]) or certain:
+        left_behind.note(run, written)
+
+
+def _module_of(value: Value) -> Module | None:
+    if isinstance(value, FunctionValue):
+        return value.scope.module
+    function = getattr(value, "function", None)
+    return _module_of(function) if isinstance(function, Value) else None
+
+
+def _fit(value: Value, arguments: tuple[Value, ...]) -> list[Value]:
+    """The arguments a callback takes: rclpy passes a subscription's callback the message, and the
+    message's info where it takes two."""
+    ir, bound = _function_and_bound(value)
+    if ir is None:
+        return list(arguments)
+    positional = [p for p in ir.params if p.kind in ("positional_only", "normal")]
+    room = max(0, len(positional) - bound)
+    if any(p.kind == "star" for p in ir.params):
+        return list(arguments)
+    fitted = list(arguments[:room])
+    while len(fitted) < room and positional[bound + len(fitted)].default is None:
+        fitted.append(Unknown(f"what '{positional[bound + len(fitted)].name}' is called with"))
+    return fitted
+
+
+def _function_and_bound(value: Value) -> tuple[facts.Function | facts.Lambda | None, int]:
+    from archlint.interpreter.values import Partial
+
+    if isinstance(value, FunctionValue):
+        return value.ir, 0
+    if isinstance(value, BoundMethod):
+        ir, bound = _function_and_bound(value.function)
+        return ir, bound + 1
+    if isinstance(value, Partial):
+        ir, bound = _function_and_bound(value.function)
+        return ir, bound + len(value.args)
+    return None, 0
+
+
+def _run_methods(run: Run) -> None:
+    """Methods of the program's objects that nothing has called, if they can matter."""
+    seen: dict[int, int] = {}
+    for instance in list(run.instances.values()):
+        cls = instance.cls
+        if not isinstance(cls, ClassValue):
+            continue
+        seen[id(cls)] = seen.get(id(cls), 0) + 1
+        if seen[id(cls)] > INSTANCES:
+            continue
+        for function, owner in _methods(run, cls):
+            ir = function.ir
+            # What runs on the class, or on nothing, is the same for every object of it.
+            on = 0 if {"classmethod", "staticmethod"}.intersection(function.decorators) else instance.key
+            if (on, id(ir)) in run.executed or not isinstance(ir, facts.Function):
+                continue
+            special = ir.name.startswith("__") and ir.name != "__call__"
+            if special or "abstract" in function.decorators:
+                continue
+            if not interesting(ir) and not _hands_on(run, instance, ir):
+                continue
+            bound = bind_quietly(function, instance, owner)
+            callback = describe(run, bound)
+            callback.role = "lifecycle" if ir.name in LIFECYCLE else "method"
+            callback.node = run.blueprints.get(instance.key)
+            run.program.callbacks.append(callback)
+            arguments = _uncalled_arguments(ir, callback.bound_arguments)
+            run.tried.append(Pending(callback, bound, arguments))
+            run_root(run, callback, bound, arguments)
+
+
+def _hands_on(run: Run, instance: Instance, ir: facts.Function) -> bool:
+    """Whether a method of a node, or of what holds one, does more with the node than use it."""
+    if instance.key in run.blueprints and ir.params and bare(ir, frozenset({ir.params[0].name})):
+        return True
+    held = names_in(ir).intersection(slot for slot in run.store.held.get(instance.key, ()) if isinstance(slot, str))
+    # What an attribute leads to takes far longer to find out than what the method does with it.
+    return bool(held) and bare(ir, held) and bare(ir, escapes.holders(run, instance, held))
+
+
+def _uncalled_arguments(ir: facts.Function, bound: int) -> tuple[Value, ...]:
+    """Arguments of a method that nothing calls: unknown, flags included, since a caller may set them.  Defaults
+    after the last of these stand."""
+    given: list[Value] = []
+    known = 0
+    for param in ir.params[bound:]:
+        if param.kind not in ("positional_only", "normal"):
+            break
+        flag = isinstance(param.default, facts.Literal) and isinstance(param.default.value, bool)
+        if param.default is None or flag:
+            given.append(Unknown(f"{NOT_PASSED} '{param.name}'", name=param.name))
+            known = len(given)
+        else:
+            given.append(NONE)
+    if any(value is NONE for value in given[:known]):
+        # A default stands before a flag: positional arguments would replace it.
+        known = next(number for number, value in enumerate(given) if value is NONE)
+    return tuple(given[:known])
+
+
+def flags_of(function: Value | None) -> dict[str, Value]:
+    """Arguments for what nothing calls: flags (parameters whose default is a truth value) are either way, since a
+    caller may set them."""
+    if not isinstance(function, FunctionValue):
+        return {}
+    return {
+        param.name: OneOf((Known(param.default.value), Known(not param.default.value)))
+        for param in function.ir.params
+        if param.kind in ("normal", "keyword_only")
+        and isinstance(param.default, facts.Literal)
+        and isinstance(param.default.value, bool)
+    }
+
+
+def bind_quietly(function: FunctionValue, instance: Instance, owner: ClassValue) -> Value:
+    """Bind a method without running it, should it be a property."""
+    if "staticmethod" in function.decorators:
+        return function
+    if "classmethod" in function.decorators:
+        return BoundMethod(function, owner)
+    return BoundMethod(function, instance)
+
+
+def _methods(run: Run, cls: ClassValue) -> list[tuple[FunctionValue, ClassValue]]:
+    """The methods an object of a class has, overridden ones left out."""
+    found: dict[str, tuple[FunctionValue, ClassValue]] = {}
+    for base in cls.mro:
+        if isinstance(base, ClassValue):
+            for statement in definitions.methods_of(base):
+                value = run.store.get(base.key, statement.name)
+                if isinstance(value, FunctionValue):
+                    found.setdefault(statement.name, (value, cls))
+    return list(found.values())
+
+
+def finish(run: Run) -> None:
+    """What is only known at the end: the executable's name, test code, an executor that never spun."""
+    program = run.program
+    from_test = is_test_file(program.file)
+    kept = []
+    for blueprint in program.nodes:
+        if from_test and not blueprint.test:
+            continue  # a test makes an object of the real node: not a node of the system
+        if from_test:
+            # What a test makes the library create is no part of the system either.
+            blueprint.creations = [c for c in blueprint.creations if is_test_file(c.place.file)]
+        if program.executable:
+            blueprint.executables = (program.name,)
+        if program.exhausted and not blueprint.test:
+            blueprint.complete = False
+            whose = "the workspace" if program.late else "its program"
+            blueprint.gaps.append((blueprint.place, f"{whose} has more code than is followed"))
+        kept.append(blueprint)
+    program.nodes[:] = kept
+    cut_short = {None} if program.exhausted else set()
+    for function, place in run.passed_to.items():
+        program.callers.setdefault(place, set()).update(run.callers.get(function, set()) | cut_short)
+    executors.settle(program)

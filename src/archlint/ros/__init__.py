@@ -1,0 +1,1 @@
+"""What ROS says: names, remapping, quality of service, interfaces, packages."""

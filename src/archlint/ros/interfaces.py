@@ -1,0 +1,250 @@
+"""The interfaces of the workspace and the standard ones, by ROS type name; read when first asked for."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Collection, Iterable, Mapping
+from types import MappingProxyType
+from typing import TYPE_CHECKING
+
+from archlint.ros import standard_interfaces
+from archlint.syntax.interfaces import FieldType, Interface, InterfaceField, Section, parse_interface
+
+if TYPE_CHECKING:
+    from archlint.workspace.model import SourceFile
+
+_KINDS = ("msg", "srv", "action")
+_SECTIONS = {
+    "": "message",
+    "Request": "request",
+    "Response": "response",
+    "Goal": "goal",
+    "Result": "result",
+    "Feedback": "feedback",
+}
+_WRAPPERS = {
+    "FeedbackMessage": Section(
+        "feedback message",
+        [
+            InterfaceField("goal_id", FieldType("unique_identifier_msgs/msg/UUID"), 0),
+            InterfaceField("feedback", FieldType("Feedback"), 0),
+        ],
+    ),
+    "GetResultResponse": Section(
+        "result response",
+        [InterfaceField("status", FieldType("int8"), 0), InterfaceField("result", FieldType("Result"), 0)],
+    ),
+}
+"""What rclpy wraps the feedback and the result of every action in, on their way to the client."""
+
+
+def type_of_file(file: SourceFile) -> str | None:
+    """``package/msg/Name`` of an interface file; None where it lies in no package."""
+    path = file.path.replace("\\", "/")
+    stem, _, kind = path.rpartition("/")[2].rpartition(".")
+    if file.package is None or kind not in _KINDS or not stem:
+        return None
+    return f"{file.package}/{kind}/{stem}"
+
+
+_MADE_BY_CMAKE = frozenset(
+    {"configure_file", "add_custom_command", "execute_process", "foreach", "add_subdirectory", "include", "macro"}
+)
+"""Commands with which a package may make, or list, interfaces that stand nowhere as a file."""
+
+
+class InterfaceTable:
+    """Interfaces by name.  ``read`` gives the text of a file, None where it cannot be read.
+
+    ``listed`` are the words of each package's CMakeLists.txt: it may generate interfaces from files that are not
+    read (``.idl``), lie elsewhere, or are made when it is built.  Nothing is said about these.  ``generated`` are the
+    words of the command that generates them, where all are known: then they are all there is.  ``without`` are the
+    packages of the workspace that generate none.  A package of the workspace that defines interfaces hides the standard
+    one of its name.
+    """
+
+    def __init__(
+        self,
+        files: Iterable[SourceFile],
+        read: Callable[[SourceFile], str | None],
+        listed: Mapping[str, Collection[str]] = MappingProxyType({}),
+        generated: Mapping[str, Collection[str]] = MappingProxyType({}),
+        without: Collection[str] = (),
+    ) -> None:
+        self._files: dict[str, SourceFile] = {}
+        self._packages: set[str] = set()
+        self._unread: set[str] = set()
+        for file in files:
+            if file.kind == "interface":
+                self._add(file)
+        self._nothing = frozenset(without)
+        self._without = self._nothing - self._packages - self._unread
+        self._listed: set[tuple[str, str, str]] = set()
+        """Package, kind and name of what a CMakeLists.txt lists."""
+        self._complete: set[str] = set()
+        """Packages whose CMakeLists.txt names every interface that is generated."""
+        for package, words in listed.items():
+            if package in generated:
+                self._add_generated(package, generated[package])
+            elif "rosidl_generate_interfaces" in words:
+                self._add_listed(package, words)
+        self._read = read
+        self._parsed: dict[str, Interface | None] = {}
+
+    def _add(self, file: SourceFile) -> None:
+        name = type_of_file(file)
+        if name is not None:
+            self._files.setdefault(name, file)
+            self._packages.add(name.partition("/")[0])
+        elif file.package is not None:
+            self._unread.add(file.package)
+
+    def _add_generated(self, package: str, words: Collection[str]) -> None:
+        self._add_names(package, words)
+        if self._lists(package):
+            self._complete.add(package)
+
+    def _add_names(self, package: str, words: Collection[str]) -> None:
+        for word in words:
+            stem, _, suffix = word.rpartition(".")
+            folder, _, name = stem.rpartition("/")
+            if name and suffix in _KINDS:
+                self._listed.add((package, suffix, name))
+            elif name and suffix == "idl":
+                kind = folder.rpartition("/")[2]
+                self._listed.update((package, one, name) for one in ([kind] if kind in _KINDS else _KINDS))
+
+    def _lists(self, package: str) -> bool:
+        return any(one == package for one, _, _ in self._listed)
+
+    def _add_listed(self, package: str, words: Collection[str]) -> None:
+        self._add_names(package, words)
+        globbed = any(f".{suffix}" in words for suffix in _KINDS)
+        if not globbed and self._lists(package) and "GLOB" not in words:
+            self._complete.add(package)
+        if ".idl" in words or not _MADE_BY_CMAKE.isdisjoint(words):
+            self._unread.add(package)
+            self._complete.discard(package)
+
+    def names(self) -> list[str]:
+        """The interfaces of the workspace."""
+        return sorted(self._files)
+
+    def file(self, name: str) -> SourceFile | None:
+        return self._files.get(name)
+
+    def defines(self, package: str, kind: str, name: str) -> bool | None:
+        """Whether a package defines an interface of that kind (``msg``, ``srv``, ``action``); None where the
+        package is not known, or only in part."""
+        if f"{package}/{kind}/{name}" in self._files:
+            return not self.is_left_out(package, kind, name)
+        if package in self._unread or (package, kind, name) in self._listed:
+            return None
+        if package in self._packages or package in self._without:
+            return False
+        standard = standard_interfaces.table()
+        if package not in standard.packages:
+            return None
+        return f"{package}/{kind}/{name}" in standard.interfaces
+
+    def is_left_out(self, package: str, kind: str, name: str) -> bool:
+        """Whether the file of an interface is there, and the CMakeLists.txt, which lists others by name, does not
+        have it: then it is not generated."""
+        return (
+            f"{package}/{kind}/{name}" in self._files
+            and package in self._complete
+            and (package, kind, name) not in self._listed
+        )
+
+    def is_built(self, file: SourceFile) -> bool:
+        """Whether the build may read an interface file: False only where its package evidently generates others, or
+        none."""
+        package, kind, name = (type_of_file(file) or "//").split("/")
+        return not package or not (package in self._nothing or self.is_left_out(package, kind, name))
+
+    def of_package(self, package: str, kind: str) -> list[str]:
+        """The names of the interfaces that a package generates of one kind, sorted."""
+        start = f"{package}/{kind}/"
+        if package in self._without:
+            return []
+        if package in self._packages:
+            here = (name.removeprefix(start) for name in self._files if name.startswith(start))
+            return sorted(name for name in here if not self.is_left_out(package, kind, name))
+        return sorted(standard_interfaces.table().names(package, kind))
+
+    def packages_with(self, kind: str, name: str) -> tuple[str, ...]:
+        """The packages of the workspace that define an interface of that kind and name, sorted."""
+        end = f"/{kind}/{name}"
+        found = sorted(file.removesuffix(end) for file in self._files if file.endswith(end))
+        return tuple(one for one in found if self.defines(one, kind, name))
+
+    def get(self, name: str) -> Interface | None:
+        """The interface called ``package/kind/Name``; None where it is not known."""
+        if name not in self._parsed:
+            text, kind = self._text(name), name.split("/")[1]
+            self._parsed[name] = None if text is None else parse_interface(text, kind)
+        return self._parsed[name]
+
+    def _text(self, name: str) -> str | None:
+        file = self._files.get(name)
+        if file is not None:
+            return self._read(file)
+        if name.partition("/")[0] in self._packages:
+            return None
+        standard = standard_interfaces.table().interfaces.get(name)
+        return None if standard is None else standard.text
+
+    def section(self, name: str, part: str) -> Section | None:
+        if part in _WRAPPERS:
+            return _WRAPPERS[part]
+        interface = self.get(name)
+        wanted = _SECTIONS.get(part)
+        if interface is None or wanted is None:
+            return None
+        return next((section for section in interface.sections if section.name == wanted), None)
+
+    def has(self, name: str, part: str, attribute: str) -> bool | None:
+        """Whether a message has a field or constant; None where its definition is not known in full."""
+        if part in _WRAPPERS:
+            return _WRAPPERS[part].field(attribute) is not None
+        interface, section = self.get(name), self.section(name, part)
+        if interface is None or section is None or interface.problems:
+            return None
+        return section.field(attribute) is not None or any(c.name == attribute for c in section.constants)
+
+    def field_type(self, name: str, part: str, field: str) -> FieldType | None:
+        """The type of a field, its name in full; None where it is not known or differs between distributions."""
+        section = None if part in _WRAPPERS else self.section(name, part)
+        found = None if section is None else section.field(field)
+        if found is None or (name not in self._files and self._varies(name, field)):
+            return None
+        kind = found.type
+        return FieldType(kind.qualified(name.partition("/")[0]), kind.array, kind.size, kind.string_bound)
+
+    def inside(self, name: str, part: str, attribute: str) -> str | None:
+        """The one field of a message whose message has a field of this name; None where there is none, or several."""
+        section = self.section(name, part)
+        inner = [(field.name, self._held(name, part, field.name)) for field in (section.fields if section else ())]
+        having = [field for field, (kind, of) in inner if kind and self.has(kind, of, attribute)]
+        return having[0] if len(having) == 1 else None
+
+    def _held(self, name: str, part: str, field: str) -> tuple[str, str]:
+        """The interface and the part that a field holds; empty where it holds something else, or several."""
+        if part in _WRAPPERS:
+            return (name, field.capitalize()) if field in ("result", "feedback") else ("", "")
+        kind = self.field_type(name, part, field)
+        return ("", "") if kind is None or kind.is_primitive or kind.array else (kind.name, "")
+
+    def _varies(self, name: str, field: str) -> bool:
+        standard = standard_interfaces.table().interfaces.get(name)
+        return standard is not None and field in standard.varies
+
+    def constant(self, name: str, part: str, constant: str) -> str | int | float | bool | None:
+        """The value of a constant, or None.  Constants of services are on ``Srv.Request`` and ``Srv.Response``;
+        those of messages on the class."""
+        section = self.section(name, part)
+        if section is None:
+            return None
+        for found in section.constants:
+            if found.name == constant and isinstance(found.value, (str, int, float, bool)):
+                return found.value
+        return None

@@ -1,0 +1,162 @@
+"""Source to facts: in this process or in workers, and whatever the source does, an answer comes back."""
+
+from __future__ import annotations
+
+import gc
+import os
+from collections.abc import Sequence
+from contextlib import contextmanager
+from typing import TYPE_CHECKING, NamedTuple
+
+from msgspec import structs
+
+from archlint.syntax.facts import FACTS_VERSION, Facts, FileProblem, encode
+from archlint.syntax.python import gate
+from archlint.syntax.python.deep_stack import DEEP_LIMIT, STOCK_LIMIT, call_with_deep_stack, recursion_limit
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator
+
+    from archlint.syntax.workers import Answer
+
+INTERNAL_ERROR = "internal error"
+"""How the message of a problem begins that is archlint's own fault."""
+
+CRASHED = "crashes the parser"
+"""The message for a file that kills the process that parses it."""
+
+PARALLEL_BYTES = 150_000
+"""From this much source on, a second process is worth the time it takes to start."""
+
+DEADLINE = 30.0
+"""Seconds that one file may take.  The slowest that the gate lets through needs a few."""
+
+
+_LASTING, _PASSING = b"+", b"-"
+
+
+def compile_python(text: str) -> Facts:
+    """The facts of one text, made in this process.  Never raises for what is in the text."""
+    with _paused_collection():
+        return call_with_deep_stack(lambda: _compile_text(text))
+
+
+class Compiled(NamedTuple):
+    """Encoded facts.  They are ``lasting`` where they depend on nothing but the source, and may be cached."""
+
+    payload: bytes
+    lasting: bool = True
+
+
+def compile_sources(sources: Sequence[bytes], jobs: int | None = None, deadline: float = DEADLINE) -> list[Compiled]:
+    """The facts of many files, in their order, the same for any number of ``jobs``.
+
+    ``jobs`` is the most processes that work at the same time; None leaves the number to us.  Where the system
+    allows it the work is done in other processes, even for one job: no file takes this one down.
+    """
+    if not sources:
+        return []
+    import archlint.syntax.python.lowering  # noqa: F401  libcst once, before the processes part
+    from archlint.syntax import workers
+
+    if workers.can_fork():
+        try:
+            answers = workers.run_in_workers(_encoded, sources, _worker_count(sources, jobs), deadline)
+        except OSError:
+            pass  # no process to be had: this one does it all
+        else:
+            return [_compiled(answer, deadline) for answer in answers]
+    with _paused_collection():
+        return call_with_deep_stack(lambda: [_marked(_encoded(data)) for data in sources])
+
+
+def _worker_count(sources: Sequence[bytes], jobs: int | None) -> int:
+    if sum(map(len, sources)) < PARALLEL_BYTES:
+        return 1
+    return max(1, min(jobs or os.cpu_count() or 1, len(sources)))
+
+
+def _compiled(answer: Answer, deadline: float) -> Compiled:
+    from archlint.syntax.workers import TimedOut
+
+    if isinstance(answer, bytes):
+        return _marked(answer)
+    if isinstance(answer, TimedOut):
+        return Compiled(encode(_failed(f"takes longer than {deadline:g} s to parse")), False)
+    return Compiled(encode(_failed(CRASHED)), False)
+
+
+def _marked(answer: bytes) -> Compiled:
+    return Compiled(answer[1:], answer[:1] == _LASTING)
+
+
+@contextmanager
+def _paused_collection() -> Iterator[None]:
+    """No garbage collection: the trees hold no cycles, and looking for some costs a tenth of the time."""
+    was_enabled = gc.isenabled()
+    gc.disable()
+    try:
+        yield
+    finally:
+        if was_enabled:
+            gc.enable()
+
+
+def _encoded(data: bytes) -> bytes:
+    """What a worker does with one file: a mark, and the encoded facts."""
+    text = gate.decode(data)
+    facts = _refused(text) if isinstance(text, gate.Refusal) else _compile_text(text)
+    mark = _PASSING if any(p.message.startswith(INTERNAL_ERROR) for p in facts.problems) else _LASTING
+    try:
+        return mark + encode(facts)
+    except (ValueError, RecursionError) as error:
+        return _PASSING + encode(_failed(f"{INTERNAL_ERROR}: facts that cannot be stored: {error}"))
+
+
+def _compile_text(text: str) -> Facts:
+    """The facts of one text; the stack must be deep."""
+    from libcst import ParserSyntaxError
+
+    from archlint.syntax.python.lowering import lower
+    from archlint.syntax.python.syntax_errors import explain_syntax_error, python_refusal
+
+    try:
+        with recursion_limit(STOCK_LIMIT):
+            refusal = gate.inspect(text)
+        if refusal is not None:
+            return _refused(refusal)
+        with recursion_limit(DEEP_LIMIT):
+            facts = lower(text)
+        with recursion_limit(STOCK_LIMIT):
+            return _with_problem(facts, gate.compile_refusal(text))
+    except ParserSyntaxError as error:
+        return _facts_of(explain_syntax_error(text, error.message))
+    except (RecursionError, MemoryError):
+        return _failed("nested too deeply to analyse")
+    except (KeyboardInterrupt, SystemExit):
+        raise
+    except BaseException as error:  # a panic of libcst's native part is not even an Exception
+        # libcst finds some syntax errors only while it builds the tree, and raises whatever comes to hand.
+        problem = python_refusal(text)
+        if problem is not None:
+            return _facts_of(problem)
+        return _failed(f"{INTERNAL_ERROR}: {type(error).__name__}: {error}")
+
+
+def _with_problem(facts: Facts, refusal: gate.Refusal | None) -> Facts:
+    if refusal is None:
+        return facts
+    problem = FileProblem(refusal.line, refusal.column, refusal.message)
+    return structs.replace(facts, problems=[*facts.problems, problem])
+
+
+def _refused(refusal: gate.Refusal) -> Facts:
+    return _facts_of(FileProblem(refusal.line, refusal.column, refusal.message))
+
+
+def _failed(message: str) -> Facts:
+    return _facts_of(FileProblem(1, 1, message))
+
+
+def _facts_of(problem: FileProblem) -> Facts:
+    return Facts(FACTS_VERSION, problems=[problem])

@@ -1,0 +1,304 @@
+"""The facts of a workspace's files: from the cache where it has them, compiled where it has not."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Collection, Iterable, Sequence
+from typing import TYPE_CHECKING, Protocol
+
+from archlint.syntax.cache import Stamp, digest_of
+from archlint.syntax.python import gate
+
+if TYPE_CHECKING:
+    from archlint.syntax.facts import Facts, Span, Stmt
+    from archlint.workspace.model import SourceFile
+
+_IRRELEVANT = b"-"
+"""How the entry of a file begins that the screen left out; the modules that it imports follow, a line each."""
+
+_ROS1 = b"-1"
+"""The same of a file for ROS 1."""
+
+_IMPORT = re.compile(
+    rb"^[ \t]*(?:from[ \t]+(\.*[\w.]*)[ \t]+import[ \t]*(\([^)]*\)|[^\n#]*)|import[ \t]+([^\n#]+))", re.MULTILINE
+)
+_IMPORTED_NAME = re.compile(rb"(\w[\w.]*)(?:[ \t]+as[ \t]+\w+)?")
+
+
+class Cache(Protocol):
+    """What is needed of a :class:`~archlint.syntax.cache.Store`."""
+
+    def lookup(self, path: str, stamp: Stamp) -> str | None: ...
+    def remember(self, path: str, stamp: Stamp, digest: str) -> None: ...
+    def get(self, digest: str) -> bytes | None: ...
+    def put(self, digest: str, payload: bytes) -> None: ...
+
+
+class FactsOfFiles:
+    """Facts by file: :meth:`prepare` compiles what is new in one go, the linker asks for more one by one."""
+
+    def __init__(self, cache: Cache, jobs: int | None = None) -> None:
+        self._cache = cache
+        self._jobs = jobs
+        self._digests: dict[str, str] = {}
+        self._payloads: dict[str, bytes] = {}
+        self._facts: dict[str, Facts | None] = {}
+        self.compiled = 0
+        """How many files had to be parsed in this run."""
+        self._fresh_imports: set[str] = set()
+        self._ahead: dict[str, bytes] = {}
+        self.lasting = True
+        """False where a file failed for a passing reason: nothing may be concluded for the next run."""
+
+    def prepare(self, files: Sequence[SourceFile], ros1: Collection[str] = ()) -> None:
+        """Make sure that each file is known: cached, screened out, or compiled now.  The files of the packages
+        ``ros1`` are for ROS 1, whatever they import."""
+        old = [file for file in files if file.package in ros1]
+        self._payloads.update((file.path, _ROS1) for file in old)
+        self._prepare(file for file in files if file.package not in ros1)
+        self._widen(files)
+        self._look_ahead(files)
+
+    def _look_ahead(self, files: Sequence[SourceFile]) -> None:
+        """Compile together what the screen left out but is read nevertheless: launch files, ``setup.py``, and what
+        files that were compiled now import.  A process for each would cost more than the compiling."""
+        left: dict[str, list[SourceFile]] = {}
+        found: dict[str, SourceFile] = {}
+        for file in files:
+            if self.relevant(file):
+                continue
+            if file.kind == "launch_python" or file.path.endswith("setup.py"):
+                found[file.path] = file
+            for name in _names_of([file]):
+                left.setdefault(name, []).append(file)
+        names = self._fresh_imports
+        while names:
+            new = {file.path: file for name in names for file in left.get(name, ()) if file.path not in found}
+            found.update(new)
+            names = {name for file in new.values() for name in self._imports(file)}
+        self._ahead = self._on_demand(found[path] for path in sorted(found))
+
+    def _widen(self, files: Sequence[SourceFile]) -> None:
+        """Take back what the screen left out but imports a module that it kept: a class derived from a node
+        class elsewhere, or a caller of a helper, may hold none of the words itself."""
+        left = [file for file in files if not self.relevant(file) and not self.is_ros1(file)]
+        kept = _names_of(file for file in files if self.relevant(file))
+        while True:
+            found = [file for file in left if not kept.isdisjoint(self._imports(file))]
+            if not found:
+                return
+            self._payloads.update(self._on_demand(found))
+            left = [file for file in left if file not in found]
+            kept = _names_of(found)
+
+    def _imports(self, file: SourceFile) -> set[str]:
+        """The dotted names of modules that a screened-out file may import."""
+        return self._targets(file, self._payloads.get(file.path, b"").split(b"\n")[1:])
+
+    def _targets(self, file: SourceFile, names: Iterable[bytes]) -> set[str]:
+        """The dotted names, and the paths, that imported names may mean in a file."""
+        folder = file.path.replace("\\", "/").split("/")[:-1]
+        found = set()
+        for written in names:
+            name = written.decode("utf-8", "replace")
+            level = len(name) - len(name.lstrip("."))
+            if level:
+                found.add("/".join((*folder[: len(folder) - level + 1], *name[level:].split("."))).rstrip("/"))
+            else:
+                found.add(name)
+                found.add("/".join((*folder, *name.split("."))))
+        return found
+
+    def _prepare(self, files: Iterable[SourceFile]) -> None:
+        waiting: list[tuple[SourceFile, str, bytes]] = []
+        for file in files:
+            digest = self._known_digest(file)
+            if digest is not None:
+                payload = self._cache.get(digest)
+                if payload is not None:
+                    self._keep(file, digest, payload)
+                    continue
+            found = self._read(file)
+            if found is not None:
+                waiting.append((file, *found))
+        self._compile(waiting)
+
+    def digest(self, file: SourceFile) -> str | None:
+        """The digest of a file's content; None where it cannot be read."""
+        return self._digests.get(file.path)
+
+    def relevant(self, file: SourceFile) -> bool:
+        """Whether the screen kept a file."""
+        return not self._payloads.get(file.path, _IRRELEVANT).startswith(_IRRELEVANT)
+
+    def imports_of(self, file: SourceFile, module: SourceFile) -> Span | None:
+        """Where a file imports a module of the workspace; None where it does not."""
+        from archlint.syntax.walk import statements_of
+
+        found = self.facts_of(file)
+        wanted = _names_of([module])
+        for statement in statements_of(found.body) if found is not None else ():
+            if not wanted.isdisjoint(self._targets(file, _modules_of(statement))):
+                return getattr(statement, "span", None)
+        return None
+
+    def is_ros1(self, file: SourceFile) -> bool:
+        """Whether a file is a program or module for ROS 1."""
+        return self._payloads.get(file.path, b"").startswith(_ROS1)
+
+    def was_read(self, file: SourceFile) -> bool:
+        """Whether somebody asked for the facts of a file: it matters, or what matters imports it."""
+        return file.path in self._facts
+
+    def facts_of(self, file: SourceFile) -> Facts | None:
+        """The facts of a file; one that the screen left out is compiled now.  None for what is no Python."""
+        if file.path in self._facts:
+            return self._facts[file.path]
+        payload = self._payloads.get(file.path)
+        if payload is None or payload.startswith(_IRRELEVANT):
+            payload = self._ahead.get(file.path) or self._on_demand([file]).get(file.path)
+        facts = None if payload is None else self._decoded(payload)
+        self._facts[file.path] = self._compiled_anew(file) if payload is not None and facts is None else facts
+        return self._facts[file.path]
+
+    def _compiled_anew(self, file: SourceFile) -> Facts | None:
+        """The facts of a file whose entry in the cache says nothing."""
+        from archlint.syntax.compile import compile_sources
+
+        data = gate.read_bytes(file.path)
+        if isinstance(data, gate.Refusal):
+            return None
+        [result] = compile_sources([data], self._jobs)
+        return self._decoded(result.payload)
+
+    # --------------------------------------------------------------------------------------------- inside
+
+    def _known_digest(self, file: SourceFile) -> str | None:
+        return self._cache.lookup(file.path, file.stamp)
+
+    def _keep(self, file: SourceFile, digest: str, payload: bytes) -> None:
+        self._digests[file.path] = digest
+        self._payloads[file.path] = payload
+        self._cache.remember(file.path, file.stamp, digest)
+
+    def _read(self, file: SourceFile) -> tuple[str, bytes] | None:
+        """``(digest, bytes)`` of a file that must be compiled; what needs no compiling is settled here."""
+        data = gate.read_bytes(file.path)
+        if isinstance(data, gate.Refusal):
+            self._refuse(file, data)
+            return None
+        digest = digest_of(data, _salt())
+        payload = self._cache.get(digest)
+        if payload is not None:
+            self._keep(file, digest, payload)
+            return None
+        old = gate.is_ros1(data)
+        if old or (not gate.relevant(data) and b"\0" not in data):
+            payload = b"\n".join((_ROS1 if old else _IRRELEVANT, *_imported(data)))
+            self._cache.put(digest, payload)
+            self._keep(file, digest, payload)
+            return None
+        return digest, data
+
+    def _refuse(self, file: SourceFile, refusal: gate.Refusal) -> None:
+        from archlint.syntax.facts import FACTS_VERSION, Facts, FileProblem, encode
+
+        problem = FileProblem(refusal.line, refusal.column, refusal.message)
+        # Not readable now: nothing to remember.
+        self._payloads[file.path] = encode(Facts(FACTS_VERSION, problems=[problem]))
+
+    def _compile(self, waiting: list[tuple[SourceFile, str, bytes]]) -> None:
+        if not waiting:
+            return
+        from archlint.syntax.compile import compile_sources
+
+        unique: dict[str, bytes] = {}
+        for _, digest, data in waiting:
+            unique.setdefault(digest, data)
+        results = dict(zip(unique, compile_sources(list(unique.values()), self._jobs), strict=True))
+        self.compiled += len(unique)
+        for digest, result in results.items():
+            self.lasting &= result.lasting
+            if result.lasting:
+                self._cache.put(digest, result.payload)
+        for file, digest, data in waiting:
+            self._keep(file, digest, results[digest].payload)
+            self._fresh_imports |= self._targets(file, _imported(data))
+
+    def _on_demand(self, files: Iterable[SourceFile]) -> dict[str, bytes]:
+        """Compile files that the screen left out, because imports lead to them; payloads by path."""
+        payloads: dict[str, bytes] = {}
+        waiting: list[tuple[str, str | None, bytes]] = []
+        for file in files:
+            digest = self._digests.get(file.path)
+            key = None if digest is None else "all-" + digest
+            payload = None if key is None else self._cache.get(key)
+            if payload is not None:
+                payloads[file.path] = payload
+                continue
+            data = gate.read_bytes(file.path)
+            if not isinstance(data, gate.Refusal):
+                waiting.append((file.path, key, data))
+        if not waiting:
+            return payloads
+        from archlint.syntax.compile import compile_sources
+
+        results = compile_sources([data for _, _, data in waiting], self._jobs)
+        self.compiled += len(results)
+        for (path, key, _), result in zip(waiting, results, strict=True):
+            self.lasting &= result.lasting
+            if key is not None and result.lasting:
+                self._cache.put(key, result.payload)
+            payloads[path] = result.payload
+        return payloads
+
+    def _decoded(self, payload: bytes) -> Facts | None:
+        from archlint.syntax.facts import decode
+
+        return decode(payload)
+
+
+def _salt() -> str:
+    from archlint.syntax.facts import FACTS_VERSION
+
+    return f"python {FACTS_VERSION}"
+
+
+def _modules_of(statement: Stmt) -> list[bytes]:
+    """The modules that a statement may import; none for what is no import."""
+    from archlint.syntax import facts as model
+
+    if isinstance(statement, model.Import):
+        return [statement.module.encode()]
+    if not isinstance(statement, model.ImportFrom):
+        return []
+    origin = "." * statement.level + statement.module
+    dot = "" if origin.endswith(".") else "."
+    return [name.encode() for name in (origin, *(f"{origin}{dot}{name}" for name, _ in statement.names))]
+
+
+def _imported(data: bytes) -> list[bytes]:
+    """The modules that a source imports, and what it imports from them, which may be modules too."""
+    found: dict[bytes, None] = {}
+    for match in _IMPORT.finditer(data):
+        origin, names, plain = match.groups()
+        if plain is not None:
+            for name in _IMPORTED_NAME.findall(plain):
+                found.setdefault(name)
+            continue
+        found.setdefault(origin)
+        dot = b"" if origin.endswith(b".") else b"."
+        for name in _IMPORTED_NAME.findall(names):
+            found.setdefault(origin + dot + name)
+    return list(found)
+
+
+def _names_of(files: Iterable[SourceFile]) -> set[str]:
+    """Under which names files can be imported: dotted, and by path without the suffix."""
+    found = set()
+    for file in files:
+        path = file.path.replace("\\", "/")
+        found.add(path.removesuffix(".py").removesuffix("/__init__"))
+        if file.module:
+            found.add(file.module)
+    return found

@@ -1,0 +1,121 @@
+"""YAML launch files, as the same tree of elements that XML gives."""
+
+from __future__ import annotations
+
+import re
+from typing import TYPE_CHECKING
+
+from archlint.syntax.comment_words import SUPPRESSION, lookalike
+from archlint.syntax.facts import Suppression
+from archlint.syntax.launch_elements import DEPTH, ELEMENTS, Attribute, Element, LaunchFacts, Scalar, failed
+from archlint.syntax.safe_yaml import YamlError, YamlReader, scalar, span_of
+
+if TYPE_CHECKING:
+    import yaml
+
+_SUPPRESSION = re.compile(rf"#\s*{SUPPRESSION}")
+
+
+def read_launch_yaml(text: str) -> LaunchFacts:
+    """The facts of a YAML launch file; never raises for what is in the text."""
+    try:
+        reader = YamlReader(text)
+        if reader.root is None:
+            return LaunchFacts()
+        reader.left = ELEMENTS
+        root = _root(reader, reader.root)
+    except YamlError as error:
+        return failed(error.line, error.column, error.message)
+    except RecursionError:
+        return failed(1, 1, "nested too deeply")
+    return LaunchFacts(root, suppressions=tuple(suppressions_of_lines(text)))
+
+
+def _root(reader: YamlReader, node: yaml.Node) -> Element | None:
+    """The content of the single key ``launch``; None for a file about something else."""
+    pairs = list(reader.pairs(node, 0))
+    if len(pairs) != 1 or pairs[0][0] != "launch":
+        return None
+    _, key, value = pairs[0]
+    return Element("launch", {}, tuple(_children(reader, value, 1)), span_of(key))
+
+
+def _children(reader: YamlReader, node: yaml.Node, depth: int) -> list[Element]:
+    """A list of maps with one key each: the elements below a parent."""
+    import yaml
+
+    found: list[Element] = []
+    if depth > DEPTH:
+        reader.left = -1
+    reader.spend(node, min(depth, 50))
+    for item in node.value if isinstance(node, yaml.SequenceNode) else [node]:
+        for tag, key, value in reader.pairs(item, min(depth, 50)):
+            found.append(_element(reader, tag, key, value, depth))
+    return found
+
+
+def _element(reader: YamlReader, tag: str, key: yaml.Node, node: yaml.Node, depth: int) -> Element:
+    """``tag: {attribute: value, child: [{…}, …]}``; of containers the value may be the list of children."""
+    import yaml
+
+    if isinstance(node, yaml.SequenceNode):
+        return Element(tag, {}, tuple(_children(reader, node, depth + 1)), span_of(key))
+    attributes: dict[str, Attribute] = {}
+    children: list[Element] = []
+    for name, name_node, value in reader.pairs(node, min(depth, 50)):
+        if isinstance(value, yaml.ScalarNode):
+            span = (*span_of(name_node)[:2], *span_of(value)[2:])
+            attributes[name] = Attribute(_scalar(value), span)
+        elif isinstance(value, yaml.SequenceNode):
+            items = value.value
+            if items and all(isinstance(item, yaml.ScalarNode) for item in items):
+                attributes[name] = Attribute([_scalar(item) for item in items], span_of(name_node))
+            elif name == "children":
+                children.extend(_children(reader, value, depth + 1))
+            else:
+                for item in items:
+                    children.append(_element(reader, name, _first_key(item) or name_node, item, depth + 1))
+        else:
+            children.append(_element(reader, name, name_node, value, depth + 1))
+    return Element(tag, attributes, tuple(children), span_of(key))
+
+
+def _first_key(item: yaml.Node) -> yaml.Node | None:
+    """Where one entry of a list starts: at its first key."""
+    import yaml
+
+    return item.value[0][0] if isinstance(item, yaml.MappingNode) and item.value else None
+
+
+def _scalar(node: yaml.ScalarNode) -> Scalar:
+    """launch reads YAML 1.1 as PyYAML does: ``y`` is a text, not a bool as for rcl."""
+    return node.value if node.tag == "tag:yaml.org,2002:str" else scalar(node)
+
+
+def suppressions_of_lines(text: str) -> list[Suppression]:
+    """``# archlint: ignore[…]``: for its own line, or alone on a line for the next that says something."""
+    found: list[Suppression] = []
+    if "archlint:" not in text:
+        return found
+    lines = text.splitlines()
+    for number, line in enumerate(lines, start=1):
+        if other := lookalike(line):
+            span = (number, other.start() + 1, other.end() + 1, (number, number))
+            found.append(Suppression(*span, [], not_understood=other[0]))
+        for match in _SUPPRESSION.finditer(line):
+            codes = [code.strip() for code in (match[2] or "").split(",") if code.strip()]
+            covered = number
+            if not line[: match.start()].strip():
+                rest = enumerate(lines[number:], start=number + 1)
+                covered = next((n for n, row in rest if row.strip() and not row.strip().startswith("#")), number)
+            found.append(
+                Suppression(
+                    number,
+                    match.start() + 1,
+                    match.end() + 1,
+                    (1, len(lines)) if match[1] else (covered, covered),
+                    codes,
+                    "file" if match[1] else "line",
+                )
+            )
+    return found

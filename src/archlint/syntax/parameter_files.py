@@ -1,0 +1,114 @@
+"""Parameter files: which values they give to which nodes."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+from archlint.syntax.facts import FileProblem, Span, Suppression
+from archlint.syntax.launch_yaml import suppressions_of_lines
+from archlint.syntax.safe_yaml import YamlError, YamlReader, span_of
+
+if TYPE_CHECKING:
+    import yaml
+
+ROOT = "ros__parameters"
+
+
+@dataclass(frozen=True)
+class NotKnown:
+    """Stands for a value that is set from outside and not known here, and why it is not."""
+
+    reason: str
+
+
+@dataclass(frozen=True)
+class ParameterEntry:
+    """``name`` with ``.`` between the levels of nested maps, which are the ``path``; ``value`` is plain Python data,
+    of a text whether it is ``quoted``.  The value of one that is ``changed`` is not that of the file, and one that is
+    ``added`` does not stand there at all."""
+
+    name: str
+    value: Any
+    span: Span
+    quoted: bool = False
+    path: tuple[str, ...] = ()
+    changed: bool = False
+    added: bool = False
+
+
+@dataclass(frozen=True)
+class ParameterSection:
+    """What stands below one ``ros__parameters``.  ``key`` is the node key as rclpy matches it: the maps above
+    joined with ``/``, with a leading ``/``; ``written`` is the key as the file has it, and ``path`` are these maps."""
+
+    key: str
+    written: str
+    span: Span
+    entries: tuple[ParameterEntry, ...]
+    path: tuple[str, ...] = ()
+
+
+@dataclass(frozen=True)
+class ParameterFacts:
+    sections: tuple[ParameterSection, ...] = ()
+    problems: tuple[FileProblem, ...] = ()
+    suppressions: tuple[Suppression, ...] = ()
+    plain: tuple[ParameterEntry, ...] = ()
+    """What a file without any ``ros__parameters`` gives to a component: launch_ros takes all of it for parameters."""
+
+
+def read_parameters(text: str) -> ParameterFacts:
+    """The sections of a parameter file; a YAML file of another kind has none.  Never raises."""
+    found: list[ParameterSection] = []
+    plain: list[ParameterEntry] = []
+    try:
+        reader = YamlReader(text, several=True)  # rcl reads on where another document starts
+        for root in reader.roots:
+            _sections(reader, root, [], None, found, 0)
+        if len(reader.roots) == 1 and not found:
+            _entries(reader, reader.roots[0], (), plain, 0)
+    except YamlError as error:
+        return ParameterFacts(problems=(FileProblem(error.line, error.column, error.message),))
+    except RecursionError:
+        return ParameterFacts(problems=(FileProblem(1, 1, "nested too deeply"),))
+    return ParameterFacts(tuple(found), suppressions=tuple(suppressions_of_lines(text)), plain=tuple(plain))
+
+
+def _sections(
+    reader: YamlReader,
+    node: yaml.Node,
+    path: list[str],
+    span: Span | None,
+    found: list[ParameterSection],
+    depth: int,
+) -> None:
+    for key, key_node, value in reader.pairs(node, depth):
+        if key == ROOT:
+            entries: list[ParameterEntry] = []
+            _entries(reader, value, (), entries, depth + 1)
+            at = span or span_of(key_node)
+            found.append(ParameterSection(node_key(path), "/".join(path), at, tuple(entries), tuple(path)))
+        else:
+            _sections(reader, value, [*path, key], span_of(key_node), found, depth + 1)
+
+
+def node_key(path: Iterable[str]) -> str:
+    """The node key as rclpy matches it, of the maps above ``ros__parameters``."""
+    return "/" + "/".join(part.strip("/") for part in path if part.strip("/"))
+
+
+def _entries(
+    reader: YamlReader, node: yaml.Node, above: tuple[str, ...], found: list[ParameterEntry], depth: int
+) -> None:
+    import yaml
+
+    for key, key_node, value in reader.pairs(node, depth):
+        path = (*above, key)
+        if isinstance(value, yaml.MappingNode):
+            _entries(reader, value, path, found, depth + 1)
+        else:
+            quoted = isinstance(value, yaml.ScalarNode) and value.style in ("'", '"')
+            data = reader.value(value, depth)
+            found.append(ParameterEntry(".".join(path), data, span_of(key_node), quoted, path))

@@ -1,0 +1,1 @@
+"""One Python file, lowered to facts."""

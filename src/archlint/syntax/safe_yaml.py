@@ -1,0 +1,157 @@
+"""YAML as ROS reads it: positions kept, no tags, and aliases counted each time they are used."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from typing import TYPE_CHECKING, Any
+
+from archlint.syntax.facts import Span
+from archlint.syntax.launch_elements import Scalar
+
+if TYPE_CHECKING:
+    import yaml
+
+NODES = 200_000
+"""How many values a file may hold, aliases counted each time."""
+DEPTH = 60
+
+
+class YamlError(Exception):
+    """Why a YAML text cannot be used; lines and columns start at 1."""
+
+    def __init__(self, message: str, line: int = 1, column: int = 1) -> None:
+        super().__init__(message)
+        self.message, self.line, self.column = message, line, column
+
+
+class YamlReader:
+    """A document, composed but never constructed: no tag makes an object.
+
+    A second document is an error, as it is to launch, unless there may be ``several``; they are ``roots`` then.
+    """
+
+    def __init__(self, text: str, several: bool = False) -> None:
+        self.left = NODES
+        self.roots = _compose(text, several)
+        self.root = self.roots[0] if self.roots else None
+
+    def spend(self, node: yaml.Node, depth: int) -> None:
+        _refuse_tag(node)
+        self.left -= 1
+        if self.left < 0 or depth > DEPTH:
+            mark = node.start_mark
+            raise YamlError("more values than a file for ROS has, or nested too deeply", mark.line + 1, mark.column + 1)
+
+    def pairs(self, node: yaml.Node, depth: int) -> Iterator[tuple[str, yaml.Node, yaml.Node]]:
+        """Keys as text with the nodes of key and value; ``<<`` merges are taken apart."""
+        import yaml
+
+        if not isinstance(node, yaml.MappingNode):
+            return
+        for key, value in node.value:
+            self.spend(key, depth)
+            self.spend(value, depth)
+            if isinstance(key, yaml.ScalarNode) and key.tag == "tag:yaml.org,2002:merge":
+                yield from self.pairs(value, depth + 1)
+            elif isinstance(key, yaml.ScalarNode):
+                yield key.value, key, value
+
+    def value(self, node: yaml.Node, depth: int = 0) -> Any:
+        """Plain Python data: scalars, lists and dicts with text keys."""
+        import yaml
+
+        self.spend(node, depth)
+        if isinstance(node, yaml.ScalarNode):
+            return scalar(node)
+        if isinstance(node, yaml.SequenceNode):
+            return [self.value(item, depth + 1) for item in node.value]
+        return {key: self.value(value, depth + 1) for key, _, value in self.pairs(node, depth)}
+
+
+def _compose(text: str, several: bool) -> list[yaml.Node]:
+    import yaml
+
+    try:
+        if several:
+            return list(yaml.compose_all(text, Loader=yaml.SafeLoader))
+        root = yaml.compose(text, Loader=yaml.SafeLoader)
+        return [] if root is None else [root]
+    except yaml.MarkedYAMLError as error:
+        mark = error.problem_mark or error.context_mark
+        line, column = (mark.line + 1, mark.column + 1) if mark is not None else (1, 1)
+        raise YamlError(f"malformed YAML: {error.problem or error.context}", line, column) from None
+    except (yaml.YAMLError, ValueError) as error:
+        raise YamlError(f"malformed YAML: {str(error).splitlines()[0]}") from None
+    except RecursionError:
+        raise YamlError("nested too deeply") from None
+
+
+def span_of(node: yaml.Node) -> Span:
+    start, end = node.start_mark, node.end_mark
+    if end.line != start.line and end.column == 0:
+        return (start.line + 1, start.column + 1, start.line + 1, start.column + 2)
+    return (start.line + 1, start.column + 1, end.line + 1, end.column + 1)
+
+
+_INTEGER = re.compile(r"[-+]?(?:0[xX][0-9a-fA-F]+|0[oO]?[0-7]+|[0-9]+)")
+_FLOAT = re.compile(r"[-+]?(?:[0-9]+\.[0-9]*|\.[0-9]+|[0-9]+)(?:[eE][-+]?[0-9]+)?")
+_SPECIAL = {".inf": "inf", "+.inf": "inf", "-.inf": "-inf", ".nan": "nan"}
+_TRUE = frozenset({"y", "yes", "true", "on"})
+_FALSE = frozenset({"n", "no", "false", "off"})
+
+
+_STANDARD = "tag:yaml.org,2002:"
+
+
+def _refuse_tag(node: yaml.Node) -> None:
+    """YAML's own tags will do; what others stand for, ROS refuses to make."""
+    if not node.tag.startswith(_STANDARD) or node.tag.startswith(f"{_STANDARD}python/"):
+        mark, shown = node.start_mark, node.tag.replace(_STANDARD, "!!")
+        raise YamlError(f"the tag {shown} means nothing to ROS", mark.line + 1, mark.column + 1)
+
+
+def scalar(node: yaml.ScalarNode) -> Scalar:
+    """The value of a scalar.  Raises :class:`YamlError` for a tag that makes an object."""
+    _refuse_tag(node)
+    text: str = node.value
+    if node.style is not None or node.tag == "tag:yaml.org,2002:binary":
+        return text
+    if node.tag == "tag:yaml.org,2002:null":
+        return None
+    return plain_scalar(text)
+
+
+def plain_scalar(text: str) -> Scalar:
+    """What an unquoted scalar is to rcl's YAML parser: a bool, a number, or text."""
+    lower = text.lower()
+    if lower in _TRUE or lower in _FALSE:
+        same_case = text in (lower, lower.upper(), lower.capitalize())
+        return lower in _TRUE if same_case else text
+    if len(text) > 64:
+        return text
+    if _INTEGER.fullmatch(text):
+        digits = text.lower().lstrip("+-")
+        base = 16 if digits.startswith("0x") else 8 if len(digits) > 1 and digits.startswith("0") else 10
+        try:
+            number = int(digits.replace("0o", "0", 1) if base == 8 else digits, base)
+        except ValueError:
+            return text
+        return -number if text.startswith("-") else number
+    if _FLOAT.fullmatch(text):
+        return float(text)
+    if lower in _SPECIAL:
+        return float(_SPECIAL[lower])
+    return text
+
+
+def written_and_read(text: str) -> Scalar:
+    """What rcl reads of a text that PyYAML has written: PyYAML leaves the quotes out where it would read the text as
+    one itself, and rcl takes ``1e5`` for a number and ``y`` for true."""
+    import yaml
+
+    read = plain_scalar(text)
+    if isinstance(read, str):
+        return text
+    resolver: Any = yaml.resolver.Resolver()
+    return read if resolver.resolve(yaml.ScalarNode, text, (True, False)) == f"{_STANDARD}str" else text

@@ -1,0 +1,242 @@
+"""Worker processes for the compiler: for speed, and to survive a file that kills the parser.
+
+A worker inherits the sources by ``fork``; only the number of a source goes to it and only bytes come back.
+One source is under way in each worker at a time, so when a worker dies it is known on which one.
+"""
+
+from __future__ import annotations
+
+import gc
+import os
+import selectors
+import signal
+import struct
+import sys
+import time
+import warnings
+from collections import deque
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from typing import NoReturn
+
+from archlint.syntax.python.deep_stack import call_with_deep_stack
+
+Job = Callable[[bytes], bytes]
+
+_NUMBER = struct.Struct("=I")
+_SIZE = struct.Struct("=Q")
+_STOP = 2**32 - 1
+
+_PATIENCE = 20
+"""How many times the deadline a source may be under way by the clock on the wall: a process that does nothing at all
+would never use up its processor time."""
+
+
+class Crashed:
+    """The source killed the process that worked on it, twice."""
+
+
+class TimedOut:
+    """The source was under way for longer than allowed."""
+
+
+Answer = bytes | Crashed | TimedOut
+
+
+def can_fork() -> bool:
+    """Whether this process may fork: only POSIX can, and only while no other thread runs."""
+    threading = sys.modules.get("threading")
+    alone = threading is None or threading.active_count() == 1
+    return hasattr(os, "fork") and alone
+
+
+def run_in_workers(job: Job, sources: Sequence[bytes], count: int, deadline: float) -> list[Answer]:
+    """One answer for each source, in their order, from up to ``count`` forked processes.
+
+    ``job`` is called in a thread with a deep stack.  ``deadline`` is the processor time in seconds that one source
+    may take: on a machine that has much else to do no file takes longer.  Raises
+    ``OSError`` where the system has no process to give.
+    """
+    pool = _Pool(job, sources, count, deadline)
+    try:
+        while pool.step():
+            pass
+    finally:
+        pool.close()
+    return [pool.answers[number] for number in range(len(sources))]
+
+
+@dataclass
+class _Worker:
+    pid: int
+    requests: int
+    answers: int
+    number: int = _STOP
+    since: float = 0.0
+
+    def give(self, number: int) -> None:
+        """Send the number of a source.  That the worker is gone shows when its answer is awaited."""
+        self.number, self.since = number, time.monotonic()
+        try:
+            os.write(self.requests, _NUMBER.pack(number))
+        except BrokenPipeError:
+            return
+
+    def take(self) -> bytes | None:
+        """The answer that is ready; None where the worker has died."""
+        header = _read_exactly(self.answers, _SIZE.size)
+        return None if header is None else _read_exactly(self.answers, _SIZE.unpack(header)[0])
+
+
+class _Pool:
+    def __init__(self, job: Job, sources: Sequence[bytes], count: int, deadline: float) -> None:
+        self.answers: dict[int, Answer] = {}
+        self._job = job
+        self._sources = sources
+        self._count = count
+        self._deadline = deadline
+        # The longest first: nobody waits at the end for one that was begun late.
+        self._waiting = deque(sorted(range(len(sources)), key=lambda number: -len(sources[number])))
+        self._crashed_once: set[int] = set()
+        self._workers: dict[int, _Worker] = {}
+        self._selector = selectors.DefaultSelector()
+
+    def step(self) -> bool:
+        """Start what can be started, then wait for an answer.  False when all are in."""
+        while self._waiting and len(self._workers) < self._count:
+            self._start()
+        if not self._workers:
+            return False
+        for worker in self._ready():
+            self._collect(worker)
+        for worker in self._late():
+            self.answers[worker.number] = TimedOut()
+            self._end(worker, kill=True)
+        return True
+
+    def close(self) -> None:
+        for worker in list(self._workers.values()):
+            self._end(worker, kill=True)
+        self._selector.close()
+
+    def _start(self) -> None:
+        request_reader, requests = os.pipe()
+        answers, answer_writer = os.pipe()
+        with warnings.catch_warnings():
+            # Python counts the threads of the system, among them those that have just ended.
+            warnings.simplefilter("ignore", DeprecationWarning)
+            pid = os.fork()
+        if pid == 0:
+            # Whoever keeps the ends of others keeps them waiting for a parent that is gone.
+            for end in (
+                requests,
+                answers,
+                *(end for one in self._workers.values() for end in (one.requests, one.answers)),
+            ):
+                os.close(end)
+            _serve(self._job, self._sources, request_reader, answer_writer, self._deadline)
+        os.close(request_reader)
+        os.close(answer_writer)
+        worker = _Worker(pid, requests, answers)
+        self._workers[answers] = worker
+        self._selector.register(answers, selectors.EVENT_READ)
+        worker.give(self._waiting.popleft())
+
+    def _collect(self, worker: _Worker) -> None:
+        number, payload = worker.number, worker.take()
+        if payload is not None:
+            self.answers[number] = payload
+            if self._waiting:
+                worker.give(self._waiting.popleft())
+            else:
+                worker.give(_STOP)
+                self._end(worker, kill=False)
+            return
+        # It may have been the machine's doing (no memory left): once more, in a fresh process.
+        status = self._end(worker, kill=False)
+        if os.WIFSIGNALED(status) and os.WTERMSIG(status) == signal.SIGPROF:
+            self.answers[number] = TimedOut()
+        elif number in self._crashed_once:
+            self.answers[number] = Crashed()
+        else:
+            self._crashed_once.add(number)
+            self._waiting.append(number)
+
+    def _ready(self) -> list[_Worker]:
+        oldest = min(worker.since for worker in self._workers.values())
+        patience = max(0.0, oldest + _PATIENCE * self._deadline - time.monotonic()) + 0.01
+        return [self._workers[key.fd] for key, _ in self._selector.select(patience)]
+
+    def _late(self) -> list[_Worker]:
+        now = time.monotonic()
+        return [worker for worker in self._workers.values() if now - worker.since > _PATIENCE * self._deadline]
+
+    def _end(self, worker: _Worker, kill: bool) -> int:
+        """Wait for a worker to end, and return how it did."""
+        self._selector.unregister(worker.answers)
+        del self._workers[worker.answers]
+        os.close(worker.requests)
+        os.close(worker.answers)
+        if kill:
+            os.kill(worker.pid, signal.SIGKILL)
+        return os.waitpid(worker.pid, 0)[1]
+
+
+def _serve(job: Job, sources: Sequence[bytes], requests: int, answers: int, deadline: float) -> NoReturn:
+    """The life of a worker."""
+    status = 1
+    try:
+        _settle()
+        call_with_deep_stack(lambda: _answer_all(job, sources, requests, answers, deadline))
+        status = 0
+    finally:
+        # Without the clean-up of an interpreter that is not ours alone.
+        os._exit(status)
+
+
+def _answer_all(job: Job, sources: Sequence[bytes], requests: int, answers: int, deadline: float) -> None:
+    while True:
+        request = _read_exactly(requests, _NUMBER.size)
+        if request is None:
+            return
+        (number,) = _NUMBER.unpack(request)
+        if number == _STOP:
+            return
+        signal.setitimer(signal.ITIMER_PROF, deadline)  # ends the process when it has run for so long
+        payload = job(sources[number])
+        signal.setitimer(signal.ITIMER_PROF, 0)
+        _write_all(answers, _SIZE.pack(len(payload)) + payload)
+
+
+def _settle() -> None:
+    """Nothing of what a worker does shows: its parent reports how it ended."""
+    signal.signal(signal.SIGINT, signal.SIG_DFL)
+    signal.signal(signal.SIGTERM, signal.SIG_DFL)
+    signal.signal(signal.SIGPROF, signal.SIG_DFL)
+    gc.disable()  # trees hold no cycles, and a worker does not live long
+    faulthandler = sys.modules.get("faulthandler")
+    if faulthandler is not None:
+        faulthandler.disable()
+    import resource
+
+    resource.setrlimit(resource.RLIMIT_CORE, (0, resource.getrlimit(resource.RLIMIT_CORE)[1]))
+    nowhere = os.open(os.devnull, os.O_RDWR)
+    for descriptor in (0, 1, 2):
+        os.dup2(nowhere, descriptor)
+
+
+def _read_exactly(descriptor: int, size: int) -> bytes | None:
+    chunks = []
+    while size:
+        chunk = os.read(descriptor, min(size, 1 << 20))
+        if not chunk:
+            return None
+        chunks.append(chunk)
+        size -= len(chunk)
+    return b"".join(chunks)
+
+
+def _write_all(descriptor: int, payload: bytes) -> None:
+    view = memoryview(payload)
+    while view:
+        view = view[os.write(descriptor, view) :]

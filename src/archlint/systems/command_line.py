@@ -1,0 +1,48 @@
+"""The command line that a launch file gives to a process, in launch_ros' order."""
+
+from __future__ import annotations
+
+from archlint.launch.model import OpenParameters, ParameterFileUse, ParameterSetting, Started
+from archlint.model import Text
+
+Word = str | None
+"""None stands for a word that is not known."""
+
+
+def words_of(started: Started) -> tuple[Word, ...] | None:
+    """The words after the executable's name; None where not even their number is known."""
+    if not started.whole_arguments:
+        return None
+    if started.bare:
+        return tuple(started.arguments)
+    if any(isinstance(parameter, OpenParameters) for parameter in started.parameters):
+        return None
+    found: list[Word] = [*started.arguments, "--ros-args", *started.ros_arguments]
+    for rule, text in (("__node", started.name), ("__ns", started.namespace)):
+        if text is not None:
+            found += ["-r", _rule(Text(rule, "exact"), text)]
+    found += _parameters(started)
+    for remap in started.remaps:
+        found += ["-r", _rule(remap.source, remap.target)]
+    return tuple(found)
+
+
+def _rule(source: Text, target: Text) -> Word:
+    known = (
+        source.text is not None and target.text is not None and "partial" not in (source.resolution, target.resolution)
+    )
+    return f"{source.text}:={target.text}" if known else None
+
+
+def _parameters(started: Started) -> list[Word]:
+    """Shared settings one by one, files by their paths; what a dict holds goes through a file that launch writes."""
+    found: list[Word] = []
+    in_dict = False
+    for parameter in started.parameters:
+        own = isinstance(parameter, ParameterSetting) and not parameter.shared
+        if isinstance(parameter, ParameterSetting) and parameter.shared:
+            found += ["-p", None]
+        elif isinstance(parameter, ParameterFileUse) or not in_dict:
+            found += ["--params-file", None]
+        in_dict = own
+    return found

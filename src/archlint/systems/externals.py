@@ -1,0 +1,57 @@
+"""What a launch file tells of nodes whose source is not here: the names that it remaps to."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from archlint.ros import names
+from archlint.ros.names import InvalidName
+
+if TYPE_CHECKING:
+    from archlint.model import Text
+    from archlint.systems.model import Node, System
+
+
+def remapped_names(node: Node) -> Iterator[tuple[str, str]]:
+    """``(source as written, full target)`` of each remapping of names whose target is known, in the order in
+    which ROS tries them."""
+    if node.started is None:
+        return
+    namespace, own = _where(node)
+    for remap in node.started.remaps:
+        source, target = _known(remap.source), _known(remap.target)
+        if source is None or target is None or source.startswith("__"):
+            continue
+        if not target.startswith("/") and (namespace is None or (own is None and names.uses_node_name(target))):
+            continue
+        full = names.expand(target, own or "_", namespace or "/")
+        if not isinstance(full, InvalidName):
+            yield source, full
+
+
+def connections_of_externals(system: System) -> list[tuple[Node, str]]:
+    """External nodes with the full names that they are remapped to, where somebody else has the name, too.
+
+    Which end of the name they are, and of what kind, only their source could tell.
+    """
+    links = [(node, name) for node in system.nodes if node.external for _, name in remapped_names(node)]
+    links = list(dict.fromkeys(links))
+    users: dict[str, set[int]] = {}
+    for node, name in links:
+        users.setdefault(name, set()).add(id(node))
+    known = {endpoint.name for endpoint in system.endpoints}
+    return [(node, name) for node, name in links if name in known or len(users[name]) > 1]
+
+
+def _where(node: Node) -> tuple[str | None, str | None]:
+    """The namespace and the own name of an external node, as far as they are known."""
+    if node.name is not None:
+        namespace, _, own = node.name.rpartition("/")
+        return namespace or "/", own
+    given = node.started.namespace if node.started is not None else None
+    return ("/" if given is None else _known(given)), None
+
+
+def _known(text: Text) -> str | None:
+    return text.text if text.resolution in ("exact", "parameter") else None

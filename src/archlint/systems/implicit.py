@@ -1,0 +1,165 @@
+"""What rclpy and rcl create for every node without being asked, for ``archlint graph --all``.
+
+Sources: rclpy ``node.py``, ``parameter_service.py``, ``type_description_service.py`` and ``time_source.py``;
+rcl_lifecycle ``com_interface.c``; rcl_action ``names.c``.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from dataclasses import astuple, dataclass, replace
+
+from archlint import model as program
+from archlint.model import Blueprint, Creation, Qos, Text
+from archlint.ros import names, qos
+from archlint.systems.model import Endpoint, Node, System
+from archlint.systems.resolution import FinalName, endpoint_name
+
+IMPLICIT = "implicit"
+"""The ``api`` of the creations made here."""
+
+
+@dataclass(frozen=True)
+class _Entity:
+    kind: str
+    name: str
+    type: str
+    qos: Qos
+
+
+def _service(name: str, type_: str, profile: Qos = qos.DEFAULT) -> _Entity:
+    return _Entity(program.SERVICE, name, type_, profile)
+
+
+_ROSOUT = _Entity(program.PUBLISHER, "/rosout", "rcl_interfaces/msg/Log", qos.ROSOUT)
+_PARAMETER_EVENTS = _Entity(program.PUBLISHER, "/parameter_events", "rcl_interfaces/msg/ParameterEvent", qos.PARAMETERS)
+_CLOCK = _Entity(program.SUBSCRIBER, "/clock", "rosgraph_msgs/msg/Clock", qos.CLOCK)
+_PARAMETER_SERVICES = tuple(
+    _service(f"~/{name}", f"rcl_interfaces/srv/{type_}", qos.PARAMETERS)
+    for name, type_ in (
+        ("describe_parameters", "DescribeParameters"),
+        ("get_parameter_types", "GetParameterTypes"),
+        ("get_parameters", "GetParameters"),
+        ("list_parameters", "ListParameters"),
+        ("set_parameters", "SetParameters"),
+        ("set_parameters_atomically", "SetParametersAtomically"),
+    )
+)
+_TYPE_DESCRIPTION = _service("~/get_type_description", "type_description_interfaces/srv/GetTypeDescription")
+_LOGGER_SERVICES = (
+    _service("~/get_logger_levels", "rcl_interfaces/srv/GetLoggerLevels"),
+    _service("~/set_logger_levels", "rcl_interfaces/srv/SetLoggerLevels"),
+)
+"""With ``enable_logger_service``, since Jazzy."""
+_LIFECYCLE = (
+    _Entity(program.PUBLISHER, "~/transition_event", "lifecycle_msgs/msg/TransitionEvent", qos.DEFAULT),
+    *(
+        _service(f"~/{name}", f"lifecycle_msgs/srv/{type_}")
+        for name, type_ in (
+            ("change_state", "ChangeState"),
+            ("get_available_states", "GetAvailableStates"),
+            ("get_available_transitions", "GetAvailableTransitions"),
+            ("get_state", "GetState"),
+            ("get_transition_graph", "GetAvailableTransitions"),
+        )
+    ),
+)
+
+
+def with_implicit(system: System, distro: str | None = None) -> System:
+    """A copy of ``system`` in which each node has its implicit endpoints too."""
+    nodes = []
+    for node in system.nodes:
+        copied = replace(node)
+        copied.endpoints = [replace(endpoint, node=copied) for endpoint in node.endpoints]
+        copied.endpoints += implicit_endpoints(copied, distro)
+        nodes.append(copied)
+    return replace(system, nodes=nodes)
+
+
+def implicit_endpoints(node: Node, distro: str | None = None) -> list[Endpoint]:
+    """The endpoints that the code of ``node`` does not mention.  ``distro`` None stands for Jazzy and later.
+
+    Those under a node whose name is not known have no name either; a node that is not in this workspace has
+    none that are known.
+    """
+    if node.blueprint is None:
+        return []
+    own = [_endpoint(entity, node.blueprint, node) for entity in _entities(node, node.blueprint, distro)]
+    return [*own, *_of_actions(node)]
+
+
+def implicit_names(system: System) -> frozenset[str]:
+    """Every name that some node of the system may serve, publish or subscribe to without its code saying so.
+
+    Wider than :func:`implicit_endpoints`: with what only a parameter or a constructor's option brings about.
+    """
+    own = [entity.name for entity in (*_PARAMETER_SERVICES, _TYPE_DESCRIPTION, *_LIFECYCLE, *_LOGGER_SERVICES)]
+    below = {node.name + name[1:] for node in system.nodes if node.name is not None for name in own}
+    return frozenset(below | {_ROSOUT.name, _PARAMETER_EVENTS.name, _CLOCK.name})
+
+
+def _entities(node: Node, blueprint: Blueprint, distro: str | None) -> Iterator[_Entity]:
+    if blueprint.enable_rosout:
+        yield _ROSOUT
+    yield _PARAMETER_EVENTS
+    if node.overrides.get("use_sim_time") is True:
+        yield _CLOCK
+    if blueprint.start_parameter_services:
+        yield from _PARAMETER_SERVICES
+    if distro != "humble" and node.overrides.get("start_type_description_service") is not False:
+        yield _TYPE_DESCRIPTION
+    if blueprint.lifecycle:
+        yield from _LIFECYCLE
+
+
+def _endpoint(entity: _Entity, blueprint: Blueprint, node: Node) -> Endpoint:
+    place = blueprint.place
+    text = Text(entity.name, "exact")
+    creation = Creation(entity.kind, IMPLICIT, blueprint, place, text, entity.type, qos=entity.qos)
+    return Endpoint(creation, node, *astuple(_name(node, text, entity.kind)))
+
+
+def _name(node: Node, text: Text, kind: str) -> FinalName:
+    """Remapped like any other, by what the node is started with."""
+    if text.text is not None and text.text.startswith("~") and node.name is None:
+        return FinalName(None, None, "unknown", reason="the node's name is not known")
+    assert node.own is not None, "a node with a blueprint has a name, known or not"
+    return endpoint_name(text, kind, node.own, node.rules)
+
+
+def _of_actions(node: Node) -> Iterable[Endpoint]:
+    """The three services and two topics of each action that has a known name."""
+    for endpoint in node.of_kind(program.ACTION_SERVER, program.ACTION_CLIENT):
+        if endpoint.name is None:
+            continue
+        serves = endpoint.kind == program.ACTION_SERVER
+        for part, name in names.action_entities(endpoint.name).items():
+            kind, profile = _ACTION_PARTS[part]
+            kind = kind if serves else _OTHER_END[kind]
+            type_ = _action_type(endpoint.type, part)
+            name = _name(node, Text(name, endpoint.resolution, endpoint.parameter), kind).name or name
+            text = replace(endpoint.creation.name, text=name)
+            creation = replace(endpoint.creation, kind=kind, api=IMPLICIT, name=text, type=type_, qos=profile)
+            creation.callbacks = {}
+            yield replace(endpoint, creation=creation, name=name)
+
+
+_ACTION_PARTS = {
+    "send_goal": (program.SERVICE, qos.DEFAULT),
+    "cancel_goal": (program.SERVICE, qos.DEFAULT),
+    "get_result": (program.SERVICE, qos.DEFAULT),
+    "feedback": (program.PUBLISHER, qos.DEFAULT),
+    "status": (program.PUBLISHER, qos.ACTION_STATUS),
+}
+"""What an action server makes of each hidden name."""
+_OTHER_END = {program.SERVICE: program.CLIENT, program.PUBLISHER: program.SUBSCRIBER}
+_ACTION_SUFFIX = {"send_goal": "_SendGoal", "get_result": "_GetResult", "feedback": "_FeedbackMessage"}
+
+
+def _action_type(action: str | None, part: str) -> str | None:
+    if part == "cancel_goal":
+        return "action_msgs/srv/CancelGoal"
+    if part == "status":
+        return "action_msgs/msg/GoalStatusArray"
+    return None if action is None else action + _ACTION_SUFFIX[part]

@@ -1,0 +1,210 @@
+"""Load: from programs to a system of nodes under their final names."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import astuple
+from typing import TYPE_CHECKING, Protocol
+
+from archlint.model import TIMER, Blueprint, Program, Text
+from archlint.ros.remapping import RemapRule, rules_of_arguments
+from archlint.systems.model import Endpoint, Node, System
+from archlint.systems.resolution import NodeName, endpoint_name, node_init
+
+if TYPE_CHECKING:
+    from archlint.workspace.model import Package, Workspace
+
+
+class Settings(Protocol):
+    """What is needed of the configuration."""
+
+    @property
+    def closed_world(self) -> bool: ...
+
+    @property
+    def distro(self) -> str | None: ...
+
+
+def assemble(programs: Sequence[Program], workspace: Workspace, settings: Settings) -> list[System]:
+    """Without launch files all nodes that the workspace can start make one system, each of them once."""
+    nodes = [_node_of_twins(twins, settings.distro) for twins in _twins(programs)]
+    return [
+        System(
+            name=None,
+            nodes=sorted(nodes, key=_node_order),
+            programs=list(programs),
+            closed=settings.closed_world,
+            package_dependencies=dependencies_within(workspace.packages),
+        )
+    ]
+
+
+def instantiate(
+    blueprint: Blueprint,
+    program: Program | None,
+    *,
+    name: Text | str | None = None,
+    namespace: Text | str | None = None,
+    remaps: Sequence[RemapRule] = (),
+    overrides: Mapping[str, object] | None = None,
+    launched_by: str | None = None,
+    distro: str | None = None,
+) -> Node:
+    """The node that ``blueprint`` becomes in one started process.
+
+    ``name`` and ``namespace`` are what ``-r __node`` and ``-r __ns`` say (None: nothing), ``remaps`` the
+    other rules of the process in the order of its command line, ``overrides`` parameter values by name; ``distro``
+    is the one that is configured, if there is one.
+    """
+    local = rules_of_arguments(blueprint.cli_arguments)
+    if not blueprint.use_global_arguments:
+        name, namespace, remaps, overrides = None, None, (), None
+    own = node_init(
+        blueprint.name,
+        blueprint.namespace,
+        local,
+        remaps,
+        given_name=_text(name),
+        given_namespace=_text(namespace),
+    )
+    executables = tuple(sorted(set(blueprint.executables)))
+    node = Node(
+        # Whoever uses a helper may be any node of the process.
+        name=None if blueprint.held else own.full,
+        blueprint=blueprint,
+        package=blueprint.package,
+        executable=executables[0] if executables else None,
+        executor=blueprint.executor,
+        launched_by=launched_by,
+        program=program,
+        overrides=dict(overrides or {}),
+        resolution=own.resolution,
+        error=own.error,
+        executables=executables,
+    )
+    node.own = own
+    node.rules = [rule.in_distro(distro) for rule in (*local, *remaps)]
+    node.endpoints = _endpoints(blueprint, node, own, node.rules)
+    return node
+
+
+def _text(value: Text | str | None) -> Text | None:
+    return Text(value, "exact") if isinstance(value, str) else value
+
+
+def _endpoints(blueprint: Blueprint, node: Node, own: NodeName, rules: Sequence[RemapRule]) -> list[Endpoint]:
+    found: dict[tuple[object, ...], Endpoint] = {}
+    for creation in blueprint.creations:
+        if creation.kind in _NO_ENDPOINT:
+            continue
+        text = _overridden(creation.name, blueprint, node.overrides)
+        endpoint = Endpoint(creation, node, *astuple(endpoint_name(text, creation.kind, own, rules)))
+        key = _endpoint_key(endpoint)
+        if key not in found or found[key].conditional:
+            found[key] = endpoint
+    return sorted(found.values(), key=_endpoint_order)
+
+
+_NO_ENDPOINT = (TIMER, "guard_condition")
+
+
+def _endpoint_key(endpoint: Endpoint) -> tuple[object, ...]:
+    """What tells two endpoints of a node apart: one create call, reached on two ways with the same arguments,
+    is one endpoint."""
+    creation = endpoint.creation
+    callbacks = tuple(sorted((role, callback.name) for role, callback in creation.callbacks.items()))
+    return (creation.place, creation.kind, endpoint.name, endpoint.written, creation.type, callbacks)
+
+
+def _endpoint_order(endpoint: Endpoint) -> tuple[object, ...]:
+    return (endpoint.name is None, endpoint.name or "", endpoint.place, endpoint.kind, endpoint.type or "")
+
+
+def _overridden(text: Text, blueprint: Blueprint, overrides: Mapping[str, object]) -> Text:
+    """``text`` after the parameter that decides it is set from outside."""
+    if text.parameter is None or text.parameter not in overrides:
+        return text
+    value = overrides[text.parameter]
+    default = next((p.default for p in blueprint.parameters if p.name.text == text.parameter), None)
+    if isinstance(value, str) and default == text.text:
+        return Text(value, "parameter", text.parameter)
+    reason = f"it is built from the parameter {text.parameter!r}, which is set from outside"
+    return Text(None, "unknown", text.parameter, reason)
+
+
+Twin = tuple[Blueprint, Program]
+
+
+def _twins(programs: Iterable[Program]) -> list[list[Twin]]:
+    """Blueprints of all programs, those of one class (or create call) and one name together."""
+    groups: dict[tuple[object, ...], list[Twin]] = {}
+    for program in programs:
+        for blueprint in program.nodes:
+            text, namespace = blueprint.name.text, blueprint.namespace.text
+            key = (blueprint.place, blueprint.class_name, text, namespace)
+            groups.setdefault(key, []).append((blueprint, program))
+    return list(groups.values())
+
+
+def _node_of_twins(twins: list[Twin], distro: str | None) -> Node:
+    """One node of all executables that start it.  What only tests do to it is left out."""
+    ordered = sorted(twins, key=_twin_order)
+    blueprint, program = ordered[0]
+    node = instantiate(blueprint, program, distro=distro)
+    node.merged = [twin for twin, _ in ordered[1:]]
+    real = [(twin, run) for twin, run in ordered if twin.test == blueprint.test]
+    found = {_endpoint_key(endpoint): endpoint for endpoint in node.endpoints}
+    for twin, run in real[1:]:
+        for endpoint in instantiate(twin, run, distro=distro).endpoints:
+            endpoint.node = node
+            key = _endpoint_key(endpoint)
+            if key not in found or (found[key].conditional and not endpoint.conditional):
+                found[key] = endpoint
+    node.endpoints = sorted(found.values(), key=_endpoint_order)
+    node.executables = tuple(sorted({name for twin, _ in real for name in twin.executables}))
+    node.executable = node.executables[0] if node.executables else None
+    node.executor = _common_executor([twin.executor for twin, _ in real])
+    return node
+
+
+def _twin_order(twin: Twin) -> tuple[object, ...]:
+    blueprint, program = twin
+    return (blueprint.test, blueprint.held, not program.executable, program.package or "", program.name, program.file)
+
+
+def _common_executor(executors: Iterable[str]) -> str:
+    """The executor that spins a node in every program that spins it."""
+    spun = sorted({executor for executor in executors if executor != "none"})
+    return "none" if not spun else spun[0] if len(spun) == 1 else "unknown"
+
+
+def _node_order(node: Node) -> tuple[object, ...]:
+    place = node.blueprint.place if node.blueprint else node.launch_place
+    where = (place.file, place.line, place.column) if place else ("", 0, 0)
+    return (node.name is None, node.name or "", *where, node.blueprint.class_name if node.blueprint else "")
+
+
+_TOGETHER = ("depend", "exec", "run", "build", "build_export")
+"""Kinds of dependency, less ``_depend``; a package that another needs for its tests alone runs without it."""
+
+
+def dependencies_within(packages: Iterable[Package]) -> dict[str, frozenset[str]]:
+    """Package → the packages of the same workspace that it needs, directly or not."""
+    direct = {package.name: _needs(package) for package in packages}
+    return {name: frozenset(_reachable(name, direct)) for name in sorted(direct)}
+
+
+def _needs(package: Package) -> list[str]:
+    entries = package.dependencies
+    return sorted({entry.name for entry in entries if entry.kind.removesuffix("_depend") in _TOGETHER})
+
+
+def _reachable(start: str, direct: Mapping[str, Sequence[str]]) -> Iterator[str]:
+    seen = {start}
+    waiting = [start]
+    while waiting:
+        for name in direct[waiting.pop()]:
+            if name in direct and name not in seen:
+                seen.add(name)
+                waiting.append(name)
+                yield name

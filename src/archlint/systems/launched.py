@@ -1,0 +1,352 @@
+"""Load: the system that a launch file starts, each node under its final name and with its parameters."""
+
+from __future__ import annotations
+
+import posixpath
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from dataclasses import dataclass, field, replace
+from functools import cached_property
+from typing import TYPE_CHECKING
+
+from archlint.faults import Faults
+from archlint.launch.model import Launched, OpenParameters, ParameterFileUse, ParameterSetting, Started
+from archlint.model import Blueprint, Overrides, Program, Text
+from archlint.ros import names
+from archlint.ros.remapping import RemapRule, rules_of_arguments
+from archlint.systems.command_line import Word, words_of
+from archlint.systems.instances import instantiate
+from archlint.systems.model import Endpoint, Node, System
+from archlint.systems.outside import is_undecided, known_name, outside
+from archlint.systems.overrides import applied, overrides_of
+from archlint.systems.understood import doubt
+
+if TYPE_CHECKING:
+    from archlint.finding import Place
+    from archlint.interpreter.modules import Module
+    from archlint.launch.load import LaunchLoader
+    from archlint.programs.installs import Installs
+    from archlint.programs.linker import EntryPoint, Linker
+    from archlint.ros.interfaces import InterfaceTable
+    from archlint.syntax.parameter_files import ParameterFacts
+    from archlint.workspace.model import Package
+
+RERUNS = 600
+"""How many programs one session may run again with parameters from outside."""
+
+
+@dataclass(eq=False)
+class World:
+    """What rules about launch files and packages may ask, the same for all systems of a run."""
+
+    installs: Mapping[str, Installs] = field(default_factory=dict)
+    packages: Mapping[str, Package] = field(default_factory=dict)
+    manifests: Mapping[str, Package] = field(default_factory=dict)
+    """All packages by the shown path of their folder: two may have one name."""
+    launched: list[Launched] = field(default_factory=list)
+    """Every launch file of the workspace, run with its defaults (or the one that was asked for)."""
+    parameters_of: Callable[[str], ParameterFacts] | None = None
+    systems: list[System] = field(default_factory=list)
+    loader: LaunchLoader | None = None
+    faults: Faults = field(default_factory=Faults)
+    """Where archlint itself failed in this run."""
+    interfaces: InterfaceTable | None = None
+    explicit: bool = False
+    """True where a launch file was named: the only system then."""
+    partial: bool = False
+    """True where only files of one package, or single ones, of all that the configuration is for were asked for:
+    what is not seen may be elsewhere."""
+    cut_short: Callable[[], list[str]] = list
+    """The files of the programs that were followed only in part, since the workspace has so many."""
+
+    @cached_property
+    def started_by_launch(self) -> frozenset[object]:
+        """The nodes, by :func:`key_of`, that launched systems have under a final name."""
+        launched = (node for system in self.systems if system.name is not None for node in system.nodes)
+        return frozenset(key_of(n.blueprint) for n in launched if n.blueprint is not None and (n.name or n.error))
+
+    @cached_property
+    def launched_names(self) -> Mapping[tuple[object, str, Place], frozenset[str | None]]:
+        """The names that launch files give to what a node, by :func:`key_of`, creates at a place; None for one that
+        is not known."""
+        found: dict[tuple[object, str, Place], set[str | None]] = {}
+        for system in self.systems:
+            every = (system, *(other for _, other in system.alternatives)) if system.launched is not None else ()
+            for end in (end for one in every for node in one.nodes for end in node.endpoints):
+                if end.node.blueprint is not None:
+                    key = (key_of(end.node.blueprint), end.kind, end.place)
+                    found.setdefault(key, set()).add(end.name if end.resolved else None)
+        return {key: frozenset(names_) for key, names_ in found.items()}
+
+    @cached_property
+    def namespaces(self) -> Mapping[object, frozenset[str]]:
+        """The namespaces in which whole systems have each node, by :func:`key_of`; a node of which one is not known
+        has several.  A launch file that another one includes counts where no other has the node."""
+        found: dict[object, set[str]] = {}
+        for system in sorted(self.systems, key=lambda one: one.part):
+            for node in system.nodes if system.name is not None else ():
+                if node.blueprint is None or (system.part and key_of(node.blueprint) in found):
+                    continue
+                known = [node.name.rpartition("/")[0]] if node.name is not None else ["", "?"]
+                found.setdefault(key_of(node.blueprint), set()).update(known)
+        return {key: frozenset(names) for key, names in found.items()}
+
+
+class LaunchSystems:
+    """Makes systems from launches, running executables again where parameters from outside change them."""
+
+    def __init__(
+        self,
+        linker: Linker,
+        entries: Iterable[EntryPoint],
+        parameters_of: Callable[[str], ParameterFacts],
+        installs: Mapping[str, Installs],
+        distro: str | None = None,
+    ) -> None:
+        self.linker = linker
+        self.entries = {(entry.package, entry.executable): entry for entry in entries}
+        self.parameters_of = parameters_of
+        self.installs = installs
+        self.distro = distro
+        self._programs: dict[tuple[object, ...], Program | None] = {
+            (*key, program.file): program for key, program in linker.started.items()
+        }
+        self._modules: dict[tuple[str | None, str, str], Module | None] = {}
+
+    def system(self, launched: Launched, closed: bool, dependencies: dict[str, frozenset[str]]) -> System:
+        nodes: list[Node] = []
+        for started in launched.started:
+            if not started.dormant and started.kind != "process":
+                made = self.nodes(started, launched.file)
+                self._note_doubt(started, made)
+                for node in made:
+                    node.condition = launched.condition(started.arms)
+                nodes.extend(made)
+        programs = list({id(node.program): node.program for node in nodes if node.program is not None}.values())
+        return System(
+            name=launched.file,
+            nodes=sorted(nodes, key=_order),
+            programs=programs,
+            closed=closed,
+            package_dependencies=dependencies,
+            launched=launched,
+        )
+
+    def _note_doubt(self, started: Started, made: Sequence[Node]) -> None:
+        """Say of nodes whose source is here where it does not fit what the launch file says of them."""
+        if any(node.external for node in made):
+            return
+        settings = [setting for node in made for setting in applied(started, known_name(node), self.parameters_of)]
+        reason = doubt(started, made, settings)
+        for node in made:
+            node.doubt = reason
+
+    # --------------------------------------------------------------------------------------------- nodes
+
+    def nodes(self, started: Started, launch_file: str) -> list[Node]:
+        """The nodes of one started process."""
+        program, words = self.program(started), None
+        if program is not None and _wants_words(program, started):
+            words = words_of(started)
+            again = None if words is None else self.program(started, None, words)
+            program = again if again is not None and _has_nodes(again) else program
+        if program is None or not _has_nodes(program):
+            return [self._unfollowed(started, program, launch_file)]
+        changes = outside(started, program, self.parameters_of, _rules(started))
+        if changes is not None:
+            again = self.program(started, changes, words)
+            program = again if again is not None and _has_nodes(again) else program
+        own = [one for one in program.nodes if not (one.test or one.made_again)]
+        made = [self._node(one, program, started, launch_file) for one in own]
+        if not any(node.is_node for node in made):
+            # It starts a node for sure, and all that is known of it is what some helper creates there.
+            made.append(self._unfollowed(started, program, launch_file))
+        return made
+
+    def _unfollowed(self, started: Started, program: Program | None, launch_file: str) -> Node:
+        node = _external(started, launch_file, self._why_unfollowed(started, program))
+        node.settings = sorted(applied(started, node.name, self.parameters_of), key=lambda setting: setting.name)
+        return node
+
+    def _node(self, blueprint: Blueprint, program: Program, started: Started, launch_file: str) -> Node:
+        node = instantiate(
+            blueprint,
+            program,
+            name=started.name,
+            namespace=started.namespace,
+            remaps=_rules(started),
+            launched_by=launch_file,
+            distro=self.distro,
+        )
+        # The program has run with its parameters: its names are final.
+        if blueprint.use_global_arguments:
+            node.overrides = overrides_of(started, known_name(node), self.parameters_of)
+        node.launch_place = started.place
+        node.started = started
+        node.alternatives = started.arms
+        node.package = started.package.text or node.package
+        node.executable = started.executable.text or node.executable
+        _forget_unknown_remaps(node, started)
+        _forget_defaults(node, started, self.parameters_of)
+        return node
+
+    def _why_unfollowed(self, started: Started, program: Program | None) -> str | None:
+        """Why an executable of this workspace has no node; None for one that is not here."""
+        if (started.package.text or "", started.executable.text or "") not in self.entries:
+            return None
+        return "the file that it starts is not here" if program is None else "no node was found in the code it starts"
+
+    def program(
+        self, started: Started, changes: Overrides | None = None, words: tuple[Word, ...] | None = None
+    ) -> Program | None:
+        """The program of an executable, run with parameters and the words of a command line from outside; None
+        for one that is not here."""
+        package, executable = started.package.text, started.executable.text
+        if package is None or executable is None or started.kind not in ("node", "process"):
+            return None
+        entry = self.entries.get((package, executable))
+        if entry is None:
+            return None
+        module = self._module(entry, posixpath.dirname(started.file))
+        if module is None:
+            return None
+        key: tuple[object, ...] = (package, executable, module.path)
+        if changes is not None or words is not None:
+            key = (*key, None if changes is None else changes.key, words)
+        if key not in self._programs:
+            if len(self._programs) > RERUNS:
+                return self._programs.get((package, executable, module.path))
+            self._programs[key] = self.linker.run_entry(entry, module, changes, words)
+        return self._programs[key]
+
+    def _module(self, entry: EntryPoint, folder: str) -> Module | None:
+        key = (entry.package, entry.executable, folder)
+        if key not in self._modules:
+            self._modules[key] = self.linker.module_of(entry, f"{folder}/")
+        return self._modules[key]
+
+
+def _wants_words(program: Program, started: Started) -> bool:
+    """Whether the words of a command line can change what a program creates."""
+    if started.arguments:
+        return program.parses_command_line or program.reads_command_line
+    return program.parses_command_line and (not _has_nodes(program) or is_undecided(program.nodes))
+
+
+def _has_nodes(program: Program) -> bool:
+    return any(not blueprint.test for blueprint in program.nodes)
+
+
+def _rules(started: Started) -> list[RemapRule]:
+    """The remap rules of the process in the order of its command line."""
+    arguments = [word for word in [*started.arguments, "--ros-args", *started.ros_arguments] if word is not None]
+    found = rules_of_arguments(arguments)
+    for remap in started.remaps:
+        if _known(remap.source) and _known(remap.target):
+            try:
+                found.append(RemapRule.parse(f"{remap.source.text}:={remap.target.text}"))
+            except ValueError:
+                continue
+    return found
+
+
+def _known(text: Text) -> bool:
+    return text.text is not None and text.resolution in ("exact", "parameter")
+
+
+def _forget_unknown_remaps(node: Node, started: Started) -> None:
+    """A remapping to a name that is not known leaves the name unknown."""
+    sources = [r.source.text for r in started.remaps if _known(r.source) and not _known(r.target)]
+    if not sources or node.blueprint is None or (node.name is None and node.is_node):
+        return
+    namespace, _, own = (node.name or f"{_namespace(started)}/_").rpartition("/")
+    for source in sources:
+        expanded = names.expand(source or "", own, namespace or "/")
+        for number, endpoint in enumerate(node.endpoints):
+            if endpoint.name == expanded and endpoint.resolved:
+                node.endpoints[number] = _unknown(endpoint)
+
+
+def _forget_defaults(node: Node, started: Started, parameters_of: Callable[[str], ParameterFacts]) -> None:
+    """Parameters that are not known, a file that is not found say, may set whatever the nodes declare: what only their
+    defaults name is not known.  What comes after them on the command line holds."""
+    unread = [number for number, one in enumerate(started.parameters) if _sets_anything(one)]
+    if not unread or node.blueprint is None or not node.blueprint.use_global_arguments:
+        return
+    later = replace(started, parameters=started.parameters[unread[-1] + 1 :], arguments=[], ros_arguments=[])
+    held = overrides_of(later, known_name(node), parameters_of)
+    for number, endpoint in enumerate(node.endpoints):
+        decided_by = set((endpoint.parameter or "").split(",")) - {""}
+        if endpoint.resolved and not held.keys() >= decided_by:
+            reason = "its parameter may be set by parameters of the launch file that are not known"
+            node.endpoints[number] = replace(endpoint, name=None, resolution="unknown", reason=reason)
+
+
+def _sets_anything(given: ParameterSetting | ParameterFileUse | OpenParameters) -> bool:
+    if isinstance(given, ParameterSetting):
+        return given.name is None
+    return given.reference.source is None if isinstance(given, ParameterFileUse) else not given.of_several
+
+
+def _namespace(started: Started) -> str:
+    """The namespace that a launch file gives, without a slash at the end."""
+    given = started.namespace
+    return (given.text or "").rstrip("/") if given is not None and _known(given) else ""
+
+
+def _unknown(endpoint: Endpoint) -> Endpoint:
+    reason = "the launch file remaps it to a name that is not known"
+    return replace(endpoint, name=None, resolution="unknown", reason=reason)
+
+
+def _external(started: Started, launch_file: str, unfollowed: str | None) -> Node:
+    """A node whose source is not here or of no use, with what the launch file says of its name."""
+    name = started.name.text if started.name is not None and _known(started.name) else None
+    namespace: str | None = "/"
+    if started.namespace is not None:
+        namespace = started.namespace.text if _known(started.namespace) else None
+    full = None if name is None or namespace is None else names.join(namespace, name)
+    return Node(
+        name=full,
+        blueprint=None,
+        package=started.package.text,
+        executable=started.executable.text,
+        executor="unknown",
+        launched_by=launch_file,
+        external=True,
+        unfollowed=unfollowed,
+        alternatives=started.arms,
+        started=started,
+        launch_place=started.place,
+        resolution="exact" if full is not None else "unknown",
+    )
+
+
+def _order(node: Node) -> tuple[object, ...]:
+    place = node.launch_place
+    where = (place.file, place.line, place.column) if place else ("", 0, 0)
+    return (node.name is None, node.name or "", *where, node.blueprint.class_name if node.blueprint else "")
+
+
+def started_pairs(
+    launches: Iterable[Launched], blueprints: Mapping[tuple[str, str], Sequence[Blueprint]]
+) -> set[frozenset[object]]:
+    """Pairs of node classes that one launch file starts: it, not the open system, judges them together."""
+    found: set[frozenset[object]] = set()
+    for launched in launches:
+        keys: dict[object, None] = {}
+        for started in launched.started:
+            package, executable = started.package.text, started.executable.text
+            for blueprint in blueprints.get((package or "", executable or ""), ()):
+                keys.setdefault(key_of(blueprint))
+        every = list(keys)
+        if len(every) <= 200:
+            found.update(frozenset((one, other)) for n, one in enumerate(every) for other in every[n:])
+    return found
+
+
+def key_of(blueprint: Blueprint) -> object:
+    return (blueprint.place, blueprint.class_name)
+
+
+def display_name(launch_file: str) -> str:
+    return posixpath.basename(launch_file)

@@ -1,0 +1,109 @@
+"""Which launch files are systems, and how the open system is judged beside them."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from typing import TYPE_CHECKING
+
+from archlint.finding import Place
+from archlint.launch.load import LaunchLoader
+from archlint.launch.model import UNKNOWN, Launched
+from archlint.model import Blueprint, Program
+from archlint.systems.launched import LaunchSystems, World, started_pairs
+from archlint.systems.model import System
+from archlint.systems.variants import undecided_arguments
+
+if TYPE_CHECKING:
+    from archlint.config.values import Glob
+    from archlint.programs.linker import EntryPoint, Linker
+
+
+def launch_systems(
+    opened: System,
+    linker: Linker,
+    entries: Sequence[EntryPoint],
+    loader: LaunchLoader,
+    world: World,
+    *,
+    closed: bool,
+    chosen: str | None = None,
+    arguments: Mapping[str, str] | None = None,
+    configured: Sequence[Glob] = (),
+    distro: str | None = None,
+) -> list[System]:
+    """The open system and one for each launch file (of those that are configured); only the chosen one, where
+    one is named.
+
+    All of them share ``world``, which is filled here.
+    """
+
+    def work() -> list[System]:
+        launched = launches(loader, chosen, arguments)
+        world.launched = launched
+        world.parameters_of = loader.parameters
+        world.explicit = chosen is not None
+        maker = LaunchSystems(linker, entries, loader.parameters, loader.installs, distro)
+        dependencies = opened.package_dependencies
+        parts = _parts(launched)
+        systems = []
+        for one in launched:
+            with loader.faults.apart("making the system of this launch file", Place(one.file, 1, 1, 1, 1)):
+                named = chosen is not None or any(glob.matches(one.file) for glob in configured)
+                if one.ros1 or not one.is_launch_file or (configured and not named):
+                    continue
+                system = maker.system(one, closed, dependencies)
+                system.part = one.file in parts
+                # The nodes of a part may have their partners beside it.
+                system.closed = (closed and not system.part) or (named and _whole(one, system))
+                for values in undecided_arguments(one) if _differs(system) else ():
+                    other = maker.system(loader.launch(one.file, {**one.arguments, **values}), closed, dependencies)
+                    other.closed, other.part = system.closed, system.part
+                    system.alternatives.append((values, other))
+                systems.append(system)
+        opened.apart = frozenset(started_pairs(launched, _by_executable(opened.programs)))
+        return systems
+
+    systems = work()
+    found = systems if chosen is not None else [opened, *systems]
+    world.systems = found
+    for system in found:
+        system.world = world
+        for _, other in system.alternatives:
+            other.world = world
+    return found
+
+
+def _parts(launches_: Sequence[Launched]) -> set[str | None]:
+    """The launch files that others include."""
+    return {
+        include.reference.source
+        for one in launches_
+        for include in one.included
+        if include.file != include.reference.source
+    }
+
+
+def launches(loader: LaunchLoader, chosen: str | None, arguments: Mapping[str, str] | None) -> list[Launched]:
+    """The launch files of the workspace with their defaults, or the chosen one with its arguments."""
+    if chosen is not None:
+        return [loader.launch(chosen, arguments)]
+    return [loader.launch(path) for path in loader.launch_files()]
+
+
+def _differs(system: System) -> bool:
+    """Whether arguments that nothing decides can change what is judged: something of it runs only with some."""
+    return any(node.condition for node in system.nodes) and not all(node.external for node in system.nodes)
+
+
+def _whole(launched: Launched, system: System) -> bool:
+    """Whether everything that a launch file starts is here and was followed."""
+    included = all(include.reference.status not in (UNKNOWN, "external") for include in launched.included)
+    return included and not launched.gaps and not any(node.external for node in system.nodes)
+
+
+def _by_executable(programs: Sequence[Program]) -> dict[tuple[str, str], list[Blueprint]]:
+    found: dict[tuple[str, str], list[Blueprint]] = {}
+    for program in programs:
+        if program.executable:
+            found.setdefault((program.package or "", program.name), []).extend(program.nodes)
+    return found

@@ -1,0 +1,287 @@
+"""A system: nodes that run together, under their final names, and who talks to whom."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from functools import cached_property
+from typing import TYPE_CHECKING, TypeVar
+
+from archlint import model as program
+from archlint.launch.model import NOT_FOLLOWED
+
+if TYPE_CHECKING:
+    from collections.abc import Iterable, Iterator, Sequence
+
+    from archlint.finding import Place
+    from archlint.launch.model import Launched, Started
+    from archlint.model import ApiCall, Blueprint, Callback, Creation, ParameterDeclaration, Program, Qos
+    from archlint.observed.model import Comparison
+    from archlint.ros.remapping import RemapRule
+    from archlint.systems.launched import World
+    from archlint.systems.overrides import Setting
+    from archlint.systems.resolution import NodeName
+
+
+@dataclass(eq=False)
+class Endpoint:
+    """A creation of one node under its final name.
+
+    ``name`` is the fully qualified name (a pattern with ``*`` for partial ones), or None where the name, the
+    node's name or its namespace is unknown.  ``error`` is set where rcl rejects the name, in rcl's words.
+    """
+
+    creation: Creation
+    node: Node
+    name: str | None
+    error: str | None = None
+    resolution: str = "exact"
+    parameter: str | None = None
+    reason: str | None = None
+
+    @property
+    def kind(self) -> str:
+        return self.creation.kind
+
+    @property
+    def type(self) -> str | None:
+        return self.creation.type
+
+    @property
+    def qos(self) -> Qos | None:
+        return self.creation.qos
+
+    @property
+    def place(self) -> Place:
+        return self.creation.place
+
+    @property
+    def conditional(self) -> bool:
+        return self.creation.conditional
+
+    @property
+    def written(self) -> str | None:
+        return self.creation.name.text
+
+    @property
+    def resolved(self) -> bool:
+        """True for one known name, be it a parameter's default."""
+        return self.name is not None and self.resolution in ("exact", "parameter")
+
+
+@dataclass(eq=False)
+class Node:
+    """A node of a system.  ``name`` is its fully qualified name, None where unknown.
+
+    Of ``external`` nodes only the launch file that starts them is known: their source is not in this workspace, or
+    ``unfollowed`` says why it was of no use.
+    """
+
+    name: str | None
+    blueprint: Blueprint | None
+    package: str | None
+    executable: str | None
+    executor: str
+    launched_by: str | None = None
+    external: bool = False
+    unfollowed: str | None = None
+    doubt: str | None = None
+    """Why what was found of its code is perhaps not all: the launch file names much that is not in it."""
+    endpoints: list[Endpoint] = field(default_factory=list)
+    alternatives: frozenset[tuple[str, int]] = frozenset()
+    """Branches of launch files that this node depends on (as ``Creation.arms``)."""
+    condition: str | None = None
+    """What the launch file says of when it starts this node (``use_sim:=true``), where no argument decides that;
+    None for always."""
+    program: Program | None = None
+    launch_place: Place | None = None
+    overrides: dict[str, object] = field(default_factory=dict)
+    settings: list[Setting] = field(default_factory=list)
+    """The parameters that a launch file sets on an external node: what it declares is not known."""
+    resolution: str = "exact"
+    """How far ``name`` is known, as for endpoints; a ``partial`` name has holes."""
+    error: str | None = None
+    """Set where ROS rejects the node's name or namespace, in rmw's words."""
+    executables: tuple[str, ...] = ()
+    """All executables that start this node; ``executable`` is the first of them."""
+    started: Started | None = None
+    """What the launch file says of it."""
+    own: NodeName | None = None
+    """Its name and namespace apart, as far as they are known; None for a node whose source is not here."""
+    rules: Sequence[RemapRule] = ()
+    """The remap rules that its names meet, in rcl's order."""
+    merged: list[Blueprint] = field(default_factory=list)
+    """The same node as other executables make it; ``endpoints`` hold what these add."""
+
+    @property
+    def test(self) -> bool:
+        return self.blueprint is not None and self.blueprint.test
+
+    @property
+    def is_node(self) -> bool:
+        """False for what only stands for a node that is not known: a helper that nothing here hands one."""
+        return self.blueprint is None or not all(blueprint.held for blueprint in self.blueprints)
+
+    def of_kind(self, *kinds: str) -> Iterator[Endpoint]:
+        return (endpoint for endpoint in self.endpoints if endpoint.kind in kinds)
+
+    @property
+    def blueprints(self) -> list[Blueprint]:
+        return [] if self.blueprint is None else [self.blueprint, *self.merged]
+
+    @property
+    def timers(self) -> list[Creation]:
+        """Each create call once, in source order."""
+        timers = (c for b in self.blueprints for c in b.creations if c.kind == program.TIMER)
+        return _once_for_each_place(timers)
+
+    @property
+    def parameters(self) -> list[ParameterDeclaration]:
+        """Each declaration once, in source order; one call may declare several names."""
+        return _once_for_each_place(p for b in self.blueprints for p in b.parameters)
+
+
+@dataclass(eq=False)
+class Connection:
+    """All endpoints of one resolved topic, service or action name: ``providers`` are publishers or servers,
+    ``users`` subscriptions or clients."""
+
+    kind: str
+    """``topic``, ``service`` or ``action``."""
+    name: str
+    providers: list[Endpoint] = field(default_factory=list)
+    users: list[Endpoint] = field(default_factory=list)
+
+    @property
+    def types(self) -> list[str]:
+        return sorted({e.type for e in (*self.providers, *self.users) if e.type is not None})
+
+
+@dataclass(eq=False)
+class System:
+    """What is judged and drawn.  ``name`` is the launch file (relative path), None without one.
+
+    ``closed`` is the closed world of the rules: nothing outside takes part.
+    """
+
+    name: str | None
+    nodes: list[Node]
+    programs: list[Program]
+    closed: bool = False
+    part: bool = False
+    """Whether another launch file includes this one, perhaps in a namespace and with other arguments."""
+    package_dependencies: dict[str, frozenset[str]] = field(default_factory=dict)
+    """Package → packages of this workspace it depends on (transitively)."""
+
+    launched: Launched | None = None
+    """The launch that starts this system."""
+    alternatives: list[tuple[dict[str, str], System]] = field(default_factory=list)
+    """The systems that it may be, with the launch arguments that make them, where nothing decides some."""
+    world: World | None = None
+    neighbours: list[Node] = field(default_factory=list)
+    """For drawing: the nodes at the other end of what ``nodes`` have, that were not asked for, with these ends only."""
+    apart: frozenset[frozenset[object]] = frozenset()
+    """Pairs of node classes, each as ``(place, class name)``, that some launch file starts together."""
+    compared: Comparison | None = None
+    """What came of holding it against a running system, where one was recorded."""
+    unowned: list[Node] = field(default_factory=list)
+    """What is used by nodes that are not known.  Where ``nodes`` are given with such entries, these move here."""
+
+    def __post_init__(self) -> None:
+        self.unowned = [*self.unowned, *(node for node in self.nodes if not node.is_node)]
+        self.nodes = [node for node in self.nodes if node.is_node]
+
+    @property
+    def entries(self) -> list[Node]:
+        """The nodes, then what is used by nodes that are not known."""
+        return [*self.nodes, *self.unowned]
+
+    @property
+    def drawn(self) -> list[Node]:
+        """The entries, then the neighbours."""
+        return [*self.entries, *self.neighbours]
+
+    def started_together(self, one: Node, other: Node) -> bool:
+        """Whether a launch file starts both nodes, in a system that is judged by itself."""
+        if not self.apart or one.blueprint is None or other.blueprint is None:
+            return False
+        pair = [(b.place, b.class_name) for b in (one.blueprint, other.blueprint)]
+        return frozenset(pair) in self.apart
+
+    @property
+    def endpoints(self) -> Iterator[Endpoint]:
+        return (endpoint for node in self.entries for endpoint in node.endpoints)
+
+    @cached_property
+    def topics(self) -> dict[str, Connection]:
+        return self._connections("topic", program.PUBLISHER, program.SUBSCRIBER)
+
+    @cached_property
+    def services(self) -> dict[str, Connection]:
+        return self._connections("service", program.SERVICE, program.CLIENT)
+
+    @cached_property
+    def actions(self) -> dict[str, Connection]:
+        return self._connections("action", program.ACTION_SERVER, program.ACTION_CLIENT)
+
+    def _connections(self, kind: str, provider: str, user: str) -> dict[str, Connection]:
+        found: dict[str, Connection] = {}
+        for endpoint in (end for node in self.drawn for end in node.endpoints):
+            if endpoint.kind not in (provider, user) or not endpoint.resolved or endpoint.error:
+                continue
+            assert endpoint.name is not None
+            connection = found.setdefault(endpoint.name, Connection(kind, endpoint.name))
+            (connection.providers if endpoint.kind == provider else connection.users).append(endpoint)
+        return dict(sorted(found.items()))
+
+    @property
+    def calls(self) -> Iterator[ApiCall]:
+        return (call for run in self.programs for call in run.calls)
+
+    @property
+    def callbacks(self) -> Iterator[Callback]:
+        return (callback for run in self.programs for callback in run.callbacks)
+
+    def together(self, one: Node, other: Node) -> bool:
+        """Whether two nodes can run in one system: a launch file starts both, or they are of one package,
+        or one package depends on the other.  Test code never runs together with anything else; opposite
+        branches exclude each other."""
+        if one.test or other.test:
+            return False
+        if exclusive(one.alternatives, other.alternatives):
+            return False
+        if self.name is None and self.started_together(one, other):
+            return False  # the launch file's own system judges them, under their final names
+        if self.name is not None or self.closed:
+            return True
+        if one.package is None or other.package is None:
+            return one.package is None and other.package is None
+        if one.package == other.package:
+            return True
+        return other.package in self.package_dependencies.get(
+            one.package, frozenset()
+        ) or one.package in self.package_dependencies.get(other.package, frozenset())
+
+
+_Placed = TypeVar("_Placed", "Creation", "ParameterDeclaration")
+
+
+def _once_for_each_place(items: Iterable[_Placed]) -> list[_Placed]:
+    found: dict[tuple[Place, str, float], _Placed] = {}
+    for item in items:
+        found.setdefault((item.place, item.name.text or "", getattr(item, "period", None) or 0.0), item)
+    return [found[key] for key in sorted(found)]
+
+
+def exclusive(one: frozenset[tuple[str, int]], other: frozenset[tuple[str, int]]) -> bool:
+    """Whether two sets of ``(branch, arm)`` name different arms of one branch."""
+    arms = dict(one)
+    return any(branch in arms and arms[branch] != arm for branch, arm in other)
+
+
+def runs_along(one: frozenset[tuple[str, int]], other: frozenset[tuple[str, int]]) -> bool:
+    """Whether, of two nodes in these branches, one runs whenever the other does, and the other may.
+
+    A condition that is not followed may never hold: a node under it is held only against one under the same.
+    """
+    few, more = sorted((one, other), key=len)
+    return few <= more and not any(branch.startswith(NOT_FOLLOWED) for branch, _ in more - few)

@@ -1,0 +1,151 @@
+"""Which parameter values and node names from outside a program has to run again with."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from typing import TYPE_CHECKING
+
+from archlint.launch.model import OpenParameters, ParameterFileUse, ParameterSetting
+from archlint.model import ENDPOINT_KINDS, Blueprint, Creation, Overrides, Program, Text, node_key
+from archlint.systems.instances import instantiate
+from archlint.systems.overrides import overrides_of
+
+if TYPE_CHECKING:
+    from archlint.launch.model import Started
+    from archlint.ros.remapping import RemapRule
+    from archlint.syntax.parameter_files import ParameterFacts
+    from archlint.systems.model import Node
+
+_NO_DEFAULT = object()
+
+
+def known_name(node: Node) -> str | None:
+    """The full name of a node, where it is one."""
+    return node.name if node.resolution in ("exact", "parameter") else None
+
+
+def outside(
+    started: Started,
+    program: Program,
+    parameters_of: Callable[[str], ParameterFacts],
+    remaps: Sequence[RemapRule] = (),
+) -> Overrides | None:
+    """What is set on the nodes of a process, or named otherwise, and can change what the program creates; None where
+    nothing is.
+
+    ``remaps`` are the rules of its command line: they may rename a node, and parameter files go by final names.
+    """
+    found: dict[tuple[str | None, str | None], Mapping[str, object]] = {}
+    names: dict[tuple[str | None, str | None], tuple[Text, Text]] = {}
+    nodes = [blueprint for blueprint in program.nodes if not blueprint.test]
+    for blueprint in nodes:
+        node = instantiate(blueprint, program, name=started.name, namespace=started.namespace, remaps=remaps)
+        if program.reads_node_names and node.own is not None and node.own != instantiate(blueprint, program).own:
+            names[node_key(blueprint)] = (node.own.name, node.own.namespace)
+        reached = blueprint.use_global_arguments
+        found[node_key(blueprint)] = overrides_of(started, known_name(node), parameters_of) if reached else {}
+    everything, mentioned = _decided_by(program)
+    decisive = {
+        key: _decisive([node for node in nodes if node_key(node) == key], values, everything, mentioned)
+        for key, values in found.items()
+    }
+    defaults = _defaults_that_hold(started, nodes, found)
+    if not names and not any(decisive.values()) and not (defaults and is_undecided(nodes)):
+        return None
+    others = next(iter(decisive.values())) if len(decisive) == 1 else overrides_of(started, None, parameters_of)
+    return Overrides(decisive, others, _settled(nodes, decisive) | defaults, names)
+
+
+def is_undecided(nodes: Iterable[Blueprint]) -> bool:
+    """Whether something that nodes create, or a name of theirs, depends on what has not been decided."""
+    return any(
+        node.name.resolution in _UNCLEAR
+        or any(c.conditional or (c.kind in ENDPOINT_KINDS and _is_unclear(c)) for c in node.creations)
+        for node in nodes
+    )
+
+
+def _is_unclear(creation: Creation) -> bool:
+    return creation.name.resolution in _UNCLEAR or creation.type is None
+
+
+_UNCLEAR = ("partial", "unknown")
+
+
+def _defaults_that_hold(
+    started: Started,
+    nodes: list[Blueprint],
+    values: Mapping[tuple[str | None, str | None], Mapping[str, object]],
+) -> frozenset[str]:
+    """Parameters that the launch is seen to leave alone: what starts has their defaults."""
+    if not _all_is_known(started):
+        return frozenset()
+    every = [declaration for node in nodes for declaration in node.parameters]
+    unclear = {declaration.name.text for declaration in every if not declaration.known}
+    given = {name for settings in values.values() for name in settings}
+    return frozenset({d.name.text for d in every if d.name.text is not None} - unclear - given)
+
+
+def _all_is_known(started: Started) -> bool:
+    """Whether everything that a launch file says about the parameters of a process could be read."""
+    words = [*started.arguments, *started.ros_arguments]
+    return (
+        None not in words
+        and "--params-file" not in words
+        and not any(isinstance(parameter, OpenParameters) for parameter in started.parameters)
+        and all(p.name is not None for p in started.parameters if isinstance(p, ParameterSetting))
+        and all(p.reference.source is not None for p in started.parameters if isinstance(p, ParameterFileUse))
+    )
+
+
+def _decided_by(program: Program) -> tuple[bool, set[str]]:
+    """The parameters that names, periods and QoS come from; first whether any other may matter, too."""
+    mentioned: set[str] = set()
+    everything = False
+    for blueprint in program.nodes:
+        everything |= _takes_any(blueprint)
+        for creation in blueprint.creations:
+            unclear = creation.name.resolution in _UNCLEAR and creation.kind in ENDPOINT_KINDS
+            everything |= creation.conditional or unclear
+            qos = creation.qos and creation.qos.parameter
+            for names in (creation.name.parameter, creation.period_parameter, creation.type_parameter, qos):
+                mentioned.update((names or "").split(","))
+    return everything, mentioned
+
+
+def _takes_any(blueprint: Blueprint) -> bool:
+    """Whether a node takes parameters that it does not declare by a known name."""
+    unknown = any(declaration.name.text is None for declaration in blueprint.parameters)
+    return unknown or blueprint.allow_undeclared_parameters or blueprint.automatically_declare_parameters
+
+
+def _decisive(
+    nodes: list[Blueprint], values: Mapping[str, object], everything: bool, mentioned: set[str]
+) -> dict[str, object]:
+    """The values of parameters that the nodes of one name declare (or may declare), where something that they
+    create depends on them: with another default, or deciding a branch that a default does not."""
+    defaults: dict[str, object] = {}
+    for declaration in (declaration for node in nodes for declaration in node.parameters):
+        if declaration.name.text is not None:
+            defaults[declaration.name.text] = declaration.default if declaration.known else _NO_DEFAULT
+    any_name = not defaults or any(map(_takes_any, nodes))
+    return {
+        name: value
+        for name, value in values.items()
+        if (everything and (any_name or name in defaults))
+        or (name in mentioned and not _same(defaults.get(name, _NO_DEFAULT), value))
+    }
+
+
+def _same(default: object, value: object) -> bool:
+    return type(default) is type(value) and default == value
+
+
+def _settled(
+    nodes: list[Blueprint], values: Mapping[tuple[str | None, str | None], Mapping[str, object]]
+) -> frozenset[str]:
+    found = {name for settings in values.values() for name in settings}
+    for node in nodes:
+        declared = {declaration.name.text for declaration in node.parameters}
+        found -= {name for name in found & declared if name is not None and name not in values[node_key(node)]}
+    return frozenset(found)

@@ -1,0 +1,191 @@
+"""Which parameter values a started node gets: rclpy's matching of node keys, in the order of the command line."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass
+from functools import lru_cache
+from typing import Any
+
+from archlint.finding import Place
+from archlint.launch.model import OpenParameters, ParameterFileUse, ParameterSetting, Started
+from archlint.ros import names
+from archlint.syntax.parameter_files import NotKnown, ParameterFacts, ParameterSection
+from archlint.syntax.safe_yaml import plain_scalar
+from archlint.systems.rewritten import rewritten
+
+EVERY_NODE = "/**"
+
+
+@lru_cache(maxsize=10_000)
+def _pattern(key: str) -> re.Pattern[str]:
+    pieces = []
+    for token in key.strip("/").split("/"):
+        if token == "**":
+            pieces.append("(?:/[^/]+)*")
+        elif token == "*":
+            pieces.append("/[^/]+")
+        else:
+            pieces.append("/" + re.escape(token))
+    return re.compile("".join(pieces))
+
+
+def key_matches(key: str, node: str | None) -> bool:
+    """Whether a node key of a parameter file is for a node; one of unknown name is matched by ``/**`` only."""
+    if node is None:
+        return key.strip("/") == "**"
+    return _pattern(key).fullmatch(node) is not None
+
+
+@dataclass(frozen=True)
+class Setting:
+    """One value for one parameter from outside: for the nodes that ``key`` matches, ``written`` as it stands
+    in a parameter file (None for what the launch file itself sets), ``value_place`` where the launch puts another
+    value in."""
+
+    key: str
+    name: str
+    value: object
+    place: Place
+    written: str | None = None
+    shared: bool = False
+    within: tuple[tuple[str, Place], ...] = ()
+    """The keys of the dicts that launch took apart to come to the name, as in ``ParameterSetting``."""
+    value_place: Place | None = None
+
+
+def overrides_of(started: Started, node: str | None, facts_of: Callable[[str], ParameterFacts]) -> dict[str, object]:
+    """The parameters that a launch file sets on one node, by name; :class:`NotKnown` where only the value is
+    not known."""
+    return {setting.name: setting.value for setting in applied(started, node, facts_of)}
+
+
+def applied(started: Started, node: str | None, facts_of: Callable[[str], ParameterFacts]) -> list[Setting]:
+    """The settings that reach one node, each name once, as rclpy applies them."""
+    by_key: dict[str, dict[str, Setting]] = {}
+    for setting in settings_of(started, node, facts_of):
+        by_key.setdefault(setting.key, {})[setting.name] = setting
+    found: dict[str, Setting] = {}
+    for key, settings in by_key.items():  # in the order in which the keys first appear
+        if key_matches(key, node):
+            found.update(settings)
+    return list(found.values())
+
+
+def settings_of(started: Started, node: str | None, facts_of: Callable[[str], ParameterFacts]) -> Iterator[Setting]:
+    """Everything that is set on the command line of a process, in its order."""
+    words = [*started.arguments, "--ros-args", *started.ros_arguments]
+    for name, value in command_line_parameters(words):
+        yield Setting(EVERY_NODE, name, value, started.places.get("arguments", started.place))
+    own = _own_key(started)
+    for parameter in started.parameters:
+        if isinstance(parameter, ParameterSetting) and parameter.name is not None:
+            key = EVERY_NODE if parameter.shared else own
+            value, place = parameter.value, parameter.place
+            yield Setting(key, parameter.name, value, place, shared=parameter.shared, within=parameter.within)
+        elif isinstance(parameter, ParameterFileUse) and parameter.reference.source is not None:
+            file = parameter.reference.source
+            for section in rewritten(_sections_for(started, facts_of(file)), parameter.changes):
+                nodes = substituted(section.key, parameter)
+                for entry in section.entries:
+                    set_here = substituted(entry.name, parameter)
+                    if set_here is None:
+                        continue  # which parameter it is, nobody can say
+                    yield Setting(
+                        section.key if nodes is None else nodes,
+                        set_here,
+                        entry.value if entry.changed else file_value(entry.value, parameter, entry.quoted),
+                        parameter.place if entry.added else Place(file, *entry.span),
+                        None if entry.added else section.written,
+                        parameter.shared or (entry.added and "*" in section.key),
+                        value_place=parameter.place if entry.changed else None,
+                    )
+
+
+def _sections_for(started: Started, read: ParameterFacts) -> tuple[ParameterSection, ...]:
+    """The sections of a parameter file; of one without any, a component takes everything (``to_parameters_list`` of
+    launch_ros), and a node nothing."""
+    if read.sections or not read.plain or started.kind != "component":
+        return read.sections
+    return (ParameterSection(EVERY_NODE, "", read.plain[0].span, read.plain, ("**",)),)
+
+
+def _own_key(started: Started) -> str:
+    """The key under which launch_ros writes the dicts of ``parameters=``: the node's full name, if the launch file
+    gives both parts of it."""
+    name, namespace = started.name, started.namespace
+    if name is None or namespace is None:
+        return EVERY_NODE
+    known = name.text is not None and namespace.text is not None and "*" not in name.text + namespace.text
+    return names.join(namespace.text or "/", name.text or "") if known else EVERY_NODE
+
+
+def file_value(value: Any, use: ParameterFileUse, quoted: bool = False) -> object:
+    """A value of a parameter file; with ``allow_substs`` a ``$(var …)`` in a text is put in where that is known.
+
+    A ``quoted`` text stays one; any other is read again, as what it is then.
+    """
+    if not use.substitutions or "$(" not in str(value):
+        return value
+    if isinstance(value, list):
+        return _list_value(value, use)
+    text = substituted(value, use) if isinstance(value, str) else None
+    if text is None or not _WORDS.fullmatch(text):
+        return _not_substituted(value, use)
+    if quoted:
+        return text
+    return plain_scalar(text) if _WORD.fullmatch(text) else NotKnown("a text that YAML may read in several ways")
+
+
+def _list_value(values: list[Any], use: ParameterFileUse) -> object:
+    """Of what stands in a list, quotes are not kept: a text is known where it is one without them, too."""
+    found = [file_value(one, use) for one in values]
+    changed = [now for one, now in zip(values, found, strict=True) if now is not one]
+    if all(isinstance(now, str) for now in changed):
+        return found
+    return next((now for now in changed if isinstance(now, NotKnown)), _not_substituted(values, use))
+
+
+def _not_substituted(value: object, use: ParameterFileUse) -> NotKnown:
+    """Why what stands in a file is not known: for the first substitution in it that is not."""
+    known = dict(use.configurations)
+    for found in _SUBSTITUTION.finditer(str(value)):
+        if found[1] == "env":
+            return NotKnown(f"the environment variable {found[2]}")
+        if found[1] != "var" or found[2] not in known:
+            return NotKnown(f"'{found[0]}' in a parameter file")
+    return NotKnown("a text that YAML may read in several ways")
+
+
+_SUBSTITUTION = re.compile(r"\$\(([\w-]+)(?: ([^()\s]+))?[^()]*\)?")
+_WORD = re.compile(r"[\w/.~+-]+")
+_WORDS = re.compile(r"""[^'"\\\n]*""")
+_VARIABLE = re.compile(r"\$\(var ([^()\s]+)(?: [^()]*)?\)")
+
+
+def substituted(text: str, use: ParameterFileUse) -> str | None:
+    """A text of a parameter file with its launch configurations put in; None where one is not known."""
+    if not use.substitutions or "$(" not in text:
+        return text
+    known = dict(use.configurations)
+    found = _VARIABLE.sub(lambda match: known.get(match[1], match[0]), text)
+    return None if "$(" in found else found
+
+
+def command_line_parameters(words: Sequence[str | None]) -> Iterator[tuple[str, object]]:
+    """``-p name:=value`` between ``--ros-args`` and ``--``."""
+    inside = expect = False
+    for word in words:
+        if word in ("--ros-args", "--"):
+            inside, expect = word == "--ros-args", False
+        elif inside and expect and word is not None and ":=" in word:
+            name, _, value = word.partition(":=")
+            expect = False
+            if ":" not in name:
+                yield name, plain_scalar(value)
+        else:
+            expect = inside and word in ("-p", "--param")
+
+
+__all__ = ["NotKnown", "OpenParameters", "key_matches", "overrides_of"]

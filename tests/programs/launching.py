@@ -1,0 +1,110 @@
+"""Runs launch files of a small workspace."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from archlint.launch.load import LaunchLoader
+from archlint.launch.model import Launched, Started
+from archlint.programs.entry_points import read_installs
+from archlint.syntax.compile import compile_python
+from archlint.syntax.python.deep_stack import call_with_deep_stack
+from archlint.workspace.discovery import find
+from archlint.workspace.tree import SourceTree
+
+PACKAGE = "<package><name>{name}</name><export><build_type>ament_python</build_type></export></package>"
+SETUP = """\
+from glob import glob
+from setuptools import setup
+setup(
+    name='{name}',
+    data_files=[('share/{name}/launch', glob('launch/*')), ('share/{name}/config', glob('config/*'))],
+    entry_points={{'console_scripts': ['talker = {name}.talker:main']}},
+)
+"""
+PYTHON = """\
+import os
+from ament_index_python.packages import get_package_share_directory
+from launch import LaunchDescription
+from launch.actions import *
+from launch.actions import (DeclareLaunchArgument, GroupAction, IncludeLaunchDescription, OpaqueFunction,
+    TimerAction, RegisterEventHandler, ExecuteProcess, SetLaunchConfiguration)
+from launch.conditions import IfCondition, UnlessCondition, LaunchConfigurationEquals
+from launch.event_handlers import OnProcessExit
+from launch.launch_description_sources import PythonLaunchDescriptionSource, AnyLaunchDescriptionSource
+from launch.substitutions import (LaunchConfiguration, PathJoinSubstitution, PythonExpression, TextSubstitution,
+    EnvironmentVariable, Command, ThisLaunchFileDir)
+from launch_ros.actions import (Node, PushRosNamespace, SetRemap, SetParameter, ComposableNodeContainer,
+    LoadComposableNodes)
+from launch_ros.descriptions import ComposableNode
+from launch_ros.substitutions import FindPackageShare
+"""
+
+
+class Launches:
+    """``launches.python("[Node(…)]")`` and the like run one launch file of the package ``robot``."""
+
+    def __init__(self, root: Path) -> None:
+        self.root = root
+        self.package("robot")
+
+    def package(self, name: str) -> None:
+        self.file(f"{name}/package.xml", PACKAGE.format(name=name))
+        self.file(f"{name}/setup.py", SETUP.format(name=name))
+
+    def file(self, path: str, text: str) -> None:
+        target = self.root / path
+        target.parent.mkdir(parents=True, exist_ok=True)
+        target.write_text(text, encoding="utf-8")
+
+    def python(self, actions: str, before: str = "", **arguments: str) -> Launched:
+        """A launch file that returns these actions; ``before`` are statements of the function."""
+        body = "".join(f"    {line}\n" for line in before.splitlines())
+        text = f"{PYTHON}\ndef generate_launch_description():\n{body}    return LaunchDescription({actions})\n"
+        self.file("robot/launch/it.launch.py", text)
+        return self.run("robot/launch/it.launch.py", **arguments)
+
+    def xml(self, content: str, **arguments: str) -> Launched:
+        self.file("robot/launch/it.launch.xml", f"<launch>\n{content}\n</launch>\n")
+        return self.run("robot/launch/it.launch.xml", **arguments)
+
+    def yaml(self, content: str, **arguments: str) -> Launched:
+        self.file("robot/launch/it.launch.yaml", content)
+        return self.run("robot/launch/it.launch.yaml", **arguments)
+
+    def loader(self, distro: str | None = None) -> LaunchLoader:
+        workspace = find(["."], working_directory=str(self.root))
+        known = {}
+
+        def facts_of(file):
+            if file.path not in known:
+                known[file.path] = compile_python(Path(file.path).read_text(encoding="utf-8"))
+            return known[file.path]
+
+        tree = SourceTree(self.root)
+        installs = read_installs(workspace.packages, workspace.files, facts_of, tree)
+        return LaunchLoader(workspace.files, facts_of, installs, tree, distro=distro)
+
+    def run(self, path: str, **arguments: str) -> Launched:
+        loader = self.loader()
+        return call_with_deep_stack(lambda: loader.launch(path, arguments))
+
+
+def names(launched: Launched) -> list[str]:
+    """``namespace/name`` of what is started by default; ``-`` for what the launch file leaves to the code."""
+    return [full_name(started) for started in launched.started if not started.dormant]
+
+
+def full_name(started: Started) -> str:
+    name = "-" if started.name is None else started.name.text or "?"
+    if started.namespace is None:
+        return name
+    return f"{(started.namespace.text or '?').rstrip('/')}/{name}"
+
+
+def remaps(started: Started) -> list[tuple[str | None, str | None]]:
+    return [(remap.source.text, remap.target.text) for remap in started.remaps]
+
+
+def parameters(started: Started) -> dict[str | None, object]:
+    return {p.name: p.value for p in started.parameters if hasattr(p, "name")}

@@ -1,0 +1,153 @@
+"""What CMake files come to: variables, loops, functions and other files, and what is left open."""
+
+from __future__ import annotations
+
+from textwrap import dedent
+
+import pytest
+
+from archlint.programs.cmake_run import CMakeRun
+from archlint.programs.installs import Installs, read_cmake
+from archlint.syntax.cmake import parse_cmake
+from programs.builds import Build
+
+
+def path_of(name: str) -> str:
+    return name.replace("__", "/").replace("_txt", ".txt").replace("_cmake", ".cmake")
+
+
+def run(text: str, **files: str) -> CMakeRun:
+    """The steps of ``robot/CMakeLists.txt``; ``src__CMakeLists_txt`` is the file src/CMakeLists.txt beside it."""
+    texts = {"CMakeLists.txt": f"project(robot)\n{dedent(text)}"}
+    texts |= {path_of(name): text for name, text in files.items()}
+    build = Build({f"robot/{name}": text for name, text in texts.items()})
+    done = CMakeRun(build.text, build.files_below)
+    done.run("robot/CMakeLists.txt", "robot")
+    return done
+
+
+def calls(done: CMakeRun, name: str = "add_executable") -> list[list[str]]:
+    return [step.command.texts for step in done.steps if step.command.name == name]
+
+
+def test_comments_quotes_and_brackets():
+    text = '#[[ set(A 1) ]]\nset(B "x;y z") # set(C 1)\nset(D [=[ a ) b ]=])\nfoo(${B} "${B}")\n'
+    assert calls(run(text), "foo") == [["x", "y z", "x;y z"]]
+    assert parse_cmake(text)[-1].line == 4
+
+
+@pytest.mark.parametrize(
+    ("text", "names"),
+    [
+        ("foreach(n a b)\nadd_executable(${n})\nendforeach()", ["a", "b"]),
+        ("set(ALL a b)\nforeach(n IN LISTS ALL)\nadd_executable(${n})\nendforeach()", ["a", "b"]),
+        ("set(ALL a)\nlist(APPEND ALL b)\nforeach(n ${ALL} c)\nadd_executable(${n})\nendforeach()", ["a", "b", "c"]),
+        ("foreach(n IN ITEMS a b)\nadd_executable(${n}_node)\nendforeach()", ["a_node", "b_node"]),
+        ("foreach(n RANGE 1 3)\nadd_executable(wheel_${n})\nendforeach()", ["wheel_1", "wheel_2", "wheel_3"]),
+        ("foreach(n a)\nforeach(m x y)\nadd_executable(${n}_${m})\nendforeach()\nendforeach()", ["a_x", "a_y"]),
+        ("foreach(f src/a.cpp)\nget_filename_component(n ${f} NAME_WE)\nadd_executable(${n})\nendforeach()", ["a"]),
+        ("string(REPLACE .cpp _node n a.cpp)\nadd_executable(${n})", ["a_node"]),
+        ("macro(make name)\nadd_executable(${name} ${ARGN})\nendmacro()\nmake(a)\nmake(b)", ["a", "b"]),
+        ("function(make name)\nadd_executable(${name}_${PROJECT_NAME})\nendfunction()\nmake(a)", ["a_robot"]),
+        ("foreach(n ${UNKNOWN})\nadd_executable(${n})\nendforeach()", ["${n}"]),
+        ("if(A)\nset(n a)\nelse()\nset(n b)\nendif()\nadd_executable(${n})", ["${n}"]),  # one of the two
+        ("set(n a)\nexecute_process(COMMAND git OUTPUT_VARIABLE n)\nadd_executable(${n})", ["${n}"]),
+    ],
+)
+def test_variables_loops_and_functions(text: str, names: list[str]):
+    assert [texts[0] for texts in calls(run(text))] == names
+
+
+def test_other_files_run_in_their_own_folder():
+    done = run(
+        """
+        set(WHO me)
+        add_subdirectory(src)
+        include(cmake/nodes.cmake)
+        include(GNUInstallDirs)
+        add_executable(${INNER})
+        """,
+        src__CMakeLists_txt="set(INNER x)\nadd_executable(${WHO} main.cpp)\n",
+        cmake__nodes_cmake="add_executable(other)\n",
+    )
+    assert [(step.folder, step.command.texts[0]) for step in done.steps if step.command.name == "add_executable"] == [
+        ("robot/src", "me"),
+        ("robot", "other"),
+        ("robot", "${INNER}"),  # a subdirectory's variables are its own
+    ]
+    assert done.files == ["robot/CMakeLists.txt", "robot/src/CMakeLists.txt", "robot/cmake/nodes.cmake"]
+    assert not done.open
+
+
+@pytest.mark.parametrize(
+    "text", ["add_subdirectory(gone)", "include(gone.cmake)", "add_subdirectory(${WHERE})", "include(${X})"]
+)
+def test_what_cannot_be_read_is_open(text: str):
+    assert run(text).open
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "macro(again)\nagain()\nagain()\nendmacro()\nagain()",
+        "add_subdirectory(.)",
+        "include(CMakeLists.txt)",
+        "foreach(a RANGE 1900)\nforeach(b RANGE 1900)\nadd_executable(${a}${b})\nendforeach()\nendforeach()",
+    ],
+)
+def test_what_does_not_end_is_cut(text: str):
+    assert run(text).open
+
+
+def installs(text: str, **files: str) -> Installs:
+    found = Installs("robot", "robot")
+    texts = {"CMakeLists.txt": f"project(robot)\n{text}"}
+    texts |= {path_of(name): content for name, content in files.items()}
+    read_cmake(found, "robot/CMakeLists.txt", Build({f"robot/{name}": text for name, text in texts.items()}))
+    return found
+
+
+def test_the_block_that_every_python_package_copies_leaves_nothing_open():
+    found = installs(
+        """
+        ament_python_install_package(${PROJECT_NAME})
+        install(PROGRAMS scripts/talk.py DESTINATION lib/${PROJECT_NAME})
+        install(DIRECTORY launch DESTINATION share/${PROJECT_NAME})
+        if(BUILD_TESTING)
+          find_package(ament_cmake_pytest REQUIRED)
+          set(_pytest_tests test/test_a.py test/test_b.py)
+          foreach(_test_path ${_pytest_tests})
+            get_filename_component(_test_name ${_test_path} NAME_WE)
+            ament_add_pytest_test(${_test_name} ${_test_path} TIMEOUT 60)
+          endforeach()
+        endif()
+        ament_package()
+        """
+    )
+    assert list(found.executables) == ["talk.py"]
+    assert not found.open_executables and not found.open_files and not found.mentioned
+
+
+def test_a_project_is_no_executable_and_what_an_unknown_command_makes_may_be_one():
+    found = installs("find_package(arm)\nadd_library(hand hand.cpp)\nmake_driver(driver)\n")
+    assert not found.executables
+    assert found.mentioned == {"driver"}
+
+
+@pytest.mark.parametrize(
+    ("text", "open_"),
+    [
+        ("ament_python_install_package(robot SCRIPTS_DESTINATION lib/robot)", False),  # setup.cfg is read anyway
+        ("ament_python_install_package(tools PACKAGE_DIR src/tools SCRIPTS_DESTINATION lib/robot)", False),
+        ("ament_python_install_package(gone PACKAGE_DIR gone/tools SCRIPTS_DESTINATION lib/robot)", True),
+        ("ament_python_install_package(robot SETUP_CFG ${X} SCRIPTS_DESTINATION lib/robot)", True),
+        ("install(PROGRAMS ${CMAKE_CURRENT_BINARY_DIR}/made.py DESTINATION lib/robot)", True),
+        ("install(DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR}/scripts/ DESTINATION lib/robot)", False),
+    ],
+)
+def test_what_leaves_the_executables_open(text: str, open_: bool):
+    scripts = "[options.entry_points]\nconsole_scripts =\n  go = tools:go\n"
+    tables = {"setup.cfg": "[metadata]\n", "src/setup.cfg": scripts}
+    found = installs(text, **tables)
+    assert found.open_executables is open_
+    assert ("go" in found.executables) is ("src/tools" in text)

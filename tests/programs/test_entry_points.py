@@ -1,0 +1,325 @@
+"""What packages install: from setup.py, setup.cfg, pyproject.toml and CMakeLists.txt."""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+
+import pytest
+
+from archlint.programs.entry_points import entry_points, read_installs
+from archlint.programs.installs import Installs
+from archlint.syntax.compile import compile_python
+from archlint.workspace.discovery import find
+from archlint.workspace.tree import SourceTree
+
+MANIFEST = "<package><name>robot</name><export><build_type>ament_python</build_type></export></package>"
+
+
+@pytest.fixture
+def installs_of(tmp_path):
+    def read(**files: str) -> Installs:
+        files.setdefault("package.xml", MANIFEST)
+        for name, text in files.items():
+            path = tmp_path / "robot" / name
+            path.parent.mkdir(parents=True, exist_ok=True)
+            path.write_text(text)
+        workspace = find(["."], working_directory=str(tmp_path))
+        facts_of = lambda file: compile_python(Path(file.path).read_text())  # noqa: E731
+        installs = read_installs(workspace.packages, workspace.files, facts_of, SourceTree(tmp_path))["robot"]
+        read.entry_points = entry_points({"robot": installs}, workspace.files)
+        return installs
+
+    return read
+
+
+def test_console_scripts_through_variables_and_comprehensions(installs_of):
+    installs = installs_of(
+        **{
+            "setup.py": """\
+from setuptools import setup
+package_name = 'robot'
+nodes = ['talker', 'listener']
+setup(
+    name=package_name,
+    entry_points={
+        'console_scripts': [f'{n} = {package_name}.{n}:main' for n in nodes] + ['odd = robot.a.b:run.go'],
+    },
+)
+"""
+        }
+    )
+    found = {e.name: (e.module, e.function) for e in installs.executables.values()}
+    assert found == {
+        "talker": ("robot.talker", "main"),
+        "listener": ("robot.listener", "main"),
+        "odd": ("robot.a.b", "run.go"),
+    }
+    assert not installs.open_executables
+
+
+def test_a_console_script_shows_its_own_line(installs_of):
+    installs = installs_of(
+        **{
+            "setup.py": """\
+from setuptools import setup
+setup(entry_points={
+    'console_scripts': [
+        'talker = robot.talker:main',
+    ],
+})
+"""
+        }
+    )
+    place = installs.executables["talker"].place
+    assert (place.file, place.line, place.column) == ("robot/setup.py", 4, 9)
+
+
+def test_setup_py_is_never_executed(installs_of, tmp_path):
+    marker = tmp_path / "executed"
+    text = f"open({str(marker)!r}, 'w')\nfrom setuptools import setup\nsetup()\n"
+    installs = installs_of(**{"setup.py": text})
+    assert not marker.exists()
+    assert installs.executables == {}
+
+
+def test_what_a_setup_py_hides_is_open(installs_of):
+    hidden = (
+        "from setuptools import setup\nfrom tools import scripts\nsetup(entry_points={'console_scripts': scripts()})\n"
+    )
+    assert installs_of(**{"setup.py": hidden}).open_executables
+
+
+def test_setup_cfg_and_pyproject(installs_of):
+    installs = installs_of(
+        **{
+            "setup.cfg": "[options.entry_points]\nconsole_scripts =\n    talker = robot.talker:main\n",
+            "pyproject.toml": '[project.scripts]\nlistener = "robot.listener:main"\n',
+        }
+    )
+    places = {e.name: (e.place.file, e.place.line) for e in installs.executables.values()}
+    assert places == {"talker": ("robot/setup.cfg", 3), "listener": ("robot/pyproject.toml", 2)}
+
+
+def test_programs_of_cmake(installs_of):
+    installs = installs_of(
+        **{
+            "CMakeLists.txt": """\
+project(robot)
+set(SCRIPTS scripts/one.py scripts/two.py)  # both
+install(PROGRAMS ${SCRIPTS} DESTINATION lib/${PROJECT_NAME})
+install(PROGRAMS scripts/three.py
+  DESTINATION lib/${PROJECT_NAME} RENAME three)
+add_executable(driver src/driver.cpp)
+install(TARGETS driver DESTINATION lib/${PROJECT_NAME})
+""",
+            "scripts/one.py": "#!/usr/bin/env python3\n",
+        }
+    )
+    scripts = {e.name: e.script for e in installs.executables.values()}
+    assert scripts == {
+        "one.py": "robot/scripts/one.py",
+        "two.py": "robot/scripts/two.py",
+        "three": "robot/scripts/three.py",
+        "driver": None,
+    }
+    assert not installs.open_executables
+
+
+def test_scripts_are_entry_points_of_their_file(installs_of):
+    installs_of(
+        **{
+            "CMakeLists.txt": "project(robot)\ninstall(PROGRAMS scripts/one.py DESTINATION lib/robot)\n",
+            "scripts/one.py": "",
+        }
+    )
+    (entry,) = installs_of.entry_points
+    assert (entry.executable, entry.function, entry.file.relative) == ("one.py", None, "robot/scripts/one.py")
+
+
+@pytest.mark.parametrize(
+    ("installed", "source"),
+    [
+        ("share/robot/launch/up.launch.py", "robot/launch/up.launch.py"),
+        ("share/robot/config/deep/a.yaml", "robot/config/deep/a.yaml"),
+        ("share/robot/maps/lab.yaml", "robot/worlds/lab.yaml"),
+    ],
+)
+def test_where_an_installed_file_comes_from(installs_of, installed, source):
+    installs = installs_of(
+        **{
+            "CMakeLists.txt": """\
+project(robot)
+install(DIRECTORY launch config DESTINATION share/${PROJECT_NAME}/)
+install(DIRECTORY worlds/ DESTINATION share/${PROJECT_NAME}/maps)
+"""
+        }
+    )
+    assert list(installs.source_of(installed)) == [source]
+
+
+def test_data_files_with_a_pattern(installs_of):
+    installs = installs_of(
+        **{
+            "setup.py": """\
+import os
+from glob import glob
+from setuptools import setup
+package_name = 'robot'
+setup(data_files=[
+    ('share/' + package_name, ['package.xml']),
+    (os.path.join('share', package_name, 'launch'), glob(os.path.join('launch', '*.launch.py'))),
+])
+"""
+        }
+    )
+    assert list(installs.source_of("share/robot/launch/up.launch.py")) == ["robot/launch/up.launch.py"]
+    assert list(installs.source_of("share/robot/launch/up.yaml")) == []
+    assert not installs.open_files
+
+
+def scripts_of(installs: Installs) -> dict[str, str | None]:
+    return {executable.name: executable.script for executable in installs.executables.values()}
+
+
+def test_a_folder_and_a_pattern_of_programs(installs_of):
+    installs = installs_of(
+        **{
+            "CMakeLists.txt": """\
+project(robot)
+install(DIRECTORY scripts/ USE_SOURCE_PERMISSIONS DESTINATION lib/${PROJECT_NAME})
+file(GLOB NODES nodes/*.py)
+install(PROGRAMS ${NODES} DESTINATION lib/${PROJECT_NAME})
+""",
+            "scripts/talk": "#!/usr/bin/env python3\n",
+            "scripts/run.sh": "",
+            "scripts/deeper/other.py": "",
+            "nodes/listen.py": "",
+            "launch/it.launch.py": "",
+        }
+    )
+    assert scripts_of(installs) == {
+        "talk": "robot/scripts/talk",
+        "run.sh": "robot/scripts/run.sh",
+        "listen.py": "robot/nodes/listen.py",
+    }
+    assert installs.too_deep == {"other.py": "lib/robot/deeper"}  # ros2 run finds it, launch does not
+    assert not installs.open_executables and not installs.open_files
+
+
+def test_a_link_is_the_file_that_it_leads_to(installs_of, tmp_path):
+    (tmp_path / "robot" / "scripts").mkdir(parents=True)
+    (tmp_path / "robot" / "scripts" / "talk").symlink_to("../src/talk.py")
+    installs = installs_of(
+        **{
+            "CMakeLists.txt": "install(PROGRAMS scripts/talk DESTINATION lib/robot RENAME speak)",
+            "src/talk.py": "",
+        }
+    )
+    assert scripts_of(installs) == {"speak": "robot/src/talk.py"}
+    assert [entry.file.relative for entry in installs_of.entry_points] == ["robot/src/talk.py"]
+
+
+def test_a_link_out_of_the_workspace_is_not_followed(tmp_path):
+    outside = tmp_path / "elsewhere.py"
+    outside.write_text("")
+    workspace = tmp_path / "workspace"
+    (workspace / "robot").mkdir(parents=True)
+    (workspace / "robot" / "package.xml").write_text(MANIFEST)
+    (workspace / "robot" / "CMakeLists.txt").write_text("install(PROGRAMS talk DESTINATION lib/robot)")
+    (workspace / "robot" / "talk").symlink_to(outside)
+    files = [*find(["."], working_directory=str(workspace)).files, *find([str(outside)]).files]
+    assert SourceTree(tmp_path).same_file("workspace/robot/talk", files) is not None
+    assert SourceTree(workspace).same_file("robot/talk", files) is None
+
+
+def modules_of(installs: Installs) -> dict[str, tuple[str | None, str | None]]:
+    return {executable.name: (executable.module, executable.function) for executable in installs.executables.values()}
+
+
+@pytest.mark.parametrize(
+    "name",
+    [
+        "ET.parse('package.xml').getroot().find('name').text",
+        "ET.parse(os.path.join(here, 'package.xml')).findtext('name')",
+        "minidom.parse('package.xml').getElementsByTagName('name')[0].firstChild.data",
+        "parse_package(here).name",
+        "ET.parse(Path(__file__).parent / 'package.xml').find('name').text.strip()",
+    ],
+)
+def test_a_setup_py_that_reads_its_name_from_the_manifest(installs_of, name):
+    installs = installs_of(
+        **{
+            "setup.py": f"""\
+import os
+import xml.etree.ElementTree as ET
+from pathlib import Path
+from xml.dom import minidom
+from catkin_pkg.package import parse_package
+from setuptools import setup
+here = os.path.dirname(os.path.abspath(__file__))
+name = {name}
+setup(
+    name=name,
+    data_files=[('share/' + name, ['package.xml'])],
+    entry_points={{'console_scripts': [f'talk = {{name}}.talk:main']}},
+)
+"""
+        }
+    )
+    assert modules_of(installs) == {"talk": ("robot.talk", "main")}
+    assert not installs.open_executables and not installs.open_files
+
+
+@pytest.mark.parametrize("name", ["ET.parse('other.xml').getroot().find('name').text", "read('package.xml')"])
+def test_a_name_from_elsewhere_leaves_the_executables_open(installs_of, name):
+    text = f"""\
+import xml.etree.ElementTree as ET
+from setuptools import setup
+from tools import read
+setup(entry_points={{'console_scripts': ['talk = ' + {name} + '.talk:main']}})
+"""
+    assert installs_of(**{"setup.py": text}).open_executables
+
+
+@pytest.mark.parametrize(
+    ("written", "found"),
+    [
+        ("'talk == robot.talk:main'", {"talk": "it has '==' for '='"}),
+        ("'talk = robot.talk:main,'", {"talk": "it ends in ','"}),
+        ("'talk = robot/talk:main'", {"talk": "it is not 'name = package.module:function'"}),
+        ("'talk = robot.talk:main' 'hear = robot.hear:main'", {"talk": "a comma is missing …", "hear": ""}),
+        ("'talk = robot.talk:main'\n  'hear = robot.hear:main',", {"talk": "a comma is missing …", "hear": ""}),
+        ("'talk = robot.'\n  'talk:main'", {"talk": ""}),  # one entry, written in two parts
+        ("'talk = robot.talk:main [extra]'", {"talk": ""}),
+        ("'talk to me = robot.talk:main'", {"talk to me": ""}),
+    ],
+)
+def test_entries_that_are_not_of_the_form(installs_of, written, found):
+    text = f"from setuptools import setup\nsetup(entry_points={{'console_scripts': [\n  {written}\n]}})\n"
+    installs = installs_of(**{"setup.py": text})
+    wrong = {name: re.sub("missing between.*", "missing …", one.wrong) for name, one in installs.executables.items()}
+    assert wrong == found
+    assert not installs.open_executables
+    assert installs.executables[next(iter(found))].place.line == 3
+
+
+def test_entries_of_tables_that_are_not_of_the_form(installs_of):
+    installs = installs_of(
+        **{
+            "setup.cfg": """\
+[options.entry_points]
+console_scripts =
+    talk == robot.talk:main
+    hear = robot.hear:main  # listens
+    look
+""",
+            "pyproject.toml": '[project.scripts]\nwalk = "robot/walk:main"\n',
+        }
+    )
+    assert {name: (one.place.line, bool(one.wrong)) for name, one in installs.executables.items()} == {
+        "talk": (3, True),
+        "hear": (4, False),
+        "look": (5, True),
+        "walk": (2, True),
+    }

@@ -1,0 +1,175 @@
+"""Worker processes: one answer for each source, whatever happens to the process that works on it."""
+
+from __future__ import annotations
+
+import ctypes
+import os
+import signal
+import threading
+import time
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+
+from archlint.syntax.python.deep_stack import DEEP_LIMIT, call_with_deep_stack, recursion_limit
+from archlint.syntax.workers import Crashed, TimedOut, can_fork, run_in_workers
+
+pytestmark = pytest.mark.skipif(not hasattr(os, "fork"), reason="needs fork")
+
+
+def work(source: bytes) -> bytes:
+    """Does what the source says."""
+    text = source.decode()
+    if text == "die":
+        os.kill(os.getpid(), signal.SIGKILL)
+    if text == "segfault":
+        ctypes.string_at(0)
+    while text == "hang":
+        pass
+    if text == "kept waiting":
+        time.sleep(1)
+    if text == "raise":
+        raise ValueError(text)
+    if text == "pid":
+        return str(os.getpid()).encode()
+    return source * 2
+
+
+@pytest.mark.parametrize("count", [1, 2, 5])
+def test_answers_come_in_the_order_of_the_sources(count):
+    sources = [str(number).encode() * (number % 7 + 1) for number in range(40)]
+    assert run_in_workers(work, sources, count, 30) == [source * 2 for source in sources]
+
+
+def test_nothing_to_do_takes_no_process():
+    assert run_in_workers(work, [], 2, 30) == []
+
+
+def test_the_work_is_done_elsewhere():
+    (pid,) = run_in_workers(work, [b"pid"], 1, 30)
+    assert int(pid) != os.getpid()
+
+
+def test_a_large_answer_arrives_whole():
+    source = b"x" * 3_000_000
+    assert run_in_workers(work, [source], 1, 30) == [source * 2]
+
+
+@pytest.mark.parametrize("count", [1, 2])
+@pytest.mark.parametrize("killer", [b"die", b"segfault", b"raise"])
+def test_what_kills_its_process_is_named_and_the_rest_is_answered(killer, count):
+    answers = run_in_workers(work, [b"a", killer, b"b", b"c"], count, 30)
+    assert isinstance(answers[1], Crashed)
+    assert [answers[0], answers[2], answers[3]] == [b"aa", b"bb", b"cc"]
+
+
+def test_a_process_that_dies_once_is_forgiven(tmp_path):
+    marker = tmp_path / "seen"
+
+    def dies_once(source: bytes) -> bytes:
+        if not marker.exists():
+            marker.touch()
+            os.kill(os.getpid(), signal.SIGKILL)
+        return source
+
+    assert run_in_workers(dies_once, [b"a", b"b"], 1, 30) == [b"a", b"b"]
+
+
+def test_what_takes_too_long_is_given_up():
+    started = time.monotonic()
+    answers = run_in_workers(work, [b"a", b"hang", b"b"], 2, 0.5)
+    assert [answers[0], answers[2]] == [b"aa", b"bb"]
+    assert isinstance(answers[1], TimedOut)
+    assert time.monotonic() - started < 20
+
+
+def test_time_that_the_machine_spends_on_others_does_not_count():
+    sources = [b"kept waiting", b"b"]
+    assert run_in_workers(work, sources, 2, 0.3) == [source * 2 for source in sources]
+
+
+def test_workers_end_when_their_parent_is_killed(tmp_path):
+    def tells_its_process(source: bytes) -> bytes:
+        (tmp_path / str(os.getpid())).touch()
+        time.sleep(0.2)
+        return source
+
+    parent = os.fork()
+    if parent == 0:
+        try:
+            run_in_workers(tells_its_process, [b"a"] * 1000, 3, 30)
+        finally:
+            os._exit(0)
+    assert _within(20, lambda: len(list(tmp_path.iterdir())) == 3)
+    os.kill(parent, signal.SIGKILL)
+    os.waitpid(parent, 0)
+    workers = [int(one.name) for one in tmp_path.iterdir()]
+    assert _within(20, lambda: not any(map(_runs, workers)))
+
+
+def _within(seconds: float, holds: Callable[[], bool]) -> bool:
+    end = time.monotonic() + seconds
+    while not holds() and time.monotonic() < end:
+        time.sleep(0.05)
+    return holds()
+
+
+def _runs(pid: int) -> bool:
+    """Whether a process runs; one that has ended and that nobody has asked about does not."""
+    try:
+        return Path(f"/proc/{pid}/stat").read_text().rpartition(")")[2].split()[0] != "Z"
+    except OSError:
+        return False
+
+
+def test_no_process_is_left_behind():
+    run_in_workers(work, [b"a", b"hang", b"die"], 3, 0.5)
+    with pytest.raises(ChildProcessError):
+        os.waitpid(-1, os.WNOHANG)
+
+
+def test_an_interrupted_run_leaves_no_process_behind():
+    def interrupt(*_: object) -> None:
+        raise KeyboardInterrupt
+
+    previous = signal.signal(signal.SIGALRM, interrupt)
+    signal.setitimer(signal.ITIMER_REAL, 0.3)
+    try:
+        with pytest.raises(KeyboardInterrupt):
+            run_in_workers(work, [b"hang", b"hang"], 2, 30)
+    finally:
+        signal.signal(signal.SIGALRM, previous)
+    with pytest.raises(ChildProcessError):
+        os.waitpid(-1, os.WNOHANG)
+
+
+def test_no_fork_while_another_thread_runs():
+    release = threading.Event()
+    thread = threading.Thread(target=release.wait)
+    assert can_fork()
+    thread.start()
+    try:
+        assert not can_fork()
+    finally:
+        release.set()
+        thread.join()
+
+
+def nested(depth: int) -> int:
+    return 0 if depth == 0 else 1 + nested(depth - 1)
+
+
+def test_a_deep_stack_is_deep():
+    def dig() -> int:
+        with recursion_limit(DEEP_LIMIT):
+            return nested(15_000)
+
+    assert call_with_deep_stack(dig) == 15_000
+    with pytest.raises(RecursionError):
+        nested(15_000)
+
+
+def test_errors_come_out_of_the_deep_stack():
+    with pytest.raises(ZeroDivisionError):
+        call_with_deep_stack(lambda: 1 // 0)

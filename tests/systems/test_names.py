@@ -1,0 +1,310 @@
+"""The vectors are those of rcl's own tests (``test_validate_topic_name.cpp``, ``test_expand_topic_name.cpp``)
+and of rmw's, completed by corners of the sources."""
+
+from __future__ import annotations
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from archlint.ros import names
+from archlint.ros.names import InvalidName
+
+TOPIC_ALPHABET = "ab_1/~{}* -"
+
+
+def code(result: InvalidName | str | None) -> str | None:
+    return result.code if isinstance(result, InvalidName) else None
+
+
+ACCEPTED = """
+    foo abc123 _foo Foo BAR ~ foo/bar ~/foo {foo}_bar foo/{ping}/bar foo/_bar foo_/bar foo_ /foo /bar/baz
+    /_private/thing /public_namespace/_private/thing {foo1} {foo_bar} {_bar} foo__bar {} a//b ~x
+"""
+
+
+@pytest.mark.parametrize("name", ACCEPTED.split())
+def test_names_that_rcl_accepts_before_expansion(name: str) -> None:
+    assert names.validate_topic_name(name) is None
+
+
+@pytest.mark.parametrize(
+    ("name", "expected", "index"),
+    [
+        ("", "EMPTY", 0),
+        ("123abc", "TOKEN_STARTS_WITH_NUMBER", 0),
+        ("123", "TOKEN_STARTS_WITH_NUMBER", 0),
+        ("1/", "TOKEN_STARTS_WITH_NUMBER", 0),
+        ("foo/123bar", "TOKEN_STARTS_WITH_NUMBER", 4),
+        ("x/1y", "TOKEN_STARTS_WITH_NUMBER", 2),
+        ("foo/", "ENDS_WITH_SLASH", 3),
+        ("/", "ENDS_WITH_SLASH", 0),
+        ("fo o/", "ENDS_WITH_SLASH", 4),
+        (" ", "UNALLOWED_CHARACTERS", 0),
+        ("foo bar", "UNALLOWED_CHARACTERS", 3),
+        ("foo-bar", "UNALLOWED_CHARACTERS", 3),
+        ("foo.bar", "UNALLOWED_CHARACTERS", 3),
+        ("rostopic://foo", "UNALLOWED_CHARACTERS", 8),
+        ("größe", "UNALLOWED_CHARACTERS", 2),
+        ("a/٣", "UNALLOWED_CHARACTERS", 2),
+        ("/~", "MISPLACED_TILDE", 1),
+        ("foo~", "MISPLACED_TILDE", 3),
+        ("foo~/bar", "MISPLACED_TILDE", 3),
+        ("foo/~bar", "MISPLACED_TILDE", 4),
+        ("foo/~/bar", "MISPLACED_TILDE", 4),
+        ("{~}", "MISPLACED_TILDE", 1),
+        ("~foo", "TILDE_NOT_FOLLOWED_BY_SLASH", 1),
+        ("~foo/1", "TILDE_NOT_FOLLOWED_BY_SLASH", 1),
+        ("foo/bar}/baz", "UNMATCHED_CURLY_BRACE", 7),
+        ("foo/{bar", "UNMATCHED_CURLY_BRACE", 4),
+        ("{$}", "SUBSTITUTION_UNALLOWED", 1),
+        ("{{bar}_baz}", "SUBSTITUTION_UNALLOWED", 1),
+        ("foo/{bar/baz}", "SUBSTITUTION_UNALLOWED", 8),
+        ("{1foo}", "SUBSTITUTION_STARTS_WITH_NUMBER", 1),
+    ],
+)
+def test_names_that_rcl_rejects_before_expansion(name: str, expected: str, index: int) -> None:
+    wrong = names.validate_topic_name(name)
+    assert wrong is not None
+    assert (wrong.code, wrong.index) == (expected, index)
+
+
+@pytest.mark.parametrize(
+    ("name", "expected", "index"),
+    [
+        ("/a", None, None),
+        ("/a/b_1/_c", None, None),
+        ("/" + "a" * 246, None, None),
+        ("", "EMPTY", 0),
+        ("a", "NOT_ABSOLUTE", 0),
+        ("/", "ENDS_WITH_SLASH", 0),
+        ("/a/", "ENDS_WITH_SLASH", 2),
+        ("/a~", "UNALLOWED_CHARACTERS", 2),
+        ("/{a}", "UNALLOWED_CHARACTERS", 1),
+        ("/a//b", "REPEATED_SLASH", 3),
+        ("/1a", "TOKEN_STARTS_WITH_NUMBER", 1),
+        ("/a/2", "TOKEN_STARTS_WITH_NUMBER", 3),
+        ("/" + "a" * 247, "TOO_LONG", 246),
+    ],
+)
+def test_full_names(name: str, expected: str | None, index: int | None) -> None:
+    wrong = names.validate_full_name(name)
+    assert (wrong and wrong.code, wrong and wrong.index) == (expected, index)
+
+
+@pytest.mark.parametrize(
+    ("name", "expected"),
+    [
+        ("talker", None),
+        ("_hidden", None),
+        ("a__b", None),
+        ("a" * 255, None),
+        ("", "EMPTY"),
+        ("my-node", "UNALLOWED_CHARACTERS"),
+        ("ns/node", "UNALLOWED_CHARACTERS"),
+        ("1-", "UNALLOWED_CHARACTERS"),
+        ("1node", "STARTS_WITH_NUMBER"),
+        ("a" * 256, "TOO_LONG"),
+    ],
+)
+def test_node_names(name: str, expected: str | None) -> None:
+    assert code(names.validate_node_name(name)) == expected
+
+
+@pytest.mark.parametrize(
+    ("namespace", "expected"),
+    [
+        ("/", None),
+        ("/a/b", None),
+        ("/" + "a" * 244, None),
+        ("", "EMPTY"),
+        ("a", "NOT_ABSOLUTE"),
+        ("/a/", "ENDS_WITH_SLASH"),
+        ("/a//b", "REPEATED_SLASH"),
+        ("/a-b", "UNALLOWED_CHARACTERS"),
+        ("/2", "TOKEN_STARTS_WITH_NUMBER"),
+        ("/" + "a" * 245, "TOO_LONG"),
+        ("/" + "a" * 300, "TOO_LONG"),
+    ],
+)
+def test_namespaces(namespace: str, expected: str | None) -> None:
+    assert code(names.validate_namespace(namespace)) == expected
+
+
+def test_messages_speak_of_what_was_validated() -> None:
+    wrong = names.validate_namespace("/a/")
+    assert wrong is not None
+    assert wrong.message == "namespace must not end with a '/', unless only a '/'"
+
+
+@pytest.mark.parametrize(("given_", "absolute"), [("", "/"), ("a", "/a"), ("/a", "/a"), ("/", "/")])
+def test_the_namespace_of_a_constructor(given_: str, absolute: str) -> None:
+    assert names.absolute_namespace(given_) == absolute
+
+
+@pytest.mark.parametrize(
+    ("name", "node", "namespace", "expected"),
+    [
+        ("/chatter", "my_node", "/my_ns", "/chatter"),
+        ("chatter", "my_node", "/my_ns", "/my_ns/chatter"),
+        ("{node}/chatter", "my_node", "/my_ns", "/my_ns/my_node/chatter"),
+        ("/{node}", "my_node", "/my_ns", "/my_node"),
+        ("{node}", "my_node", "/my_ns", "/my_ns/my_node"),
+        ("{ns}", "my_node", "/my_ns", "/my_ns"),
+        ("{namespace}", "my_node", "/my_ns", "/my_ns"),
+        ("{namespace}/{node}/chatter", "my_node", "/my_ns", "/my_ns/my_node/chatter"),
+        ("/foo/{namespace}", "my_node", "/my_ns", "/foo//my_ns"),
+        ("ping", "my_node", "/", "/ping"),
+        ("ping", "my_node", "/my_ns", "/my_ns/ping"),
+        ("/ping", "my_node", "/", "/ping"),
+        ("/ping", "my_node", "/my_ns", "/ping"),
+        ("~", "my_node", "/", "/my_node"),
+        ("~", "my_node", "/my_ns", "/my_ns/my_node"),
+        ("~/ping", "my_node", "/", "/my_node/ping"),
+        ("~/ping", "my_node", "/my_ns", "/my_ns/my_node/ping"),
+        ("chatter", "talker", "/a/b", "/a/b/chatter"),
+        ("~/{node}/{node}", "n", "/", "/n/n/n"),
+        ("{ns}/x", "talker", "/", "//x"),
+        ("foo__bar", "talker", "/", "/foo__bar"),
+        ("~x", "talker", "/", "/talkerx"),
+    ],
+)
+def test_expansion(name: str, node: str, namespace: str, expected: str) -> None:
+    assert names.expand(name, node, namespace) == expected
+
+
+@pytest.mark.parametrize(
+    ("name", "node", "namespace", "expected"),
+    [
+        ("{doesnotexist}", "my_node", "/my_ns", "UNKNOWN_SUBSTITUTION"),
+        ("{}", "my_node", "/my_ns", "UNKNOWN_SUBSTITUTION"),
+        ("white space", "my_node", "/my_ns", "UNALLOWED_CHARACTERS"),
+        ("chatter", "invalid node", "/my_ns", "UNALLOWED_CHARACTERS"),
+        ("chatter", "my_node", "my_ns", "NOT_ABSOLUTE"),
+    ],
+)
+def test_expansion_that_fails(name: str, node: str, namespace: str, expected: str) -> None:
+    assert code(names.expand(name, node, namespace)) == expected
+
+
+@pytest.mark.parametrize(
+    ("pattern", "namespace", "expected"),
+    [
+        ("a/*", "/ns", "/ns/a/*"),
+        ("/a/*", "/ns", "/a/*"),
+        ("~/*", "/ns", "/ns/node/*"),
+        ("*/a", "/", "/*/a"),
+        ("*/a", "/ns", "/*/a"),
+        ("*", "/ns", "/*"),
+        ("a*b", "/", "/a*b"),
+        ("{ns}/*", "/ns", "/ns/*"),
+        ("~*", "/", "/node*"),
+        ("{*}", "/", "/{*}"),
+    ],
+)
+def test_patterns_keep_their_holes(pattern: str, namespace: str, expected: str) -> None:
+    assert names.expand_pattern(pattern, "node", namespace) == expected
+
+
+@pytest.mark.parametrize(
+    ("pattern", "expected"),
+    [
+        ("* x", "UNALLOWED_CHARACTERS"),
+        ("1*", "TOKEN_STARTS_WITH_NUMBER"),
+        ("*/2", "TOKEN_STARTS_WITH_NUMBER"),
+        ("*/", "ENDS_WITH_SLASH"),
+        ("a~*", "MISPLACED_TILDE"),
+        ("a//*", "REPEATED_SLASH"),
+        ("{ns}/*", "REPEATED_SLASH"),
+        ("~foo*", "TILDE_NOT_FOLLOWED_BY_SLASH"),
+        ("a" * 250 + "*", "TOO_LONG"),
+        # A hole may mend these.
+        ("*1", None),
+        ("*~", None),
+        ("a*1", None),
+        ("{*", None),
+        ("*//a", None),
+    ],
+)
+def test_patterns_that_no_filling_can_save(pattern: str, expected: str | None) -> None:
+    assert code(names.expand_pattern(pattern, "node", "/")) == expected
+
+
+@pytest.mark.parametrize(
+    ("pattern", "name", "matches"),
+    [
+        ("/*/scan", "/front/scan", True),
+        ("/*/scan", "/a/b/scan", True),
+        ("/*/scan", "/scan", True),
+        ("/arm/*/scan", "/arm/scan", False),
+        ("/a.b*", "/axb", False),
+        ("/a", "/a", True),
+    ],
+)
+def test_what_a_pattern_may_become(pattern: str, name: str, matches: bool) -> None:
+    assert names.pattern_matches(pattern, name) is matches
+
+
+@pytest.mark.parametrize(
+    ("name", "hidden"),
+    [("/_a", True), ("/a/_action/status", True), ("/a_b", False), ("_a", True), ("/a/b_", False)],
+)
+def test_hidden_names(name: str, hidden: bool) -> None:
+    assert names.is_hidden(name) is hidden
+
+
+def test_the_hidden_names_of_an_action() -> None:
+    assert names.action_entities("/dock") == {
+        "send_goal": "/dock/_action/send_goal",
+        "cancel_goal": "/dock/_action/cancel_goal",
+        "get_result": "/dock/_action/get_result",
+        "feedback": "/dock/_action/feedback",
+        "status": "/dock/_action/status",
+    }
+
+
+node_names = st.from_regex("[a-zA-Z_][a-zA-Z0-9_]{0,10}", fullmatch=True)
+namespaces = st.lists(node_names, max_size=3).map(lambda tokens: "/" + "/".join(tokens))
+any_names = st.text(TOPIC_ALPHABET, max_size=12) | st.text(max_size=12)
+
+
+@given(any_names, node_names, namespaces)
+def test_an_expanded_name_is_absolute_and_expands_to_itself(name: str, node: str, namespace: str) -> None:
+    expanded = names.expand(name, node, namespace)
+    if isinstance(expanded, str):
+        assert expanded.startswith("/")
+        if names.validate_full_name(expanded) is None:
+            assert names.expand(expanded, "other", "/elsewhere") == expanded
+
+
+@given(any_names, node_names, namespaces)
+def test_what_is_valid_after_expansion_was_valid_before(name: str, node: str, namespace: str) -> None:
+    full = names.substitute(name, node, namespace) if name else ""
+    if not names.validate_full_name(full) and "{" not in name and not name.startswith("~"):
+        assert names.validate_topic_name(name) is None
+
+
+@given(any_names)
+def test_an_error_points_into_the_name(name: str) -> None:
+    for validate in (names.validate_topic_name, names.validate_full_name, names.validate_node_name):
+        wrong = validate(name)
+        assert wrong is None or 0 <= wrong.index <= max(len(name) - 1, 0)
+
+
+@given(
+    st.lists(st.text("ab/~_", max_size=4), min_size=2, max_size=3),
+    st.text("ab_/1{}~", max_size=4),
+    node_names,
+)
+def test_a_pattern_is_wrong_only_where_each_filling_is(parts: list[str], filling: str, node: str) -> None:
+    filled = names.expand(filling.join(parts), node, "/ns")
+    if isinstance(filled, str) and names.validate_full_name(filled) is None:
+        assert isinstance(names.expand_pattern("*".join(parts), node, "/ns"), str)
+
+
+@given(st.lists(st.text("ab/_", max_size=4), min_size=2, max_size=3), st.text("ab_/", max_size=4), node_names)
+def test_an_expanded_pattern_matches_each_filling(parts: list[str], filling: str, node: str) -> None:
+    pattern = names.expand_pattern("*".join(parts), node, "/ns")
+    filled = names.expand(filling.join(parts), node, "/ns")
+    if isinstance(pattern, str) and isinstance(filled, str) and names.validate_full_name(filled) is None:
+        assert names.pattern_matches(pattern, filled)

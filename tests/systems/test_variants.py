@@ -1,0 +1,145 @@
+"""Launch arguments that nothing decides make several systems of one launch file."""
+
+from __future__ import annotations
+
+import json
+import shutil
+from pathlib import Path
+
+import pytest
+
+from archlint.cli import main
+from archlint.finding import Place
+from archlint.launch.model import DeclaredArgument, Launched
+from archlint.systems.variants import MOST, condition, undecided_arguments
+
+FIXTURE = Path(__file__).parents[2] / "fixtures" / "alternatives"
+LAUNCH_FILE = "src/base/launch/base.launch.py"
+
+
+def test_each_combination_of_values_is_a_system():
+    launched = Launched("a.launch.py", None, undecided={"sim": ["true", "false"], "mode": ["slow", "fast"]})
+
+    assert undecided_arguments(launched) == [
+        {"mode": "slow", "sim": "true"},
+        {"mode": "slow", "sim": "false"},
+        {"mode": "fast", "sim": "true"},
+        {"mode": "fast", "sim": "false"},
+    ]
+
+
+def test_what_an_argument_may_be_besides_the_one_value_asked_for_is_not_made_up():
+    assert undecided_arguments(Launched("a.launch.py", None, undecided={"mode": ["slow"]})) == []
+
+
+def test_declared_choices_are_the_values():
+    declared = DeclaredArgument("mode", None, Place("a.launch.py", 1, 1, 1, 1), "a.launch.py", ("slow", "fast", "off"))
+    launched = Launched("a.launch.py", None, declared=[declared], undecided={"mode": ["slow"]})
+
+    assert [one["mode"] for one in undecided_arguments(launched)] == ["slow", "fast", "off"]
+
+
+def test_the_number_of_systems_is_bounded():
+    launched = Launched("a.launch.py", None, undecided={f"a{n}": ["true", "false"] for n in range(20)})
+
+    assert len(undecided_arguments(launched)) == MOST
+
+
+EVERY = [{"sim": sim, "mode": mode} for sim in ("true", "false") for mode in ("slow", "fast")]
+
+
+@pytest.mark.parametrize(
+    ("holding", "said"),
+    [
+        (EVERY, None),
+        (EVERY[:2], "sim:=true"),
+        ([EVERY[0], EVERY[2]], "mode:=slow"),
+        ([EVERY[3]], "mode:=fast sim:=false"),
+        (EVERY[:3], "mode:=slow"),
+    ],
+    ids=["always", "one argument", "the other argument", "both arguments", "one of two conditions"],
+)
+def test_a_condition_names_the_fewest_arguments(holding: list[dict[str, str]], said: str | None):
+    assert condition(holding, EVERY) == said
+
+
+def test_a_finding_says_under_which_arguments_it_holds(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+):
+    monkeypatch.chdir(FIXTURE)
+
+    main(["check", "--no-cache", "--format", "json", "--launch", LAUNCH_FILE])
+
+    found = {one["code"]: one for one in json.loads(capsys.readouterr().out)["diagnostics"]}
+    assert {code: one["condition"] for code, one in found.items()} == {
+        "TOP001": "simulated:=true",
+        "TOP003": "simulated:=true",
+    }
+    assert all(one["message"].endswith("(with simulated:=true)") for one in found.values())
+
+
+def test_a_given_argument_decides(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]):
+    monkeypatch.chdir(FIXTURE)
+
+    main(["check", "--no-cache", "--format", "json", "--launch", LAUNCH_FILE, "simulated:=true"])
+    simulated = json.loads(capsys.readouterr().out)["diagnostics"]
+    main(["check", "--no-cache", "--format", "json", "--launch", LAUNCH_FILE, "simulated:=false"])
+    real = json.loads(capsys.readouterr().out)["diagnostics"]
+
+    assert [(one["code"], one["condition"]) for one in simulated] == [("TOP003", None), ("TOP001", None)]
+    assert real == []
+
+
+def test_a_cached_run_says_the_same(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+):
+    shutil.copytree(FIXTURE / "src", tmp_path / "src")
+    monkeypatch.chdir(tmp_path)
+    command = ["check", "--format", "concise", "--launch", LAUNCH_FILE]
+
+    main(command)
+    cold = capsys.readouterr().out
+    main(command)
+
+    assert "(with simulated:=true)" in cold
+    assert capsys.readouterr().out == cold
+
+
+def test_the_graph_shows_both_and_says_when(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]):
+    monkeypatch.chdir(FIXTURE)
+
+    main(["graph", "--no-cache", "--format", "json", "--launch", LAUNCH_FILE])
+
+    nodes = json.loads(capsys.readouterr().out)["nodes"]
+    assert {node["name"]: node["condition"] for node in nodes} == {
+        "/driver": "simulated:=false",
+        "/monitor": None,
+        "/simulation": "simulated:=true",
+    }
+
+
+def test_one_mistake_is_told_once_however_many_arguments_take_part(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+):
+    shutil.copytree(FIXTURE / "src", tmp_path / "src")
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / LAUNCH_FILE).write_text(
+        "from launch import LaunchDescription\n"
+        "from launch.conditions import IfCondition\n"
+        "from launch.substitutions import LaunchConfiguration\n"
+        "from launch_ros.actions import Node\n\n\n"
+        "def generate_launch_description():\n"
+        "    return LaunchDescription([\n"
+        "        Node(package='base', executable='driver', name=name,\n"
+        "             condition=IfCondition(LaunchConfiguration(name)))\n"
+        "        for name in ('front', 'middle', 'rear')\n"
+        "    ])\n"
+    )
+    driver = tmp_path / "src/base/base/driver.py"
+    driver.write_text(driver.read_text() + "\n\ndef say(driver):\n    driver.odometry.publish(Odometry())\n")
+
+    main(["check", "--no-cache", "--select", "OWN001", "--format", "json", "--launch", LAUNCH_FILE])
+
+    found = json.loads(capsys.readouterr().out)["diagnostics"]
+    assert [(one["line"], one["condition"]) for one in found] == [(10, "front:=true middle:=true rear:=true")]
+    assert "/front, /middle and /rear all publish the topics " in found[0]["message"]
