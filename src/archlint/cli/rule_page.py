@@ -33,7 +33,7 @@ def shown(rule: Rule, facts: str) -> Shown:
     wrong: list[re.Match[str]] = []
     has_more = False
     for heading, text in zip(pieces[::2], pieces[1::2], strict=True):
-        if heading in ("Bad", "Good"):
+        if heading in ("Bad", "Good") and _BLOCK.search(text):
             example, blocks = _first_example(text)
             chosen = _chosen(blocks, wrong)
             wrong = wrong or [chosen, *(block for block in blocks if block is not chosen)]
