@@ -19,7 +19,7 @@ $(STAMP): pyproject.toml
 	$(BIN)/python -m pip install --quiet --disable-pip-version-check -e . --group dev
 	@rm -f $(VENV)/.installed-* && touch $@
 
-demo: $(STAMP)  ## lint the seed system and its broken twin, draw the graph
+demo: $(STAMP)  ## lint a small robot and its broken twin, draw the graph
 	@./scripts/demo $(BIN)/archlint
 
 test: style types layers suite  ## all of it

@@ -24,7 +24,7 @@ CODES = {"GRF005", "GRF006", "GRF007"}
 
 @pytest.fixture
 def recorded(monkeypatch: pytest.MonkeyPatch) -> dict[str, Any]:
-    """What the lesson's nodes said of themselves while they ran, to be changed."""
+    """What the nodes of ``fixtures/lesson`` said of themselves while they ran, to be changed."""
     monkeypatch.chdir(LESSON)
     return json.loads(RECORDED.read_text("utf-8"))
 

@@ -1,4 +1,4 @@
-"""The lesson's robot as a system: what sensor, control and motor say to each other."""
+"""The robot of ``fixtures/lesson`` as a system: what sensor, control and motor say to each other."""
 
 from __future__ import annotations
 
