@@ -1,4 +1,4 @@
-"""Settings of the test suite: a busy machine is no reason for a property test to fail."""
+"""Settings of the test suite (a busy machine is no reason for a property test to fail), and what many tests run."""
 
 from __future__ import annotations
 
@@ -8,6 +8,10 @@ from pathlib import Path
 
 import pytest
 from hypothesis import HealthCheck, settings
+
+from checks.callbacks import Run, findings
+from checks.judging import Judge
+from launching import Launches
 
 settings.register_profile("archlint", deadline=None, suppress_health_check=[HealthCheck.too_slow])
 settings.load_profile("archlint")
@@ -24,3 +28,21 @@ def home_of_the_tests(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Path
         del os.environ["XDG_CONFIG_HOME"]
     else:
         os.environ["XDG_CONFIG_HOME"] = before
+
+
+@pytest.fixture
+def judge(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Judge:
+    monkeypatch.chdir(tmp_path)
+    return Judge(tmp_path)
+
+
+@pytest.fixture
+def run(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Run:
+    """Runs the rules that are on by default over one file."""
+    monkeypatch.chdir(tmp_path)
+    return lambda text, distro=None: findings(tmp_path, text, distro)
+
+
+@pytest.fixture
+def launches(tmp_path: Path) -> Launches:
+    return Launches(tmp_path)

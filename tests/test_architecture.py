@@ -21,6 +21,13 @@ OUTPUTS = {"broken_system": [*CHECKS, *GRAPHS], "forms": [CHECKS[0], GRAPHS[0]]}
 TIMED = re.compile(r'("elapsed_s": |\btime=")[0-9.]+')
 """The only thing that a clock decides: how long the run took."""
 
+OF_ANOTHER_FOLDER = {
+    "fixtures": "fixtures",
+    "mutations": "benchmarks/mutations",
+    "oracle": "benchmarks/accuracy/oracle",
+}
+"""Folders of tests that belong to no package of src, and what they are for."""
+
 RUNS = """
 import contextlib, io, json, sys
 from archlint.cli import main
@@ -69,6 +76,13 @@ def test_imports_run_downwards():
     lint_imports = Path(sys.executable).with_name("lint-imports")
     done = subprocess.run([lint_imports, "--no-cache"], cwd=ROOT, capture_output=True, text=True, check=False)
     assert done.returncode == 0, done.stdout
+
+
+def test_each_folder_of_tests_is_named_like_the_package_that_it_tests():
+    folders = {path.parent.relative_to(ROOT / "tests").as_posix() for path in (ROOT / "tests").rglob("test_*.py")}
+    for folder in sorted(folders - {"."}):
+        tested = ROOT / OF_ANOTHER_FOLDER.get(folder, f"src/archlint/{folder}")
+        assert tested.is_dir(), f"tests/{folder}: there is no {tested.relative_to(ROOT)}"
 
 
 @pytest.mark.parametrize(("hash_seed", "jobs"), [("1", "1"), ("2", "2")])

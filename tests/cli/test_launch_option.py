@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 
 from archlint.cli import main
-from programs.launching import PACKAGE, SETUP
+from launching import PACKAGE, SETUP
 from systems.test_launched import TALKER
 
 LAUNCH = """<launch>

@@ -9,7 +9,7 @@ import pytest
 from archlint.programs.cmake_run import CMakeRun
 from archlint.programs.installs import Installs, read_cmake
 from archlint.syntax.cmake import parse_cmake
-from programs.builds import Build
+from builds import Build
 
 
 def path_of(name: str) -> str:

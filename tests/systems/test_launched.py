@@ -11,7 +11,7 @@ from archlint.engine.pipeline import Request, check, graph
 from archlint.render.json import document
 from archlint.render.text import render
 from archlint.systems.overrides import key_matches
-from programs.launching import PACKAGE, SETUP
+from launching import PACKAGE, SETUP
 
 TALKER = """\
 import rclpy

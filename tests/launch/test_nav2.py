@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from archlint.systems.overrides import NotKnown, applied
-from programs.launching import Launches
+from launching import Launches
 
 IMPORT = "from nav2_common.launch import HasNodeParams, LaunchConfigAsBool, ReplaceString, RewrittenYaml"
 FILE = "FindPackageShare('robot').find('robot') + '/config/nav2.yaml'"

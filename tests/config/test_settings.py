@@ -17,7 +17,7 @@ from archlint.rulebook import Rule
 
 
 def a_rule(code: str, name: str, default: str = "on") -> Rule:
-    return Rule(code, name, Severity.WARNING, default, "", "0.1.0", "", "", "")
+    return Rule(code, name, Severity.WARNING, default, "", "0.1.0", "", "")
 
 
 BOOK = [

@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from archlint.systems.overrides import NotKnown, settings_of
-from programs.launching import names, parameters, remaps
+from launching import names, parameters, remaps
 
 
 def node(name: str, **keywords: str) -> str:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from programs.launching import names
+from launching import names
 
 IMPORTS = """\
 import collections.abc, numbers, os, pathlib, types, typing

@@ -6,8 +6,6 @@ from hypothesis import strategies as st
 
 from archlint.ros import names
 from archlint.ros.remapping import RemapRule, first_match, resolve, rules_of_arguments
-from archlint.systems.resolution import node_init
-from systems.builders import exact, unknown
 
 
 def rules(*texts: str) -> list[RemapRule]:
@@ -116,29 +114,6 @@ def test_resolution_that_fails(name: str, namespace: str, code: str) -> None:
 def test_local_rules_come_before_global_ones() -> None:
     resolved = resolve("x", "topic", ("n", "/"), rules("x:=local"), rules("x:=global"))
     assert (resolved.name, resolved.rule) == ("/local", rules("x:=local")[0])
-
-
-@pytest.mark.parametrize(
-    ("name", "namespace", "texts", "expected"),
-    [
-        ("n", "", [], ("n", "/")),
-        ("n", "a", [], ("n", "/a")),
-        ("n", "/a", ["__node:=m"], ("m", "/a")),
-        ("n", "/a", ["__ns:=/b"], ("n", "/b")),
-        ("n", "/a", ["n:__node:=m", "m:__ns:=/b"], ("m", "/b")),
-        ("n", "/a", ["n:__node:=m", "n:__ns:=/b"], ("m", "/a")),
-        ("n", "/a", ["other:__node:=m"], ("n", "/a")),
-        ("n", "/a", ["__node:=first", "__node:=second"], ("first", "/a")),
-    ],
-)
-def test_node_init(name: str, namespace: str, texts: list[str], expected: tuple[str, str]) -> None:
-    own = node_init(exact(name), exact(namespace), rules(*texts))
-    assert (own.name.text, own.namespace.text) == expected
-
-
-def test_a_rule_gives_a_name_to_a_node_whose_own_is_unknown() -> None:
-    own = node_init(unknown(), unknown(), [], rules("__node:=m", "__ns:=/a"))
-    assert own.full == "/a/m"
 
 
 def test_rules_of_a_command_line() -> None:

@@ -7,7 +7,7 @@ import pytest
 from archlint.programs.installs import Installs, read_cmake
 from archlint.ros.interfaces import InterfaceTable
 from archlint.workspace.model import SourceFile
-from programs.builds import Build
+from builds import Build
 
 
 def table(cmake: str = "", **files: str) -> InterfaceTable:
