@@ -22,6 +22,7 @@ from archlint.analysis.aside import is_aside
 from archlint.checks.merge import depends_on_arguments
 from archlint.faults import Fault
 from archlint.finding import Finding, Place, Related, Severity
+from archlint.project import issue_tracker
 from archlint.rulebook import codes_of, rules
 from archlint.systems.variants import Arguments, condition
 
@@ -31,11 +32,8 @@ if TYPE_CHECKING:
     from archlint.config.values import Glob
     from archlint.systems.model import System
 
-ISSUE_TRACKER = "archlint's issue tracker"
-"""Where a failure of ours is reported, as a message words it."""
-
 _REPORT = (
-    f"please report it on {ISSUE_TRACKER} with this message, the version that `archlint --version` prints "
+    f"please report it on {issue_tracker()} with this message, the version that `archlint --version` prints "
     "and, if you may share it, the smallest file that shows it"
 )
 

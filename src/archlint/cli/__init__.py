@@ -71,7 +71,7 @@ def _tell(text: str) -> int:
 
 
 def _failed(error: Exception, verbose: bool) -> int:
-    from archlint.checks.registry import ISSUE_TRACKER
+    from archlint.project import issue_tracker
 
     if verbose:
         import traceback
@@ -80,7 +80,7 @@ def _failed(error: Exception, verbose: bool) -> int:
     hint = "" if verbose else ", with what `--verbose` adds"
     return _tell(
         f"internal error: {type(error).__name__}: {error}\n"
-        f"This is a fault of archlint, not of your code. Please report it on {ISSUE_TRACKER}{hint}."
+        f"This is a fault of archlint, not of your code. Please report it on {issue_tracker()}{hint}."
     )
 
 
