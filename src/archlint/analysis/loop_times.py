@@ -7,8 +7,8 @@ from typing import TYPE_CHECKING
 
 from archlint.analysis.completeness import facts_at, walk
 from archlint.finding import Place
-from archlint.libraries.interest import names_in
 from archlint.syntax import facts
+from archlint.syntax.parts import names_in
 from archlint.syntax.walk import called_name, statements_of
 
 if TYPE_CHECKING:

@@ -8,8 +8,8 @@ from typing import TYPE_CHECKING
 from archlint.analysis.reach import argument
 from archlint.interpreter.values import Instance, Known, alternatives
 from archlint.libraries import tables
-from archlint.libraries.interest import names_in
 from archlint.syntax import facts
+from archlint.syntax.parts import names_in
 
 if TYPE_CHECKING:
     from archlint.interpreter.values import Value

@@ -16,9 +16,9 @@ from archlint.analysis.reach import (
     same_expression,
 )
 from archlint.interpreter.values import FutureValue, Instance, Known, alternatives
-from archlint.libraries.interest import names_in
 from archlint.syntax import facts
 from archlint.syntax.control_flow import always_left
+from archlint.syntax.parts import names_in
 from archlint.syntax.walk import called_name, statements_of
 
 if TYPE_CHECKING:

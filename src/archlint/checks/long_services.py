@@ -13,8 +13,8 @@ from archlint.analysis.reach import endpoint_words, judged_calls, node_name, one
 from archlint.analysis.sleeps import Stay, stay_of
 from archlint.checks.registry import Options, finding, rule
 from archlint.finding import Finding, Related, Severity
-from archlint.libraries.interest import names_in
 from archlint.syntax import facts
+from archlint.syntax.parts import names_in
 from archlint.syntax.walk import statements_of
 
 if TYPE_CHECKING:

@@ -12,9 +12,9 @@ from archlint.analysis.reach import endpoint_words, node_name, one_for_each_plac
 from archlint.analysis.waits import Wait, waits
 from archlint.checks.registry import Options, finding, rule
 from archlint.finding import Finding, Place, Related
-from archlint.libraries.interest import names_in
 from archlint.model import CLIENT
 from archlint.syntax import facts
+from archlint.syntax.parts import names_in
 from archlint.syntax.walk import parts_of, statements_of
 
 if TYPE_CHECKING:

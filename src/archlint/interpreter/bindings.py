@@ -5,6 +5,7 @@ from __future__ import annotations
 from functools import lru_cache
 
 from archlint.syntax import facts
+from archlint.syntax.parts import Itself
 
 
 def bound_in(block: list[facts.Stmt]) -> frozenset[str]:
@@ -14,27 +15,15 @@ def bound_in(block: list[facts.Stmt]) -> frozenset[str]:
     return frozenset(names)
 
 
-class _Names:
-    __slots__ = ("ir",)
-
-    def __init__(self, ir: facts.Function | facts.Lambda) -> None:
-        self.ir = ir
-
-    def __hash__(self) -> int:
-        return id(self.ir)
-
-    def __eq__(self, other: object) -> bool:
-        return isinstance(other, _Names) and other.ir is self.ir
-
-
 def bound_names(ir: facts.Function | facts.Lambda) -> tuple[frozenset[str], frozenset[str]]:
     """The local names of a function, and those it declares ``global`` or ``nonlocal``."""
-    return _bound_names(_Names(ir))
+    return _bound_names(Itself(ir))
 
 
 @lru_cache(maxsize=20_000)
-def _bound_names(key: _Names) -> tuple[frozenset[str], frozenset[str]]:
-    ir = key.ir
+def _bound_names(key: Itself) -> tuple[frozenset[str], frozenset[str]]:
+    ir = key.fact
+    assert isinstance(ir, (facts.Function, facts.Lambda))
     names = {param.name for param in ir.params}
     outer: set[str] = set()
     if isinstance(ir, facts.Function):

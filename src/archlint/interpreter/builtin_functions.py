@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Hashable
 from typing import TYPE_CHECKING, Any
 
+from archlint.interpreter.constant_expressions import NotFollowed, evaluate
 from archlint.interpreter.heap import Items
 from archlint.interpreter.type_tests import isinstance_of
 from archlint.interpreter.value_methods import Arguments, Keywords, call_method, update_entries
@@ -146,8 +147,6 @@ def _number(convert: Callable[[Any], Any]) -> Callable[..., Value]:
 
 def _eval(run: Run, args: Arguments, keywords: Keywords, e: object) -> Value:
     """``eval('True')``: how launch files turn an argument's text into a value.  Constants only; nothing runs."""
-    from archlint.launch.expression import NotFollowed, evaluate
-
     found: list[Value] = []
     for option in alternatives(_first(args)):
         value: object = None

@@ -12,8 +12,8 @@ from typing import TYPE_CHECKING
 
 from archlint.interpreter.heap import Entries, Items
 from archlint.interpreter.values import ClassValue, DictValue, ListValue, Value, alternatives
-from archlint.libraries.uses import everything_in
 from archlint.syntax import facts
+from archlint.syntax.parts import Itself, everything_in
 
 if TYPE_CHECKING:
     from archlint.interpreter.machine import Run
@@ -44,29 +44,15 @@ def _open(run: Run, value: Value) -> None:
 
 def _filled_of(cls: ClassValue) -> frozenset[str]:
     """The attributes that methods other than constructors fill, of a class and of those it derives from."""
-    return frozenset().union(*(_filled(_Same(base.ir)) for base in cls.mro if isinstance(base, ClassValue)))
-
-
-class _Same:
-    """A class, equal to itself alone."""
-
-    __slots__ = ("ir",)
-
-    def __init__(self, ir: facts.Class) -> None:
-        self.ir = ir
-
-    def __hash__(self) -> int:
-        return id(self.ir)
-
-    def __eq__(self, other: object) -> bool:
-        return isinstance(other, _Same) and other.ir is self.ir
+    return frozenset().union(*(_filled(Itself(base.ir)) for base in cls.mro if isinstance(base, ClassValue)))
 
 
 @lru_cache(maxsize=4096)
-def _filled(key: _Same) -> frozenset[str]:
+def _filled(key: Itself) -> frozenset[str]:
+    assert isinstance(key.fact, facts.Class)
     return frozenset(
         name
-        for method in key.ir.body
+        for method in key.fact.body
         if isinstance(method, facts.Function) and method.name != "__init__"
         for part in everything_in(method)
         for name in _fills(part)

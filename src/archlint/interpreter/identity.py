@@ -32,7 +32,7 @@ from archlint.interpreter.values import (
     Unknown,
     Value,
 )
-from archlint.libraries.interest import names_in
+from archlint.syntax.parts import names_in
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterable

@@ -7,6 +7,7 @@ import posixpath
 from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING
 
+from archlint.interpreter import constant_expressions
 from archlint.interpreter.attributes import get_attribute
 from archlint.interpreter.values import (
     BoundMethod,
@@ -25,7 +26,6 @@ from archlint.interpreter.values import (
     one_of,
     reason,
 )
-from archlint.launch import expression
 
 if TYPE_CHECKING:
     from archlint.launch.run import LaunchRun
@@ -232,8 +232,8 @@ def _python(run: LaunchRun, value: Instance) -> Value:
             found.append(Unknown(reason(option)))
             continue
         try:
-            found.append(Known(str(expression.evaluate(str(option.value)))))
-        except expression.NotFollowed as error:
+            found.append(Known(str(constant_expressions.evaluate(str(option.value)))))
+        except constant_expressions.NotFollowed as error:
             found.append(Unknown(str(error)))
     return one_of(found)
 

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import lru_cache
 from typing import TYPE_CHECKING
@@ -10,8 +9,9 @@ from typing import TYPE_CHECKING
 import msgspec
 
 from archlint.interpreter.bindings import bound_in, bound_names
-from archlint.libraries.interest import interesting, names_in
+from archlint.libraries.interest import interesting
 from archlint.syntax import facts
+from archlint.syntax.parts import Itself, everything_in, names_in
 
 if TYPE_CHECKING:
     from archlint.interpreter.machine import Run
@@ -32,9 +32,9 @@ def unseen_use(run: Run, root: Root) -> str | None:
     there is none."""
     for module in run.index.loaded():
         here = module is root.module
-        if not here and not _imports(_Same(module.facts), root.module.name.rpartition(".")[2]):
+        if not here and not _imports(Itself(module.facts), root.module.name.rpartition(".")[2]):
             continue
-        for function in _functions(_Same(module.facts)):
+        for function in _functions(Itself(module.facts)):
             if id(function) not in run.ran and _uses(function, root, here):
                 return f"{function.name}() in {module.path} can get at it, and nothing here calls that"
     return None
@@ -50,7 +50,7 @@ def _uses(function: facts.Function, root: Root, here: bool) -> bool:
 
 
 @lru_cache(maxsize=20_000)
-def _bare(key: _Same, names: frozenset[str]) -> bool:
+def _bare(key: Itself, names: frozenset[str]) -> bool:
     stack: list[object] = [key.fact]
     while stack:
         item = stack.pop()
@@ -79,43 +79,16 @@ def _below(expression: facts.Expr) -> object:
 def bare(function: facts.Function | facts.Lambda, names: frozenset[str]) -> bool:
     """Whether a function does more with one of these names (variables, or attributes of any object) than read
     attributes of it and call its methods."""
-    return _bare(_Same(function), names)
-
-
-class _Same:
-    """A fact, equal to itself alone: comparing by content would cost a walk."""
-
-    __slots__ = ("fact",)
-
-    def __init__(self, fact: msgspec.Struct) -> None:
-        self.fact = fact
-
-    def __hash__(self) -> int:
-        return id(self.fact)
-
-    def __eq__(self, other: object) -> bool:
-        return isinstance(other, _Same) and other.fact is self.fact
-
-
-def everything_in(fact: object) -> Iterator[object]:
-    """Every fact inside another, in the order of the source."""
-    stack: list[object] = [fact]
-    while stack:
-        item = stack.pop()
-        if isinstance(item, (list, tuple)):
-            stack.extend(reversed(item))
-        elif isinstance(item, msgspec.Struct):
-            yield item
-            stack.extend(getattr(item, name) for name in reversed(item.__struct_fields__))
+    return _bare(Itself(function), names)
 
 
 @lru_cache(maxsize=4096)
-def _functions(key: _Same) -> tuple[facts.Function, ...]:
+def _functions(key: Itself) -> tuple[facts.Function, ...]:
     return tuple(item for item in everything_in(key.fact) if isinstance(item, facts.Function))
 
 
 @lru_cache(maxsize=20_000)
-def _imports(key: _Same, name: str) -> bool:
+def _imports(key: Itself, name: str) -> bool:
     for item in everything_in(key.fact):
         if isinstance(item, facts.Import) and name in item.module.split("."):
             return True
@@ -126,18 +99,18 @@ def _imports(key: _Same, name: str) -> bool:
 
 def variables(module: Module) -> frozenset[str]:
     """The variables that a module's top level binds."""
-    return _variables(_Same(module.facts))
+    return _variables(Itself(module.facts))
 
 
 @lru_cache(maxsize=4096)
-def _variables(key: _Same) -> frozenset[str]:
+def _variables(key: Itself) -> frozenset[str]:
     assert isinstance(key.fact, (facts.Facts, facts.Class))
     return bound_in(key.fact.body)
 
 
 def class_variables(ir: facts.Class) -> frozenset[str]:
     """The names that a class body binds."""
-    return _variables(_Same(ir))
+    return _variables(Itself(ir))
 
 
-__all__ = ["Root", "bare", "class_variables", "everything_in", "unseen_use", "variables"]
+__all__ = ["Root", "bare", "class_variables", "unseen_use", "variables"]

@@ -24,8 +24,8 @@ from archlint.interpreter.values import (
     alternatives,
     one_of,
 )
-from archlint.libraries.interest import names_in
 from archlint.syntax import facts
+from archlint.syntax.parts import names_in
 
 if TYPE_CHECKING:
     from archlint.interpreter.machine import Pending, Run

@@ -20,13 +20,14 @@ from archlint.interpreter.values import (
     Unknown,
     Value,
 )
-from archlint.libraries.interest import interesting, names_in
+from archlint.libraries.interest import interesting
 from archlint.libraries.rclpy import escapes, executors
 from archlint.libraries.rclpy.callbacks import describe
 from archlint.libraries.uses import bare
 from archlint.programs import left_behind
 from archlint.programs.budget import LATE_STEPS
 from archlint.syntax import facts
+from archlint.syntax.parts import names_in
 from archlint.workspace.test_code import is_test_file
 
 if TYPE_CHECKING:

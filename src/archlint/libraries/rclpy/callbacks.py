@@ -164,7 +164,7 @@ def _taken_apart(value: Value) -> tuple[Value, list[Value]]:
 
 def _led_to(run: Run, function: FunctionValue) -> Iterator[FunctionValue]:
     """A function, and the functions that it names (so it may call them), and so on."""
-    from archlint.libraries.interest import names_in
+    from archlint.syntax.parts import names_in
 
     waiting = [function]
     seen: set[int] = set()
@@ -185,8 +185,8 @@ def _led_to(run: Run, function: FunctionValue) -> Iterator[FunctionValue]:
 def _passes_on(run: Run, function: FunctionValue) -> bool:
     """Whether a function hands on an object that it closes over."""
     from archlint.interpreter.bindings import bound_names
-    from archlint.libraries.interest import names_in
     from archlint.libraries.uses import bare
+    from archlint.syntax.parts import names_in
 
     own = bound_names(function.ir)[0]
     closed_over: set[str] = {name for name, value in function.defaults if isinstance(value, _OBJECTS)}

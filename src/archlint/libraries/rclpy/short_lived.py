@@ -10,9 +10,8 @@ from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING
 
 from archlint.interpreter.bindings import bound_names
-from archlint.libraries.interest import names_in
-from archlint.libraries.uses import everything_in
 from archlint.syntax import facts
+from archlint.syntax.parts import everything_in, names_in
 
 if TYPE_CHECKING:
     from archlint.interpreter.machine import Activation

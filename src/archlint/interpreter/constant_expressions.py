@@ -1,4 +1,4 @@
-"""``PythonExpression`` on known values: comparisons, boolean and arithmetic operators, nothing is executed."""
+"""Texts that hold a Python expression over constants: comparisons, boolean and arithmetic operators.  Nothing is run."""
 
 from __future__ import annotations
 
