@@ -1,4 +1,4 @@
-"""Texts that hold a Python expression over constants: comparisons, boolean and arithmetic operators.  Nothing is run."""
+"""Texts that hold a Python expression over constants: comparisons, boolean and arithmetic operators; nothing runs."""
 
 from __future__ import annotations
 
