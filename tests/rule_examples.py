@@ -32,7 +32,7 @@ SCAFFOLD = Path(__file__).parents[1] / "rules" / "scaffold"
 PACKAGE_FILES = ("package.xml", "setup.py", "robot/talker.py")
 IN_PACKAGE = ("robot/", "launch/", "config/", "setup.py")
 
-_FILE_NAME = re.compile(r"^(?:`(?P<shown>[^`]+)`:|<details><summary><code>(?P<folded>[^<]+)</code></summary>)$")
+_FILE_NAME = re.compile(r"^(?:`(?P<shown>[^`]+)`:|<details><summary><code>(?P<folded>[^<]+)</code>[^<]*</summary>)$")
 _NODE_CLASS = re.compile(r"^class (\w+)\((?:\w+\.)?(?:Lifecycle)?Node\):", re.MULTILINE)
 _FENCE = re.compile(r"^```(?P<language>[a-z]*)$")
 _MARKER = re.compile(r"\s*(?:#\s*expect:\s*(?P<hash>[A-Z0-9, ]+?)|<!--\s*expect:\s*(?P<xml>[A-Z0-9, ]+?)\s*-->)\s*$")

@@ -35,7 +35,7 @@ def shown(rule: Rule, facts: str) -> Shown:
     for heading, text in zip(pieces[::2], pieces[1::2], strict=True):
         if heading in ("Bad", "Good") and _BLOCK.search(text):
             example, blocks = _first_example(text)
-            chosen = _chosen(blocks, wrong)
+            chosen = _chosen(rule.code, blocks, wrong)
             wrong = wrong or [chosen, *(block for block in blocks if block is not chosen)]
             has_more = has_more or len(_BLOCK.findall(_FOLDED.sub("", text))) > 1
             text = f"{example[: blocks[0].start()].strip()}\n\n{chosen[0]}".strip()
@@ -55,10 +55,10 @@ def _first_example(section: str) -> tuple[str, list[re.Match[str]]]:
     return first, list(_BLOCK.finditer(first))
 
 
-def _chosen(blocks: list[re.Match[str]], wrong: list[re.Match[str]]) -> re.Match[str]:
+def _chosen(code: str, blocks: list[re.Match[str]], wrong: list[re.Match[str]]) -> re.Match[str]:
     """The block that carries the finding; of a Good example, the one that corrects what is ``wrong``: a file of the
     same name, or the first one that is not as it was."""
-    marked = [block for block in blocks if "expect:" in block[0]]
+    marked = [block for block in blocks if re.search(rf"expect:[^\n]*{code}", block[0])]
     as_it_was = {without_marks(block[0]) for block in wrong}
     changed = [block for block in blocks if block[0] not in as_it_was]
     corrected = [block for block in changed if wrong and block["name"] == wrong[0]["name"]]
