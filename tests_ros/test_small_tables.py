@@ -14,9 +14,8 @@ import yaml
 
 from archlint.config.settings import load
 from archlint.engine.pipeline import Request, check
-from archlint.model import Qos
 from archlint.ros import names, remapping
-from archlint.ros.qos import compatible
+from archlint.ros.qos import Qos, compatible
 from tests_ros.environments import Environment
 from tests_ros.running import INSIDE, domain_of_its_own
 

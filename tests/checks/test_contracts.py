@@ -13,9 +13,8 @@ from archlint.checks.registry import judge, options_for
 from archlint.cli import main
 from archlint.config.settings import ConfigurationError, load
 from archlint.finding import Finding
-from archlint.model import Qos
-from archlint.systems.launched import World
-from archlint.systems.model import Node, System
+from archlint.ros.qos import Qos
+from archlint.systems.model import Node, System, World
 from systems.builders import client, node, publisher, service, subscriber, system, unknown
 
 

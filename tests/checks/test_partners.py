@@ -9,7 +9,7 @@ from archlint.checks.registry import judge, options_for
 from archlint.config.settings import Settings
 from archlint.finding import Finding, Place
 from archlint.launch.model import FileReference, Gap, Included, Launched, Started
-from archlint.model import Qos
+from archlint.ros.qos import Qos
 from archlint.systems.model import Node, System
 from systems.builders import (
     action_client,

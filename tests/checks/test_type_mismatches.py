@@ -7,7 +7,7 @@ import pytest
 from archlint.checks.registry import Options
 from archlint.checks.type_mismatches import action_type_mismatch, service_type_mismatch, topic_type_mismatch
 from archlint.finding import Finding
-from archlint.libraries.rclpy.message_uses import UnknownInterface
+from archlint.model import UnknownInterface
 from archlint.systems.model import System
 from systems.builders import (
     action_client,

@@ -8,10 +8,12 @@ from pathlib import Path
 
 import pytest
 
+import archlint
 from archlint.checks import registry
 from archlint.checks.registry import Options, finding, rule
 from archlint.config.settings import load
 from archlint.engine.pipeline import NothingToDo, Request, check, graph
+from archlint.engine.result_cache import own_code
 from archlint.finding import Place, Severity
 from archlint.report.model import Report
 
@@ -324,6 +326,15 @@ def test_a_rule_is_handed_its_options():
 
 
 # --- the cache
+
+
+def test_an_edited_rule_is_not_answered_from_the_cache():
+    names = {
+        Path(name).relative_to(Path(archlint.__file__).parent).as_posix()
+        for name, *_ in own_code()
+        if name.endswith(".py")
+    }
+    assert {"checks/qos.py", "engine/pipeline.py", "ros/names.py"} <= names
 
 
 def summary_without_time(report: Report) -> list[object]:

@@ -8,9 +8,10 @@ from textwrap import dedent
 
 import pytest
 
-from archlint.model import CLIENT, PUBLISHER, SERVICE, SUBSCRIBER, Qos
+from archlint.model import CLIENT, PUBLISHER, SERVICE, SUBSCRIBER
 from archlint.observed.model import BAG, MONITOR, RECORDING
 from archlint.observed.read import CannotRead, read
+from archlint.ros.qos import Qos
 
 LESSON = Path(__file__).parent / "lesson.jazzy.json"
 """What the recorder wrote while the three nodes of ``fixtures/lesson`` ran, under rclpy of jazzy with Fast DDS."""

@@ -7,12 +7,12 @@ import json
 import pygraphviz
 import pytest
 
-from archlint.model import Qos
 from archlint.render import dot, mermaid, text
 from archlint.render import json as graph_json
 from archlint.render.drawing import svg
 from archlint.render.html import render as html
 from archlint.render.picture import broken_ends
+from archlint.ros.qos import Qos
 from archlint.systems.model import System
 from systems.builders import node, publisher, subscriber, system
 

@@ -5,8 +5,9 @@ import math
 
 import pytest
 
-from archlint.model import Group, Qos
+from archlint.model import Group
 from archlint.render.json import document, render
+from archlint.ros.qos import Qos
 from archlint.syntax.parameter_files import NotKnown
 from render.hostile import hostile
 from render.lesson import lesson

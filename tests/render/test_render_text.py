@@ -1,7 +1,7 @@
 from __future__ import annotations
 
-from archlint.model import Qos
 from archlint.render.text import render
+from archlint.ros.qos import Qos
 from archlint.syntax.parameter_files import NotKnown
 from render.hostile import hostile
 from render.lesson import lesson

@@ -8,9 +8,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from archlint.model import Qos
 from archlint.ros import qos
-from archlint.ros.qos import Verdict, compatible
+from archlint.ros.qos import Qos, Verdict, compatible
 
 
 def levels(offered: Qos, requested: Qos) -> dict[str, str]:

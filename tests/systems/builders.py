@@ -16,7 +16,8 @@ from typing import Any
 
 from archlint import model as program
 from archlint.finding import Place
-from archlint.model import Blueprint, Callback, Creation, Group, ParameterDeclaration, Program, Qos, Text
+from archlint.model import Blueprint, Callback, Creation, Group, ParameterDeclaration, Program, Text
+from archlint.ros.qos import Qos
 from archlint.systems.instances import instantiate
 from archlint.systems.model import Node, System
 

@@ -12,7 +12,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 
-from archlint.config.settings import DISTROS
+from archlint.ros.distros import DISTROS
 
 CALL = "call"
 """The thread stands still until the answer is there: ``call``, ``send_goal``, a loop, an event."""

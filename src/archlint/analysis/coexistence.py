@@ -11,8 +11,7 @@ from itertools import combinations
 from typing import TYPE_CHECKING
 
 from archlint.analysis.completeness import called_names, facts_at
-from archlint.systems.launched import key_of
-from archlint.systems.model import exclusive, runs_along
+from archlint.systems.model import exclusive, key_of, runs_along
 
 if TYPE_CHECKING:
     from archlint.systems.model import Connection, Endpoint, Node, System

@@ -14,7 +14,7 @@ from archlint.systems.implicit import implicit_names
 
 if TYPE_CHECKING:
     from archlint.finding import Place
-    from archlint.model import Qos
+    from archlint.ros.qos import Qos
     from archlint.systems.model import Endpoint, Node, System
 
 VERBS = {

@@ -18,7 +18,7 @@ from archlint.suggestions import did_you_mean
 from archlint.systems.implicit import implicit_names
 
 if TYPE_CHECKING:
-    from archlint.model import Qos
+    from archlint.ros.qos import Qos
     from archlint.systems.model import Connection, Endpoint, System
 
 

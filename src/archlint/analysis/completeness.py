@@ -13,8 +13,7 @@ from archlint.syntax import facts
 
 if TYPE_CHECKING:
     from archlint.model import Blueprint
-    from archlint.systems.launched import World
-    from archlint.systems.model import Node
+    from archlint.systems.model import Node, World
 
 _NODE_BASES = frozenset({"Node", "LifecycleNode", "object", "ABC", "Generic", "Protocol"})
 

@@ -30,9 +30,9 @@ from archlint.analysis.blocking import (
     Verdict,
     look_up,
 )
-from archlint.config.settings import DISTROS
 from archlint.finding import Related
 from archlint.model import FOR_A_MOMENT
+from archlint.ros.distros import DISTROS
 
 if TYPE_CHECKING:
     from archlint.model import ApiCall, Blueprint, Creation, ExecutorUse, Group, Program

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from archlint.launch.load import LaunchLoader
-    from archlint.systems.launched import World
+    from archlint.systems.model import World
 
 _TEMPLATES = (".in", ".j2", ".jinja", ".jinja2", ".em", ".erb", ".mako", ".template", ".tmpl", ".xacro")
 

@@ -12,8 +12,7 @@ from archlint.syntax import facts
 if TYPE_CHECKING:
     from archlint.finding import Place
     from archlint.model import ApiCall, Program
-    from archlint.systems.launched import World
-    from archlint.systems.model import Endpoint
+    from archlint.systems.model import Endpoint, World
 
 _BY_NAME = frozenset({"getattr", "vars", "__dict__"})
 """With one of these an attribute may be used that is not written out, unless ``getattr`` is given a literal."""

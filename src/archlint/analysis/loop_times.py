@@ -14,7 +14,7 @@ from archlint.syntax.walk import called_name, statements_of
 if TYPE_CHECKING:
     from archlint.analysis.sleeps import Stay
     from archlint.model import ApiCall
-    from archlint.systems.launched import World
+    from archlint.systems.model import World
 
 TINY = 0.01
 """Seconds of a pause between the items of something."""

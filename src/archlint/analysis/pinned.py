@@ -6,13 +6,13 @@ import re
 from functools import lru_cache
 from typing import TYPE_CHECKING
 
-from archlint.config.settings import DISTROS
+from archlint.ros.distros import DISTROS
 
 if TYPE_CHECKING:
     from collections.abc import Iterator
 
     from archlint.launch.load import Tree
-    from archlint.systems.launched import World
+    from archlint.systems.model import World
 
 _FILES = (".gitlab-ci.yml", "Dockerfile")
 _FOLDERS = (".github/workflows", ".devcontainer", "docker")

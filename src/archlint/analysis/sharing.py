@@ -6,8 +6,7 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
-    from archlint.systems.launched import World
-    from archlint.systems.model import Connection, Endpoint
+    from archlint.systems.model import Connection, Endpoint, World
 
 _COMMANDS = frozenset(
     {

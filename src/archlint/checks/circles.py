@@ -14,8 +14,7 @@ from archlint.finding import Finding, Place, Related, Severity
 from archlint.workspace.manifest import condition_verdict
 
 if TYPE_CHECKING:
-    from archlint.systems.launched import World
-    from archlint.systems.model import System
+    from archlint.systems.model import System, World
     from archlint.workspace.model import Package
 
 _BUILD = frozenset({"depend", "build", "build_export", "buildtool", "buildtool_export", "exec", "run"})

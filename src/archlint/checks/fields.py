@@ -15,7 +15,7 @@ from archlint.suggestions import did_you_mean
 
 if TYPE_CHECKING:
     from archlint.finding import Finding, Place
-    from archlint.libraries.rclpy.message_uses import FieldUse, Passed, UnknownInterface
+    from archlint.model import FieldUse, Passed, UnknownInterface
     from archlint.systems.model import System
 
 _SHOWN = 12

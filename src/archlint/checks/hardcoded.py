@@ -13,13 +13,11 @@ from archlint.checks.folding import folds
 from archlint.checks.names import WORDS
 from archlint.checks.registry import Options, finding, rule
 from archlint.finding import Finding, Fix, Related, Severity
-from archlint.systems.launched import key_of
-from archlint.systems.model import exclusive
+from archlint.systems.model import exclusive, key_of
 
 if TYPE_CHECKING:
     from archlint.finding import Place
-    from archlint.systems.launched import World
-    from archlint.systems.model import Endpoint, Node, System
+    from archlint.systems.model import Endpoint, Node, System, World
 
 ABSOLUTE_BY_CONVENTION = (
     "/tf",

@@ -23,8 +23,7 @@ from archlint.systems.instances import instantiate
 if TYPE_CHECKING:
     from archlint.launch.model import Remap, Started, UnknownAttribute
     from archlint.programs.installs import Executable, Installs
-    from archlint.systems.launched import World
-    from archlint.systems.model import Node, System
+    from archlint.systems.model import Node, System, World
 
 
 # ------------------------------------------------------------------------------------------------- LCH001

@@ -9,7 +9,7 @@ from archlint.checks.registry import finding
 from archlint.finding import Finding, Related
 from archlint.ros import names
 from archlint.ros.remapping import RemapRule
-from archlint.systems.launched import key_of
+from archlint.systems.model import key_of
 
 if TYPE_CHECKING:
     from archlint.finding import Place

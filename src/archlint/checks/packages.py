@@ -15,8 +15,7 @@ from archlint.syntax import facts
 if TYPE_CHECKING:
     from archlint.launch.load import LaunchLoader
     from archlint.programs.installs import Executable
-    from archlint.systems.launched import World
-    from archlint.systems.model import System
+    from archlint.systems.model import System, World
 
 
 def world_of(system: System) -> World | None:

@@ -16,8 +16,7 @@ from archlint.syntax import facts
 
 if TYPE_CHECKING:
     from archlint.model import ApiCall, ParameterDeclaration
-    from archlint.systems.launched import World
-    from archlint.systems.model import Node, System
+    from archlint.systems.model import Node, System, World
 
 
 # ------------------------------------------------------------------------------------------------- PRM003

@@ -17,8 +17,7 @@ from archlint.systems.overrides import Setting, applied, key_matches
 if TYPE_CHECKING:
     from archlint.launch.model import Included
     from archlint.model import Blueprint, ParameterDeclaration
-    from archlint.systems.launched import World
-    from archlint.systems.model import Node, System
+    from archlint.systems.model import Node, System, World
 
 _ALWAYS = frozenset({"use_sim_time", "start_type_description_service"})
 """Parameters that rclpy declares for every node."""

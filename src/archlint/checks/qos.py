@@ -12,8 +12,7 @@ from archlint.model import PUBLISHER, SUBSCRIBER
 
 if TYPE_CHECKING:
     from archlint.finding import Place
-    from archlint.model import Qos
-    from archlint.ros.qos import Verdict
+    from archlint.ros.qos import Qos, Verdict
     from archlint.systems.model import Endpoint, System
 
 

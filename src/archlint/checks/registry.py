@@ -29,7 +29,7 @@ from archlint.systems.variants import Arguments, condition
 if TYPE_CHECKING:
     from archlint.architecture import Contract, Layers
     from archlint.config.settings import Settings
-    from archlint.config.values import Glob
+    from archlint.globs import Glob
     from archlint.systems.model import System
 
 _REPORT = (

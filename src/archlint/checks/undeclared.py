@@ -11,9 +11,9 @@ from typing import TYPE_CHECKING
 
 from archlint.checks.packages import world_of
 from archlint.checks.registry import Options, finding, rule
-from archlint.engine.suppressions import is_covered
 from archlint.finding import Edit, Finding, Fix, Place, Related
 from archlint.ros import packages
+from archlint.rulebook import rules
 from archlint.suggestions import distance, nearest
 from archlint.syntax import facts
 from archlint.workspace.manifest import condition_holds
@@ -21,8 +21,7 @@ from archlint.workspace.manifest import condition_holds
 if TYPE_CHECKING:
     from archlint.launch.load import LaunchLoader
     from archlint.launch.model import Started
-    from archlint.systems.launched import World
-    from archlint.systems.model import System
+    from archlint.systems.model import System, World
     from archlint.workspace.model import Package
 
 
@@ -49,7 +48,7 @@ def undeclared_dependency(system: System, options: Options) -> Iterator[Finding]
     for folder, uses in by_package.items():
         used.setdefault(world.manifests[folder].name, set()).update(use.needed for use in uses)
     for folder, uses in sorted(by_package.items()):
-        hidden = [use for use in uses if is_covered("PKG001", use.place.line, suppressed.get(use.place.file, ()))]
+        hidden = [use for use in uses if _is_hidden(use, suppressed.get(use.place.file, ()))]
         # What a comment allows is a finding of its own, for the comment to hide.
         shown = [use for use in uses if use not in hidden and not _closes_circle(use, world, folder, used)]
         for group in (shown, *([use] for use in hidden)):
@@ -66,6 +65,12 @@ def _closes_circle(use: Use, world: World, folder: str, used: Mapping[str, Abstr
 def _suppressed(loader: LaunchLoader) -> dict[str, list[facts.Suppression]]:
     python = {file.relative: found.suppressions for file, found in loader.python_facts() if found.suppressions}
     return {**python, **loader.suppressions()}
+
+
+def _is_hidden(use: Use, suppressions: Sequence[facts.Suppression]) -> bool:
+    """Whether a comment hides what the rule says of a place."""
+    names = {"PKG001", rules()["PKG001"].name.upper()}
+    return any(one.covers(use.place.line) and any(word.upper() in names for word in one.codes) for one in suppressions)
 
 
 def uses_by_package(world: World, options: Options) -> dict[str, list[Use]]:

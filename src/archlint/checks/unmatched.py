@@ -17,8 +17,7 @@ from archlint.model import ACTION_CLIENT, ACTION_SERVER, CLIENT, PUBLISHER, SERV
 from archlint.systems.implicit import implicit_names
 
 if TYPE_CHECKING:
-    from archlint.systems.launched import World
-    from archlint.systems.model import Connection, Endpoint, Node, System
+    from archlint.systems.model import Connection, Endpoint, Node, System, World
 
 _FOR_TOOLS = (*SHARED_BY_DESIGN, "/robot_description")
 """Topics that tools such as RViz and the diagnostics aggregator listen to."""

@@ -11,10 +11,11 @@ from typing import TYPE_CHECKING
 from archlint.cli.exits import CLEAN
 from archlint.cli.options import Parser, add_configuration, add_paths, paths_of, settings_of
 from archlint.finding import Severity
+from archlint.globs import Glob
 from archlint.visible import visible
 
 if TYPE_CHECKING:
-    from archlint.config.settings import Glob, Settings
+    from archlint.config.settings import Settings
 
 
 def parser() -> argparse.ArgumentParser:
@@ -68,8 +69,6 @@ def _architecture(settings: Settings) -> Iterator[tuple[str, object]]:
 
 
 def _toml(value: object) -> str:
-    from archlint.config.settings import Glob
-
     if isinstance(value, Mapping):
         inner = ", ".join(f"{json.dumps(_key(key))} = {_toml(one)}" for key, one in value.items())
         return f"{{ {inner} }}" if inner else "{}"

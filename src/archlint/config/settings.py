@@ -19,22 +19,20 @@ from typing import TYPE_CHECKING, Any
 from archlint.config import architecture_tables
 from archlint.config import values as read
 from archlint.config.selection import Layer, Selection, resolve
-from archlint.config.values import ConfigurationError, Glob, Source, Value
+from archlint.config.values import ConfigurationError, Source, Value
 from archlint.disk import read_regular
+from archlint.globs import Glob
+from archlint.ros.distros import DISTROS
 
 if TYPE_CHECKING:
     from archlint.architecture import Contract, Layers
     from archlint.checks.registry import OptionValue
     from archlint.finding import Severity
 
-__all__ = ["DISTROS", "KEYS", "ConfigurationError", "Glob", "Settings", "load"]
+__all__ = ["KEYS", "ConfigurationError", "Settings", "load"]
 
 FILE_NAMES = (".archlint.toml", "archlint.toml", "pyproject.toml")
 """In the order in which they are looked for in a folder."""
-
-DISTROS = ("humble", "jazzy", "kilted", "lyrical", "rolling")
-"""The ROS distributions that are supported, oldest first."""
-
 
 CACHE_FOLDER = ".archlint_cache"
 MAX_BYTES = 1_000_000

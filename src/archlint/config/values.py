@@ -2,16 +2,15 @@
 
 from __future__ import annotations
 
-import os
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from difflib import get_close_matches
-from fnmatch import fnmatchcase
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from archlint.config.toml_places import KeyPath, locate
 from archlint.finding import Severity
+from archlint.globs import Glob
 from archlint.rulebook import codes_of, find_rule, suggestion
 
 if TYPE_CHECKING:
@@ -26,36 +25,6 @@ class ConfigurationError(Exception):
         place = file + (f":{line}" if line is not None else "")
         super().__init__(": ".join(part for part in (place, message) if part) + (f"\n{frame}" if frame else ""))
         self.message, self.file, self.line = message, file, line
-
-
-@dataclass(frozen=True)
-class Glob:
-    """A pattern and the folder that it is relative to: that of the file it is written in."""
-
-    pattern: str
-    base: str
-
-    def patterns(self) -> list[str]:
-        """The pattern as ``fnmatch`` patterns for paths relative to the working directory.
-
-        ``*`` crosses folders; a leading ``**/`` also stands for no folder at all; a pattern without a slash
-        is for the name of a file or folder wherever it lies.
-        """
-        pattern = self.pattern.rstrip("/")
-        if "/" not in pattern:
-            return [pattern]
-        base = os.path.relpath(self.base).replace(os.sep, "/")
-        prefix = "" if base == "." else f"{base}/"
-        pattern = pattern.removeprefix("./").lstrip("/")
-        return [prefix + pattern, *([prefix + pattern[3:]] if pattern.startswith("**/") else [])]
-
-    def matches(self, file: str) -> bool:
-        """Whether a file, by its path relative to the working directory, or a folder above it is meant."""
-        parts = file.split("/")
-        above = ["/".join(parts[: end + 1]) for end in range(len(parts))]
-        return any(
-            fnmatchcase(name, pattern) for pattern in self.patterns() for name in (above if "/" in pattern else parts)
-        )
 
 
 @dataclass(frozen=True)

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from archlint.config.settings import Settings
-    from archlint.config.values import Glob
+    from archlint.globs import Glob
     from archlint.report.model import Summary
     from archlint.systems.model import System
     from archlint.workspace.model import Workspace

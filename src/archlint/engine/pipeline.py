@@ -181,8 +181,8 @@ def _systems(request: Request, workspace: Workspace, facts: FactsOfFiles, tree: 
     from archlint.programs.linker import Linker
     from archlint.ros.interfaces import InterfaceTable
     from archlint.systems.instances import assemble
-    from archlint.systems.launched import World
     from archlint.systems.launches import launch_systems
+    from archlint.systems.model import World
 
     faults = Faults()
     installs = read_installs(workspace.packages, workspace.files, facts.facts_of, tree, faults)

@@ -16,6 +16,7 @@ from archlint.engine.sources import PYTHON
 from archlint.finding import Edit, Finding, Fix, Place, Related, Severity
 from archlint.report.json import diagnostic
 from archlint.report.model import Judged, Summary
+from archlint.rulebook import pages_folder
 
 if TYPE_CHECKING:
     from archlint.engine.pipeline import Request
@@ -129,10 +130,8 @@ def _digest(path: Path) -> str | None:
 
 def own_code() -> list[tuple[str, int, int]]:
     """Name, time and size of archlint's own modules: an edited rule must not be answered from the cache."""
-    from archlint.rulebook import pages_folder
-
     entries: list[tuple[str, int, int]] = []
-    folders = [str(Path(__file__).parent), str(pages_folder())]
+    folders = [str(Path(__file__).parents[1]), str(pages_folder())]
     while folders:
         with os.scandir(folders.pop()) as found:
             for entry in found:

@@ -7,10 +7,11 @@ from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING
 
-from archlint.rulebook import find_rule, rules, suggestion
+from archlint.checks.registry import finding
+from archlint.finding import Edit, Finding, Fix, Place
+from archlint.rulebook import find_rule, suggestion
 
 if TYPE_CHECKING:
-    from archlint.finding import Finding, Fix
     from archlint.syntax.facts import Suppression
 
 NEVER_SUPPRESSED = "LNT003"
@@ -40,10 +41,10 @@ def apply(findings: Iterable[Finding], by_file: Mapping[str, Sequence[Suppressio
     """Take away the findings whose primary place is covered by a suppression of their code or name."""
     outcome = Outcome()
     used: set[tuple[str, int, int, str]] = set()
-    for finding in findings:
-        covering = _covering(finding, by_file.get(finding.place.file, ()))
+    for one in findings:
+        covering = _covering(one, by_file.get(one.place.file, ()))
         used.update(covering)
-        (outcome.suppressed if covering else outcome.kept).append(finding)
+        (outcome.suppressed if covering else outcome.kept).append(one)
     for file, suppressions in sorted(by_file.items()):
         for suppression in suppressions:
             if not suppression.codes:
@@ -61,21 +62,10 @@ def _covering(finding: Finding, suppressions: Sequence[Suppression]) -> list[tup
     return [
         (finding.place.file, suppression.line, suppression.column, code)
         for suppression in suppressions
-        if _covers(suppression, finding.place.line)
+        if suppression.covers(finding.place.line)
         for code in suppression.codes
         if code.upper() == finding.code or code.lower() == finding.name
     ]
-
-
-def is_covered(code: str, line: int, suppressions: Sequence[Suppression]) -> bool:
-    """Whether one of a file's suppressions covers a line for the rule with that code."""
-    names = {code, rules()[code].name.upper()}
-    return any(_covers(one, line) and any(word.upper() in names for word in one.codes) for one in suppressions)
-
-
-def _covers(suppression: Suppression, line: int) -> bool:
-    first, last = suppression.applies_to
-    return suppression.scope == "file" or first <= line <= last
 
 
 def stale(unused: Iterable[Unused], ran: frozenset[str], line: Callable[[str, int], str | None]) -> list[Finding]:
@@ -89,9 +79,6 @@ def stale(unused: Iterable[Unused], ran: frozenset[str], line: Callable[[str, in
 
 
 def _stale(unused: list[Unused], line: Callable[[str, int], str | None]) -> Finding:
-    from archlint.checks.registry import finding
-    from archlint.finding import Place
-
     first = unused[0]
     comment, file = first.suppression, first.file
     codes = ", ".join(one.code for one in unused)
@@ -116,8 +103,6 @@ _ALONE_IN_XML = re.compile(r"<!--\s*archlint:\s*ignore(?:-file)?\[[^\]]*\]\s*-->
 def _without(one: Unused, codes: set[str], line: str | None) -> Fix | None:
     """Take codes out of a comment, or all of it where none is left.  A comment of XML that says more is left to
     its author."""
-    from archlint.finding import Edit, Fix, Place
-
     comment = one.suppression
     if line is None:
         return None

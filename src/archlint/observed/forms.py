@@ -16,8 +16,8 @@ from msgspec import Struct, field
 
 from archlint import model as program
 from archlint.finding import Place
-from archlint.model import Qos
 from archlint.observed.model import BAG, MONITOR, RECORDING, Observed, SeenEnd, SeenNode, SeenParameter, SeenTopic
+from archlint.ros.qos import Qos
 from archlint.syntax.safe_yaml import YamlError, YamlReader
 
 VERSION = 1

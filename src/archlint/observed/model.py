@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from archlint.finding import Place
-    from archlint.model import Qos
+    from archlint.ros.qos import Qos
 
 RECORDING = "recording"
 BAG = "bag"

@@ -13,7 +13,8 @@ from typing import TYPE_CHECKING, Any
 
 from archlint import model as program
 from archlint.analysis.delivery import undelivered_on
-from archlint.model import Creation, ParameterDeclaration, Qos
+from archlint.model import Creation, ParameterDeclaration
+from archlint.ros.qos import Qos
 from archlint.syntax.parameter_files import NotKnown
 from archlint.systems.model import Connection, Endpoint, Node, System
 

@@ -6,7 +6,7 @@ from collections import Counter
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
-from archlint.model import Qos
+from archlint.ros.qos import Qos
 from archlint.systems.graph import NODE
 from archlint.systems.model import Endpoint, Node
 from archlint.visible import visible

@@ -7,8 +7,43 @@ Sources: rmw ``qos_profiles.h``, rcl_action ``default_qos.h`` and rclpy ``qos.py
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
-from archlint.model import Qos
+if TYPE_CHECKING:
+    from archlint.finding import Place
+
+
+@dataclass(frozen=True)
+class Qos:
+    """A quality-of-service profile.  Values are lower case as in rmw (``keep_last``, ``best_effort``,
+    ``transient_local``, ``system_default``, ``best_available`` …); None is what could not be resolved.
+    Durations are in seconds, None where the default (infinite) stands.  ``explicit`` names the policies that
+    the code set itself."""
+
+    history: str | None = "keep_last"
+    depth: int | None = 10
+    reliability: str | None = "reliable"
+    durability: str | None = "volatile"
+    deadline: float | None = None
+    lifespan: float | None = None
+    liveliness: str | None = "system_default"
+    liveliness_lease: float | None = None
+    explicit: frozenset[str] = frozenset()
+    unknown_durations: frozenset[str] = frozenset()
+    parameter: str | None = None
+    """The parameter that decides (part of) the profile, if one does."""
+    place: Place | None = None
+    """Where the profile is written."""
+    overridable: bool = False
+    """True where the code passes ``qos_overriding_options``: parameters may change the profile."""
+
+    @property
+    def known(self) -> bool:
+        """True where history, depth, reliability and durability are all resolved."""
+        return None not in (self.history, self.reliability, self.durability) and (
+            self.depth is not None or self.history != "keep_last"
+        )
+
 
 DEFAULT = Qos()
 SENSOR_DATA = Qos(depth=5, reliability="best_effort")

@@ -465,6 +465,11 @@ class Suppression(Base, frozen=True):
     scope: str = "line"
     not_understood: str = ""
 
+    def covers(self, line: int) -> bool:
+        """Whether what stands on a line is meant."""
+        first, last = self.applies_to
+        return self.scope == "file" or first <= line <= last
+
 
 class FileProblem(Base, frozen=True):
     """Why (part of) a file could not be analysed: becomes an LNT002 finding at this place."""

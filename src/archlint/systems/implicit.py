@@ -10,8 +10,9 @@ from collections.abc import Iterable, Iterator
 from dataclasses import astuple, dataclass, replace
 
 from archlint import model as program
-from archlint.model import Blueprint, Creation, Qos, Text
+from archlint.model import Blueprint, Creation, Text
 from archlint.ros import names, qos
+from archlint.ros.qos import Qos
 from archlint.systems.model import Endpoint, Node, System
 from archlint.systems.resolution import FinalName, endpoint_name
 

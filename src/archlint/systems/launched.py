@@ -4,91 +4,28 @@ from __future__ import annotations
 
 import posixpath
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from dataclasses import dataclass, field, replace
-from functools import cached_property
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
-from archlint.faults import Faults
 from archlint.launch.model import Launched, OpenParameters, ParameterFileUse, ParameterSetting, Started
 from archlint.model import Blueprint, Overrides, Program, Text
 from archlint.ros import names
 from archlint.ros.remapping import RemapRule, rules_of_arguments
 from archlint.systems.command_line import Word, words_of
 from archlint.systems.instances import instantiate
-from archlint.systems.model import Endpoint, Node, System
+from archlint.systems.model import Endpoint, Node, System, key_of
 from archlint.systems.outside import is_undecided, known_name, outside
 from archlint.systems.overrides import applied, overrides_of
 from archlint.systems.understood import doubt
 
 if TYPE_CHECKING:
-    from archlint.finding import Place
     from archlint.interpreter.modules import Module
-    from archlint.launch.load import LaunchLoader
     from archlint.programs.installs import Installs
     from archlint.programs.linker import EntryPoint, Linker
-    from archlint.ros.interfaces import InterfaceTable
     from archlint.syntax.parameter_files import ParameterFacts
-    from archlint.workspace.model import Package
 
 RERUNS = 600
 """How many programs one session may run again with parameters from outside."""
-
-
-@dataclass(eq=False)
-class World:
-    """What rules about launch files and packages may ask, the same for all systems of a run."""
-
-    installs: Mapping[str, Installs] = field(default_factory=dict)
-    packages: Mapping[str, Package] = field(default_factory=dict)
-    manifests: Mapping[str, Package] = field(default_factory=dict)
-    """All packages by the shown path of their folder: two may have one name."""
-    launched: list[Launched] = field(default_factory=list)
-    """Every launch file of the workspace, run with its defaults (or the one that was asked for)."""
-    parameters_of: Callable[[str], ParameterFacts] | None = None
-    systems: list[System] = field(default_factory=list)
-    loader: LaunchLoader | None = None
-    faults: Faults = field(default_factory=Faults)
-    """Where archlint itself failed in this run."""
-    interfaces: InterfaceTable | None = None
-    explicit: bool = False
-    """True where a launch file was named: the only system then."""
-    partial: bool = False
-    """True where only files of one package, or single ones, of all that the configuration is for were asked for:
-    what is not seen may be elsewhere."""
-    cut_short: Callable[[], list[str]] = list
-    """The files of the programs that were followed only in part, since the workspace has so many."""
-
-    @cached_property
-    def started_by_launch(self) -> frozenset[object]:
-        """The nodes, by :func:`key_of`, that launched systems have under a final name."""
-        launched = (node for system in self.systems if system.name is not None for node in system.nodes)
-        return frozenset(key_of(n.blueprint) for n in launched if n.blueprint is not None and (n.name or n.error))
-
-    @cached_property
-    def launched_names(self) -> Mapping[tuple[object, str, Place], frozenset[str | None]]:
-        """The names that launch files give to what a node, by :func:`key_of`, creates at a place; None for one that
-        is not known."""
-        found: dict[tuple[object, str, Place], set[str | None]] = {}
-        for system in self.systems:
-            every = (system, *(other for _, other in system.alternatives)) if system.launched is not None else ()
-            for end in (end for one in every for node in one.nodes for end in node.endpoints):
-                if end.node.blueprint is not None:
-                    key = (key_of(end.node.blueprint), end.kind, end.place)
-                    found.setdefault(key, set()).add(end.name if end.resolved else None)
-        return {key: frozenset(names_) for key, names_ in found.items()}
-
-    @cached_property
-    def namespaces(self) -> Mapping[object, frozenset[str]]:
-        """The namespaces in which whole systems have each node, by :func:`key_of`; a node of which one is not known
-        has several.  A launch file that another one includes counts where no other has the node."""
-        found: dict[object, set[str]] = {}
-        for system in sorted(self.systems, key=lambda one: one.part):
-            for node in system.nodes if system.name is not None else ():
-                if node.blueprint is None or (system.part and key_of(node.blueprint) in found):
-                    continue
-                known = [node.name.rpartition("/")[0]] if node.name is not None else ["", "?"]
-                found.setdefault(key_of(node.blueprint), set()).update(known)
-        return {key: frozenset(names) for key, names in found.items()}
 
 
 class LaunchSystems:
@@ -342,10 +279,6 @@ def started_pairs(
         if len(every) <= 200:
             found.update(frozenset((one, other)) for n, one in enumerate(every) for other in every[n:])
     return found
-
-
-def key_of(blueprint: Blueprint) -> object:
-    return (blueprint.place, blueprint.class_name)
 
 
 def display_name(launch_file: str) -> str:

@@ -9,12 +9,12 @@ from archlint.finding import Place
 from archlint.launch.load import LaunchLoader
 from archlint.launch.model import UNKNOWN, Launched
 from archlint.model import Blueprint, Program
-from archlint.systems.launched import LaunchSystems, World, started_pairs
-from archlint.systems.model import System
+from archlint.systems.launched import LaunchSystems, started_pairs
+from archlint.systems.model import System, World
 from archlint.systems.variants import undecided_arguments
 
 if TYPE_CHECKING:
-    from archlint.config.values import Glob
+    from archlint.globs import Glob
     from archlint.programs.linker import EntryPoint, Linker
 
 

@@ -7,19 +7,25 @@ from functools import cached_property
 from typing import TYPE_CHECKING, TypeVar
 
 from archlint import model as program
+from archlint.faults import Faults
 from archlint.launch.model import NOT_FOLLOWED
 
 if TYPE_CHECKING:
-    from collections.abc import Iterable, Iterator, Sequence
+    from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 
     from archlint.finding import Place
+    from archlint.launch.load import LaunchLoader
     from archlint.launch.model import Launched, Started
-    from archlint.model import ApiCall, Blueprint, Callback, Creation, ParameterDeclaration, Program, Qos
+    from archlint.model import ApiCall, Blueprint, Callback, Creation, ParameterDeclaration, Program
     from archlint.observed.model import Comparison
+    from archlint.programs.installs import Installs
+    from archlint.ros.interfaces import InterfaceTable
+    from archlint.ros.qos import Qos
     from archlint.ros.remapping import RemapRule
-    from archlint.systems.launched import World
+    from archlint.syntax.parameter_files import ParameterFacts
     from archlint.systems.overrides import Setting
     from archlint.systems.resolution import NodeName
+    from archlint.workspace.model import Package
 
 
 @dataclass(eq=False)
@@ -260,6 +266,67 @@ class System:
         return other.package in self.package_dependencies.get(
             one.package, frozenset()
         ) or one.package in self.package_dependencies.get(other.package, frozenset())
+
+
+@dataclass(eq=False)
+class World:
+    """What rules about launch files and packages may ask, the same for all systems of a run."""
+
+    installs: Mapping[str, Installs] = field(default_factory=dict)
+    packages: Mapping[str, Package] = field(default_factory=dict)
+    manifests: Mapping[str, Package] = field(default_factory=dict)
+    """All packages by the shown path of their folder: two may have one name."""
+    launched: list[Launched] = field(default_factory=list)
+    """Every launch file of the workspace, run with its defaults (or the one that was asked for)."""
+    parameters_of: Callable[[str], ParameterFacts] | None = None
+    systems: list[System] = field(default_factory=list)
+    loader: LaunchLoader | None = None
+    faults: Faults = field(default_factory=Faults)
+    """Where archlint itself failed in this run."""
+    interfaces: InterfaceTable | None = None
+    explicit: bool = False
+    """True where a launch file was named: the only system then."""
+    partial: bool = False
+    """True where only files of one package, or single ones, of all that the configuration is for were asked for:
+    what is not seen may be elsewhere."""
+    cut_short: Callable[[], list[str]] = list
+    """The files of the programs that were followed only in part, since the workspace has so many."""
+
+    @cached_property
+    def started_by_launch(self) -> frozenset[object]:
+        """The nodes, by :func:`key_of`, that launched systems have under a final name."""
+        launched = (node for system in self.systems if system.name is not None for node in system.nodes)
+        return frozenset(key_of(n.blueprint) for n in launched if n.blueprint is not None and (n.name or n.error))
+
+    @cached_property
+    def launched_names(self) -> Mapping[tuple[object, str, Place], frozenset[str | None]]:
+        """The names that launch files give to what a node, by :func:`key_of`, creates at a place; None for one that
+        is not known."""
+        found: dict[tuple[object, str, Place], set[str | None]] = {}
+        for system in self.systems:
+            every = (system, *(other for _, other in system.alternatives)) if system.launched is not None else ()
+            for end in (end for one in every for node in one.nodes for end in node.endpoints):
+                if end.node.blueprint is not None:
+                    key = (key_of(end.node.blueprint), end.kind, end.place)
+                    found.setdefault(key, set()).add(end.name if end.resolved else None)
+        return {key: frozenset(names_) for key, names_ in found.items()}
+
+    @cached_property
+    def namespaces(self) -> Mapping[object, frozenset[str]]:
+        """The namespaces in which whole systems have each node, by :func:`key_of`; a node of which one is not known
+        has several.  A launch file that another one includes counts where no other has the node."""
+        found: dict[object, set[str]] = {}
+        for system in sorted(self.systems, key=lambda one: one.part):
+            for node in system.nodes if system.name is not None else ():
+                if node.blueprint is None or (system.part and key_of(node.blueprint) in found):
+                    continue
+                known = [node.name.rpartition("/")[0]] if node.name is not None else ["", "?"]
+                found.setdefault(key_of(node.blueprint), set()).update(known)
+        return {key: frozenset(names) for key, names in found.items()}
+
+
+def key_of(blueprint: Blueprint) -> object:
+    return (blueprint.place, blueprint.class_name)
 
 
 _Placed = TypeVar("_Placed", "Creation", "ParameterDeclaration")

@@ -29,6 +29,7 @@ from archlint.syntax import facts
 
 if TYPE_CHECKING:
     from archlint.interpreter.machine import Run
+    from archlint.ros.qos import Qos
 
 COMBINATIONS = 32
 """How many combinations of names and types one create call may stand for."""
@@ -115,7 +116,7 @@ def _create(
     name: model.Text,
     type_: str | None,
     why: str | None,
-    qos: model.Qos,
+    qos: Qos,
     alternative: int | None,
 ) -> model.Creation:
     place = run.place(call.expression.span) if call.expression is not None else Place("", 1, 1, 1, 1)

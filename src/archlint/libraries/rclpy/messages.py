@@ -14,7 +14,7 @@ from archlint import model
 from archlint.interpreter.values import EachValue, Known, MessageValue, OneOf, Unknown, Value
 from archlint.libraries.rclpy import names
 from archlint.libraries.rclpy.guards import guard_of
-from archlint.libraries.rclpy.message_uses import FieldUse, Passed, UnknownInterface
+from archlint.model import FieldUse, Passed, UnknownInterface
 from archlint.syntax import facts
 
 if TYPE_CHECKING:

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 from archlint.finding import Place
 from archlint.interpreter.values import ClassValue, External, Instance, Known, OneOf, Unknown, Value, alternatives, via
 from archlint.libraries.rclpy import names as rclpy_names
-from archlint.model import Qos
+from archlint.ros.qos import Qos
 
 if TYPE_CHECKING:
     from archlint.interpreter.machine import Run

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from archlint.finding import Place
-    from archlint.model import Blueprint, Creation
+    from archlint.model.nodes import Blueprint, Creation
 
 
 @dataclass(frozen=True)

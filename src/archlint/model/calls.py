@@ -1,0 +1,59 @@
+"""The calls that checks care about: what waits, spins, sleeps or reads a parameter."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from archlint.finding import Place
+    from archlint.model.nodes import Blueprint, Callback, Creation, Frame
+    from archlint.syntax import facts
+
+
+@dataclass(eq=False)
+class ApiCall:
+    """A call of an API that checks care about: blocking calls, spins, sleeps, parameter reads …
+
+    ``api`` is the canonical dotted name; ``arguments`` maps the API's own parameter names to values of the
+    link floor.  ``chain`` leads from ``context`` (what is running) to the call.
+    """
+
+    api: str
+    place: Place
+    context: Callback
+    chain: tuple[Frame, ...]
+    arguments: dict[str, object]
+    argument_places: dict[str, Place]
+    receiver: object = None
+    """The link floor's value the method is called on."""
+    creation: Creation | None = None
+    """The endpoint the call is made on or waits for, where it is known."""
+    node: Blueprint | None = None
+    function: str = ""
+    file: str = ""
+    expression: facts.Call | None = None
+    statement: facts.Stmt | None = None
+    loops: tuple[facts.While | facts.For, ...] = ()
+    """The loops of the same function that go round it, outermost first: not those that it always leaves."""
+    body: list[facts.Stmt] = field(default_factory=list)
+    """Body of the enclosing function."""
+    conditional: bool = False
+    awaited: bool = False
+    in_try: bool = False
+    """Whether a ``try`` is around it, here or in a caller."""
+    rounds: tuple[Place, ...] = ()
+    """The loops that go round it, also those of its callers, outermost first."""
+    arms: tuple[tuple[str, int], ...] = ()
+    """The arms of undecided branches that lead to it, outermost first."""
+    limits: tuple[float | None, ...] = ()
+    """For each of ``loops`` the seconds after which it ends, where it watches the clock for a known time."""
+    cleaning: bool = False
+    """Whether it is reached only where something has failed, and the callback ends with it."""
+    ways: list[tuple[tuple[Frame, ...], tuple[Place, ...], tuple[Creation, ...]]] = field(default_factory=list)
+    """Other chains (the loops on them, the endpoints it is for) from the same context, through the same arms."""
+
+    @property
+    def looped(self) -> bool:
+        """Whether a loop, be it in a caller, goes round it."""
+        return bool(self.rounds)

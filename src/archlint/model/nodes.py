@@ -1,0 +1,223 @@
+"""A node as one program makes it, and what it creates: endpoints, timers, parameters, callbacks."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from archlint.finding import Place
+    from archlint.model.texts import Text
+    from archlint.ros.qos import Qos
+    from archlint.syntax import facts
+
+PUBLISHER = "publisher"
+SUBSCRIBER = "subscriber"
+SERVICE = "service"
+CLIENT = "client"
+ACTION_SERVER = "action_server"
+ACTION_CLIENT = "action_client"
+TIMER = "timer"
+GUARD = "guard_condition"
+
+NEVER_CONSTRUCTED = "the node's constructor is not reached"
+"""Why the name of an object of a node class is not known where nothing calls ``Node.__init__`` on it."""
+
+ENDPOINT_KINDS = (PUBLISHER, SUBSCRIBER, SERVICE, CLIENT, ACTION_SERVER, ACTION_CLIENT)
+
+
+@dataclass(frozen=True)
+class Group:
+    """A callback group: ``kind`` is ``default``, ``mutually_exclusive``, ``reentrant`` or ``unknown``;
+    ``key`` tells one group object from another inside a program (None: not one object for certain)."""
+
+    kind: str = "default"
+    key: str | None = None
+    place: Place | None = None
+
+
+@dataclass(frozen=True)
+class Frame:
+    """One hop of a chain of calls: ``caller`` calls ``callee`` at ``place``."""
+
+    caller: str
+    callee: str
+    place: Place
+    body: Sequence[facts.Stmt] = field(default=(), compare=False, repr=False)
+    """Body of the caller."""
+
+
+@dataclass(eq=False)
+class Callback:
+    """What an executor, a future or a thread is given to run.
+
+    ``role`` is ``subscription``, ``timer``, ``service``, ``execute`` (of an action), ``goal``, ``cancel``,
+    ``accepted``, ``feedback``, ``done`` (of a future), ``parameter``, ``event``, ``guard``, ``task``, ``thread``,
+    ``lifecycle``, ``filter``; for code that no callback runs: ``init``, ``main``, ``module``, ``method``
+    (a method that nothing in the workspace calls).
+    """
+
+    role: str
+    name: str
+    """Qualified name for people: ``SensorNode.on_scan``, ``main``, ``<lambda>``."""
+    place: Place
+    """Where the function is defined."""
+    function: facts.Function | facts.Lambda | None
+    node: Blueprint | None = None
+    creation: Creation | None = None
+    """The entity whose callback this is."""
+    group: Group | None = None
+    """None: runs in no callback group."""
+    registered: Place | None = None
+    """Where it was handed over."""
+    is_async: bool = False
+    bound_arguments: int = 0
+    """How many leading positional arguments are already bound (``self``, ``partial``)."""
+    bound_keywords: frozenset[str] = frozenset()
+    """Parameters that a ``partial`` binds by name."""
+    file: str = ""
+    missing: str | None = None
+    """Set when the callback names a method that does not exist: its name."""
+
+
+@dataclass(eq=False)
+class Creation:
+    """One create call of one node: a publisher, subscription, service, client, action, timer …
+
+    ``conditional`` is set where only a branch that could not be decided creates it; ``arms`` names those
+    branches as ``(branch, arm)``: two creations with one branch and different arms exclude each other.
+    """
+
+    kind: str
+    api: str
+    """The call as rclpy knows it, such as ``rclpy.node.Node.create_publisher``."""
+    node: Blueprint
+    place: Place
+    name: Text
+    type: str | None
+    """``package/msg/Name``; None with ``type_reason`` where unknown."""
+    type_reason: str | None = None
+    type_place: Place | None = None
+    qos: Qos | None = None
+    callbacks: dict[str, Callback] = field(default_factory=dict)
+    """By role; a subscription has ``subscription``, an action server ``execute``, ``goal`` …"""
+    group: Group = field(default_factory=Group)
+    conditional: bool = False
+    arms: frozenset[tuple[str, int]] = frozenset()
+    chain: tuple[Frame, ...] = ()
+    """The calls that lead from the start of the run to the create call."""
+    context: Callback | None = None
+    """What was running: ``init``, ``main`` or a callback."""
+    period: float | None = None
+    """Seconds, of timers and rates; None where unknown."""
+    period_parameter: str | None = None
+    type_parameter: str | None = None
+    """The parameters that choose the type, separated by commas."""
+    function: str = ""
+    """Qualified name of the function that holds the create call."""
+    name_place: Place | None = None
+    """The argument that gives the name, at the create call."""
+    raw: bool = False
+    guard: str = ""
+    """What an ``if`` on the way, decided or not, or an early return asks before the create call is made: ``arguments``
+    (nothing but what a callback was called with), ``state`` (anything else), or nothing."""
+    proven: tuple[tuple[facts.Expr, bool], ...] = ()
+    """The conditions around the create call, with how they came out, that ask for no local variable."""
+    stored: bool = True
+    """False where the result of the create call is thrown away."""
+    destroyed: bool = False
+    key: int = 0
+
+
+@dataclass(eq=False)
+class ParameterDeclaration:
+    name: Text
+    type: str | None
+    """ROS type name: ``bool``, ``integer``, ``double``, ``string``, ``byte_array``, ``bool_array``,
+    ``integer_array``, ``double_array``, ``string_array``; None where dynamic or unknown."""
+    default: object
+    """The Python value; None where there is none or it is unknown (see ``known``)."""
+    known: bool
+    place: Place
+    node: Blueprint
+    conditional: bool = False
+    ignore_override: bool = False
+    dynamic: bool = False
+    chain: tuple[Frame, ...] = ()
+    given: tuple[object, ...] = ()
+    """The value that the constructor's ``parameter_overrides`` give it, which wins over all others; empty: none."""
+    uncalled: bool = False
+    """Whether it stands in a method that nothing here calls, of a base class say."""
+
+
+ClassKey = tuple["Place", str]
+"""Where a class is written, and its qualified name."""
+
+
+@dataclass(eq=False)
+class Blueprint:
+    """A node as one program makes it, before a launch file renames or remaps anything.
+
+    ``name`` and ``namespace`` are the constructor's; ``class_name`` the class (or function, for
+    ``create_node``).  With ``held`` it is no node: what a class or function creates on a node that nothing here
+    is seen to hand it, and what a class with a base from elsewhere creates on itself while nothing shows that
+    the base is a node.
+    """
+
+    class_name: str
+    name: Text
+    namespace: Text
+    place: Place
+    package: str | None
+    lifecycle: bool = False
+    held: bool = False
+    classes: tuple[ClassKey, ...] = ()
+    """Its class and the bases of that which are of this workspace."""
+    annotated: tuple[ClassKey, str] | None = None
+    """What annotations tell of a node that nothing here hands in: its class, or the class of what holds it and the
+    attribute there."""
+    creations: list[Creation] = field(default_factory=list)
+    parameters: list[ParameterDeclaration] = field(default_factory=list)
+    callbacks: list[Callback] = field(default_factory=list)
+    executables: tuple[str, ...] = ()
+    executor: str = "none"
+    """``single_threaded``, ``multi_threaded``, ``none`` (never spun) or ``unknown``."""
+    test: bool = False
+    """True where the node is defined in test code: never judged together with others."""
+    complete: bool = True
+    """False where something that may create entities could not be followed; ``gaps`` says what."""
+    gaps: list[tuple[Place, str]] = field(default_factory=list)
+    key: str = ""
+    allow_undeclared_parameters: bool = False
+    automatically_declare_parameters: bool = False
+    made_at: Place | None = None
+    """The call that makes it, where one does."""
+    arms: frozenset[tuple[str, int]] = frozenset()
+    """The branches that make it, as ``Creation.arms``."""
+    instead_of: Blueprint | None = None
+    """The node of the same class and name that it took the place of in a variable."""
+    served_apart: bool = False
+    """True where an executor was given it, and not one of several nodes."""
+    handed_out: bool = False
+    """True where code that is not in this workspace is given the node: that may spin it."""
+    number: int = 0
+    """How many nodes the program had made before this one."""
+    until: int | None = None
+    """How many it had made when this one was freed, as the function that held it returned; None where it may stay."""
+    made_by: Callback | None = None
+    """What ran as it was made: ``main``, or a callback."""
+    destroyed_at: int | None = None
+    """How many nodes the program had made when ``destroy_node()`` ran on this one, whatever branch was taken, in what
+    ``made_by`` is; None where it may live on."""
+    enable_rosout: bool = True
+    start_parameter_services: bool = True
+    use_global_arguments: bool = True
+    """False where the command line of the process (names, remappings, parameters) does not reach the node."""
+    cli_arguments: tuple[str, ...] = ()
+
+    @property
+    def made_again(self) -> bool:
+        """Whether it is another node once more, that one being gone: ``while not node.ready: node = Driver()``."""
+        first = self.instead_of
+        return first is not None and not (self.served_apart and first.served_apart)

@@ -1,0 +1,29 @@
+"""A name that the code computes, as far as it is known."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from archlint.finding import Place
+
+
+@dataclass(frozen=True)
+class Text:
+    """A string that the code computes: a name, as far as it is known.
+
+    ``resolution`` is ``exact`` (one known text), ``parameter`` (``text`` is the default or override of the
+    parameter called ``parameter``, or built from it), ``partial`` (``*`` in ``text`` stands for what only
+    data decides) or ``unknown`` (``text`` is None).  ``reason`` says why for the last two.
+    ``origin`` is where the text is written down, if it is written in one place; ``origin_kind`` is
+    ``literal``, ``format`` (an f-string or an operation on literals), ``argument_default``, ``node_name`` (made
+    from the name or namespace of a node) or ``other``.
+    """
+
+    text: str | None
+    resolution: str
+    parameter: str | None = None
+    reason: str | None = None
+    origin: Place | None = None
+    origin_kind: str = "other"
