@@ -42,6 +42,17 @@ def test_explain_shows_the_block_with_the_mistake_and_its_correction(capsys: pyt
     assert "<exec_depend>std_msgs</exec_depend>" in good
 
 
+@pytest.mark.parametrize(
+    ("code", "words"),
+    [
+        ("TOP001", "- A type that its package does not define: MSG002 reports it.\n"),
+        ("LNT003", "- Exit status, in archlint's README\n"),
+    ],
+)
+def test_explain_has_no_links_between_files(capsys: pytest.CaptureFixture[str], code: str, words: str):
+    assert words in printed(capsys, "explain", code)
+
+
 def test_explain_all_prints_every_example(capsys: pytest.CaptureFixture[str]):
     page = printed(capsys, "explain", "LCH001", "--all")
     assert page.startswith("# LCH001 unknown-executable\n\n*error, ")

@@ -16,6 +16,8 @@ _SECTION = re.compile(r"^## (.+)\n", re.MULTILINE)
 _EXAMPLE = re.compile(r"^### .+\n", re.MULTILINE)
 _FOLDED = re.compile(r"^<details>.*?^</details>\n?", re.MULTILINE | re.DOTALL)
 _BLOCK = re.compile(r"(?:^`(?P<name>[^`\n]+)`:\n+)?^```[a-z]*\n.*?^```\n?", re.MULTILINE | re.DOTALL)
+_OTHER_PAGE = re.compile(r"\[([^\]]+)\]\([A-Z]{3}\d{3}-[a-z0-9-]+\.md\)")
+_README = re.compile(r"\[([^\]]+)\]\(\.\./README\.md[^)]*\)")
 
 
 @dataclass(frozen=True)
@@ -40,13 +42,18 @@ def shown(rule: Rule, facts: str) -> Shown:
             has_more = has_more or len(_BLOCK.findall(_FOLDED.sub("", text))) > 1
             text = f"{example[: blocks[0].start()].strip()}\n\n{chosen[0]}".strip()
         parts.append(f"## {heading}\n{text.strip()}\n")
-    return Shown(without_marks("\n".join(parts)), has_more)
+    return Shown(_for_a_terminal("\n".join(parts)), has_more)
 
 
 def whole(rule: Rule, facts: str) -> str:
     """The page with all examples, without the files that are folded away."""
     title, _, rest = rule.body.strip().partition("\n")
-    return f"{title}\n\n{facts}\n{without_marks(_FOLDED.sub('', rest))}\n"
+    return f"{title}\n\n{facts}\n{_for_a_terminal(_FOLDED.sub('', rest))}\n"
+
+
+def _for_a_terminal(text: str) -> str:
+    """Without the test suite's marks, and without links that lead from one file of the repository to another."""
+    return _README.sub(r"\1, in archlint's README", _OTHER_PAGE.sub(r"\1", without_marks(text)))
 
 
 def _first_example(section: str) -> tuple[str, list[re.Match[str]]]:
