@@ -1493,6 +1493,27 @@ def test_bad_names_in_yaml_and_python(findings):
     assert told([one]) == [("launch/it.launch.py", 12, "ROS rejects the name of the node 'my-talker'")]
 
 
+ROUNDS = """\
+from launch import LaunchDescription
+from launch.actions import GroupAction
+from launch_ros.actions import Node, PushRosNamespace
+
+def generate_launch_description():
+    nodes = []
+    for name in ('{one}', '{other}'):
+        nodes.append(GroupAction([PushRosNamespace('{root}'), Node(
+            package='robot', executable='talker', namespace=name)]))
+    return LaunchDescription(nodes)
+"""
+
+
+def test_the_rounds_of_a_loop_are_one_bad_name(findings):
+    (one,) = findings("NME002", **{"launch/it.launch.py": ROUNDS.format(root="/", one="2d", other="3d")})
+    assert told([one]) == [("launch/it.launch.py", 9, "ROS rejects the namespace '/2d'")]
+    assert ["'/3d'" in related.message for related in one.related] == [True]
+    assert findings("NME002", **{"launch/it.launch.py": ROUNDS.format(root="/", one="left", other="right")}) == []
+
+
 def test_a_name_that_launch_files_replace_is_judged_as_they_give_it(findings):
     bad = {"robot/talker.py": TALKER.replace("'talker'", "'my-talker'")}
     assert findings("NME002", node(name="good"), **bad) == []

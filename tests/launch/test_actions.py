@@ -25,6 +25,10 @@ def node(name: str, **keywords: str) -> str:
         ("'robot'", "'left'", "/robot/left/n"),
         ("'robot'", "'/left'", "/left/n"),
         ("'/a/'", "'b/'", "/a/b/n"),
+        ("'/'", None, "/n"),
+        ("'/'", "'left'", "/left/n"),
+        ("'/'", "''", "/n"),
+        ("''", "'left'", "/left/n"),
     ],
 )
 def test_namespace_of_a_node(launches, pushed, own, full):
@@ -38,6 +42,15 @@ def test_namespaces_add_up_until_their_group_ends(launches):
         f"[GroupAction([PushRosNamespace('a'), PushRosNamespace('b'), {node('in')}]), {node('out')}]"
     )
     assert names(launched) == ["/a/b/in", "out"]
+
+
+def test_the_root_namespace_adds_no_slash(launches):
+    component = "ComposableNode(package='p', plugin='p::C', name='c', namespace='left')"
+    launched = launches.python(
+        f"[PushRosNamespace('/'), PushRosNamespace('robot'), {node('n')}, GroupAction([PushRosNamespace('/'), "
+        f"LoadComposableNodes(target_container='box', composable_node_descriptions=[{component}])])]"
+    )
+    assert names(launched) == ["/robot/n", "/left/c"]
 
 
 def test_a_group_without_scope_leaks(launches):

@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 
 def names_given_by_launch(system: System) -> Iterator[Finding]:
     """Every bad name that a launch file gives: of nodes, of namespaces, and in remappings; each cause once."""
-    told: dict[tuple[str, Place | str], list[Place]] = {}
+    told: dict[tuple[str, Place | str], list[Related]] = {}
     found: dict[tuple[str, Place | str], Finding] = {}
     launched = system.launched
     if launched is None:
@@ -32,13 +32,15 @@ def names_given_by_launch(system: System) -> Iterator[Finding]:
         for one, cause in _bad_names(started):
             if empty and _has_empty_part(one):
                 continue
-            key = (one.message, cause)
+            key = (one.identity[0], cause)  # the rounds of a loop give several names at one place
             found.setdefault(key, one)
-            told.setdefault(key, []).append(started.place)
+            others = told.setdefault(key, [Related(started.place, "")])
+            if one.message != found[key].message:
+                others.append(Related(started.place, one.message))
+            elif started.place not in (found[key].place, others[0].place):
+                others.append(Related(started.place, "this one is in it, too"))
     for key, one in found.items():
-        others = [place for place in told[key][1:] if place not in (one.place, told[key][0])]
-        related = [Related(place, "this one is in it, too") for place in dict.fromkeys(others)]
-        yield finding(one.code, one.place, one.message, help=one.help, related=related, identity=one.identity)
+        yield finding(one.code, one.place, one.message, help=one.help, related=told[key][1:], identity=one.identity)
 
 
 def _wants_a_value(launched: Launched) -> bool:

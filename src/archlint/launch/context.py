@@ -68,7 +68,10 @@ class Context:
 
 
 def prefix_namespace(base: Value | None, namespace: Value | None) -> Value | None:
-    """launch_ros' ``prefix_namespace``: an absolute one replaces, a relative one is joined below ``base``."""
+    """launch_ros' ``prefix_namespace``: an absolute one replaces, a relative one is joined below ``base``.
+
+    The root as ``base`` adds nothing in front of the slash: ``/`` and ``robot`` make ``/robot``.
+    """
     if namespace is None or base is None or _is(base, ""):
         found = namespace if namespace is not None else base
         return None if found is None else _stripped(found)
@@ -82,7 +85,11 @@ def _below(base: Value, namespace: Value) -> Value:
     start = _start(namespace)
     if start is None:
         return Unknown(_why(namespace))
-    return namespace if start.startswith("/") else join_texts((base, Known("/"), namespace))
+    if start.startswith("/") or _is(base, ""):
+        return namespace
+    if _is(namespace, ""):
+        return base
+    return join_texts((Known("") if _is(base, "/") else base, Known("/"), namespace))
 
 
 def absolute(namespace: Value | None) -> Value | None:
