@@ -68,6 +68,25 @@ def _is_slip(one: str, other: str) -> bool:
     return distance(one, other, limit) <= limit
 
 
+def have_same_words(one: str, other: str) -> bool:
+    """Whether two names consist of the same words in another order, some of them perhaps written together:
+    ``params_multirobot_1`` and ``multi_robot_1_params``."""
+    mine, yours = ([part.lower() for part in _PARTS.split(name) if part] for name in (one, other))
+    return one != other and max(len(mine), len(yours)) > 1 and (_made_of(mine, yours) or _made_of(yours, mine))
+
+
+def _made_of(coarse: list[str], fine: list[str]) -> bool:
+    """Whether each of some words is one, or several in a row, of others, and all of these are used."""
+    left = list(fine)
+    for word in sorted(coarse, key=len, reverse=True):
+        runs = ((i, j) for i in range(len(left)) for j in range(i + 1, len(left) + 1) if "".join(left[i:j]) == word)
+        found = next(runs, None)
+        if found is None:
+            return False
+        left[found[0] : found[1]] = [""]  # words on both sides are no neighbours
+    return not any(left)
+
+
 def did_you_mean(word: str, known: Iterable[str]) -> str:
     """``; did you mean 'x'?`` to put after a message, or nothing."""
     near = nearest(word, known)

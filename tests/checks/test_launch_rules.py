@@ -756,6 +756,109 @@ def test_a_launch_file_that_a_command_names(findings, files: dict[str, str], tol
     assert all(told in message for message in messages)
 
 
+GIVES = """\
+import os
+from ament_index_python.packages import get_package_share_directory
+from launch import LaunchDescription
+from launch.actions import DeclareLaunchArgument, IncludeLaunchDescription
+from launch.launch_description_sources import AnyLaunchDescriptionSource
+from launch.substitutions import LaunchConfiguration
+
+def generate_launch_description():
+    share = get_package_share_directory('robot')
+    def inner(name, file):
+        return IncludeLaunchDescription(AnyLaunchDescriptionSource(share + '/launch/' + name),
+                                        launch_arguments={'params': file}.items())
+    return LaunchDescription([
+        DeclareLaunchArgument('file', default_value=os.path.join(share, 'config', 'gone.yaml')),
+        inner('one.launch.xml', LaunchConfiguration('file')),
+        inner('two.launch.xml', LaunchConfiguration('file')),
+        inner('two.launch.xml', os.path.join(share, 'config', 'lost.yaml')),
+    ])
+"""
+
+
+def test_a_missing_file_is_told_where_it_is_named(findings):
+    """The files that use it name none: what they are given has a default, or is written in the include."""
+    arg = '<arg name="params" default="$(find-pkg-share robot)/config/good.yaml"/>'
+    inner = "<launch>" + arg + "\n" + node('<param from="$(var params)"/>') + "</launch>"
+    files = {"launch/one.launch.xml": inner, "launch/two.launch.xml": inner, "config/good.yaml": ""}
+    outer = {"launch/outer.launch.py": GIVES}
+    gone, lost = findings("LCH004", **files, **outer)
+    rows = [(one.place.file, one.place.line, one.message.rpartition(" ")[2]) for one in (gone, lost)]
+    assert rows == [
+        ("launch/outer.launch.py", 14, "'config/gone.yaml'"),
+        ("launch/outer.launch.py", 17, "'config/lost.yaml'"),
+    ]
+    uses = [[(one.place.file, one.place.line) for one in found.related] for found in (gone, lost)]
+    assert uses == [[("launch/one.launch.xml", 2), ("launch/two.launch.xml", 2)], [("launch/two.launch.xml", 2)]]
+    there = {"config/gone.yaml": "", "config/lost.yaml": ""}
+    assert findings("LCH004", **files, **outer, **there) == []
+
+
+def test_a_variable_for_a_missing_file_is_told_once(findings):
+    text = """\
+import os
+from ament_index_python.packages import get_package_share_directory
+from launch import LaunchDescription
+from launch_ros.actions import Node
+
+def generate_launch_description():
+    view = os.path.join(get_package_share_directory('robot'), 'config', 'view.rviz')
+    return LaunchDescription([
+        Node(package='rviz2', executable='rviz2', name='one', arguments=['-d', view]),
+        Node(package='rviz2', executable='rviz2', name='two', arguments=['-d', view])])
+"""
+    (found,) = findings("LCH004", **{"launch/py.launch.py": text})
+    assert (found.place.line, [one.place.line for one in found.related]) == (7, [9, 10])
+
+
+@pytest.mark.parametrize(
+    ("test", "told"),
+    [
+        ("if os.path.exists(path):", 0),
+        ("if os.path.isfile(path):", 0),
+        ("if Path(path).exists():", 0),
+        ("if os.path.exists(os.path.dirname(path)):", 1),  # another path
+        ("if os.environ.get('CONFIGURED'):", 1),
+        ("if not os.path.exists(path):\n        raise RuntimeError(path)\n    if True:", 1),  # it cannot do without
+    ],
+)
+@pytest.mark.parametrize("use", ["parameters = [path]", "talkers = [Node(**talker, parameters=[path])]"])
+def test_a_file_that_is_used_only_where_it_is(findings, test: str, told: int, use: str):
+    text = f"""\
+import os
+from pathlib import Path
+from ament_index_python.packages import get_package_share_directory
+from launch import LaunchDescription
+from launch_ros.actions import Node
+
+def generate_launch_description():
+    path = os.path.join(get_package_share_directory('robot'), 'config', 'perhaps.yaml')
+    talker = dict(package='robot', executable='talker')
+    parameters, talkers = [], []
+    {test}
+        {use}
+    return LaunchDescription([Node(**talker, parameters=parameters), *talkers])
+"""
+    assert len(findings("LCH004", **{"launch/py.launch.py": text})) == told
+
+
+@pytest.mark.parametrize(
+    ("there", "hint"),
+    [
+        ("params_multi_robot_1.yaml", True),
+        ("multirobot_1_params.yaml", True),
+        ("params_multi_robot_2.yaml", False),  # the other robot's
+        ("params_robot_1.yaml", False),
+    ],
+)
+def test_a_file_whose_words_stand_in_another_order(findings, there: str, hint: bool):
+    inner = '<param from="$(find-pkg-share robot)/config/multirobot_params_1.yaml"/>'
+    (found,) = findings("LCH004", node(inner), **{f"config/{there}": ""})
+    assert (f"did you mean '{there}'?" in found.message) is hint
+
+
 WRITES = "with open(os.path.join(folder, 'made.yaml'), 'w') as file:\n    file.write(text)\n"
 
 

@@ -16,12 +16,13 @@ from archlint.finding import Finding, Related
 from archlint.launch.model import MISSING, NOT_INSTALLED
 from archlint.model import ACTION_CLIENT, ACTION_SERVER
 from archlint.ros import names
-from archlint.suggestions import did_you_mean, distance, listed
+from archlint.suggestions import did_you_mean, distance, have_same_words, listed
 from archlint.syntax import facts
 from archlint.systems.instances import instantiate
 
 if TYPE_CHECKING:
-    from archlint.launch.model import Remap, Started, UnknownAttribute
+    from archlint.finding import Place
+    from archlint.launch.model import FileReference, Remap, Started, UnknownAttribute
     from archlint.programs.installs import Executable, Installs
     from archlint.systems.model import Node, System, World
 
@@ -219,13 +220,16 @@ _WHAT = {"launch": "launch file", "parameters": "parameter file", "rviz": "RViz 
 @rule("LCH004")
 def missing_launch_file(system: System, options: Options) -> Iterator[Finding]:
     """Included files, parameter files and RViz configurations that are not where the launch file looks."""
+    uses: dict[tuple[Place, str | None], list[FileReference]] = {}
     for reference in system.launched.references if system.launched is not None else ():
-        if reference.status not in (MISSING, NOT_INSTALLED) or reference.written is None:
-            continue
-        if reference.status == MISSING and _writes_files(system.world, reference.place.file):
+        if reference.status in (MISSING, NOT_INSTALLED) and not reference.optional:
+            uses.setdefault((_decided_at(reference), reference.written), []).append(reference)
+    for (place, written), [reference, *others] in uses.items():
+        files = {place.file, reference.place.file, *(other.place.file for other in others)}
+        if reference.status == MISSING and any(_writes_files(system.world, file) for file in files):
             continue
         what = _WHAT.get(reference.kind, "file")
-        shown = re.sub(r"^\$\((?:find-pkg-share [\w.-]+|workspace)\)/?", "", reference.written)
+        shown = re.sub(r"^\$\((?:find-pkg-share [\w.-]+|workspace)\)/?", "", written or "")
         if reference.status == MISSING and is_generated(system.world, reference.package or "", shown):
             continue
         if reference.status == MISSING:
@@ -235,9 +239,25 @@ def missing_launch_file(system: System, options: Options) -> Iterator[Finding]:
         else:
             message = f"package '{reference.package}' does not install the {what} '{shown}'"
             help = f"{reference.source} is there: install it (data_files in setup.py, install(DIRECTORY …) in CMake)"
+        read = dict.fromkeys(one.place for one in (reference, *others) if one.place != place)
         yield finding(
-            "LCH004", reference.place, message, help=help, identity=(reference.package or "", reference.written)
+            "LCH004",
+            place,
+            message,
+            help=help,
+            related=[Related(one, "it is used here") for one in read],
+            identity=(reference.package or "", written or ""),
         )
+
+
+def _decided_at(reference: FileReference) -> Place:
+    """Where the name of a file is written, an argument's default say, unless that is inside of what uses it."""
+    use, given = reference.place, reference.given
+    if given is None or given.file != use.file:
+        return given or use
+    starts = (use.line, use.column) <= (given.line, given.column)
+    ends = (given.end_line, given.end_column) <= (use.end_line, use.end_column)
+    return use if starts and ends else given
 
 
 _WRITERS = frozenset({"write_text", "write_bytes", "copy", "copy2", "copyfile"})
@@ -267,6 +287,9 @@ def _did_you_mean_file(world: World | None, package: str, shown: str) -> str:
     limit = max(1, len(name.partition(".")[0]) // 3)  # endings are alike without saying much
     beside = [path for path in loader.tree.files_below(folder) if posixpath.dirname(path) == folder]
     names_beside = [posixpath.basename(path) for path in beside]
+    same = [other for other in names_beside if have_same_words(name, other)]
+    if len(same) == 1:
+        return f"; did you mean '{same[0]}'?"
     return did_you_mean(name, [other for other in names_beside if distance(name, other, limit) <= limit])
 
 

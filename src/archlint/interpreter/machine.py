@@ -387,6 +387,9 @@ class Run:
     def note_open_test(self, key: str, test: Value) -> None:
         """Nothing decides the test of a branch; a launch notes why."""
 
+    def note_asked_file(self, path: str) -> None:
+        """The code asks whether a file is there; a launch notes which."""
+
     def branch(self, key: str, arm: int, block: list[facts.Stmt]) -> tuple[Status, Layer]:
         """Run a block as one arm of an undecided branch; its writes are returned, not applied."""
         with self.arm(key, arm) as taken:

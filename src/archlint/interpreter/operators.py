@@ -32,6 +32,7 @@ from archlint.interpreter.values import (
     Value,
     alternatives,
     constant,
+    file_origin,
     join_texts,
     one_of,
     reason,
@@ -80,7 +81,7 @@ def _binary_one(run: Run, op: str, left: Value, right: Value, span: facts.Span) 
         return join_texts((left, right), run.place(span))
     if op == "/" and isinstance(left, Known) and isinstance(right, Known) and is_text(left) and is_text(right):
         joined = posixpath.join(str(left.value), str(right.value))  # of a pathlib.Path
-        return constant(joined, via(left, right), kind="path")
+        return constant(joined, via(left, right), kind="path", origin=file_origin(left, right))
     if op == "%" and is_text(left):
         return percent_format(run, left, right, span)
     if op == "+" and isinstance(left, ListValue) and isinstance(right, ListValue):

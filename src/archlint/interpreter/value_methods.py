@@ -17,6 +17,7 @@ from archlint.interpreter.values import (
     Value,
     alternatives,
     constant,
+    file_origin,
     one_of,
     reason,
     via,
@@ -141,8 +142,12 @@ def _text_method(
         rest = [arg.value for arg in args if isinstance(arg, Known)]
         if name != "joinpath" or len(rest) == len(args):
             joined = "/".join([text, *map(str, rest)]) if name == "joinpath" else text
-            return constant(joined, target.via, kind="other" if name == "as_posix" else "path")
+            kind = "other" if name == "as_posix" else "path"
+            return constant(joined, target.via, kind, file_origin(target, *args))
         return Unknown(reason(*args))
+    if target.kind == "path" and name in ("exists", "is_file"):
+        run.note_asked_file(text)
+        return Unknown("whether a file is there")
     if name == "join" and args:
         items = containers.iterate(run, args[0])
         if items is None or items.open:

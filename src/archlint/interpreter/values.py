@@ -386,13 +386,28 @@ NUMBER_BITS = 1_000
 """How large the whole numbers are that a program makes of others: every one of them fits a float and a text."""
 
 
-def constant(value: str | int | float | bool, via: frozenset[str] = NO_PARAMETERS, kind: str = "other") -> Value:
+def constant(
+    value: str | int | float | bool,
+    via: frozenset[str] = NO_PARAMETERS,
+    kind: str = "other",
+    origin: Place | None = None,
+) -> Value:
     """A constant that a program makes of others; not known where it is longer or larger than is followed."""
     if isinstance(value, str) and len(value) > TEXT_LIMIT:
         return Unknown("a text too long to follow")
     if isinstance(value, int) and value.bit_length() > NUMBER_BITS:
         return Unknown("a number too large to follow")
-    return Known(value, via, kind=kind)
+    return Known(value, via, origin, kind)
+
+
+def file_origin(*parts: Value) -> Place | None:
+    """Where the name of a file is written that ends a path made of ``parts``; a suffix alone (``.yaml``) is none."""
+    for part in reversed(parts):
+        if isinstance(part, (Known, Holed)) and part.origin is not None:
+            text = str(part.value) if isinstance(part, Known) else part.parts[-1] or ""
+            if text.strip("/") and (not text.startswith(".") or "/" in text):
+                return part.origin
+    return None
 
 
 def join_texts(parts: Sequence[Value], origin: Place | None = None) -> Value:

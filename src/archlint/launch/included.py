@@ -12,7 +12,7 @@ from archlint.interpreter.heap import Items
 from archlint.interpreter.values import Instance, Known, OneOf, Unknown, Value
 from archlint.launch.context import Context
 from archlint.launch.model import Included, ParameterFileUse
-from archlint.launch.substitutions import argument, kind_of, perform
+from archlint.launch.substitutions import argument, kind_of, perform, written_at
 from archlint.launch.visiting import callable_value, each_alternative, visit, visit_items
 
 if TYPE_CHECKING:
@@ -74,7 +74,7 @@ def _given(run: LaunchRun, arguments: Value | None) -> tuple[tuple[str, Place], 
                 where = run.store.get(getattr(row, "key", 0), "#place")
                 origin = pair[0].origin if isinstance(pair[0], Known) else None
                 names.append((str(name.value), where if isinstance(where, Place) else origin or run.place_now))
-                run.launch.configurations[str(name.value)] = perform(run, pair[1])
+                run.launch.configurations[str(name.value)] = written_at(perform(run, pair[1]), names[-1][1])
     return tuple(names)
 
 

@@ -373,7 +373,8 @@ class LaunchLoader:
             source, status = self._beside(written.removeprefix("$(workspace)/"), package, run.file)
         else:
             return FileReference(kind, written, None, EXTERNAL, None, place, "a path of the machine", conditional)
-        return FileReference(kind, written, source, status, package, place, None, conditional)
+        optional = conditional and posixpath.normpath(written) in run.asked_files
+        return FileReference(kind, written, source, status, package, place, None, conditional, path.origin, optional)
 
     def _in_package(self, package: str, rest: str) -> tuple[str | None, str]:
         installs = self.installs.get(package)

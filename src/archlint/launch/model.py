@@ -59,6 +59,10 @@ class FileReference:
     place: Place
     reason: str | None = None
     conditional: bool = False
+    given: Place | None = None
+    """Where its name is written: another place than ``place`` where an argument or a variable hands it over."""
+    optional: bool = False
+    """Whether the launch file asks first if it is there."""
 
 
 @dataclass(frozen=True)

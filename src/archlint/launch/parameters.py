@@ -47,7 +47,8 @@ def parameters_of(run: LaunchRun, value: Value | None, place: Place) -> list[Par
     if value is None:
         return []
     if isinstance(value, OneOf):
-        options = [found for option in value.values for found in parameters_of(run, option, place)]
+        with run.perhaps():
+            options = [found for option in value.values for found in parameters_of(run, option, place)]
         return [OpenParameters("one of several lists of parameters", place, of_several=True), *options]
     items = containers.iterate(run, value) if isinstance(value, ListValue) else None
     if items is None:
@@ -68,8 +69,9 @@ def _one(run: LaunchRun, item: Value, place: Place) -> Iterator[Parameter]:
         place = item.place
     if isinstance(item, OneOf):
         yield OpenParameters("one of several parameters", place, of_several=True)
-        for option in item.values:
-            yield from _one(run, option, place)
+        with run.perhaps():
+            found = [one for option in item.values for one in _one(run, option, place)]
+        yield from found
     elif isinstance(item, DictValue):
         yield from _entries(run, item, (), place, _Room())
     elif kind == "Parameter":
@@ -84,11 +86,13 @@ def _one(run: LaunchRun, item: Value, place: Place) -> Iterator[Parameter]:
 
 
 def file_use(run: LaunchRun, value: Value | None, place: Place, substitutions: bool = False) -> ParameterFileUse:
-    if isinstance(value, Known) and value.origin is not None:
+    if isinstance(value, Known) and value.origin is not None and value.kind == "literal":
         place = value.origin
     path = perform(run, value)
     made = run.made_files.get(str(path.value)) if isinstance(path, Known) else None
-    reference = run.reference("parameters", path if made is None else Known(made.source), place)
+    if made is not None and isinstance(path, Known):
+        path = Known(made.source, origin=path.origin)
+    reference = run.reference("parameters", path, place)
     known: tuple[tuple[str, str], ...] = ()
     if substitutions:
         rows = run.launch.configurations.items()

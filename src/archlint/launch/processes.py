@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 import shlex
+from collections.abc import Sequence
 from itertools import pairwise
 from typing import TYPE_CHECKING
 
@@ -59,7 +60,8 @@ def _started(run: LaunchRun, entity: Instance, kind: str) -> Started:
         places=run.places_of(entity),
     )
     started.remaps = [*(run.launch.remaps or ()), *_remaps(run, argument(entity, "remappings"))]
-    started.arguments, whole = _words(run, argument(entity, "arguments"))
+    words, whole = _texts(run, argument(entity, "arguments"))
+    started.arguments = _known(words)
     started.ros_arguments, whole_ros = _words(run, argument(entity, "ros_arguments"))
     started.whole_arguments = whole and whole_ros
     started.parameters = [
@@ -69,9 +71,9 @@ def _started(run: LaunchRun, entity: Instance, kind: str) -> Started:
     ]
     if run.store.get(entity.key, "#open"):
         started.parameters.append(OpenParameters("arguments that are passed by **", run.place_now))
-    for word in started.arguments:
-        if word is not None and word.endswith(".rviz"):
-            run.reference("rviz", Known(word), started.places.get("arguments", run.place_now))
+    for word in words:
+        if isinstance(word, Known) and str(word.value).endswith(".rviz"):
+            run.reference("rviz", word, started.places.get("arguments", run.place_now))
     return started
 
 
@@ -95,15 +97,24 @@ def _remaps(run: LaunchRun, value: Value | None) -> list[Remap]:
 
 def _words(run: LaunchRun, value: Value | None) -> tuple[list[str | None], bool]:
     """The words of a command line, None for one that is not known; False where there may be others."""
+    words, whole = _texts(run, value)
+    return _known(words), whole
+
+
+def _known(words: Sequence[Value]) -> list[str | None]:
+    return [str(word.value) if isinstance(word, Known) else None for word in words]
+
+
+def _texts(run: LaunchRun, value: Value | None) -> tuple[list[Value], bool]:
+    """The words of a command line as values; False where there may be others."""
     if value is None:
         return [], True
     if isinstance(value, Known) or kind_of(value):
         text = perform(run, value)
-        return (_split(str(text.value)), True) if isinstance(text, Known) else ([None], False)
-    found: list[str | None] = []
-    for item in run.items(value):
-        text = perform(run, item)
-        found.append(str(text.value) if isinstance(text, Known) else None)
+        if not isinstance(text, Known):
+            return [text], False
+        return [Known(word, text.via, text.origin) for word in _split(str(text.value))], True
+    found = [perform(run, item) for item in run.items(value)]
     return found, isinstance(value, ListValue) and run.is_closed(value)
 
 
@@ -120,12 +131,12 @@ def _parameter_files(run: LaunchRun, words: list[str | None], place: Place) -> l
     return found
 
 
-def _split(text: str) -> list[str | None]:
+def _split(text: str) -> list[str]:
     """The words of a text as a shell divides it."""
     try:
-        return [*shlex.split(text)]
+        return shlex.split(text)
     except ValueError:
-        return [*text.split()]
+        return text.split()
 
 
 _KEYWORDS_OF_ALL = frozenset({"condition", "sigterm_timeout", "sigkill_timeout", "log_cmd"})
@@ -173,7 +184,7 @@ def process(run: LaunchRun, entity: Instance) -> None:
     """``ros2 run package executable arguments…`` and the path of an executable are nodes like any other."""
     words, whole = _words(run, argument(entity, "cmd"))
     if len(words) == 1 and words[0] and " " in words[0]:
-        words = _split(words[0])
+        words = [*_split(words[0])]
     installed = _INSTALLED.match(words[0]) if words and words[0] else None
     if installed:
         words = ["ros2", "run", installed[1], installed[2], *words[1:]]

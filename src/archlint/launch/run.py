@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import posixpath
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from typing import TYPE_CHECKING
@@ -74,6 +75,8 @@ class LaunchRun(Run):
         """What has been started, and whether an event handler does that."""
         self._by_place: dict[Place, list[Started]] = {}
         self.in_handler = False
+        self.asked_files: set[str] = set()
+        """The paths of which the code asks whether a file is there."""
         self.made_files: dict[str, MadeFile] = {}
         """The files that the launch makes of others, each under a path of its own."""
         self.performing = 0
@@ -195,6 +198,9 @@ class LaunchRun(Run):
 
     def note_open_test(self, key: str, test: Value) -> None:
         self.result.why_open.setdefault(key, values.reason(test))
+
+    def note_asked_file(self, path: str) -> None:
+        self.asked_files.add(posixpath.normpath(path))
 
     def label(self, arm: tuple[str, int], text: str) -> tuple[str, int]:
         self.result.labels.setdefault(arm, text)

@@ -10,7 +10,7 @@ from archlint.interpreter.values import DictValue, Instance, Known, Unknown, Val
 from archlint.launch.context import absolute, prefix_namespace
 from archlint.launch.model import DeclaredArgument, Remap
 from archlint.launch.parameters import file_use, setting
-from archlint.launch.substitutions import argument, kind_of, perform
+from archlint.launch.substitutions import argument, kind_of, perform, written_at
 from archlint.launch.visiting import visit_argument
 from archlint.libraries.texts import text_of_value
 
@@ -56,7 +56,7 @@ def declare(run: LaunchRun, entity: Instance) -> None:
     default = entity.arguments.get("default_value")
     given = default is not None and default != Known(None)
     run.declaring = text
-    value = perform(run, default) if given else None
+    value = written_at(perform(run, default), run.places_of(entity).get("default_value")) if given else None
     run.declaring = None
     if not run.is_dormant or text not in run.launch.configurations:
         missing = Unknown(f"the launch argument '{text}' has no default")

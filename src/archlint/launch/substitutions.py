@@ -22,12 +22,14 @@ from archlint.interpreter.values import (
     Unknown,
     Value,
     alternatives,
+    file_origin,
     join_texts,
     one_of,
     reason,
 )
 
 if TYPE_CHECKING:
+    from archlint.finding import Place
     from archlint.launch.run import LaunchRun
 
 COMBINATIONS = 12
@@ -116,7 +118,14 @@ def concatenate(parts: Sequence[Value], joint: str = "") -> Value:
             options = (Unknown("more values than can be followed"),)
         between = [Known(joint)] if joint and number else []
         rows = [[*row, *between, option] for row in rows for option in options]
-    return one_of(row[0] if len(row) == 1 else join_texts(row) for row in rows)
+    return one_of(row[0] if len(row) == 1 else join_texts(row, file_origin(*row)) for row in rows)
+
+
+def written_at(value: Value, place: Place | None) -> Value:
+    """A text that is not known to be written anywhere else, with where it is given."""
+    if isinstance(value, Known) and value.origin is None:
+        return Known(value.value, value.via, place, value.kind)
+    return value
 
 
 def _parts(run: LaunchRun, value: Value | None) -> list[Value]:
@@ -155,7 +164,7 @@ def _path_join(run: LaunchRun, value: Instance) -> Value:
     parts = [perform(run, part) for part in _parts(run, argument(value, "substitutions"))]
     if all(isinstance(part, Known) for part in parts):
         texts = [str(part.value) for part in parts if isinstance(part, Known)]
-        return Known(posixpath.join("", *texts))
+        return Known(posixpath.join("", *texts), origin=file_origin(*parts))
     return concatenate(parts, "/")
 
 

@@ -18,7 +18,7 @@ WORDS = (
     )
     | names.NODE_METHODS
     | {"Node", "LifecycleNode", "sleep", "wait", "result", "call"}
-) - {"__init__", "join", "get", "path", "set"}
+) - {"__init__", "join", "get", "path", "set", "exists", "isfile"}
 """Names of the API tables, as they stand in source."""
 
 

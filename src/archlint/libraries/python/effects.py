@@ -22,6 +22,7 @@ from archlint.interpreter.values import (
     alternatives,
     as_default,
     constant,
+    file_origin,
     one_of,
     reason,
     via,
@@ -62,7 +63,16 @@ def path_join(run: Run, call: ApiUse) -> Value:
         return Unknown(reason(*(part for part in parts if part is not None)))
     import posixpath
 
-    return constant(posixpath.join(*texts), via(*(part for part in parts if part is not None)))
+    there = [part for part in parts if part is not None]
+    return constant(posixpath.join(*texts), via(*there), origin=file_origin(*there))
+
+
+def asks_for_file(run: Run, call: ApiUse) -> Value:
+    """``os.path.exists(path)``: what depends on it may do without the file."""
+    path = call.get("path")
+    if isinstance(path, Known):
+        run.note_asked_file(str(path.value))
+    return Unknown("whether a file is there")
 
 
 def environment(run: Run, call: ApiUse) -> Value:

@@ -417,6 +417,7 @@ EFFECTS: dict[str, Effect] = {
     "import_module": effects.import_module,
     "partial": effects.partial,
     "path_join": effects.path_join,
+    "asks_for_file": effects.asks_for_file,
     "environment": effects.environment,
     "argument_parser": command_line.argument_parser,
     "launch_object": launch_effects.launch_object,
