@@ -9,9 +9,10 @@ import pytest
 
 from archlint.architecture import matches
 from archlint.checks.idle_contracts import idle_patterns
-from archlint.checks.registry import judge, options_for
+from archlint.checks.registry import options_for
 from archlint.cli import main
 from archlint.config.settings import ConfigurationError, load
+from archlint.engine.judging import judge
 from archlint.finding import Finding
 from archlint.ros.qos import Qos
 from archlint.systems.model import Node, System, World

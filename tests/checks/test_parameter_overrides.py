@@ -7,9 +7,9 @@ from pathlib import Path
 
 import pytest
 
-from archlint.checks.merge import merged
 from archlint.checks.registry import finding
 from archlint.config.settings import load
+from archlint.engine.merging import merged
 from archlint.engine.pipeline import Request, check
 from archlint.finding import Finding, Place, Related
 

@@ -5,8 +5,9 @@ from __future__ import annotations
 import pytest
 
 from archlint.checks.near_misses import nearly_equal
-from archlint.checks.registry import judge, options_for
+from archlint.checks.registry import options_for
 from archlint.config.settings import Settings
+from archlint.engine.judging import judge
 from archlint.finding import Finding, Place
 from archlint.launch.model import FileReference, Gap, Included, Launched, Started
 from archlint.ros.qos import Qos

@@ -4,21 +4,16 @@ from __future__ import annotations
 
 import pytest
 
-from archlint import checks
-from archlint.checks import registry
-from archlint.checks.registry import Options, finding, judge, options_for, registered, rule, unreadable
+from archlint.checks.registry import Options, finding, options_for, registered, rule, unreadable
+from archlint.checks.scope import Scope
 from archlint.config.settings import Settings
+from archlint.engine.judging import judge
 from archlint.finding import Place, Severity
 from archlint.systems.model import System
+from registering import only
 
 HERE = Place("a.py", 3, 1, 3, 9)
 EMPTY = System(name="robot.launch.py", nodes=[], programs=[])
-
-
-@pytest.fixture(autouse=True)
-def no_rules(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(registry, "_REGISTERED", {})
-    monkeypatch.setattr(checks, "MODULES", ())
 
 
 def test_a_finding_takes_name_and_severity_from_the_rules_page():
@@ -27,42 +22,58 @@ def test_a_finding_takes_name_and_severity_from_the_rules_page():
     assert (found.message, found.help, found.node, found.identity) == ("it waits", "do not", "/a", ("/a", "/b"))
 
 
-def test_findings_carry_the_system_they_are_about():
-    @rule("SRV003")
+def test_findings_carry_the_system_they_are_about(monkeypatch: pytest.MonkeyPatch):
+    @rule("SRV003", scope=Scope.CODE)
     def one(system, options):
         yield finding("SRV003", HERE, "it waits")
 
+    only(monkeypatch, one)
     [found] = judge(EMPTY, options_for(Settings(), ["SRV003"]))
     assert found.system == "robot.launch.py"
 
 
-def test_only_what_is_selected_runs():
-    @rule("SRV003")
+def test_only_what_is_selected_runs(monkeypatch: pytest.MonkeyPatch):
+    @rule("SRV003", scope=Scope.CODE)
     def one(system, options):
         pytest.fail("not selected")
 
-    @rule("SRV002")
+    @rule("SRV002", scope=Scope.CODE)
     def other(system, options):
         yield finding("SRV002", HERE, "types differ")
 
+    only(monkeypatch, one, other)
     assert [found.code for found in judge(EMPTY, options_for(Settings(), ["SRV002"]))] == ["SRV002"]
 
 
-def test_a_code_has_one_function():
-    def register(module: str) -> None:
-        def function(system, options):
-            return iter(())
+def test_a_code_has_one_function(monkeypatch: pytest.MonkeyPatch):
+    def function(system, options):
+        return iter(())
 
-        function.__module__ = module
-        rule("SRV003")(function)
-
-    register("archlint.checks.services")
+    one, other = (rule("SRV003", scope=Scope.CODE)(function) for _ in range(2))
+    only(monkeypatch, one, one)
+    assert registered() == {"SRV003": one}
+    only(monkeypatch, one, other)
     with pytest.raises(ValueError, match="SRV003 is registered twice"):
-        register("archlint.checks.topics")
+        registered()
 
 
-def test_options_have_their_defaults_and_the_configurations_values():
-    rule("SRV003", max_depth=3, strict=False, allowed=("/ping",), unit="s")(lambda *_: iter(()))
+def test_a_rule_says_its_scope():
+    with pytest.raises(TypeError, match="scope"):
+        rule("SRV003")  # type: ignore[call-arg]
+
+
+def test_nobody_can_add_a_rule_to_the_others(monkeypatch: pytest.MonkeyPatch):
+    one = rule("SRV003", scope=Scope.CODE, limit=3)(lambda system, options: iter(()))
+    only(monkeypatch, one)
+    with pytest.raises(TypeError):
+        registered()["SRV002"] = one  # type: ignore[index]
+    with pytest.raises(TypeError):
+        one.defaults["limit"] = 4  # type: ignore[index]
+
+
+def test_options_have_their_defaults_and_the_configurations_values(monkeypatch: pytest.MonkeyPatch):
+    own = rule("SRV003", scope=Scope.CODE, max_depth=3, strict=False, allowed=("/ping",), unit="s")
+    only(monkeypatch, own(lambda *_: iter(())))
     settings = Settings(rules={"SRV003": {"max-depth": 5}}, distro="jazzy", shared_topics=("/bus/*",))
     options = options_for(settings, ["SRV003", "LNT002"])["SRV003"]
     assert (options.number("max-depth"), options.flag("strict")) == (5, False)
@@ -71,16 +82,17 @@ def test_options_have_their_defaults_and_the_configurations_values():
     assert (options.is_shared("/bus/left"), options.is_shared("/bus")) == (True, False)
 
 
-def test_a_rule_that_raises_takes_nothing_else_down():
-    @rule("SRV002")
+def test_a_rule_that_raises_takes_nothing_else_down(monkeypatch: pytest.MonkeyPatch):
+    @rule("SRV002", scope=Scope.CODE)
     def broken(system, options: Options):
         raise ZeroDivisionError("by zero")
         yield
 
-    @rule("SRV003")
+    @rule("SRV003", scope=Scope.CODE)
     def sound(system, options):
         yield finding("SRV003", HERE, "it waits")
 
+    only(monkeypatch, broken, sound)
     failed, found = judge(EMPTY, options_for(Settings(), registered()))
     assert (failed.code, found.code) == ("LNT003", "SRV003")
     assert failed.place.file == "robot.launch.py"

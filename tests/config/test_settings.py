@@ -3,17 +3,18 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
 
 from archlint import rulebook
-from archlint.checks import registry
+from archlint.checks.registry import rule
+from archlint.checks.scope import Scope
 from archlint.config.selection import Layer, resolve
 from archlint.config.settings import KEYS, ConfigurationError, Glob, Settings, load
 from archlint.finding import Severity
 from archlint.rulebook import Rule
+from registering import only
 
 
 def a_rule(code: str, name: str, default: str = "on") -> Rule:
@@ -178,14 +179,9 @@ def test_globs_are_relative_to_the_file_that_they_stand_in(folder: Path):
 
 
 @pytest.fixture
-def rule_with_options() -> Iterator[None]:
-    real = registry.registered().get("SRV004")
-    registry._REGISTERED.pop("SRV004", None)
-    registry.rule("SRV004", min_rate=1.0, allowed=("/ping",), strict=False, unit="hertz")(lambda *_: iter(()))
-    yield
-    del registry._REGISTERED["SRV004"]
-    if real is not None:
-        registry._REGISTERED["SRV004"] = real
+def rule_with_options(monkeypatch: pytest.MonkeyPatch) -> None:
+    own = rule("SRV004", scope=Scope.CODE, min_rate=1.0, allowed=("/ping",), strict=False, unit="hertz")
+    only(monkeypatch, own(lambda *_: iter(())))
 
 
 @pytest.mark.usefixtures("rule_with_options")

@@ -9,13 +9,14 @@ from pathlib import Path
 import pytest
 
 import archlint
-from archlint.checks import registry
 from archlint.checks.registry import Options, finding, rule
+from archlint.checks.scope import Scope
 from archlint.config.settings import load
 from archlint.engine.pipeline import NothingToDo, Request, check, graph
 from archlint.engine.result_cache import own_code
 from archlint.finding import Place, Severity
 from archlint.report.model import Report
+from registering import only
 
 NODE = """\
 import rclpy
@@ -55,9 +56,7 @@ def one_rule(monkeypatch: pytest.MonkeyPatch) -> None:
             for endpoint in node.of_kind("publisher"):
                 yield finding("OWN001", endpoint.place, f"publishes {endpoint.name}", node=node.name)
 
-    monkeypatch.setattr(registry, "_REGISTERED", {})
-    monkeypatch.setattr("archlint.checks.MODULES", ())
-    rule("OWN001")(every_publisher)
+    only(monkeypatch, rule("OWN001", scope=Scope.SYSTEM)(every_publisher))
 
 
 def write(path: str, text: str | bytes = NODE) -> Path:

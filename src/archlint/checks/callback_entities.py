@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 from archlint.analysis.callback_roles import callback_words, runs_in_executor
 from archlint.analysis.reach import calls_of, creations_of, node_name, one_for_each_place
 from archlint.checks.registry import Options, finding, rule
+from archlint.checks.scope import Scope
 from archlint.finding import Finding, Related
 from archlint.model import PUBLISHER, SUBSCRIBER, TIMER
 from archlint.workspace.test_code import is_test_file
@@ -32,7 +33,7 @@ _AGAIN_AND_AGAIN = frozenset({"subscription", "timer", "service", "execute", "go
 """Roles of callbacks that run as often as somebody likes; a done callback may be one step of a start-up."""
 
 
-@rule("EXE005")
+@rule("EXE005", scope=Scope.CODE)
 def entity_created_in_callback(system: System, options: Options) -> Iterator[Finding]:
     """Create calls that a callback reaches each time it runs."""
     ended, left = _given_to(system, _ENDS), _given_to(system, _LEAVES)

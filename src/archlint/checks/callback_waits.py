@@ -24,6 +24,7 @@ from archlint.analysis.spins import is_spin_call, spun_node
 from archlint.analysis.stuck import is_spin, nested_spins, stuck_waits
 from archlint.analysis.waits import Wait
 from archlint.checks.registry import Options, finding, rule
+from archlint.checks.scope import Scope
 from archlint.finding import Finding, Severity
 
 if TYPE_CHECKING:
@@ -39,7 +40,7 @@ _GROUP_HELP = (
 # --------------------------------------------------------------------------------------------------- EXE001
 
 
-@rule("EXE001")
+@rule("EXE001", scope=Scope.CODE)
 def spin_in_callback(system: System, options: Options) -> Iterator[Finding]:
     """Spins that a callback reaches; of those of a service handler for an answer, SRV003 speaks."""
     told = nested_spins(system, options.distros)
@@ -79,7 +80,7 @@ def _nested_spin(system: System, program: Program, call: ApiCall, options: Optio
 # ------------------------------------------------------------------------------------------- EXE002, CBG001
 
 
-@rule("EXE002")
+@rule("EXE002", scope=Scope.CODE)
 def blocking_call_in_callback(system: System, options: Options) -> Iterator[Finding]:
     """Waits of callbacks that can never get what they wait for."""
     yield from one_for_each_place(
@@ -95,7 +96,7 @@ def blocking_call_in_callback(system: System, options: Options) -> Iterator[Find
     )
 
 
-@rule("CBG001")
+@rule("CBG001", scope=Scope.CODE)
 def shared_exclusive_group(system: System, options: Options) -> Iterator[Finding]:
     """Waits of callbacks that several threads could serve, if they did not hold the client's group."""
     yield from one_for_each_place(

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 
 from archlint.checks.packages import world_of
 from archlint.checks.registry import Options, finding, rule
+from archlint.checks.scope import Scope
 from archlint.checks.undeclared import Use, uses_by_package
 from archlint.finding import Finding, Place, Related, Severity
 from archlint.workspace.manifest import condition_verdict
@@ -23,7 +24,7 @@ Needs = Mapping[str, Mapping[str, Place]]
 """The packages of this workspace that each one needs, with the place that says so."""
 
 
-@rule("PKG003")
+@rule("PKG003", scope=Scope.WORKSPACE)
 def circular_dependency(system: System, options: Options) -> Iterator[Finding]:
     """Packages that need each other: by what they declare, and by what their files use without declaring it."""
     world = world_of(system)

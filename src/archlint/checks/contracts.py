@@ -11,6 +11,7 @@ from archlint.analysis.links import Link, by_source, connections, counts, is_mea
 from archlint.architecture import FORBID, INDEPENDENT, QOS, TYPES, Contract, Globs, matches
 from archlint.checks.launched_names import is_renamed
 from archlint.checks.registry import Options, finding, rule
+from archlint.checks.scope import Scope
 from archlint.finding import Finding, Related
 from archlint.model import PUBLISHER
 from archlint.ros.qos import allowed
@@ -19,7 +20,7 @@ if TYPE_CHECKING:
     from archlint.systems.model import Connection, Endpoint, System
 
 
-@rule("OWN003")
+@rule("OWN003", scope=Scope.SYSTEM)
 def not_the_declared_owner(system: System, options: Options) -> Iterator[Finding]:
     """Publishers and servers of names that the configuration gives to another node."""
     for connection in connections(system):
@@ -51,7 +52,7 @@ def _not_the_owner(connection: Connection, end: Endpoint, owners: Globs) -> Find
     )
 
 
-@rule("ARC001")
+@rule("ARC001", scope=Scope.SYSTEM)
 def forbidden_connection(system: System, options: Options) -> Iterator[Finding]:
     """Connections that a contract rules out, one finding for each end and contract."""
     for contract in options.contracts:
@@ -163,7 +164,7 @@ def _differs(
     )
 
 
-@rule("ARC002")
+@rule("ARC002", scope=Scope.SYSTEM)
 def layer_violation(system: System, options: Options) -> Iterator[Finding]:
     """Connections between nodes of layers that are not neighbours."""
     layers = options.layers

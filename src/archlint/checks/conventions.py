@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from archlint.checks.registry import Options, finding, rule
+from archlint.checks.scope import Scope
 from archlint.model import ACTION_CLIENT, ACTION_SERVER, CLIENT, PUBLISHER, SERVICE, SUBSCRIBER
 
 if TYPE_CHECKING:
@@ -29,6 +30,7 @@ _KINDS = {
 
 @rule(
     "NME003",
+    scope=Scope.CODE,
     node=_LOWER_SNAKE_CASE,
     topic=_LOWER_SNAKE_CASE,
     service=_LOWER_SNAKE_CASE,

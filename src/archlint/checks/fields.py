@@ -10,6 +10,7 @@ from archlint.analysis.completeness import enclosing_class
 from archlint.checks.folding import folds
 from archlint.checks.names import WORDS
 from archlint.checks.registry import Options, finding, rule
+from archlint.checks.scope import Scope
 from archlint.finding import Related
 from archlint.suggestions import did_you_mean
 
@@ -26,7 +27,7 @@ _MEANT = "; did you mean "
 _WRAPPERS = {"FeedbackMessage": "message with the feedback", "GetResultResponse": "answer with the result"}
 
 
-@rule("MSG001")
+@rule("MSG001", scope=Scope.CODE)
 def unknown_field(system: System, options: Options) -> Iterator[Finding]:
     """Fields that no message which the code can hold at that place has."""
     uses: dict[Place, list[FieldUse]] = {}
@@ -176,7 +177,7 @@ def of_one_cause(findings: Sequence[Finding]) -> Finding:
     )
 
 
-@rule("MSG002")
+@rule("MSG002", scope=Scope.CODE)
 def unknown_interface(system: System, options: Options) -> Iterator[Finding]:
     """Interfaces imported from a package that does not define them."""
     found = {(one.place, one.name): one for run in system.programs for one in run.unknown_interfaces}

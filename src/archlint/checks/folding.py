@@ -1,4 +1,4 @@
-"""One cause, one finding: findings that share a cause become one, once each had its chance to be turned off.
+"""How a rule makes one finding of several with one cause.
 
 A rule that finds the same mistake at several places yields a finding for each, all with the same ``group``.  What
 the user suppresses or ignores at one place leaves the others; the rest becomes one finding, with one fix.
@@ -6,42 +6,25 @@ the user suppresses or ignores at one place leaves the others; the rest becomes 
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Sequence
-from dataclasses import replace
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
 
 from archlint.finding import Finding
 
-Fold = Callable[[Sequence[Finding]], Finding]
 
-_FOLDS: dict[str, Fold] = {}
-_ACROSS_SYSTEMS: set[str] = set()
+@dataclass(frozen=True)
+class Fold:
+    """What makes one finding of several of a rule, which come in the order of their places."""
 
+    code: str
+    function: Callable[[Sequence[Finding]], Finding]
+    across_systems: bool
+    """Whether it also folds what several launch files show."""
 
-def folds(code: str, *, across_systems: bool = False) -> Callable[[Fold], Fold]:
-    """Register the decorated function as what makes one finding of several of the rule with this code: they come in
-    the order of their places.  ``across_systems`` also folds what several launch files show."""
-
-    def register(function: Fold) -> Fold:
-        _FOLDS[code] = function
-        if across_systems:
-            _ACROSS_SYSTEMS.add(code)
-        return function
-
-    return register
+    def __call__(self, findings: Sequence[Finding]) -> Finding:
+        return self.function(findings)
 
 
-def folded(findings: Iterable[Finding]) -> list[Finding]:
-    """The findings with those of one group made one, which no longer has a group."""
-    alone: list[Finding] = []
-    groups: dict[tuple[object, ...], list[Finding]] = {}
-    for one in findings:
-        if one.group and one.code in _FOLDS:
-            system = None if one.code in _ACROSS_SYSTEMS else (one.system, one.condition)
-            groups.setdefault((one.code, one.severity, system, *one.group), []).append(one)
-        else:
-            alone.append(one)
-    for several in groups.values():
-        ordered = sorted(several, key=lambda one: one.sort_key)
-        found = ordered[0] if len(ordered) == 1 else _FOLDS[ordered[0].code](ordered)
-        alone.append(replace(found, group=()))
-    return alone
+def folds(code: str, *, across_systems: bool = False) -> Callable[[Callable[[Sequence[Finding]], Finding]], Fold]:
+    """Make the decorated function the fold of the rule with this code."""
+    return lambda function: Fold(code, function, across_systems)

@@ -17,6 +17,7 @@ from archlint.analysis.reach import (
 )
 from archlint.checks.handlers import handlers_of, only_a_stub, related_handler
 from archlint.checks.registry import Options, finding, rule
+from archlint.checks.scope import Scope
 from archlint.finding import Finding, Place
 from archlint.syntax import facts
 from archlint.syntax.control_flow import ends_of
@@ -44,7 +45,7 @@ class _Goal:
     seen: frozenset[str]
 
 
-@rule("ACT003")
+@rule("ACT003", scope=Scope.CODE)
 def goal_without_outcome(system: System, options: Options) -> Iterator[Finding]:
     """Ends of execute callbacks that leave the goal without an outcome."""
     yield from one_for_each_place(

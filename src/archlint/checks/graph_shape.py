@@ -6,6 +6,7 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from archlint.checks.registry import Options, finding, rule
+from archlint.checks.scope import Scope
 from archlint.checks.unmatched import in_sight, whole
 from archlint.finding import Finding, Related
 from archlint.model import SUBSCRIBER
@@ -16,7 +17,7 @@ if TYPE_CHECKING:
     from archlint.systems.model import Endpoint, Node, System
 
 
-@rule("GRF001")
+@rule("GRF001", scope=Scope.SYSTEM)
 def isolated_node(system: System, options: Options) -> Iterator[Finding]:
     """Nodes of a closed system that share no name with another node."""
     if not whole(system) or any(not end.resolved for end in system.endpoints):
@@ -46,7 +47,7 @@ def _judged(node: Node) -> bool:
     return node.name is not None and not node.test and node.blueprint.complete
 
 
-@rule("GRF003", messages=1000.0, topics=10, rate=50.0)
+@rule("GRF003", scope=Scope.SYSTEM, messages=1000.0, topics=10, rate=50.0)
 def hub_bottleneck(system: System, options: Options) -> Iterator[Finding]:
     """Nodes that more periodic messages reach than the limits allow."""
     known = rates(system)
@@ -80,7 +81,7 @@ def _rate_of(system: System, end: Endpoint, known: dict[int, float]) -> float:
     return sum(known.get(id(other.creation), 0.0) for other in providers if other.node is not end.node)
 
 
-@rule("GRF004")
+@rule("GRF004", scope=Scope.SYSTEM)
 def single_point_of_failure(system: System, options: Options) -> Iterator[Finding]:
     """Nodes without which the rest falls into parts."""
     # Somebody unseen, or under a name that is not known, may tie the parts.

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 from archlint.analysis.assumptions import Known, asked, proven, within
 from archlint.analysis.reach import endpoint_words, node_name, one_for_each_place
 from archlint.checks.registry import Options, finding, rule
+from archlint.checks.scope import Scope
 from archlint.finding import Finding, Place, Related
 from archlint.syntax import facts
 from archlint.syntax.control_flow import Ends, ends_of
@@ -33,7 +34,7 @@ def handlers_of(system: System, role: str) -> Iterator[tuple[Callback, facts.Fun
 # --------------------------------------------------------------------------------------------------- SRV007
 
 
-@rule("SRV007")
+@rule("SRV007", scope=Scope.CODE)
 def missing_response(system: System, options: Options) -> Iterator[Finding]:
     """Ends of service handlers that give no response."""
     yield from one_for_each_place(

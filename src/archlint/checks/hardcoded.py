@@ -12,6 +12,7 @@ from archlint.analysis.completeness import enclosing_class
 from archlint.checks.folding import folds
 from archlint.checks.names import WORDS
 from archlint.checks.registry import Options, finding, rule
+from archlint.checks.scope import Scope
 from archlint.finding import Finding, Fix, Related, Severity
 from archlint.systems.model import exclusive, key_of
 
@@ -125,7 +126,7 @@ def _of_others(system: str) -> _Reason:
     )
 
 
-@rule("NME001", taste=True, relative=False, allow=())
+@rule("NME001", scope=Scope.CODE, taste=True, relative=False, allow=())
 def hardcoded_name(system: System, options: Options) -> Iterator[Finding]:
     """Absolute names that only an edit of the code can change, one finding a create call and literal; those of one
     class become one."""

@@ -12,6 +12,7 @@ from archlint.analysis.completeness import is_whole, walk
 from archlint.analysis.generated_files import is_generated
 from archlint.checks.folding import folds
 from archlint.checks.registry import Options, finding, rule
+from archlint.checks.scope import Scope
 from archlint.finding import Finding, Related
 from archlint.launch.model import MISSING, NOT_INSTALLED
 from archlint.model import ACTION_CLIENT, ACTION_SERVER
@@ -30,7 +31,7 @@ if TYPE_CHECKING:
 # ------------------------------------------------------------------------------------------------- LCH001
 
 
-@rule("LCH001")
+@rule("LCH001", scope=Scope.LAUNCH_FILE)
 def unknown_executable(system: System, options: Options) -> Iterator[Finding]:
     """Started executables that their package does not install."""
     if system.launched is None or system.world is None:
@@ -95,7 +96,7 @@ def _build_file(installs: Installs, world: World) -> str:
 # ------------------------------------------------------------------------------------------------- LCH002
 
 
-@rule("LCH002")
+@rule("LCH002", scope=Scope.AS_LAUNCHED)
 def dead_remapping(system: System, options: Options) -> Iterator[Finding]:
     """Remappings whose source is no name of any node of the process."""
     if system.launched is None:
@@ -217,7 +218,7 @@ def _implicit(full: str, name: str, namespace: str) -> bool:
 _WHAT = {"launch": "launch file", "parameters": "parameter file", "rviz": "RViz configuration"}
 
 
-@rule("LCH004")
+@rule("LCH004", scope=Scope.LAUNCH_FILE)
 def missing_launch_file(system: System, options: Options) -> Iterator[Finding]:
     """Included files, parameter files and RViz configurations that are not where the launch file looks."""
     uses: dict[tuple[Place, str | None], list[FileReference]] = {}
@@ -304,7 +305,7 @@ _RENAMED = {
 }
 
 
-@rule("LCH005")
+@rule("LCH005", scope=Scope.LAUNCH_FILE)
 def unknown_launch_attribute(system: System, options: Options) -> Iterator[Finding]:
     """Keywords and attributes that an action does not have."""
     loader = None if system.world is None else system.world.loader
@@ -336,7 +337,7 @@ def _of_one_file(several: Sequence[Finding]) -> Finding:
 # -------------------------------------------------------------------------------------------------- GRF002
 
 
-@rule("GRF002")
+@rule("GRF002", scope=Scope.CODE)
 def node_not_launched(system: System, options: Options) -> Iterator[Finding]:
     """Nodes that an executable starts and no launch file does."""
     world = system.world

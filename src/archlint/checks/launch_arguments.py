@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING
 from archlint.analysis.completeness import walk
 from archlint.checks.folding import folds
 from archlint.checks.registry import Options, finding, rule
+from archlint.checks.scope import Scope
 from archlint.finding import Finding, Related, Severity
 from archlint.launch.model import ParameterFileUse
 from archlint.suggestions import did_you_mean, listed
@@ -25,7 +26,7 @@ if TYPE_CHECKING:
     from archlint.systems.model import System
 
 
-@rule("LCH003")
+@rule("LCH003", scope=Scope.LAUNCH_FILE)
 def undeclared_launch_argument(system: System, options: Options) -> Iterator[Finding]:
     """Launch configurations that are read and never set, and arguments that an include does not take."""
     launched = system.launched

@@ -6,13 +6,14 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from archlint.checks.registry import Options, finding, rule
+from archlint.checks.scope import Scope
 from archlint.finding import Finding
 
 if TYPE_CHECKING:
     from archlint.systems.model import System
 
 
-@rule("LCH008")
+@rule("LCH008", scope=Scope.SYSTEM)
 def launch_description(system: System, options: Options) -> Iterator[Finding]:
     """Names that nothing defines, and a ``condition=`` that has no ``evaluate`` for launch to call."""
     for place, name in sorted(system.launched.undefined.items() if system.launched is not None else ()):

@@ -18,6 +18,7 @@ from archlint.analysis.reach import (
 )
 from archlint.analysis.stuck import spoken_of
 from archlint.checks.registry import Options, finding, rule
+from archlint.checks.scope import Scope
 from archlint.checks.starvation import piling_up
 from archlint.checks.timeouts import kind_of, name_of, way_to
 from archlint.finding import Finding, Place
@@ -37,7 +38,7 @@ _EXECUTOR = "its executor, later"
 _UNKNOWN = "nobody knows"
 
 
-@rule("TMO002")
+@rule("TMO002", scope=Scope.CODE)
 def call_without_timeout(system: System, options: Options) -> Iterator[Finding]:
     """Blocking calls that wait for their answer without limit."""
     told = spoken_of(system, options.distros) | {wait.call.place for wait in piling_up(system)}

@@ -12,6 +12,7 @@ from archlint.analysis.loop_times import around_future, in_loops, is_retry, watc
 from archlint.analysis.reach import endpoint_words, judged_calls, node_name, one_for_each_place
 from archlint.analysis.sleeps import Stay, stay_of
 from archlint.checks.registry import Options, finding, rule
+from archlint.checks.scope import Scope
 from archlint.finding import Finding, Related, Severity
 from archlint.syntax import facts
 from archlint.syntax.parts import names_in
@@ -36,7 +37,7 @@ _IF_TOO_LONG = "where that is too long for a caller, make it an action: it has f
 _Sleep = tuple["ApiCall", Stay]
 
 
-@rule("SRV008", taste=True)
+@rule("SRV008", scope=Scope.CODE, taste=True)
 def long_running_service(system: System, options: Options) -> Iterator[Finding]:
     """Service handlers that sleep, once for long or again and again; one finding a handler."""
     handlers: dict[tuple[Program, Place], list[_Sleep]] = {}

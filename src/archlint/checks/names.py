@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 from archlint.checks.folding import folds
 from archlint.checks.launched_names import is_given_by_launch, is_renamed, names_given_by_launch
 from archlint.checks.registry import Options, finding, rule
+from archlint.checks.scope import Scope
 from archlint.finding import Finding, Related
 from archlint.model import ACTION_CLIENT, ACTION_SERVER, CLIENT, PUBLISHER, SERVICE, SUBSCRIBER
 from archlint.ros import names
@@ -38,7 +39,7 @@ def _written_elsewhere(endpoints: list[Endpoint]) -> list[Related]:
     return [Related(place, f"'{found[place]}' is written here") for place in sorted(found)]
 
 
-@rule("NME002")
+@rule("NME002", scope=Scope.AS_LAUNCHED)
 def invalid_name(system: System, options: Options) -> Iterator[Finding]:
     """Names of nodes and endpoints that rcl refuses."""
     yield from names_given_by_launch(system)

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 
 from archlint.analysis.coexistence import certain, in_source_order, meet, named_by_library, seen_together
 from archlint.checks.registry import Options, finding, rule
+from archlint.checks.scope import Scope
 from archlint.finding import Finding, Related
 from archlint.suggestions import OPPOSITES, distance
 
@@ -24,7 +25,7 @@ _POSITIONS = frozenset({"to", "from", "in", "of", "by", "for", "with", "and", "o
 """Words that give the order of the others a meaning: ``map_to_odom`` and ``odom_to_map``."""
 
 
-@rule("TOP004")
+@rule("TOP004", scope=Scope.SYSTEM)
 def near_miss_topic_name(system: System, options: Options) -> Iterator[Finding]:
     """Pairs of publishers and subscriptions without partners, of one type, with names that are almost equal."""
     alone = [topic for topic in system.topics.values() if not options.is_external(topic.name)]

@@ -20,6 +20,7 @@ from archlint.analysis.reach import (
 from archlint.analysis.stuck import nested_waits
 from archlint.analysis.waits import BLOCKING_CALLS, Wait, waits
 from archlint.checks.registry import Options, finding, rule
+from archlint.checks.scope import Scope
 from archlint.checks.service_cycles import Edge, waits_behind
 from archlint.finding import Finding, Related, Severity
 from archlint.model import ACTION_CLIENT
@@ -47,7 +48,7 @@ _Row = tuple[Wait, Verdict, "list[Wait]"]
 """A wait, what becomes of it, and the waits of other handlers at the same place."""
 
 
-@rule("SRV003")
+@rule("SRV003", scope=Scope.CODE)
 def nested_service_call(system: System, options: Options) -> Iterator[Finding]:
     """Waits that the handler of a service reaches: one finding a handler, and a place for the handler that is worst
     off."""

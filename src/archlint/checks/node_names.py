@@ -8,6 +8,7 @@ from itertools import combinations, groupby
 from typing import TYPE_CHECKING
 
 from archlint.checks.registry import Options, finding, rule
+from archlint.checks.scope import Scope
 from archlint.finding import Finding, Related
 from archlint.systems.model import exclusive, runs_along
 
@@ -19,7 +20,7 @@ if TYPE_CHECKING:
 Twins = tuple["Node", "Node"]
 
 
-@rule("NME004")
+@rule("NME004", scope=Scope.SYSTEM)
 def duplicate_node_name(system: System, options: Options) -> Iterator[Finding]:
     """Nodes of one launched system under one name."""
     if system.launched is None:

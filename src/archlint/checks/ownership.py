@@ -15,6 +15,7 @@ from archlint.analysis.left_over import is_left_over
 from archlint.analysis.sharing import are_words, is_bus, is_state
 from archlint.checks.folding import folds
 from archlint.checks.registry import Options, finding, rule
+from archlint.checks.scope import Scope
 from archlint.finding import Finding, Related, Severity
 
 if TYPE_CHECKING:
@@ -30,7 +31,7 @@ TYPES_SHARED_BY_DESIGN = (
 """Each message of these says whose it is, so that the ones of several nodes add up."""
 
 
-@rule("OWN001")
+@rule("OWN001", scope=Scope.SYSTEM)
 def multiple_publishers(system: System, options: Options) -> Iterator[Finding]:
     """Topics with publishers in several nodes that run together."""
     found = [
@@ -83,7 +84,7 @@ def _is_shared(connection: Connection, options: Options) -> bool:
     )
 
 
-@rule("OWN002")
+@rule("OWN002", scope=Scope.SYSTEM)
 def multiple_servers(system: System, options: Options) -> Iterator[Finding]:
     """Services and actions with servers in several nodes that run together."""
     for connection in (*system.services.values(), *system.actions.values()):

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 
 from archlint.analysis.completeness import walk
 from archlint.checks.registry import Options, finding, rule
+from archlint.checks.scope import Scope
 from archlint.finding import Finding
 from archlint.suggestions import did_you_mean, nearest
 from archlint.syntax import facts
@@ -27,7 +28,7 @@ def world_of(system: System) -> World | None:
 # ------------------------------------------------------------------------------------------------- PKG002
 
 
-@rule("PKG002")
+@rule("PKG002", scope=Scope.WORKSPACE)
 def broken_entry_point(system: System, options: Options) -> Iterator[Finding]:
     """Console scripts whose module or function is not there."""
     world = world_of(system)

@@ -18,6 +18,7 @@ from archlint.checks.parameters import (
     set_nodes,
 )
 from archlint.checks.registry import Options, finding, rule
+from archlint.checks.scope import Scope
 from archlint.finding import Finding, Place, Related
 from archlint.suggestions import did_you_mean, listed
 from archlint.systems.overrides import Setting, applied, key_matches
@@ -27,7 +28,7 @@ if TYPE_CHECKING:
     from archlint.systems.model import Node, System
 
 
-@rule("PRM004")
+@rule("PRM004", scope=Scope.SYSTEM)
 def unknown_parameter_override(system: System, options: Options) -> Iterator[Finding]:
     """Values for parameters that the node does not declare."""
     every: dict[tuple[str, str], set[str] | None] = {}

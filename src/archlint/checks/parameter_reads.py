@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 from archlint.analysis.completeness import declares_all, enclosing_function, facts_at, walk
 from archlint.checks.parameters import always_declared, declared_by, followed
 from archlint.checks.registry import Options, finding, rule
+from archlint.checks.scope import Scope
 from archlint.finding import Finding, Place, Related
 from archlint.interpreter.values import Known
 from archlint.suggestions import did_you_mean
@@ -22,7 +23,7 @@ if TYPE_CHECKING:
 # ------------------------------------------------------------------------------------------------- PRM003
 
 
-@rule("PRM003")
+@rule("PRM003", scope=Scope.CODE)
 def undeclared_parameter(system: System, options: Options) -> Iterator[Finding]:
     """Parameters that are read and never declared."""
     for node in system.nodes:
@@ -103,7 +104,7 @@ def _name_of(call: ApiCall) -> str | None:
 # ------------------------------------------------------------------------------------------------- PRM006
 
 
-@rule("PRM006")
+@rule("PRM006", scope=Scope.CODE)
 def unused_parameter(system: System, options: Options) -> Iterator[Finding]:
     """Parameters that are declared and never read."""
     if system.launched is not None or system.world is None:

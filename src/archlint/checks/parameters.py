@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 
 from archlint.analysis.completeness import enclosing_function, in_sight, walk
 from archlint.checks.registry import Options, finding, rule
+from archlint.checks.scope import Scope
 from archlint.finding import Finding, Place, Related
 from archlint.launch.model import EXTERNAL, ParameterFileUse, Started
 from archlint.suggestions import did_you_mean, listed
@@ -67,7 +68,7 @@ def _type_of(value: object) -> str | None:
     return None
 
 
-@rule("PRM002")
+@rule("PRM002", scope=Scope.SYSTEM)
 def parameter_type_mismatch(system: System, options: Options) -> Iterator[Finding]:
     """Values from outside whose type is not the declared one."""
     for node, settings in set_nodes(system):
@@ -142,7 +143,7 @@ def others_are_not_run(world: World) -> bool:
     return world.explicit and world.loader is not None and len(world.loader.launch_files()) > 1
 
 
-@rule("PRM005")
+@rule("PRM005", scope=Scope.SYSTEM)
 def parameters_for_unknown_node(system: System, options: Options) -> Iterator[Finding]:
     """Sections of parameter files for nodes that no launch file which loads them starts."""
     world = system.world
@@ -237,7 +238,7 @@ def _names_of_nodes(world: World, file: str) -> set[str] | None:
 # ------------------------------------------------------------------------------------------------- PRM008
 
 
-@rule("PRM008")
+@rule("PRM008", scope=Scope.CODE)
 def parameter_declared_twice(system: System, options: Options) -> Iterator[Finding]:
     """Parameters that one run of a node declares twice."""
     for node in system.nodes:

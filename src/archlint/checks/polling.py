@@ -16,6 +16,7 @@ from archlint.analysis.reach import (
     related_creation,
 )
 from archlint.checks.registry import Options, finding, rule
+from archlint.checks.scope import Scope
 from archlint.finding import Finding
 from archlint.interpreter.values import MessageValue
 from archlint.syntax import facts
@@ -50,7 +51,7 @@ _PAUSES = frozenset(
 # --------------------------------------------------------------------------------------------------- SRV004
 
 
-@rule("SRV004", rate=1.0)
+@rule("SRV004", scope=Scope.AS_LAUNCHED, rate=1.0)
 def service_for_continuous_data(system: System, options: Options) -> Iterator[Finding]:
     """Requests that are sent again and again without an occasion."""
     stopped = {call.context.place for _, call in calls_of(system, _ENDS_TIMER)}

@@ -6,6 +6,7 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from archlint.checks.registry import Options, finding, rule
+from archlint.checks.scope import Scope
 from archlint.finding import Finding, Place, Related
 from archlint.interpreter.values import DictValue, EachValue, External, Instance, Known, ListValue, MessageValue, Value
 from archlint.libraries.rclpy.effects import creations_of
@@ -30,7 +31,7 @@ _SENDS = {
 """By API: the argument that is sent, and which part of the endpoint's interface it must be."""
 
 
-@rule("TOP005")
+@rule("TOP005", scope=Scope.CODE)
 def published_type_mismatch(system: System, options: Options) -> Iterator[Finding]:
     """Arguments of ``publish`` and its kin that are certainly not of the endpoint's type."""
     sites: dict[Place, list[Finding | None]] = {}

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 
 from archlint.analysis.delivery import Undelivered, policy_words, undelivered
 from archlint.checks.registry import Options, finding, rule
+from archlint.checks.scope import Scope
 from archlint.finding import Finding, Related
 from archlint.model import PUBLISHER, SUBSCRIBER
 
@@ -16,19 +17,19 @@ if TYPE_CHECKING:
     from archlint.systems.model import Endpoint, System
 
 
-@rule("QOS001")
+@rule("QOS001", scope=Scope.SYSTEM)
 def qos_reliability_mismatch(system: System, options: Options) -> Iterator[Finding]:
     """Best-effort publishers and reliable subscriptions of one topic."""
     yield from _mismatches("QOS001", system, {"reliability"})
 
 
-@rule("QOS002")
+@rule("QOS002", scope=Scope.SYSTEM)
 def qos_durability_mismatch(system: System, options: Options) -> Iterator[Finding]:
     """Volatile publishers and transient-local subscriptions of one topic."""
     yield from _mismatches("QOS002", system, {"durability"})
 
 
-@rule("QOS003")
+@rule("QOS003", scope=Scope.SYSTEM)
 def qos_deadline_mismatch(system: System, options: Options) -> Iterator[Finding]:
     """Deadlines, liveliness and leases that are requested tighter than offered."""
     yield from _mismatches("QOS003", system, {"deadline", "liveliness", "liveliness_lease"})
@@ -74,7 +75,7 @@ _ADVICE = {
 }
 
 
-@rule("QOS004")
+@rule("QOS004", scope=Scope.SYSTEM)
 def qos_contradiction(system: System, options: Options) -> Iterator[Finding]:
     """Profiles whose parts do not go together, one finding a profile, at the first create call that uses it."""
     profiles: dict[tuple[Place, str], dict[Place, Endpoint]] = {}

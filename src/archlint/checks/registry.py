@@ -1,10 +1,10 @@
-"""How a rule is written down, and how the selected ones are run over a system.
+"""How a rule is written down.
 
-A rule is a generator function registered under its code; everything else about it (name, severity, summary)
-comes from its page in the rule book.  Its own options are keyword arguments of the decorator: the default
-gives the type, and an underscore is a dash in the configuration::
+A rule is a generator function with its code and its scope, which says when it is asked; everything else about it
+(name, severity, summary) comes from its page in the rule book.  Its own options are keyword arguments of the
+decorator: the default gives the type, and an underscore is a dash in the configuration::
 
-    @rule("SRV004", min_rate=1.0)
+    @rule("SRV004", scope=Scope.AS_LAUNCHED, min_rate=1.0)
     def service_for_continuous_data(system: System, options: Options) -> Iterator[Finding]:
         threshold = options.number("min-rate")
 """
@@ -15,16 +15,17 @@ import importlib
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from fnmatch import fnmatchcase
-from typing import TYPE_CHECKING
+from functools import cache
+from types import MappingProxyType
+from typing import TYPE_CHECKING, TypeVar
 
 from archlint import checks
-from archlint.analysis.aside import is_aside
-from archlint.checks.merge import depends_on_arguments
+from archlint.checks.folding import Fold
+from archlint.checks.scope import Scope
 from archlint.faults import Fault
 from archlint.finding import Finding, Place, Related, Severity
 from archlint.project import issue_tracker
 from archlint.rulebook import codes_of, rules
-from archlint.systems.variants import Arguments, condition
 
 if TYPE_CHECKING:
     from archlint.architecture import Contract, Layers
@@ -96,39 +97,53 @@ RuleFunction = Callable[["System", Options], Iterator[Finding]]
 
 @dataclass(frozen=True)
 class Check:
-    """A registered rule; ``defaults`` are its own options as the configuration names them."""
+    """A rule as it is written down: called as its function is."""
 
     code: str
     function: RuleFunction
+    scope: Scope
+    """What it judges, and so when it is asked."""
     defaults: Mapping[str, OptionValue]
+    """Its own options as the configuration names them."""
     taste: bool = False
     """Whether it judges how well code is made, and not whether it works: nobody wants to hear that of code that is
     put aside or tries something out."""
 
+    def __call__(self, system: System, options: Options) -> Iterator[Finding]:
+        return self.function(system, options)
 
-_REGISTERED: dict[str, Check] = {}
 
-
-def rule(code: str, *, taste: bool = False, **defaults: OptionValue) -> Callable[[RuleFunction], RuleFunction]:
-    """Register the decorated generator function as the rule with this code; a rule of ``taste`` says nothing of files
+def rule(code: str, *, scope: Scope, taste: bool = False, **defaults: OptionValue) -> Callable[[RuleFunction], Check]:
+    """Make the decorated generator function the rule with this code; a rule of ``taste`` says nothing of files
     that are put aside or try something out (:func:`archlint.analysis.aside.is_aside`)."""
-
-    def register(function: RuleFunction) -> RuleFunction:
-        other = _REGISTERED.get(code)
-        if other is not None and other.function.__module__ != function.__module__:
-            raise ValueError(f"{code} is registered twice: {other.function.__module__}, {function.__module__}")
-        options = {name.replace("_", "-"): value for name, value in defaults.items()}
-        _REGISTERED[code] = Check(code, function, options, taste)
-        return function
-
-    return register
+    options = {name.replace("_", "-"): value for name, value in defaults.items()}
+    return lambda function: Check(code, function, scope, MappingProxyType(options), taste)
 
 
-def registered() -> dict[str, Check]:
-    """Every rule that can run, in code order; the modules that hold them are imported on the first call."""
-    for module in checks.MODULES:
-        importlib.import_module(f"archlint.checks.{module}")
-    return dict(sorted(_REGISTERED.items()))
+def registered() -> Mapping[str, Check]:
+    """Every rule that can run, in code order: those that the modules of ``checks.MODULES`` define."""
+    return _defined(Check, checks.MODULES)
+
+
+def registered_folds() -> Mapping[str, Fold]:
+    """What makes one finding of several, by the code of the rule."""
+    return _defined(Fold, checks.MODULES)
+
+
+_Defined = TypeVar("_Defined", Check, Fold)
+
+
+@cache
+def _defined(kind: type[_Defined], modules: tuple[str, ...]) -> Mapping[str, _Defined]:
+    """What these modules define of a kind, by code; raises ``ValueError`` for a code that stands twice."""
+    found: dict[str, tuple[_Defined, str]] = {}
+    for name in modules:
+        for one in vars(importlib.import_module(f"archlint.checks.{name}")).values():
+            if isinstance(one, kind):
+                other, home = found.setdefault(one.code, (one, name))
+                if other is not one:
+                    raise ValueError(f"{one.code} is registered twice: {home}, {name}")
+    return MappingProxyType({code: found[code][0] for code in sorted(found)})
 
 
 def finding(
@@ -181,51 +196,6 @@ def options_for(settings: Settings, codes: Iterable[str]) -> dict[str, Options]:
     }
 
 
-def judge(system: System, selected: Mapping[str, Options]) -> Iterator[Finding]:
-    """What the selected rules find in a system; a rule that raises becomes an LNT003 finding."""
-    for code, check in registered().items():
-        if code not in selected:
-            continue
-        try:
-            found = list(check.function(system, selected[code]))
-        except Exception as error:
-            yield failure(Fault.of(f"the rule {rules()[code].title}", error, _place_of(system)))
-        else:
-            kept = [one for one in found if not (check.taste and is_aside(system.world, one.place.file))]
-            yield from (replace(one, system=system.name) for one in kept)
-
-
-def judge_alternatives(system: System, selected: Mapping[str, Options]) -> Iterator[Finding]:
-    """As :func:`judge`; where arguments that nothing decides make several systems of one launch file, each is
-    judged, and a finding says under which arguments it holds."""
-    if not system.alternatives:
-        yield from judge(system, selected)
-        return
-    split = {code: options for code, options in selected.items() if depends_on_arguments(code)}
-    yield from judge(system, {code: options for code, options in selected.items() if code not in split})
-    every = [arguments for arguments, _ in system.alternatives]
-    holding: dict[tuple[object, ...], tuple[Finding, list[Arguments]]] = {}
-    for arguments, alternative in system.alternatives:
-        for one in judge(alternative, split):
-            key = (one.code, one.place, one.message, one.node, one.related)
-            holding.setdefault(key, (one, []))[1].append(arguments)
-    at_place: dict[tuple[object, ...], list[Finding]] = {}
-    for one, where in holding.values():
-        found = replace(one, condition=condition(where, every))
-        at_place.setdefault((one.code, one.place), []).append(found)
-    for several in at_place.values():
-        yield from several if len(several) <= _VARIANTS else [min(several, key=_how_general)]
-
-
-_VARIANTS = 2
-"""So many findings of one rule at one place are two mistakes; more are one, in the combinations of arguments."""
-
-
-def _how_general(finding: Finding) -> tuple[int, int, str]:
-    """Least for what holds with the fewest arguments, and then for what names most places."""
-    return ((finding.condition or "").count(":="), -len(finding.related), finding.message)
-
-
 def failure(fault: Fault) -> Finding:
     """The LNT003 finding for a part of archlint that raised."""
     return finding(
@@ -259,10 +229,3 @@ def unreadable_interface(file: str, problems: Sequence[tuple[int, int, str]], bu
         return one
     message = f"{one.message}; the CMakeLists.txt of its package does not list this file, so nothing is built from it"
     return replace(one, message=message, severity=Severity.INFO)
-
-
-def _place_of(system: System) -> Place:
-    """Where to show that a system could not be judged: its launch file, or the first file of a node."""
-    places = [node.blueprint.place.file for node in system.nodes if node.blueprint is not None]
-    file = system.name or min(places, default=".")
-    return Place(file, 1, 1, 1, 1)

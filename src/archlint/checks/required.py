@@ -9,6 +9,7 @@ from archlint.analysis.coexistence import in_source_order
 from archlint.analysis.links import Link, counts, has, is_meant, is_named, launched, links, named
 from archlint.architecture import REQUIRE, Contract, Globs, any_node, matches
 from archlint.checks.registry import Options, finding, rule
+from archlint.checks.scope import Scope
 from archlint.finding import Finding, Related
 from archlint.model import ACTION_CLIENT, ACTION_SERVER, CLIENT, PUBLISHER, SERVICE, SUBSCRIBER
 
@@ -23,7 +24,7 @@ _ENDS = {
 """By kind of connection: the two kinds of ends, the provider's first, and what a node does there."""
 
 
-@rule("ARC003")
+@rule("ARC003", scope=Scope.SYSTEM)
 def missing_connection(system: System, options: Options) -> Iterator[Finding]:
     """Contracts whose connection is not there."""
     for contract in options.contracts:

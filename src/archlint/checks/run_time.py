@@ -7,6 +7,7 @@ from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from archlint.checks.registry import Options, finding, rule
+from archlint.checks.scope import Scope
 from archlint.finding import Finding, Related, Severity
 from archlint.observed.model import DIFFERENT, MISSING, UNEXPECTED
 
@@ -14,19 +15,19 @@ if TYPE_CHECKING:
     from archlint.systems.model import System
 
 
-@rule("GRF005")
+@rule("GRF005", scope=Scope.RUNNING)
 def missing_at_run_time(system: System, options: Options) -> Iterator[Finding]:
     """What the source says of a system, and the running one does not have."""
     yield from _findings("GRF005", MISSING, system)
 
 
-@rule("GRF006")
+@rule("GRF006", scope=Scope.RUNNING)
 def unexpected_at_run_time(system: System, options: Options) -> Iterator[Finding]:
     """What a running system has, and its source does not."""
     yield from _findings("GRF006", UNEXPECTED, system)
 
 
-@rule("GRF007")
+@rule("GRF007", scope=Scope.RUNNING)
 def different_at_run_time(system: System, options: Options) -> Iterator[Finding]:
     """What a running system has otherwise than its source."""
     yield from _findings("GRF007", DIFFERENT, system)

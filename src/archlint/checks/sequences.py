@@ -11,6 +11,7 @@ from archlint.analysis.callback_roles import callback_words, runs_in_executor
 from archlint.analysis.reach import endpoint_words, node_name, one_for_each_place
 from archlint.analysis.waits import Wait, waits
 from archlint.checks.registry import Options, finding, rule
+from archlint.checks.scope import Scope
 from archlint.finding import Finding, Place, Related
 from archlint.model import CLIENT
 from archlint.syntax import facts
@@ -36,7 +37,7 @@ class _Step:
     """The body of that function."""
 
 
-@rule("SRV005", limit=3)
+@rule("SRV005", scope=Scope.CODE, limit=3)
 def sequential_sync_calls(system: System, options: Options) -> Iterator[Finding]:
     """Callbacks and loop bodies that wait for several servers in turn."""
     limit = int(options.number("limit"))

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 from archlint.analysis.reach import once_for_each_system, one_for_each_place
 from archlint.analysis.waits import Wait, waits
 from archlint.checks.registry import Options, finding, rule
+from archlint.checks.scope import Scope
 from archlint.finding import Finding, Related
 from archlint.model import ACTION_CLIENT, ACTION_SERVER, CLIENT, SERVICE
 
@@ -48,7 +49,7 @@ def _meet(system: System, one: Node, other: Node) -> bool:
     return system.together(one, other) or system.started_together(one, other)
 
 
-@rule("SRV006")
+@rule("SRV006", scope=Scope.SYSTEM)
 def service_call_cycle(system: System, options: Options) -> Iterator[Finding]:
     """Circles of handlers, each of which waits for the next."""
     edges = waits_of_handlers(system)

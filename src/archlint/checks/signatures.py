@@ -11,6 +11,7 @@ from archlint.analysis.completeness import facts_at
 from archlint.analysis.pinned import pinned_distro
 from archlint.analysis.reach import node_name, one_for_each_place
 from archlint.checks.registry import Options, finding, rule
+from archlint.checks.scope import Scope
 from archlint.finding import Finding, Place, Related, Severity
 from archlint.syntax import facts
 from archlint.workspace.test_code import is_test_file
@@ -42,7 +43,7 @@ _WHAT = {
 }
 
 
-@rule("EXE006")
+@rule("EXE006", scope=Scope.CODE)
 def callback_signature(system: System, options: Options) -> Iterator[Finding]:
     """Callbacks that fail as soon as they are called; those of a class that fail alike are one finding."""
     alike: dict[tuple[object, ...], dict[tuple[Place, Place], _Wrong]] = {}

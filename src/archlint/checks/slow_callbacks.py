@@ -17,6 +17,7 @@ from archlint.analysis.spins import spun_node
 from archlint.analysis.stuck import clients_of_handlers, functions_that_ask
 from archlint.checks.folding import folds
 from archlint.checks.registry import Options, finding, rule
+from archlint.checks.scope import Scope
 from archlint.checks.timeouts import MAKE_IT_EARLIER, made_here
 from archlint.finding import Finding, Place, Related, Severity
 from archlint.interpreter.values import Known, alternatives
@@ -50,7 +51,7 @@ _LISTENER = "tf2_ros.transform_listener.TransformListener"
 _Row = tuple["Program", "ApiCall", Stay]
 
 
-@rule("EXE003", taste=True)
+@rule("EXE003", scope=Scope.CODE, taste=True)
 def slow_callback(system: System, options: Options) -> Iterator[Finding]:
     """Sleeps and waits for the world outside that callbacks reach: one finding for the function that holds them."""
     asked = clients_of_handlers(system, options.distros)
@@ -277,7 +278,7 @@ def _meanwhile(callback: Callback, program: Program) -> str:
 # --------------------------------------------------------------------------------------------------- EXE004
 
 
-@rule("EXE004")
+@rule("EXE004", scope=Scope.CODE)
 def rate_sleep_in_callback(system: System, options: Options) -> Iterator[Finding]:
     """Rates that sleep on the only thread that could wake them."""
     yield from one_for_each_place(
@@ -311,7 +312,7 @@ def _rate_verdict(call: ApiCall, program: Program, options: Options) -> blocking
 # --------------------------------------------------------------------------------------------------- EXE007
 
 
-@rule("EXE007")
+@rule("EXE007", scope=Scope.CODE)
 def blocking_tf_lookup(system: System, options: Options) -> Iterator[Finding]:
     """Transform lookups with a timeout on the only thread that could bring the transform."""
     threaded = [

@@ -13,6 +13,7 @@ from archlint.analysis.deadlock import related_executor, threads_of
 from archlint.analysis.reach import judged_calls, node_name, one_for_each_place, same_expression
 from archlint.analysis.spins import spun_by_several, spun_in_callbacks
 from archlint.checks.registry import Options, finding, rule
+from archlint.checks.scope import Scope
 from archlint.finding import Finding, Place, Related
 from archlint.model import ACTION_CLIENT, ACTION_SERVER, CLIENT, FOR_A_MOMENT, GUARD, SERVICE, SUBSCRIBER, TIMER
 from archlint.syntax import facts
@@ -56,7 +57,7 @@ class _Idle:
     behind: Place | None = None
 
 
-@rule("EXE008")
+@rule("EXE008", scope=Scope.CODE)
 def node_never_spun(system: System, options: Options) -> Iterator[Finding]:
     """Nodes that wait for work which no executor ever gives them."""
     judged = [(program, node, _idle(program, node)) for program, node in _judged(system)]
@@ -153,7 +154,7 @@ def _never_spun(system: System, node: Blueprint, idle: _Idle) -> Finding:
 # --------------------------------------------------------------------------------------------------- CBG002
 
 
-@rule("CBG002", taste=True)
+@rule("CBG002", scope=Scope.CODE, taste=True)
 def groups_without_threads(system: System, options: Options) -> Iterator[Finding]:
     """Callback groups of nodes that one thread spins."""
     kept = _needing(system) | spun_by_several(system)

@@ -21,6 +21,7 @@ from archlint.analysis.sleeps import longest, stay_of
 from archlint.analysis.waits import DONE, Wait, waits
 from archlint.checks.polling import notes_that_it_ran, unguarded
 from archlint.checks.registry import Options, finding, rule
+from archlint.checks.scope import Scope
 from archlint.finding import Finding, Related
 
 if TYPE_CHECKING:
@@ -36,7 +37,7 @@ _Slot = tuple[int, str]
 """What lets one of its callbacks run at a time: a node's (its ``id``) default group, or a group by its key."""
 
 
-@rule("EXE014")
+@rule("EXE014", scope=Scope.CODE)
 def thread_starvation(system: System, options: Options) -> Iterator[Finding]:
     """Timers that wait beside themselves, and executors with no more threads than callbacks that wait."""
     yield from one_for_each_place(_pile(system, wait) for wait in piling_up(system))

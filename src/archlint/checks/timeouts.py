@@ -25,6 +25,7 @@ from archlint.analysis.reach import (
 from archlint.analysis.stuck import spoken_of
 from archlint.checks.folding import folds
 from archlint.checks.registry import Options, finding, rule
+from archlint.checks.scope import Scope
 from archlint.finding import Finding, Fix, Place, Related, Severity
 from archlint.interpreter.values import External, Instance, Known
 from archlint.syntax import facts
@@ -49,7 +50,7 @@ MAKE_IT_EARLIER = "create the client in the constructor, and ask here without wa
 _COMPLETE = tuple(f"rclpy.task.Future.{name}" for name in ("set_result", "set_exception", "cancel"))
 
 
-@rule("TMO001")
+@rule("TMO001", scope=Scope.CODE)
 def wait_without_timeout(system: System, options: Options) -> Iterator[Finding]:
     """Waits for a service, an action server or a message that nothing limits."""
     yield from one_for_each_place(
@@ -112,7 +113,7 @@ def _ready(call: ApiCall) -> str:
     return "server_is_ready" if kind_of(call) == "action" else "service_is_ready"
 
 
-@rule("TMO003")
+@rule("TMO003", scope=Scope.CODE)
 def spin_without_timeout(system: System, options: Options) -> Iterator[Finding]:
     """Spins until a future is complete that nothing limits.  Of a method that nothing calls, and of a client that
     nothing is seen to make, nobody knows whether it is ever there."""
@@ -212,7 +213,7 @@ def _all_of(fixes: Sequence[Fix]) -> Fix | None:
     return replace(fixes[0], edits=tuple(sorted(edits, key=lambda edit: edit.place)))
 
 
-@rule("TMO005")
+@rule("TMO005", scope=Scope.CODE)
 def ignored_wait_result(system: System, options: Options) -> Iterator[Finding]:
     """Waits with a timeout whose answer is thrown away, and that nothing asks for later."""
     asked = _clients_asked_for(system)

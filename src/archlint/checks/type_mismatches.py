@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 
 from archlint.analysis.coexistence import all_endpoints, clashing, in_source_order, seen_together
 from archlint.checks.registry import Options, finding, rule
+from archlint.checks.scope import Scope
 from archlint.finding import Finding, Related
 from archlint.model import ACTION_CLIENT, ACTION_SERVER, CLIENT, PUBLISHER, SERVICE, SUBSCRIBER
 
@@ -23,19 +24,19 @@ _DOES = {
 }
 
 
-@rule("TOP001")
+@rule("TOP001", scope=Scope.SYSTEM)
 def topic_type_mismatch(system: System, options: Options) -> Iterator[Finding]:
     """Topics that two endpoints use with different types."""
     yield from _mismatches("TOP001", system, system.topics)
 
 
-@rule("SRV002")
+@rule("SRV002", scope=Scope.SYSTEM)
 def service_type_mismatch(system: System, options: Options) -> Iterator[Finding]:
     """Services that two endpoints use with different types."""
     yield from _mismatches("SRV002", system, system.services)
 
 
-@rule("ACT002")
+@rule("ACT002", scope=Scope.SYSTEM)
 def action_type_mismatch(system: System, options: Options) -> Iterator[Finding]:
     """Actions that two endpoints use with different types."""
     yield from _mismatches("ACT002", system, system.actions)

@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING
 
 from archlint.checks.packages import world_of
 from archlint.checks.registry import Options, finding, rule
+from archlint.checks.scope import Scope
 from archlint.finding import Edit, Finding, Fix, Place, Related
 from archlint.ros import packages
 from archlint.rulebook import rules
@@ -36,7 +37,7 @@ class Use:
     also: tuple[str, ...] = ()
 
 
-@rule("PKG001")
+@rule("PKG001", scope=Scope.WORKSPACE)
 def undeclared_dependency(system: System, options: Options) -> Iterator[Finding]:
     """ROS packages that are imported or launched and that package.xml does not name: one finding a package."""
     world = world_of(system)

@@ -12,6 +12,7 @@ from archlint.analysis.completeness import in_sight as followed
 from archlint.checks.near_misses import nearly_equal
 from archlint.checks.ownership import SHARED_BY_DESIGN, TYPES_SHARED_BY_DESIGN
 from archlint.checks.registry import Options, finding, rule
+from archlint.checks.scope import Scope
 from archlint.finding import Finding, Related
 from archlint.model import ACTION_CLIENT, ACTION_SERVER, CLIENT, PUBLISHER, SERVICE, SUBSCRIBER
 from archlint.systems.implicit import implicit_names
@@ -31,7 +32,7 @@ _PARTNER = {
 }
 
 
-@rule("TOP002")
+@rule("TOP002", scope=Scope.SYSTEM)
 def topic_without_subscriber(system: System, options: Options) -> Iterator[Finding]:
     """Topics of a closed system that are published and that nobody subscribes to."""
     for end in _lonely(system, options, system.topics, PUBLISHER):
@@ -45,7 +46,7 @@ def topic_without_subscriber(system: System, options: Options) -> Iterator[Findi
             )
 
 
-@rule("TOP003")
+@rule("TOP003", scope=Scope.SYSTEM)
 def topic_without_publisher(system: System, options: Options) -> Iterator[Finding]:
     """Subscriptions of a closed system to topics that nobody publishes."""
     for end in _lonely(system, options, system.topics, SUBSCRIBER):
@@ -58,7 +59,7 @@ def topic_without_publisher(system: System, options: Options) -> Iterator[Findin
         )
 
 
-@rule("SRV001")
+@rule("SRV001", scope=Scope.SYSTEM)
 def client_without_server(system: System, options: Options) -> Iterator[Finding]:
     """Clients of a closed system whose service nobody offers."""
     for end in _lonely(system, options, system.services, CLIENT):
@@ -71,7 +72,7 @@ def client_without_server(system: System, options: Options) -> Iterator[Finding]
         )
 
 
-@rule("ACT001")
+@rule("ACT001", scope=Scope.SYSTEM)
 def action_client_without_server(system: System, options: Options) -> Iterator[Finding]:
     """Action clients of a closed system whose action nobody offers."""
     for end in _lonely(system, options, system.actions, ACTION_CLIENT):

@@ -11,6 +11,7 @@ from archlint.analysis.left_over import is_dead
 from archlint.analysis.reach import calls_of, creations_of, endpoint_words, has_limit, node_name
 from archlint.analysis.stuck import clients_of_handlers
 from archlint.checks.registry import Options, finding, rule
+from archlint.checks.scope import Scope
 from archlint.checks.timeouts import READY, WAIT_FOR_SERVER, WAIT_FOR_SERVICE, way_to
 from archlint.finding import Finding, Place, Severity
 from archlint.syntax import facts
@@ -32,7 +33,7 @@ _PASTIMES = frozenset(
 """Calls of which none ends a loop; any other may raise, so a loop with one is not judged."""
 
 
-@rule("TMO004")
+@rule("TMO004", scope=Scope.CODE)
 def endless_wait_loop(system: System, options: Options) -> Iterator[Finding]:
     """Loops that go round until a server appears, and that nothing else ends."""
     asked = clients_of_handlers(system, options.distros)

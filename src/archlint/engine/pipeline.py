@@ -329,12 +329,11 @@ def _joined(judged: Sequence[Judged]) -> Judged:
 
 
 def _judged(request: Request, workspace: Workspace, facts: FactsOfFiles, tree: SourceTree) -> Judged:
-    from archlint.checks.folding import folded
     from archlint.checks.launch_notices import argument_notices
-    from archlint.checks.merge import merged
     from archlint.checks.registry import failure, unreadable
     from archlint.engine import suppressions
     from archlint.engine.looked_at import followed_in_part, without_start
+    from archlint.engine.merging import folded, merged
     from archlint.observed.words import comparison_notices, comparison_words
     from archlint.render.json import unresolved
 
@@ -379,14 +378,14 @@ def _judged(request: Request, workspace: Workspace, facts: FactsOfFiles, tree: S
 
 
 def _rules(settings: Settings, systems: Sequence[System]) -> Iterator[Finding]:
-    from archlint.checks.merge import depends_on_system
-    from archlint.checks.registry import judge_alternatives, options_for
+    from archlint.checks.registry import options_for, registered
+    from archlint.engine.judging import judge_alternatives
 
-    selection = settings.selection
+    selection, checks = settings.selection, registered()
     for system in systems:
         codes = [code for code in selection.codes if selection.runs(code, system.closed)]
         if system.launched is not None and len(systems) > 1:
-            codes = [code for code in codes if depends_on_system(code)]
+            codes = [code for code in codes if code in checks and checks[code].scope.of_each_system]
         yield from judge_alternatives(system, options_for(settings, codes))
 
 
@@ -404,13 +403,15 @@ def _idle(settings: Settings, systems: Sequence[System]) -> list[str]:
 
 def _ran(request: Request, systems: Sequence[System]) -> frozenset[str]:
     """The codes of the rules that judged everything they can judge."""
-    from archlint.checks.merge import OF_RUNNING
+    from archlint.checks.registry import registered
+    from archlint.checks.scope import Scope
 
     if request.launch is not None:
         return frozenset()
     closed = any(system.closed for system in systems)
     selection = request.settings.selection
-    unheld = frozenset() if request.observed is not None else frozenset(OF_RUNNING)
+    running = frozenset(code for code, check in registered().items() if check.scope is Scope.RUNNING)
+    unheld = frozenset() if request.observed is not None else running
     return frozenset(code for code in selection.codes if selection.runs(code, closed)) - unheld
 
 

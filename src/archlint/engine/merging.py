@@ -1,56 +1,12 @@
-"""Which rules judge each launched system, and one finding for what several systems show."""
+"""One finding for what several systems show, and one for several findings with one cause."""
 
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
 from dataclasses import replace
 
+from archlint.checks.registry import registered, registered_folds
 from archlint.finding import Finding
-
-OF_SYSTEMS = (
-    "ACT001",
-    "ACT002",
-    "ARC",
-    "GRF",
-    "LCH",
-    "NME002",
-    "NME004",
-    "OWN",
-    "PRM002",
-    "PRM004",
-    "PRM005",
-    "QOS",
-    "SRV001",
-    "SRV002",
-    "SRV004",
-    "SRV006",
-    "TOP001",
-    "TOP002",
-    "TOP003",
-    "TOP004",
-)
-"""Rules whose answer depends on what runs together and under which names and parameters, by code or prefix.  The
-others judge code, and one system is enough for them."""
-
-_OF_CODE = ("LCH002", "NME002", "SRV004")
-"""Of these a place is told once, whatever name or period a launch file gives it."""
-
-
-_OF_LAUNCH_FILE = ("LCH001", "LCH003", "LCH004", "LCH005")
-"""What these find stands in the launch file, whichever arguments it is given."""
-
-OF_RUNNING = ("GRF005", "GRF006", "GRF007")
-"""What these find was observed, under the arguments that it was started with."""
-
-
-def depends_on_arguments(code: str) -> bool:
-    """Whether a rule may answer differently for the systems that one launch file makes."""
-    return depends_on_system(code) and code not in (*_OF_LAUNCH_FILE, *OF_RUNNING)
-
-
-def depends_on_system(code: str) -> bool:
-    """Whether a rule is to be run for each launch file."""
-    return code.startswith(OF_SYSTEMS)
 
 
 def merged(findings: Iterable[Finding]) -> Iterator[Finding]:
@@ -76,10 +32,31 @@ def _with_condition(finding: Finding) -> Finding:
 
 
 def _keys(finding: Finding) -> set[tuple[object, ...]]:
+    """What another finding has in common with this one if both are one, as the scope of the rule says."""
     keys: set[tuple[object, ...]] = {(finding.code, finding.place, finding.message)}
+    check = registered().get(finding.code)
     places = tuple(related.place for related in finding.related)
-    if not depends_on_system(finding.code) or finding.code in _OF_CODE:
+    if check is None or check.scope.once_a_place:
         keys.add((finding.code, finding.place))
     elif places:
         keys.add((finding.code, finding.place, places))
     return keys
+
+
+def folded(findings: Iterable[Finding]) -> list[Finding]:
+    """The findings with those of one group made one, which no longer has a group: once each had its chance to be
+    turned off."""
+    folds = registered_folds()
+    alone: list[Finding] = []
+    groups: dict[tuple[object, ...], list[Finding]] = {}
+    for one in findings:
+        if one.group and one.code in folds:
+            system = None if folds[one.code].across_systems else (one.system, one.condition)
+            groups.setdefault((one.code, one.severity, system, *one.group), []).append(one)
+        else:
+            alone.append(one)
+    for several in groups.values():
+        ordered = sorted(several, key=lambda one: one.sort_key)
+        found = ordered[0] if len(ordered) == 1 else folds[ordered[0].code](ordered)
+        alone.append(replace(found, group=()))
+    return alone

@@ -1,0 +1,70 @@
+"""What the selected rules find in a system, and under which launch arguments."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import replace
+from typing import TYPE_CHECKING
+
+from archlint.analysis.aside import is_aside
+from archlint.checks.registry import Options, failure, registered
+from archlint.faults import Fault
+from archlint.finding import Finding, Place
+from archlint.rulebook import rules
+from archlint.systems.variants import Arguments, condition
+
+if TYPE_CHECKING:
+    from archlint.systems.model import System
+
+
+def judge(system: System, selected: Mapping[str, Options]) -> Iterator[Finding]:
+    """What the selected rules find in a system; a rule that raises becomes an LNT003 finding."""
+    for code, check in registered().items():
+        if code not in selected:
+            continue
+        try:
+            found = list(check.function(system, selected[code]))
+        except Exception as error:
+            yield failure(Fault.of(f"the rule {rules()[code].title}", error, _place_of(system)))
+        else:
+            kept = [one for one in found if not (check.taste and is_aside(system.world, one.place.file))]
+            yield from (replace(one, system=system.name) for one in kept)
+
+
+def judge_alternatives(system: System, selected: Mapping[str, Options]) -> Iterator[Finding]:
+    """As :func:`judge`; where arguments that nothing decides make several systems of one launch file, each is
+    judged, and a finding says under which arguments it holds."""
+    if not system.alternatives:
+        yield from judge(system, selected)
+        return
+    checks = registered()
+    split = {c: options for c, options in selected.items() if c in checks and checks[c].scope.of_each_arguments}
+    yield from judge(system, {code: options for code, options in selected.items() if code not in split})
+    every = [arguments for arguments, _ in system.alternatives]
+    holding: dict[tuple[object, ...], tuple[Finding, list[Arguments]]] = {}
+    for arguments, alternative in system.alternatives:
+        for one in judge(alternative, split):
+            key = (one.code, one.place, one.message, one.node, one.related)
+            holding.setdefault(key, (one, []))[1].append(arguments)
+    at_place: dict[tuple[object, ...], list[Finding]] = {}
+    for one, where in holding.values():
+        found = replace(one, condition=condition(where, every))
+        at_place.setdefault((one.code, one.place), []).append(found)
+    for several in at_place.values():
+        yield from several if len(several) <= _VARIANTS else [min(several, key=_how_general)]
+
+
+_VARIANTS = 2
+"""So many findings of one rule at one place are two mistakes; more are one, in the combinations of arguments."""
+
+
+def _how_general(finding: Finding) -> tuple[int, int, str]:
+    """Least for what holds with the fewest arguments, and then for what names most places."""
+    return ((finding.condition or "").count(":="), -len(finding.related), finding.message)
+
+
+def _place_of(system: System) -> Place:
+    """Where to show that a system could not be judged: its launch file, or the first file of a node."""
+    places = [node.blueprint.place.file for node in system.nodes if node.blueprint is not None]
+    file = system.name or min(places, default=".")
+    return Place(file, 1, 1, 1, 1)
