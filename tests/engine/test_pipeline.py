@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 import os
+from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
 
 import pytest
 
 import archlint
-from archlint.checks.registry import Options, finding, rule
+from archlint.checks.registry import Check, Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.config.settings import load
 from archlint.engine.pipeline import NothingToDo, Request, check, graph
@@ -47,16 +48,22 @@ def workspace(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     return tmp_path
 
 
+@rule("OWN001", scope=Scope.SYSTEM)
+def every_publisher(system, options: Options):
+    for node in system.nodes:
+        for endpoint in node.of_kind("publisher"):
+            yield finding("OWN001", endpoint.place, f"publishes {endpoint.name}", node=node.name)
+
+
+Add = Callable[[Check], None]
+
+
 @pytest.fixture(autouse=True)
-def one_rule(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Instead of the real rules one that finds every publisher, so that findings are easy to place."""
-
-    def every_publisher(system, options: Options):
-        for node in system.nodes:
-            for endpoint in node.of_kind("publisher"):
-                yield finding("OWN001", endpoint.place, f"publishes {endpoint.name}", node=node.name)
-
-    only(monkeypatch, rule("OWN001", scope=Scope.SYSTEM)(every_publisher))
+def add(monkeypatch: pytest.MonkeyPatch) -> Add:
+    """Instead of the real rules one that finds every publisher, so that findings are easy to place; a test may add
+    another to it."""
+    only(monkeypatch, every_publisher)
+    return lambda another: only(monkeypatch, every_publisher, another)
 
 
 def write(path: str, text: str | bytes = NODE) -> Path:
@@ -176,8 +183,9 @@ def test_a_broken_module_beside_a_file_is_told_where_that_file_imports_it(worksp
     assert not any(one.code == "LNT002" for one in run("pkg/pkg/other.py").findings)
 
 
-def test_a_workspace_of_packages_without_python_is_judged():
-    @rule("PKG003")
+def test_a_workspace_of_packages_without_python_is_judged(add: Add):
+    @add
+    @rule("PKG003", scope=Scope.WORKSPACE)
     def each_package(system, options):
         for name in system.world.packages:
             yield finding("PKG003", Place(f"{name}/package.xml", 1, 1, 1, 1), name)
@@ -235,8 +243,9 @@ def test_a_broken_interface_is_one_finding_and_information_where_nothing_builds_
     assert ("nothing is built from it" in found.message) == (severity == Severity.INFO)
 
 
-def test_a_rule_that_raises_is_a_finding_and_the_others_run():
-    @rule("SRV002")
+def test_a_rule_that_raises_is_a_finding_and_the_others_run(add: Add):
+    @add
+    @rule("SRV002", scope=Scope.SYSTEM)
     def broken(system, options):
         yield finding("SRV002", Place("a.py", 1, 1, 1, 1), "lost when the rule fails")
         raise KeyError("gone")
@@ -306,10 +315,11 @@ def test_the_configuration_sets_severities(configuration: str, severity: Severit
     assert [one.severity for one in run().findings] == [severity]
 
 
-def test_a_rule_is_handed_its_options():
+def test_a_rule_is_handed_its_options(add: Add):
     handed: list[Options] = []
 
-    @rule("SRV003", rate=1.0, names=())
+    @add
+    @rule("SRV003", scope=Scope.CODE, rate=1.0, names=())
     def listening(system, options):
         handed.append(options)
         return iter(())
@@ -450,9 +460,9 @@ def test_without_a_key_nothing_is_kept(monkeypatch: pytest.MonkeyPatch):
 
 
 @pytest.fixture
-def launched_with_ignored_parameters() -> Path:
+def launched_with_ignored_parameters(add: Add) -> Path:
     """A launch file that loads a parameter file which git ignores, and another that is not there."""
-    rule("LCH004")(missing_files)
+    add(rule("LCH004", scope=Scope.LAUNCH_FILE)(missing_files))
     write(".git/HEAD")
     write(".gitignore", "local.yaml")
     write("p/package.xml", PACKAGE.format(name="p"))
