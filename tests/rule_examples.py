@@ -164,8 +164,7 @@ def _blocks(code: str, text: str) -> Iterator[tuple[tuple[str, str], str | None,
         elif fence := _FENCE.match(line):
             language, lines = fence["language"], []
         elif line.startswith("## "):
-            section, _, title = line[3:].partition(": ")
-            name = None
+            section, title, name = line[3:], "", None
         elif line.startswith("### "):
             title, name = line[4:], None
         elif file_name := _FILE_NAME.match(line):

@@ -17,7 +17,7 @@ since: "0.1"
 ---
 # SRV003 nested-service-call
 
-## What it does
+## Reported
 ```python
 not_an_example()
 ```
@@ -28,7 +28,7 @@ import rclpy
 client.call(request)  # expect: SRV003, TMO002
 ```
 
-## Bad: across two files
+### Across two files
 Prose between.
 
 `pkg/handler.py`:
@@ -57,7 +57,7 @@ ignore = ["SRV003"]
 def test_each_section_is_one_workspace():
     assert [(example.section, example.title) for example in read_page("SRV003", PAGE)] == [
         ("bad", ""),
-        ("bad", "across two files"),
+        ("bad", "Across two files"),
         ("good", ""),
     ]
 

@@ -10,6 +10,7 @@ from pathlib import Path
 import pytest
 
 from archlint.checks.registry import registered
+from archlint.cli.rule_page import shown
 from archlint.rulebook import Rule, pages_folder, rules
 
 ROOT = Path(__file__).parents[1]
@@ -56,6 +57,21 @@ def test_a_page_documents_each_option_of_its_rule(rule: Rule):
 def test_links_to_other_pages_lead_somewhere(rule: Rule):
     for target in re.findall(r"\]\(([^)#:]+)(?:#[^)]*)?\)", prose(rule.body)):
         assert (pages_folder() / target).exists(), target
+
+
+@pytest.mark.parametrize("rule", rules().values(), ids=lambda rule: rule.code)
+def test_a_link_to_documentation_or_source_names_a_release(rule: Rule):
+    for link in re.findall(r"\]\((https://(?:docs\.ros\.org|github\.com)/[^)]*)\)", rule.body):
+        assert not re.search(r"/(rolling|master|main|latest)/", link)
+
+
+@pytest.mark.parametrize("rule", rules().values(), ids=lambda rule: rule.code)
+def test_explain_shows_one_block_of_each_kind(rule: Rule):
+    bad, _, rest = shown(rule, "").text.partition("\n## Bad\n")[2].partition("\n## Good\n")
+    good = re.split(r"^## ", rest, flags=re.MULTILINE)[0]
+    blocks = 0 if rule.code == "LNT003" else 1
+    assert [len(re.findall(r"^```\w", text, re.MULTILINE)) for text in (bad, good)] == [blocks, blocks]
+    assert bad != good or not blocks
 
 
 def test_the_index_is_current():
