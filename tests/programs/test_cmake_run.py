@@ -7,8 +7,9 @@ from textwrap import dedent
 import pytest
 
 from archlint.programs.cmake_run import CMakeRun
-from archlint.programs.installs import Installs, read_cmake
+from archlint.programs.installs import read_cmake
 from archlint.syntax.cmake import parse_cmake
+from archlint.workspace.installed import Installs
 from builds import Build
 
 

@@ -8,9 +8,9 @@ from pathlib import Path
 import pytest
 
 from archlint.programs.entry_points import entry_points, read_installs
-from archlint.programs.installs import Installs
 from archlint.syntax.compile import compile_python
 from archlint.workspace.discovery import find
+from archlint.workspace.installed import Installs
 from archlint.workspace.tree import SourceTree
 
 MANIFEST = "<package><name>robot</name><export><build_type>ament_python</build_type></export></package>"

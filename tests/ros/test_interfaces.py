@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import pytest
 
-from archlint.programs.installs import Installs, read_cmake
+from archlint.programs.installs import read_cmake
 from archlint.ros.interfaces import InterfaceTable
+from archlint.workspace.installed import Installs
 from archlint.workspace.model import SourceFile
 from builds import Build
 

@@ -14,8 +14,8 @@ from archlint.workspace.test_code import is_put_aside, is_trial_file
 
 if TYPE_CHECKING:
     from archlint.launch.load import LaunchLoader
-    from archlint.programs.installs import Installs
     from archlint.systems.model import World
+    from archlint.workspace.installed import Installs
 
 
 def is_aside(world: World | None, file: str) -> bool:

@@ -24,8 +24,8 @@ from archlint.systems.instances import instantiate
 if TYPE_CHECKING:
     from archlint.finding import Place
     from archlint.launch.model import FileReference, Remap, Started, UnknownAttribute
-    from archlint.programs.installs import Executable, Installs
     from archlint.systems.model import Node, System, World
+    from archlint.workspace.installed import Executable, Installs
 
 
 # ------------------------------------------------------------------------------------------------- LCH001

@@ -15,8 +15,8 @@ from archlint.syntax import facts
 
 if TYPE_CHECKING:
     from archlint.launch.load import LaunchLoader
-    from archlint.programs.installs import Executable
     from archlint.systems.model import System, World
+    from archlint.workspace.installed import Executable
 
 
 def world_of(system: System) -> World | None:

@@ -11,8 +11,8 @@ from archlint.fixes import scopes
 
 if TYPE_CHECKING:
     from archlint.finding import Finding, Place
-    from archlint.fixes import Surroundings
     from archlint.fixes.source import Source
+    from archlint.fixes.surroundings import Surroundings
 
 _KIND = {
     "create_publisher": "topic",

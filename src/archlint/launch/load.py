@@ -28,12 +28,12 @@ from archlint.launch.model import (
 )
 from archlint.launch.run import LaunchRun
 from archlint.launch.undefined import undefined_name
-from archlint.programs.installs import Installs
 from archlint.syntax import facts
 from archlint.syntax.launch_elements import LaunchFacts
 from archlint.syntax.launch_xml import read_launch_xml
 from archlint.syntax.launch_yaml import read_launch_yaml
 from archlint.syntax.parameter_files import ParameterFacts, read_parameters
+from archlint.workspace.installed import Installs
 
 if TYPE_CHECKING:
     from archlint.workspace.model import SourceFile

@@ -13,6 +13,7 @@ from archlint.interpreter import values
 from archlint.interpreter.heap import Store
 from archlint.interpreter.machine import FEW_STEPS, PROGRAM_STEPS, Run
 from archlint.interpreter.modules import Module, ModuleIndex
+from archlint.interpreter.roots import enter_root, module_of
 from archlint.interpreter.values import DictValue, External, Instance, Known, OneOf, Unknown, Value
 from archlint.launch.argument_names import AGAIN, ArgumentNames
 from archlint.launch.conditions import Verdict
@@ -275,8 +276,6 @@ class LaunchRun(Run):
     @contextmanager
     def root(self, module: Module) -> Iterator[None]:
         """Run code of a module, from a fresh chain of calls."""
-        from archlint.programs.roots import enter_root
-
         kept, kept_arms = self.activations, self.arms
         self.steps, self.repeats, self.runs = 0, {}, {}
         self.allowed_steps = max(FEW_STEPS, min(PROGRAM_STEPS, self.left))
@@ -331,9 +330,8 @@ class LaunchRun(Run):
 
     def _call(self, function: Value, args: list[Value], keywords: dict[str, Value]) -> Value:
         from archlint.interpreter import calls
-        from archlint.programs.roots import _module_of
 
-        module = _module_of(function)
+        module = module_of(function)
         if module is None:
             return Unknown("a function that launch calls, and that is not followed")
         if self.activations:

@@ -16,14 +16,16 @@ from typing import TYPE_CHECKING, Protocol
 from archlint import model
 from archlint.faults import Faults
 from archlint.finding import Place
+from archlint.interpreter import containers
 from archlint.interpreter.heap import Store
-from archlint.interpreter.machine import Run
 from archlint.interpreter.modules import Module, ModuleIndex
-from archlint.interpreter.values import DictValue, Known, OneOf, Unknown, Value
-from archlint.programs.installs import Executable, InstalledFiles, Installs, console_script, read_cmake
+from archlint.interpreter.values import DictValue, Known, OneOf, Value
+from archlint.libraries.setuptools.setup_run import SetupRun
+from archlint.programs.installs import console_script, read_cmake
 from archlint.programs.linker import EntryPoint
 from archlint.syntax import facts
 from archlint.syntax.entry_point_tables import ScriptEntry, entries_of_pyproject, entries_of_setup_cfg, parse_entry
+from archlint.workspace.installed import Executable, InstalledFiles, Installs
 
 if TYPE_CHECKING:
     from archlint.workspace.model import SourceFile
@@ -52,14 +54,6 @@ class Tree(Protocol):
     def files_below(self, folder: str) -> list[str]: ...
 
     def same_file(self, path: str, files: Iterable[SourceFile]) -> SourceFile | None: ...
-
-
-class SetupRun(Run):
-    """The symbolic run of a setup.py: what it calls ``setup`` with, and where."""
-
-    keywords: dict[str, Value] | None = None
-    open = False
-    called_at: Place | None = None
 
 
 def read_installs(
@@ -198,19 +192,15 @@ def _read_setup(installs: Installs, module: Module, index: ModuleIndex, tree: Tr
     _data_files(installs, run, keywords.get("data_files"))
 
 
-def _items(run: Run, value: Value | None) -> tuple[list[Value], bool]:
+def _items(run: SetupRun, value: Value | None) -> tuple[list[Value], bool]:
     """The items of a list, and whether there may be more."""
-    from archlint.interpreter import containers
-
     if value is None or (isinstance(value, Known) and value.value is None):
         return [], False
     items = containers.iterate(run, value)
     return ([], True) if items is None else (list(items.values), items.open)
 
 
-def _console_scripts(installs: Installs, run: Run, value: Value | None, where: Place, tree: Tree) -> None:
-    from archlint.interpreter import containers
-
+def _console_scripts(installs: Installs, run: SetupRun, value: Value | None, where: Place, tree: Tree) -> None:
     if value is None:
         return
     if not isinstance(value, DictValue):
@@ -267,7 +257,7 @@ def _run_together(place: Place | None, tree: Tree) -> list[ScriptEntry]:
     return entries if len(entries) == len(parts) > 1 else []
 
 
-def _scripts(installs: Installs, run: Run, value: Value | None, where: Place) -> None:
+def _scripts(installs: Installs, run: SetupRun, value: Value | None, where: Place) -> None:
     rows, more = _items(run, value)
     installs.open_executables |= more
     for row in rows:
@@ -279,7 +269,7 @@ def _scripts(installs: Installs, run: Run, value: Value | None, where: Place) ->
             installs.open_executables = True
 
 
-def _data_files(installs: Installs, run: Run, value: Value | None) -> None:
+def _data_files(installs: Installs, run: SetupRun, value: Value | None) -> None:
     rows, more = _items(run, value)
     installs.open_files |= more
     for row in rows:
@@ -300,26 +290,3 @@ def _data_files(installs: Installs, run: Run, value: Value | None) -> None:
                 place = Place(installs.build_files[-1], 1, 1, 1, 1)
                 installs.add(Executable(name, installs.package, place, script=shown))
             installs.files.append(InstalledFiles(shown, destination or "."))
-
-
-def record_setup(run: Run, args: list[Value], keywords: dict[str, Value], e: facts.Call | None) -> Value:
-    """A call of ``setup(…)``; what it is given is kept where a setup.py is read."""
-    if isinstance(run, SetupRun) and (run.keywords is None or "entry_points" in keywords):
-        # Of two calls (one for ROS 1, one for ROS 2) the one with entry points is that of ROS 2.
-        run.keywords = dict(keywords)
-        starred = e is not None and any(argument.star for argument in e.args)
-        run.open = starred and "entry_points" not in keywords
-        run.called_at = None if e is None else run.place(e.span)
-    return Unknown("what setup() gives")
-
-
-def glob_pattern(run: Run, args: list[Value], keywords: dict[str, Value], e: facts.Call | None) -> Value:
-    """``glob(pattern)`` in a setup.py: the pattern stands for the files."""
-    from archlint.interpreter import containers
-
-    if isinstance(run, SetupRun) and args and isinstance(args[0], Known):
-        return containers.new_list(run, [args[0]])
-    return Unknown("the files that a pattern finds")
-
-
-__all__ = ["EntryPoint", "entry_points", "glob_pattern", "read_installs", "record_setup"]

@@ -19,13 +19,14 @@ from archlint.interpreter.attributes import class_lookup
 from archlint.interpreter.heap import Store
 from archlint.interpreter.machine import TEST_STEPS, Activation, Run
 from archlint.interpreter.modules import Module, ModuleIndex
+from archlint.interpreter.roots import enter_root
 from archlint.interpreter.values import ClassValue, FunctionValue, Value
 from archlint.libraries.interest import interesting
 from archlint.libraries.python import command_line
 from archlint.libraries.rclpy import escapes, nodes
 from archlint.programs.budget import Budget, cut_short
 from archlint.programs.helpers import Holders, helpers_in, note_holders, note_unfollowed, prune_uncalled, settle_helpers
-from archlint.programs.roots import enter_root, finish, flags_of, run_callbacks, run_pending
+from archlint.programs.roots import finish, flags_of, run_callbacks, run_pending
 from archlint.syntax import facts
 from archlint.syntax.parts import names_in
 from archlint.syntax.python.deep_stack import call_with_deep_stack

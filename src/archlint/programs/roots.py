@@ -2,13 +2,11 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
 from archlint import model
 from archlint.interpreter import calls, definitions
 from archlint.interpreter.growing import open_up
-from archlint.interpreter.machine import EXTRA_STEPS, FEW_STEPS, ROOTS, SELF_STARTS, STEPS, Activation, Pending, Run
-from archlint.interpreter.modules import Module
+from archlint.interpreter.machine import EXTRA_STEPS, FEW_STEPS, ROOTS, SELF_STARTS, STEPS, Pending, Run
+from archlint.interpreter.roots import enter_root, module_of
 from archlint.interpreter.values import (
     NONE,
     BoundMethod,
@@ -30,9 +28,6 @@ from archlint.syntax import facts
 from archlint.syntax.parts import names_in
 from archlint.workspace.test_code import is_test_file
 
-if TYPE_CHECKING:
-    pass
-
 INSTANCES = 8
 """On how many objects of one class the methods that nothing calls are tried."""
 ROUNDS = 4
@@ -43,14 +38,6 @@ AGAIN = 2
 NOT_PASSED = "nothing in the workspace passes"
 
 LIFECYCLE = frozenset({"on_configure", "on_activate", "on_deactivate", "on_cleanup", "on_shutdown", "on_error"})
-
-
-def enter_root(run: Run, module: Module) -> None:
-    """An activation at the root, so that what runs has a module and a scope."""
-    scope = module.scope
-    if scope is None:
-        scope = run.new_scope(None, module, "module", module.name)
-    run.activations.append(Activation(module.name, module, scope, [], run.store.depth))
 
 
 def run_callbacks(run: Run) -> None:
@@ -116,7 +103,7 @@ def run_root(
     run.repeats = {}
     run.runs = {}
     run.arms = []
-    module = _module_of(value) or kept_activations[0].module
+    module = module_of(value) or kept_activations[0].module
     run.activations = []
     enter_root(run, module)
     depth = run.store.depth
@@ -136,13 +123,6 @@ def run_root(
     written = left_behind.written(run, layer)
     if run.store.merge([layer] if certain else [layer, {}]) or certain:
         left_behind.note(run, written)
-
-
-def _module_of(value: Value) -> Module | None:
-    if isinstance(value, FunctionValue):
-        return value.scope.module
-    function = getattr(value, "function", None)
-    return _module_of(function) if isinstance(function, Value) else None
 
 
 def _fit(value: Value, arguments: tuple[Value, ...]) -> list[Value]:

@@ -20,9 +20,9 @@ from archlint.systems.understood import doubt
 
 if TYPE_CHECKING:
     from archlint.interpreter.modules import Module
-    from archlint.programs.installs import Installs
     from archlint.programs.linker import EntryPoint, Linker
     from archlint.syntax.parameter_files import ParameterFacts
+    from archlint.workspace.installed import Installs
 
 RERUNS = 600
 """How many programs one session may run again with parameters from outside."""

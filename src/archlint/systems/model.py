@@ -18,13 +18,13 @@ if TYPE_CHECKING:
     from archlint.launch.model import Launched, Started
     from archlint.model import ApiCall, Blueprint, Callback, Creation, ParameterDeclaration, Program
     from archlint.observed.model import Comparison
-    from archlint.programs.installs import Installs
     from archlint.ros.interfaces import InterfaceTable
     from archlint.ros.qos import Qos
     from archlint.ros.remapping import RemapRule
     from archlint.syntax.parameter_files import ParameterFacts
     from archlint.systems.overrides import Setting
     from archlint.systems.resolution import NodeName
+    from archlint.workspace.installed import Installs
     from archlint.workspace.model import Package
 
 

@@ -28,6 +28,7 @@ from archlint.interpreter.values import (
     via,
 )
 from archlint.libraries.rclpy import escapes, profiles
+from archlint.libraries.setuptools import setup_run
 from archlint.syntax import facts
 
 if TYPE_CHECKING:
@@ -210,31 +211,8 @@ def _product(run: Run, args: list[Value], keywords: dict[str, Value], e: facts.C
     return containers.new_list(run, [containers.new_list(run, row, "tuple") for row in rows])
 
 
-def _of_setup(name: str) -> Plain:
-    """What only means something while a setup.py is read."""
-
-    def handler(run: Run, args: list[Value], keywords: dict[str, Value], e: facts.Call | None) -> Value:
-        from archlint.libraries.python import setup_manifest
-        from archlint.programs import entry_points
-
-        if not isinstance(run, entry_points.SetupRun):
-            return Unknown("what only a setup.py asks for")
-        function: Plain = getattr(setup_manifest if hasattr(setup_manifest, name) else entry_points, name)
-        return function(run, args, keywords, e)
-
-    return handler
-
-
 PLAIN: dict[str, Plain] = {
-    "setuptools.setup": _of_setup("record_setup"),
-    "distutils.core.setup": _of_setup("record_setup"),
-    "glob.glob": _of_setup("glob_pattern"),
-    "glob.iglob": _of_setup("glob_pattern"),
-    "xml.etree.ElementTree.parse": _of_setup("element_tree"),
-    "defusedxml.ElementTree.parse": _of_setup("element_tree"),
-    "lxml.etree.parse": _of_setup("element_tree"),
-    "xml.dom.minidom.parse": _of_setup("document"),
-    "catkin_pkg.package.parse_package": _of_setup("package"),
+    **setup_run.PLAIN,
     "copy.copy": _copy,
     "copy.deepcopy": _deep_copy,
     "collections.OrderedDict": _builtin("dict"),

@@ -1,0 +1,103 @@
+"""What a package installs: executables, and files under ``share``."""
+
+from __future__ import annotations
+
+import fnmatch
+import posixpath
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from archlint.finding import Place
+
+
+@dataclass(frozen=True)
+class Executable:
+    """One executable of a package.
+
+    A console script has ``module`` and ``function``; an installed script has ``script`` (a shown path); a
+    target of CMake has neither: its source is not Python.  One that is ``wrong`` is not installed, for the reason that
+    is said there, but was meant to be.
+    """
+
+    name: str
+    package: str
+    place: Place
+    module: str | None = None
+    function: str | None = None
+    script: str | None = None
+    wrong: str = ""
+
+
+@dataclass(frozen=True)
+class InstalledFiles:
+    """Files that go to ``destination`` (below the install prefix).  ``source`` is a shown path: a file, a
+    pattern, or a folder; of a folder either itself or (``contents``) what is in it is installed."""
+
+    source: str
+    destination: str
+    folder: bool = False
+    contents: bool = False
+    rename: str | None = None
+
+
+@dataclass
+class Installs:
+    """All that is known of what one package installs.  ``open_executables`` and ``open_files`` are set where
+    the build installs more than can be read from it."""
+
+    package: str
+    folder: str
+    executables: dict[str, Executable] = field(default_factory=dict)
+    files: list[InstalledFiles] = field(default_factory=list)
+    open_executables: bool = False
+    open_files: bool = False
+    words: frozenset[str] = frozenset()
+    """Every word of the CMake files."""
+    mentioned: frozenset[str] = frozenset()
+    """What CMake commands that are not known here are given: each may be the name of an executable."""
+    too_deep: dict[str, str] = field(default_factory=dict)
+    """Programs by name that come to a folder inside ``lib/<package>``, where ``ros2 run`` finds them and launch does
+    not: that folder."""
+    generated: frozenset[str] | None = None
+    """The words that ``rosidl_generate_interfaces`` is given; None where there is none, or one is not known."""
+    build_files: list[str] = field(default_factory=list)
+
+    generates_nothing: bool = False
+    """True where no command of the build can generate interfaces."""
+
+    def add(self, executable: Executable) -> None:
+        self.executables.setdefault(executable.name, executable)
+
+    def source_of(self, installed: str, rows: Sequence[InstalledFiles] | None = None) -> Iterator[str]:
+        """Shown paths that an installed path (below the prefix) may come from, best first; ``rows`` narrows the
+        choice."""
+        installed = posixpath.normpath(installed)
+        for row in self.files if rows is None else rows:
+            destination = posixpath.normpath(row.destination)
+            if row.folder:
+                base = destination
+                if not row.contents:
+                    base = posixpath.join(destination, posixpath.basename(row.source))
+                if installed == base or installed.startswith(base + "/"):
+                    yield posixpath.normpath(posixpath.join(row.source, installed[len(base) + 1 :]))
+            elif posixpath.dirname(installed) == destination:
+                name = posixpath.basename(installed)
+                own = row.rename or posixpath.basename(row.source)
+                if fnmatch.fnmatchcase(name, own):
+                    source = row.source if row.rename else posixpath.join(posixpath.dirname(row.source), name)
+                    if "**" not in row.source:
+                        yield posixpath.normpath(source)
+
+    def places_of(self, source: str) -> Iterator[str]:
+        """Where a shown path is installed, below the prefix; nowhere for what is not."""
+        source = posixpath.normpath(source)
+        for row in self.files:
+            own = posixpath.normpath(row.source)
+            if row.folder:
+                below = "" if row.contents else posixpath.basename(own)
+                if source.startswith(own + "/"):
+                    yield posixpath.normpath(posixpath.join(row.destination, below, source[len(own) + 1 :]))
+            elif fnmatch.fnmatchcase(source, own):
+                yield posixpath.normpath(posixpath.join(row.destination, row.rename or posixpath.basename(source)))
