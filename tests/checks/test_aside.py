@@ -10,7 +10,7 @@ import pytest
 from archlint.config.settings import load
 from archlint.engine.pipeline import Request, check
 from archlint.finding import Finding, Severity
-from archlint.workspace.test_code import is_put_aside, is_trial_file
+from archlint.workspace.test_code import FileRoles
 
 NODE = """
 import rclpy
@@ -89,7 +89,7 @@ def named(tmp_path: Path, monkeypatch: pytest.MonkeyPatch):
 )
 def test_a_stand_in_or_a_trial(named, path: str):
     assert named({path: NODE}, more="'talker = " + path.removesuffix(".py").replace("/", ".") + ":main',") == []
-    assert is_trial_file(path)
+    assert FileRoles().is_trial(path)
 
 
 @pytest.mark.parametrize("path", ["robot/latest_pose.py", "robot/contest.py", "robot/attestation.py", "robot/demo.py"])
@@ -113,7 +113,7 @@ def test_what_is_put_aside(named, path: str):
     "path", ["robot/folder/talker.py", "legacy_bridge/talker.py", "conflict_detector.py", "gold/x.py", "backup/x.py"]
 )
 def test_what_only_sounds_like_it(path: str):
-    assert not is_put_aside(path)
+    assert not FileRoles().is_put_aside(path)
 
 
 def test_what_a_launch_file_starts_is_not_put_aside(named):

@@ -6,8 +6,9 @@ from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING
 
 from archlint.analysis.completeness import facts_at, walk
+from archlint.analysis.kept import once
 from archlint.analysis.left_over import idle_methods, kept_calls
-from archlint.analysis.reach import creations_of, once_for_each_system
+from archlint.analysis.reach import creations_of
 from archlint.model import CLIENT, PUBLISHER, SERVICE, SUBSCRIBER
 from archlint.syntax import facts
 from archlint.syntax.walk import blocks_in, called_name, calls_in, parts_of, statements_of
@@ -51,7 +52,7 @@ def speaks_once(system: System, owner: Endpoint) -> bool:
     return bool(calls) and all(call.context.role in _ONCE and not call.looped for call in calls)
 
 
-@once_for_each_system
+@once
 def _publishes(system: System) -> dict[Place, list[ApiCall]]:
     """What is published, by the place where the publisher is made."""
     found: dict[Place, list[ApiCall]] = {}
@@ -64,11 +65,11 @@ def _publishes(system: System) -> dict[Place, list[ApiCall]]:
 
 def _asks(system: System, owner: Endpoint) -> frozenset[_Word]:
     """The words that a publisher asks; none where it publishes anything without asking, or where that is not seen."""
-    told = _told(owner.node)
-    found = facts_at(system.world, owner.place.file) if told and system.world is not None else None
-    if found is None:
+    told, world, file = _told(owner.node), system.world, owner.place.file
+    found = facts_at(world, file) if told and world is not None else None
+    if found is None or world is None:
         return frozenset()
-    kept = kept_calls(found).get((owner.place.line, owner.place.column))
+    kept = kept_calls(world, file).get((owner.place.line, owner.place.column))
     cls = _class_around(found, owner.place)
     if kept is None or cls is None:
         return frozenset()
@@ -79,7 +80,8 @@ def _asks(system: System, owner: Endpoint) -> frozenset[_Word]:
         if isinstance(callback.function, facts.Function) and end.name is not None
     }
     here = {name: words for (file, name), words in told.items() if file == owner.place.file}
-    called = [item for item in cls.body if isinstance(item, facts.Function) and item.name not in idle_methods(found)]
+    idle = idle_methods(world, file)
+    called = [item for item in cls.body if isinstance(item, facts.Function) and item.name not in idle]
     return _Source(called, here, answers).before(kept, owner.place.line)
 
 

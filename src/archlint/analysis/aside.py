@@ -6,11 +6,11 @@ Rules that judge the taste of code, and not whether it works, ask here.
 from __future__ import annotations
 
 import re
-from functools import lru_cache
 from typing import TYPE_CHECKING
 
+from archlint.analysis.kept import once
 from archlint.syntax import facts
-from archlint.workspace.test_code import is_put_aside, is_trial_file
+from archlint.workspace.test_code import FileRoles
 
 if TYPE_CHECKING:
     from archlint.launch.load import LaunchLoader
@@ -20,18 +20,19 @@ if TYPE_CHECKING:
 
 def is_aside(world: World | None, file: str) -> bool:
     """Whether a file is a trial, or put aside and no launch file of what is in use starts a node of it."""
-    if is_trial_file(file):
+    roles = FileRoles() if world is None else world.roles
+    if roles.is_trial(file):
         return True
-    return is_put_aside(file) and (world is None or file not in _in_use(world))
+    return roles.is_put_aside(file) and (world is None or file not in _in_use(world))
 
 
-@lru_cache(maxsize=2)
+@once
 def _in_use(world: World) -> frozenset[str]:
     """The files of the nodes that launch files start which are not put aside themselves."""
     return frozenset(
         blueprint.place.file
         for system in world.systems
-        if system.name is not None and not is_put_aside(system.name)
+        if system.name is not None and not world.roles.is_put_aside(system.name)
         for node in system.nodes
         for blueprint in node.blueprints
     )
@@ -45,16 +46,16 @@ def is_not_installed(world: World | None, file: str) -> bool:
         return False
     package = world.loader.package_of(file)
     if package is None and world.manifests:
-        return file in _stray(world) and file not in _reached(world.loader)
+        return file in _stray(world) and file not in _reached(world)
     installs = None if package is None else world.installs.get(package)
     if installs is None or installs.open_executables or not installs.executables:
         return False
     if not file.startswith(f"{installs.folder}/") and installs.folder not in ("", "."):
         return False  # another package of that name
-    return _is_script(world, file) and not _is_named(world, installs, file) and file not in _reached(world.loader)
+    return _is_script(world, file) and not _is_named(world, installs, file) and file not in _reached(world)
 
 
-@lru_cache(maxsize=2)
+@once
 def _stray(world: World) -> frozenset[str]:
     """The scripts that lie beside the packages, and all that they import."""
     loader = world.loader
@@ -97,10 +98,10 @@ def _mentions_file(loader: LaunchLoader, path: str, stem: str) -> bool:
     return text is not None and re.search(rf"(?<!\w){name}\.py(?!\w)|\w\.{name}(?![\w(])", text) is not None
 
 
-@lru_cache(maxsize=2)
-def _reached(loader: LaunchLoader) -> frozenset[str]:
+@once
+def _reached(world: World) -> frozenset[str]:
     """The files that installed programs and launch files are, and all that these import."""
-    return loader.in_use()
+    return frozenset() if world.loader is None else world.loader.in_use()
 
 
 __all__ = ["is_aside", "is_not_installed"]

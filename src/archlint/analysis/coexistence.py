@@ -10,7 +10,7 @@ from collections.abc import Callable, Iterable, Iterator
 from itertools import combinations
 from typing import TYPE_CHECKING
 
-from archlint.analysis.completeness import called_names, facts_at
+from archlint.analysis.completeness import called_names
 from archlint.systems.model import exclusive, key_of, runs_along
 
 if TYPE_CHECKING:
@@ -148,8 +148,8 @@ def _starts_others(system: System, node: Node) -> bool:
     """Whether a script that no launch file starts starts processes of its own: it chooses what runs along with it."""
     if system.world is None or node.blueprint is None or key_of(node.blueprint) in system.world.started_by_launch:
         return False
-    found = facts_at(system.world, node.blueprint.place.file)
-    return found is not None and not _STARTERS.isdisjoint(called_names(found))
+    called = called_names(system.world, node.blueprint.place.file)
+    return called is not None and not _STARTERS.isdisjoint(called)
 
 
 _STARTERS = frozenset({"Popen", "LaunchService"})

@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from functools import lru_cache
 from typing import TYPE_CHECKING
 
 import msgspec
 
+from archlint.analysis.kept import once_for_each_file
 from archlint.finding import Place
 from archlint.syntax import facts
 
@@ -31,7 +31,7 @@ def walk(item: object) -> Iterator[object]:
 
 
 def facts_at(world: World, file: str) -> facts.Facts | None:
-    return None if world.loader is None else world.loader.facts_at(file)
+    return world.facts_at(file)
 
 
 def is_whole(world: World | None, node: Node) -> bool:
@@ -55,11 +55,11 @@ def declares_all(world: World | None, blueprint: Blueprint) -> bool:
     """Whether the class of a node derives from nothing but rclpy's nodes and classes of this workspace."""
     if world is None or blueprint.held:
         return False
-    found = facts_at(world, blueprint.place.file)
-    if found is None:
+    file = blueprint.place.file
+    classes = _classes(world, file)
+    if classes is None:
         return False
-    local = _ours(world, found)
-    classes = _classes(OneFile(found))
+    local = _ours(world, file)
     waiting = [blueprint.class_name.rpartition(".")[2]]
     for name in waiting:
         cls = classes.get(name)
@@ -78,37 +78,22 @@ def _last(value: facts.Expr) -> str | None:
     return value.id if isinstance(value, facts.Name) else None
 
 
-class OneFile:
-    """The facts of a file, equal to themselves alone: comparing two files by content would cost a walk."""
-
-    __slots__ = ("found",)
-
-    def __init__(self, found: facts.Facts) -> None:
-        self.found = found
-
-    def __hash__(self) -> int:
-        return id(self.found)
-
-    def __eq__(self, other: object) -> bool:
-        return isinstance(other, OneFile) and other.found is self.found
+@once_for_each_file
+def _classes(found: facts.Facts) -> dict[str, facts.Class]:
+    return {item.name: item for item in walk(found.body) if isinstance(item, facts.Class)}
 
 
-@lru_cache(maxsize=10_000)
-def _classes(file: OneFile) -> dict[str, facts.Class]:
-    return {item.name: item for item in walk(file.found.body) if isinstance(item, facts.Class)}
-
-
-@lru_cache(maxsize=10_000)
-def _defined_and_imported(file: OneFile) -> tuple[frozenset[str], tuple[facts.ImportFrom, ...]]:
-    items = list(walk(file.found.body))
+@once_for_each_file
+def _defined_and_imported(found: facts.Facts) -> tuple[frozenset[str], tuple[facts.ImportFrom, ...]]:
+    items = list(walk(found.body))
     names = frozenset(item.name for item in items if isinstance(item, (facts.Class, facts.Function)))
     return names, tuple(item for item in items if isinstance(item, facts.ImportFrom))
 
 
-def _ours(world: World, found: facts.Facts) -> set[str]:
+def _ours(world: World, file: str) -> set[str]:
     """Names of a file that mean something of this workspace."""
     tops = world.loader.top_modules if world.loader is not None else frozenset()
-    defined, imports = _defined_and_imported(OneFile(found))
+    defined, imports = _defined_and_imported(world, file) or (frozenset(), ())
     names = set(defined)
     for item in imports:
         if item.level or item.module.partition(".")[0] in tops:
@@ -116,14 +101,10 @@ def _ours(world: World, found: facts.Facts) -> set[str]:
     return names
 
 
+@once_for_each_file
 def called_names(found: facts.Facts) -> frozenset[str]:
     """The last names of all that a file calls."""
-    return _called(OneFile(found))
-
-
-@lru_cache(maxsize=10_000)
-def _called(file: OneFile) -> frozenset[str]:
-    calls = (item.func for item in walk(file.found.body) if isinstance(item, facts.Call))
+    calls = (item.func for item in walk(found.body) if isinstance(item, facts.Call))
     return frozenset(name for name in map(_last, calls) if name is not None)
 
 
@@ -140,16 +121,14 @@ def enclosing_function(world: World, place: Place) -> facts.Function | None:
 
 def enclosing_class(world: World | None, place: Place) -> str | None:
     """The name of the innermost class that a place is in."""
-    found = None if world is None else facts_at(world, place.file)
-    if found is None:
-        return None
-    around = [one for one in _every_class(OneFile(found)) if one.span[0] <= place.line <= one.span[2]]
+    classes = None if world is None else _every_class(world, place.file)
+    around = [one for one in classes or () if one.span[0] <= place.line <= one.span[2]]
     return max(around, key=lambda one: one.span[0]).name if around else None
 
 
-@lru_cache(maxsize=10_000)
-def _every_class(file: OneFile) -> tuple[facts.Class, ...]:
-    return tuple(item for item in walk(file.found.body) if isinstance(item, facts.Class))
+@once_for_each_file
+def _every_class(found: facts.Facts) -> tuple[facts.Class, ...]:
+    return tuple(item for item in walk(found.body) if isinstance(item, facts.Class))
 
 
 __all__ = [

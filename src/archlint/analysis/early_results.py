@@ -7,7 +7,8 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from archlint.analysis.callback_roles import runs_in_executor
-from archlint.analysis.reach import creations_of, judged_calls, once_for_each_system, same_expression
+from archlint.analysis.kept import once
+from archlint.analysis.reach import creations_of, judged_calls, same_expression
 from archlint.interpreter.values import FutureValue
 from archlint.syntax import facts
 from archlint.syntax.walk import blocks_of, called_name, calls_in, parts_of
@@ -31,7 +32,7 @@ class EarlyResult:
     program: Program
 
 
-@once_for_each_system
+@once
 def early_results(system: System) -> list[EarlyResult]:
     """The results that callbacks read straight after they have sent the request."""
     found = []

@@ -8,7 +8,8 @@ from typing import TYPE_CHECKING
 from archlint.analysis.blocking import ONE, SAME
 from archlint.analysis.callback_roles import runs_in_executor
 from archlint.analysis.deadlock import group_relation, threads_of
-from archlint.analysis.reach import has_limit, judged_calls, once_for_each_system
+from archlint.analysis.kept import once
+from archlint.analysis.reach import has_limit, judged_calls
 from archlint.interpreter.values import Instance
 
 if TYPE_CHECKING:
@@ -30,7 +31,7 @@ class EventWait:
     why: str
 
 
-@once_for_each_system
+@once
 def event_waits(system: System) -> list[EventWait]:
     """The waits for events that nothing but a callback kept out meanwhile sets."""
     setters: dict[int, list[Callback]] = {}

@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from functools import lru_cache
 from typing import TYPE_CHECKING
 
-from archlint.analysis.completeness import OneFile, facts_at, walk
+from archlint.analysis.completeness import walk
+from archlint.analysis.kept import once_for_each_file
 from archlint.model import PUBLISHER
 from archlint.syntax import facts
 
@@ -44,27 +44,26 @@ def is_dead(world: World | None, program: Program, call: ApiCall) -> bool:
     if callback.node is None or callback.node.handed_out:
         return False
     loader, file, function = world.loader, callback.place.file, callback.function
-    found = facts_at(world, file)
+    uses = _uses(world, file)
     package = loader.package_of(file)
-    if found is None or package is None or not isinstance(function, facts.Function):
+    if uses is None or package is None or not isinstance(function, facts.Function):
         return False
-    uses, name = _Uses.of(found), function.name
+    name = function.name
     others = [other for one in world.packages for other in loader.python_files_of(one) if other != file]
     return not uses.by_name and name in uses.idle and not any(loader.mentions(other, name) for other in others)
 
 
 def _sets_itself(world: World, file: str, name: str) -> bool:
-    found = facts_at(world, file)
-    return found is not None and name in _Uses.of(found).kept.values()
+    uses = _uses(world, file)
+    return uses is not None and name in uses.kept.values()
 
 
 def _kept_as(world: World, place: Place) -> tuple[str, frozenset[str]] | None:
     """The attribute of ``self`` that the call at a place is assigned to, if nothing else in the file uses it but
     methods that the file does not name: these too."""
-    found = facts_at(world, place.file)
-    if found is None:
+    uses = _uses(world, place.file)
+    if uses is None:
         return None
-    uses = _Uses.of(found)
     name = uses.kept.get((place.line, place.column))
     if name is None or uses.by_name:
         return None
@@ -72,14 +71,16 @@ def _kept_as(world: World, place: Place) -> tuple[str, frozenset[str]] | None:
     return (name, frozenset(idle)) if uses.count[name] == 1 + sum(idle.values()) else None
 
 
-def kept_calls(found: facts.Facts) -> dict[tuple[int, int], str]:
+def kept_calls(world: World, file: str) -> dict[tuple[int, int], str]:
     """The attributes of ``self`` that calls of a file are kept in, by the line and column of the call."""
-    return _Uses.of(found).kept
+    uses = _uses(world, file)
+    return {} if uses is None else uses.kept
 
 
-def idle_methods(found: facts.Facts) -> frozenset[str]:
+def idle_methods(world: World, file: str) -> frozenset[str]:
     """The methods that a file defines and does not name again."""
-    return frozenset(_Uses.of(found).idle)
+    uses = _uses(world, file)
+    return frozenset() if uses is None else frozenset(uses.idle)
 
 
 class _Uses:
@@ -122,10 +123,6 @@ class _Uses:
         called = name.startswith("__") or name == "destroy_node" or bool(method.decorators)
         return not called and name not in self.count and name not in self.names
 
-    @staticmethod
-    def of(found: facts.Facts) -> _Uses:
-        return _uses(OneFile(found))
-
 
 _PLAIN_BASES = frozenset({"Node", "object"})
 
@@ -152,6 +149,4 @@ def _asked_by_name(call: facts.Call) -> str | None:
     return name.value if isinstance(name, facts.Literal) and isinstance(name.value, str) else None
 
 
-@lru_cache(maxsize=1_000)
-def _uses(file: OneFile) -> _Uses:
-    return _Uses(file.found)
+_uses = once_for_each_file(_Uses)

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 import re
-from functools import lru_cache
 from typing import TYPE_CHECKING
 
+from archlint.analysis.kept import once
 from archlint.ros.distros import DISTROS
 
 if TYPE_CHECKING:
@@ -25,11 +25,15 @@ _OF_ROS = re.compile(
 """What stands in front of a distribution: ``ros:jazzy``, ``ros-jazzy-desktop``, ``ROS_DISTRO=jazzy``."""
 
 
-@lru_cache(maxsize=2)
 def pinned_distro(world: World | None) -> tuple[str, str] | None:
     """The distribution, and the file that names it, where the files of CI and containers at the top of a workspace name
     just one; a README is no evidence, for nothing runs it."""
-    if world is None or world.loader is None:
+    return None if world is None else _pinned(world)
+
+
+@once
+def _pinned(world: World) -> tuple[str, str] | None:
+    if world.loader is None:
         return None
     named: dict[str, str] = {}
     certain = False

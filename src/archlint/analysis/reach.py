@@ -5,46 +5,29 @@ Shared by the rules; worked out once for each system.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator
-from functools import wraps
-from typing import TYPE_CHECKING, TypeVar
-from weakref import WeakKeyDictionary
+from collections.abc import Iterable, Iterator
+from typing import TYPE_CHECKING
 
+from archlint.analysis.kept import once
 from archlint.finding import Finding, Related
 from archlint.interpreter.values import EntityValue, FutureValue, Known, Value, alternatives
 from archlint.model import ACTION_CLIENT, ACTION_SERVER, Creation
 from archlint.syntax import facts
-from archlint.workspace.test_code import is_test_file
 
 if TYPE_CHECKING:
     from archlint.model import ApiCall, Blueprint, Program
     from archlint.systems.model import System
 
-_Result = TypeVar("_Result")
 
-
-def once_for_each_system(analysis: Callable[[System], _Result]) -> Callable[[System], _Result]:
-    """Keep what an analysis finds for as long as the system lives."""
-    kept: WeakKeyDictionary[System, _Result] = WeakKeyDictionary()
-
-    @wraps(analysis)
-    def of(system: System) -> _Result:
-        if system not in kept:
-            kept[system] = analysis(system)
-        return kept[system]
-
-    return of
-
-
-@once_for_each_system
+@once
 def judged_calls(system: System) -> list[tuple[Program, ApiCall]]:
     """Every call that is recorded outside of test code, in the order of the source."""
     found = [
         (program, call)
         for program in system.programs
-        if not is_test_file(program.file)
+        if not system.roles.is_test(program.file)
         for call in program.calls
-        if not is_test_file(call.place.file)
+        if not system.roles.is_test(call.place.file)
     ]
     return sorted(found, key=lambda row: (row[1].place, row[1].api, len(row[1].chain)))
 
@@ -55,7 +38,7 @@ def calls_of(system: System, apis: Iterable[str]) -> Iterator[tuple[Program, Api
     return (row for row in judged_calls(system) if row[1].api in wanted)
 
 
-@once_for_each_system
+@once
 def _names_of_blueprints(system: System) -> dict[int, str]:
     return {id(blueprint): node.name for node in system.nodes for blueprint in node.blueprints if node.name is not None}
 

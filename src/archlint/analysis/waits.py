@@ -7,12 +7,12 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from archlint.analysis.deadlock import AWAIT, CALL, SPIN
+from archlint.analysis.kept import once
 from archlint.analysis.reach import (
     argument,
     creations_of,
     has_limit,
     judged_calls,
-    once_for_each_system,
     same_expression,
 )
 from archlint.interpreter.values import FutureValue, Instance, Known, alternatives
@@ -65,7 +65,7 @@ class Wait:
     bounded: bool = False
 
 
-@once_for_each_system
+@once
 def waits(system: System) -> list[Wait]:
     """Every wait for an answer outside of test code, in the order of the source."""
     found: list[Wait] = []

@@ -11,7 +11,6 @@ from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.finding import Finding, Related
 from archlint.model import PUBLISHER, SUBSCRIBER, TIMER
-from archlint.workspace.test_code import is_test_file
 
 if TYPE_CHECKING:
     from archlint.model import Callback, Creation, Program
@@ -42,15 +41,17 @@ def entity_created_in_callback(system: System, options: Options) -> Iterator[Fin
         for program in system.programs
         for node in program.nodes
         for creation in node.creations
-        if creation.context is not None and _each_time(creation, creation.context, program, ended, left)
+        if creation.context is not None and _each_time(system, creation, creation.context, program, ended, left)
     )
 
 
-def _each_time(creation: Creation, callback: Callback, program: Program, ended: set[int], left: set[int]) -> bool:
+def _each_time(
+    system: System, creation: Creation, callback: Callback, program: Program, ended: set[int], left: set[int]
+) -> bool:
     return (
         callback.role in _AGAIN_AND_AGAIN
         and runs_in_executor(callback)
-        and not is_test_file(creation.place.file)
+        and not system.roles.is_test(creation.place.file)
         and creation.api not in _PASSING
         and (creation.guard == "arguments" or not (creation.conditional or creation.guard))
         and not creation.destroyed

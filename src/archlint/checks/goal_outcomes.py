@@ -7,12 +7,12 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from archlint.analysis.assumptions import MOST, NOTHING, Known, after, dotted, variables, within
+from archlint.analysis.kept import once
 from archlint.analysis.reach import (
     calls_of,
     endpoint_words,
     judged_calls,
     node_name,
-    once_for_each_system,
     one_for_each_place,
 )
 from archlint.checks.handlers import handlers_of, only_a_stub, related_handler
@@ -143,7 +143,7 @@ def _is_own(call: facts.Call, goal: _Goal) -> bool:
     return isinstance(function, facts.Attribute) and dotted(function.value) == "self" and function.attr in goal.seen
 
 
-@once_for_each_system
+@once
 def _followed(system: System) -> frozenset[str]:
     """Names of methods that something is known of: they make a call that is looked at."""
     return frozenset(call.function.rpartition(".")[2] for _, call in judged_calls(system))
@@ -159,7 +159,7 @@ def _ended_only_in(system: System, callback: Callback) -> bool:
     return not any(_ends_some(other.function) for other in others)
 
 
-@once_for_each_system
+@once
 def _endings(system: System) -> list[tuple[str, str]]:
     """The calls that end a goal: the function around, and the callback that it runs in."""
     apis = [f"rclpy.action.server.ServerGoalHandle.{name}" for name in _ENDS]

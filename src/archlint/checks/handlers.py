@@ -13,7 +13,6 @@ from archlint.finding import Finding, Place, Related
 from archlint.syntax import facts
 from archlint.syntax.control_flow import Ends, ends_of
 from archlint.syntax.walk import parts_of, statements_of
-from archlint.workspace.test_code import is_test_file
 
 if TYPE_CHECKING:
     from archlint.model import Callback
@@ -25,7 +24,7 @@ def handlers_of(system: System, role: str) -> Iterator[tuple[Callback, facts.Fun
     for program in system.programs:
         for callback in program.callbacks:
             function = callback.function
-            if callback.role != role or not isinstance(function, facts.Function) or is_test_file(callback.file):
+            if callback.role != role or not isinstance(function, facts.Function) or system.roles.is_test(callback.file):
                 continue
             if not function.decorators and not function.is_generator:
                 yield callback, function
@@ -54,7 +53,7 @@ def _missing_of_lambdas(system: System) -> Iterator[Finding]:
         for callback in program.callbacks:
             if callback.role == "service" and isinstance(callback.function, facts.Lambda):
                 what = _no_response(callback.function.body)
-                if what is not None and not is_test_file(callback.file):
+                if what is not None and not system.roles.is_test(callback.file):
                     yield _missing_at(system, callback, callback.place, f"gives {what}, which is no response", "lambda")
 
 

@@ -6,7 +6,8 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from archlint.analysis.reach import once_for_each_system, one_for_each_place
+from archlint.analysis.kept import once
+from archlint.analysis.reach import one_for_each_place
 from archlint.analysis.waits import Wait, waits
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
@@ -64,7 +65,7 @@ def service_call_cycle(system: System, options: Options) -> Iterator[Finding]:
     yield from one_for_each_place(found)
 
 
-@once_for_each_system
+@once
 def waits_of_handlers(system: System) -> dict[_Key, list[Edge]]:
     """For each server, by kind and full name, the servers that its handler waits for."""
     ends = {id(end.creation): end for end in system.endpoints if end.resolved and not end.node.test}

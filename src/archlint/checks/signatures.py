@@ -14,7 +14,6 @@ from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.finding import Finding, Place, Related, Severity
 from archlint.syntax import facts
-from archlint.workspace.test_code import is_test_file
 
 if TYPE_CHECKING:
     from archlint.model import Callback
@@ -46,11 +45,12 @@ _WHAT = {
 @rule("EXE006", scope=Scope.CODE)
 def callback_signature(system: System, options: Options) -> Iterator[Finding]:
     """Callbacks that fail as soon as they are called; those of a class that fail alike are one finding."""
+    is_test = system.roles.is_test
     alike: dict[tuple[object, ...], dict[tuple[Place, Place], _Wrong]] = {}
     for program in system.programs:
         for callback in program.callbacks:
             place = callback.registered
-            if callback.role not in _PASSED or place is None or is_test_file(place.file) or is_test_file(program.file):
+            if callback.role not in _PASSED or place is None or any(map(is_test, (place.file, program.file))):
                 continue
             wrong = _wrong(system, callback, options.distros)
             if wrong is not None:

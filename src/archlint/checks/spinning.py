@@ -18,7 +18,6 @@ from archlint.finding import Finding, Place, Related
 from archlint.model import ACTION_CLIENT, ACTION_SERVER, CLIENT, FOR_A_MOMENT, GUARD, SERVICE, SUBSCRIBER, TIMER
 from archlint.syntax import facts
 from archlint.syntax.walk import blocks_of, called_name, calls_in, parts_of
-from archlint.workspace.test_code import is_test_file
 
 if TYPE_CHECKING:
     from archlint.model import ApiCall, Blueprint, Callback, Creation, Group, Program
@@ -40,7 +39,7 @@ _OWN_API = frozenset(
 def _judged(system: System) -> Iterator[tuple[Program, Blueprint]]:
     """The nodes of programs that somebody starts, outside of test code."""
     for program in system.programs:
-        if program.executable and not is_test_file(program.file):
+        if program.executable and not system.roles.is_test(program.file):
             yield from ((program, node) for node in program.nodes if not node.test and not node.held)
 
 
@@ -171,7 +170,7 @@ def groups_without_threads(system: System, options: Options) -> Iterator[Finding
         for groups in [
             [
                 (place, kind)
-                for place, kind in _groups(node)
+                for place, kind in _groups(system, node)
                 if place not in effective and not _spins_if_asked(system, program, node, place)
             ]
         ]
@@ -182,7 +181,7 @@ def groups_without_threads(system: System, options: Options) -> Iterator[Finding
 def _all(system: System) -> Iterator[tuple[Program, Blueprint]]:
     """The nodes that one line may serve besides those that are judged: those of libraries, too."""
     for program in system.programs:
-        if not is_test_file(program.file):
+        if not system.roles.is_test(program.file):
             yield from ((program, node) for node in program.nodes if not node.test)
 
 
@@ -240,12 +239,12 @@ def _grouped(node: Blueprint) -> Iterator[Group]:
             yield creation.group
 
 
-def _groups(node: Blueprint) -> list[tuple[Place, str]]:
+def _groups(system: System, node: Blueprint) -> list[tuple[Place, str]]:
     """Where each group of a node is made, the node's own file first, and its kind in words."""
     found = {
         group.place: group.kind.replace("_", " ")
         for group in _grouped(node)
-        if group.place is not None and not is_test_file(group.place.file)
+        if group.place is not None and not system.roles.is_test(group.place.file)
     }
     return sorted(found.items(), key=lambda one: (one[0].file != node.place.file, one[0]))
 

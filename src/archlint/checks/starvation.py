@@ -9,12 +9,12 @@ from typing import TYPE_CHECKING
 from archlint.analysis.blocking import CALL
 from archlint.analysis.callback_roles import callback_words, related_to, runs_in_executor
 from archlint.analysis.deadlock import judge_wait
+from archlint.analysis.kept import once
 from archlint.analysis.reach import (
     argument,
     calls_of,
     endpoint_words,
     node_name,
-    once_for_each_system,
     one_for_each_place,
 )
 from archlint.analysis.sleeps import longest, stay_of
@@ -47,7 +47,7 @@ def thread_starvation(system: System, options: Options) -> Iterator[Finding]:
 # ------------------------------------------------------------------------------------------ one timer
 
 
-@once_for_each_system
+@once
 def piling_up(system: System) -> list[Wait]:
     """The waits of timers in reentrant groups that a late answer multiplies, a thread a tick, until none is left."""
     stopped = {call.context.place for _, call in calls_of(system, _ENDS_TIMER)}
@@ -196,7 +196,7 @@ def _crowd(system: System, use: ExecutorUse, found: list[Wait]) -> Finding:
 # ------------------------------------------------------------------------------------------ both
 
 
-@once_for_each_system
+@once
 def _threaded(system: System) -> list[Wait]:
     """The waits of callbacks that keep a thread, and that groups and executor let end well."""
     return [

@@ -7,6 +7,7 @@ from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from archlint.analysis.callback_roles import runs_in_executor
+from archlint.analysis.kept import once
 from archlint.analysis.left_over import is_dead
 from archlint.analysis.reach import (
     argument,
@@ -15,7 +16,6 @@ from archlint.analysis.reach import (
     endpoint_words,
     has_limit,
     node_name,
-    once_for_each_system,
     one_for_each_place,
     related_chain,
     related_creation,
@@ -158,7 +158,7 @@ def _dotted(expression: facts.Expr) -> str:
     return f"{owner}.{expression.attr}" if owner else ""
 
 
-@once_for_each_system
+@once
 def _completed_by(system: System) -> dict[int, set[str]]:
     """The roles of the code that completes the futures which the program makes itself."""
     found: dict[int, set[str]] = {}

@@ -213,6 +213,7 @@ def _systems(request: Request, workspace: Workspace, facts: FactsOfFiles, tree: 
             faults=faults,
             interfaces=interfaces,
             partial=_partial(request, workspace),
+            roles=linker.index.roles,
             cut_short=linker.cut_short,
         ),
         closed=request.settings.closed_world,

@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING
 
 from archlint.syntax.facts import Class, Facts, Function, Import, ImportFrom, Stmt
 from archlint.syntax.walk import statements_of
+from archlint.workspace.test_code import FileRoles
 
 if TYPE_CHECKING:
     from archlint.interpreter.values import Scope
@@ -57,6 +58,8 @@ class ModuleIndex:
     """Finds modules by name, compiling on demand what the screen left out."""
 
     def __init__(self, files: Iterable[SourceFile], facts_of: Callable[[SourceFile], Facts | None]) -> None:
+        files = list(files)
+        self.roles = FileRoles.of(file.relative for file in files)
         self._facts_of = facts_of
         self._modules: dict[str, Module | None] = {}
         self._by_name: dict[str, list[SourceFile]] = {}

@@ -96,7 +96,7 @@ class LaunchLoader:
         """Every launch file of the workspace, sorted."""
         found = []
         for file in self._files:
-            if _is_test(file.relative):
+            if self.index.roles.is_test(file.relative):
                 continue
             if file.kind == "launch_python" or (file.kind == "python" and self._in_launch_folder(file)):
                 if self.defines_launch(file.relative):
@@ -437,9 +437,3 @@ _YAML = re.compile(r"^launch\s*:", re.MULTILINE)
 
 def _star_import(statement: facts.Stmt) -> bool:
     return isinstance(statement, facts.ImportFrom) and any(name == GENERATE for name, _ in statement.names)
-
-
-def _is_test(path: str) -> bool:
-    from archlint.workspace.test_code import is_test_file
-
-    return is_test_file(path)

@@ -30,7 +30,7 @@ from archlint.programs.roots import finish, flags_of, run_callbacks, run_pending
 from archlint.syntax import facts
 from archlint.syntax.parts import names_in
 from archlint.syntax.python.deep_stack import call_with_deep_stack
-from archlint.workspace.test_code import is_test_file, look_below
+from archlint.workspace.test_code import common_folder
 
 if TYPE_CHECKING:
     from archlint.ros.interfaces import InterfaceTable
@@ -84,7 +84,6 @@ class Linker:
         self.index = ModuleIndex(files, facts_of)
         self.files = sorted(files, key=lambda file: file.relative)
         self._shown = {file.relative: file for file in self.files}
-        look_below(_common_folder([file.relative for file in self.files]))
         self.relevant = relevant
         self.interfaces = interfaces
         self.store = Store()
@@ -113,7 +112,7 @@ class Linker:
                 self.started[entry.package, entry.executable] = self.run_entry(entry, module)
         modules = [m for m in (self._relevant_module(file) for file in self.files) if m is not None]
         for test in (False, True):
-            chosen = [m for m in modules if is_test_file(m.path) is test]
+            chosen = [m for m in modules if self.index.roles.is_test(m.path) is test]
             for module in chosen:
                 if self._is_started(module, started):
                     continue
@@ -164,7 +163,7 @@ class Linker:
         found = found or self._files_at(entry)
         if not found:
             return None
-        return self.index.module(max(found, key=lambda file: len(_common_folder([file.relative, near]))))
+        return self.index.module(max(found, key=lambda file: len(common_folder([file.relative, near]))))
 
     def _files_at(self, entry: EntryPoint) -> list[SourceFile]:
         """The one file of the package whose path ends like the module's name: a build may move folders."""
@@ -180,7 +179,7 @@ class Linker:
         run = Run(self.index, self.store, program, context, self.interfaces, overrides)
         run.at_spin = run_pending
         run.faults = self.faults
-        self.budget.grant(run, TEST_STEPS if is_test_file(module.path) else run.left)
+        self.budget.grant(run, TEST_STEPS if self.index.roles.is_test(module.path) else run.left)
         return run
 
     def cut_short(self) -> list[str]:
@@ -313,18 +312,6 @@ class Linker:
                     with _Program(self, run, module, _place_of(value)):
                         made = calls.call(run, value, [], flags_of(value))
                         escapes.escape(run, [made], f"{value.qualified}() returns it, and nothing here calls that")
-
-
-def _common_folder(paths: Sequence[str]) -> str:
-    """The folder that all paths lie in."""
-    folders = [path.split("/")[:-1] for path in paths]
-    if not folders:
-        return ""
-    first, last = min(folders), max(folders)
-    shared = 0
-    while shared < min(len(first), len(last)) and first[shared] == last[shared]:
-        shared += 1
-    return "/".join(first[:shared])
 
 
 class _Program:

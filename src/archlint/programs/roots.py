@@ -26,7 +26,6 @@ from archlint.programs import left_behind
 from archlint.programs.budget import LATE_STEPS
 from archlint.syntax import facts
 from archlint.syntax.parts import names_in
-from archlint.workspace.test_code import is_test_file
 
 INSTANCES = 8
 """On how many objects of one class the methods that nothing calls are tried."""
@@ -252,15 +251,15 @@ def _methods(run: Run, cls: ClassValue) -> list[tuple[FunctionValue, ClassValue]
 
 def finish(run: Run) -> None:
     """What is only known at the end: the executable's name, test code, an executor that never spun."""
-    program = run.program
-    from_test = is_test_file(program.file)
+    program, roles = run.program, run.index.roles
+    from_test = roles.is_test(program.file)
     kept = []
     for blueprint in program.nodes:
         if from_test and not blueprint.test:
             continue  # a test makes an object of the real node: not a node of the system
         if from_test:
             # What a test makes the library create is no part of the system either.
-            blueprint.creations = [c for c in blueprint.creations if is_test_file(c.place.file)]
+            blueprint.creations = [c for c in blueprint.creations if roles.is_test(c.place.file)]
         if program.executable:
             blueprint.executables = (program.name,)
         if program.exhausted and not blueprint.test:

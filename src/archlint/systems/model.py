@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, TypeVar
 from archlint import model as program
 from archlint.faults import Faults
 from archlint.launch.model import NOT_FOLLOWED
+from archlint.workspace.test_code import FileRoles
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
@@ -21,6 +22,7 @@ if TYPE_CHECKING:
     from archlint.ros.interfaces import InterfaceTable
     from archlint.ros.qos import Qos
     from archlint.ros.remapping import RemapRule
+    from archlint.syntax.facts import Facts
     from archlint.syntax.parameter_files import ParameterFacts
     from archlint.systems.overrides import Setting
     from archlint.systems.resolution import NodeName
@@ -192,9 +194,17 @@ class System:
     unowned: list[Node] = field(default_factory=list)
     """What is used by nodes that are not known.  Where ``nodes`` are given with such entries, these move here."""
 
+    kept: dict[object, object] = field(default_factory=dict, init=False, repr=False)
+    """What analyses found of it (:func:`archlint.analysis.kept.once`)."""
+
     def __post_init__(self) -> None:
         self.unowned = [*self.unowned, *(node for node in self.nodes if not node.is_node)]
         self.nodes = [node for node in self.nodes if node.is_node]
+
+    @property
+    def roles(self) -> FileRoles:
+        """Which files are test code, or put aside."""
+        return FileRoles() if self.world is None else self.world.roles
 
     @property
     def entries(self) -> list[Node]:
@@ -289,8 +299,16 @@ class World:
     partial: bool = False
     """True where only files of one package, or single ones, of all that the configuration is for were asked for:
     what is not seen may be elsewhere."""
+    roles: FileRoles = field(default_factory=FileRoles)
+    """Which files are test code, or put aside."""
     cut_short: Callable[[], list[str]] = list
     """The files of the programs that were followed only in part, since the workspace has so many."""
+    kept: dict[object, object] = field(default_factory=dict, init=False, repr=False)
+    """What analyses found of it (:func:`archlint.analysis.kept.once`)."""
+
+    def facts_at(self, file: str) -> Facts | None:
+        """The facts of a file of the workspace; None where it was not read."""
+        return None if self.loader is None else self.loader.facts_at(file)
 
     @cached_property
     def started_by_launch(self) -> frozenset[object]:

@@ -1,30 +1,10 @@
-"""Which files are test code, by the names of their folders and their own."""
+"""Which files are test code, try something out or are put aside: by the names of their folders and their own."""
 
 from __future__ import annotations
 
 import re
-
-_below = ""
-"""Where the workspace lies, as the files' paths begin: a folder called ``tests`` above it makes nothing a test."""
-
-
-def look_below(root: str) -> None:
-    """Judge folders below ``root`` only: the workspace, as its files' paths begin, or empty."""
-    global _below
-    _below = root.rstrip("/") + "/" if root and root != "." else ""
-
-
-def is_test_file(path: str) -> bool:
-    """Whether a file is test code: in a folder ``test`` or ``tests`` of the workspace, or named like a test."""
-    parts = path.removeprefix(_below).split("/")
-    stem = parts[-1].removesuffix(".py")
-    return (
-        any(part in ("test", "tests") for part in parts[:-1])
-        or stem.startswith("test_")
-        or stem.endswith("_test")
-        or stem == "conftest"
-    )
-
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
 
 _TRIES_OUT = frozenset({"test", "tests", "testing", "mock", "mocks", "mocked", "dummy", "dummies"}) | {
     *("fake", "fakes", "stub", "stubs", "fixture", "fixtures"),
@@ -36,16 +16,57 @@ _NAMED_OLD = re.compile(r"(?:old|archived|deprecated)_.+|.+_(?:old|archived?|dep
 _COPY = re.compile(r"\(copy|[ _.-]copy\W|sync-conflict-|\(\d+\)|[ _.-](?:bak|backup|old|orig)\.")
 
 
-def is_trial_file(path: str) -> bool:
-    """Whether a file is test code, or stands in for something or tries it out, by a word in its own name or in that of
-    a folder of the workspace: ``mock_robot.py``, ``quick_tests/``."""
-    parts = path.removeprefix(_below).removesuffix(".py").lower().split("/")
-    return is_test_file(path) or any(not _TRIES_OUT.isdisjoint(re.split(r"[\W_]+", part)) for part in parts)
+@dataclass(frozen=True)
+class FileRoles:
+    """What the files of one workspace are for.
+
+    ``below`` is where the workspace lies, as its files' paths begin, or empty: a folder called ``tests`` above it makes
+    nothing a test.
+    """
+
+    below: str = ""
+
+    @classmethod
+    def of(cls, paths: Iterable[str]) -> FileRoles:
+        """The roles of these files, below the folder that all of them lie in."""
+        return cls(common_folder(list(paths)))
+
+    def is_test(self, path: str) -> bool:
+        """Whether a file is test code: in a folder ``test`` or ``tests`` of the workspace, or named like a test."""
+        *folders, name = self._parts(path)
+        stem = name.removesuffix(".py")
+        return (
+            any(folder in ("test", "tests") for folder in folders)
+            or stem.startswith("test_")
+            or stem.endswith("_test")
+            or stem == "conftest"
+        )
+
+    def is_trial(self, path: str) -> bool:
+        """Whether a file is test code, or stands in for something or tries it out, by a word in its own name or in
+        that of a folder of the workspace: ``mock_robot.py``, ``quick_tests/``."""
+        words = (re.split(r"[\W_]+", part.lower()) for part in self._parts(path.removesuffix(".py")))
+        return self.is_test(path) or any(not _TRIES_OUT.isdisjoint(each) for each in words)
+
+    def is_put_aside(self, path: str) -> bool:
+        """Whether a file is kept, and no longer worked on: by the name of a folder of the workspace, or because it is
+        a copy that nothing can import, such as ``driver (copy).py`` or ``driver.sync-conflict-20260323.py``."""
+        *folders, name = [part.lower() for part in self._parts(path)]
+        old = any(folder in _PUT_ASIDE or _NAMED_OLD.fullmatch(folder) for folder in folders)
+        return old or _COPY.search(name) is not None
+
+    def _parts(self, path: str) -> list[str]:
+        below = self.below.rstrip("/") + "/" if self.below not in ("", ".") else ""
+        return path.removeprefix(below).split("/")
 
 
-def is_put_aside(path: str) -> bool:
-    """Whether a file is kept, and no longer worked on: by the name of a folder of the workspace, or because it is a
-    copy that nothing can import, such as ``driver (copy).py`` or ``driver.sync-conflict-20260323.py``."""
-    *folders, name = path.removeprefix(_below).lower().split("/")
-    old = any(folder in _PUT_ASIDE or _NAMED_OLD.fullmatch(folder) for folder in folders)
-    return old or _COPY.search(name) is not None
+def common_folder(paths: Sequence[str]) -> str:
+    """The folder that all paths lie in."""
+    folders = [path.split("/")[:-1] for path in paths]
+    if not folders:
+        return ""
+    first, last = min(folders), max(folders)
+    shared = 0
+    while shared < min(len(first), len(last)) and first[shared] == last[shared]:
+        shared += 1
+    return "/".join(first[:shared])

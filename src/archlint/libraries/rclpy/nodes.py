@@ -25,7 +25,6 @@ from archlint.interpreter.values import (
 )
 from archlint.libraries.rclpy import names, short_lived
 from archlint.libraries.texts import text_of_value
-from archlint.workspace.test_code import is_test_file
 
 if TYPE_CHECKING:
     from archlint.interpreter.machine import Run
@@ -41,7 +40,7 @@ def new_blueprint(run: Run, class_name: str, place: Place, key: str, package: st
         _ROOT,
         place,
         package,
-        test=is_test_file(place.file),
+        test=run.index.roles.is_test(place.file),
         key=key,
         number=len(run.nodes),
         arms=frozenset(run.arms),

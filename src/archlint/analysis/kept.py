@@ -1,0 +1,53 @@
+"""What an analysis finds of a system or of its surroundings, worked out once and kept with it."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from functools import wraps
+from typing import Protocol, TypeVar, cast
+
+from archlint.syntax import facts
+
+
+class Keeps(Protocol):
+    """What keeps the results of analyses, by the analysis: a ``System`` or a ``World``."""
+
+    kept: dict[object, object]
+
+
+class HasFiles(Keeps, Protocol):
+    """A ``World``: it also has the facts of files."""
+
+    def facts_at(self, file: str) -> facts.Facts | None: ...
+
+
+_Owner = TypeVar("_Owner", bound=Keeps)
+_Result = TypeVar("_Result")
+
+
+def once(analysis: Callable[[_Owner], _Result]) -> Callable[[_Owner], _Result]:
+    """Keep what an analysis finds, for as long as what it is of lives."""
+
+    @wraps(analysis)
+    def of(owner: _Owner) -> _Result:
+        if analysis not in owner.kept:
+            owner.kept[analysis] = analysis(owner)
+        return cast("_Result", owner.kept[analysis])
+
+    return of
+
+
+def once_for_each_file(analysis: Callable[[facts.Facts], _Result]) -> Callable[[HasFiles, str], _Result | None]:
+    """As :func:`once`, of the facts of each file; None for a file that has none."""
+
+    @wraps(analysis)
+    def of(world: HasFiles, file: str) -> _Result | None:
+        found = world.facts_at(file)
+        if found is None:
+            return None
+        key = (analysis, file)
+        if key not in world.kept:
+            world.kept[key] = analysis(found)
+        return cast("_Result", world.kept[key])
+
+    return of

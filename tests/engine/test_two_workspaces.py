@@ -1,0 +1,114 @@
+"""Several workspaces in one process: none of them changes what is said of another."""
+
+from __future__ import annotations
+
+import os
+import re
+import subprocess
+import sys
+from itertools import permutations
+from pathlib import Path
+from textwrap import dedent
+
+import pytest
+
+import archlint
+from archlint.cli import main
+from archlint.config.settings import Settings
+from archlint.engine import pipeline
+from archlint.engine.pipeline import Request, check
+
+ROOT = Path(__file__).parents[2]
+WORKSPACES = [ROOT / "fixtures" / name for name in ("launched", "lesson_extended", "alternatives")]
+COMMANDS = [
+    ["check", ".", "--format", "json", "--no-cache", "--jobs", "1", "--isolated"],
+    ["graph", ".", "--format", "json", "--no-cache", "--jobs", "1", "--isolated"],
+]
+
+
+def _without_time(output: str) -> str:
+    return re.sub(r'"elapsed_s": [\d.]+', "", output)
+
+
+@pytest.fixture(scope="module")
+def alone() -> dict[Path, list[str]]:
+    """What each workspace gives in a process of its own."""
+    environment = {**os.environ, "PYTHONPATH": str(Path(archlint.__file__).parents[1])}
+    return {
+        workspace: [
+            _without_time(
+                subprocess.run(
+                    [sys.executable, "-m", "archlint", *command],
+                    cwd=workspace,
+                    env=environment,
+                    stdout=subprocess.PIPE,
+                    text=True,
+                    check=False,
+                ).stdout
+            )
+            for command in COMMANDS
+        ]
+        for workspace in WORKSPACES
+    }
+
+
+@pytest.mark.parametrize("order", list(permutations(WORKSPACES)), ids=lambda order: "-".join(one.name for one in order))
+def test_one_after_the_other_gives_what_each_gives_alone(
+    order: tuple[Path, ...],
+    alone: dict[Path, list[str]],
+    monkeypatch: pytest.MonkeyPatch,
+    capsys: pytest.CaptureFixture[str],
+):
+    assert all('"diagnostics"' in outputs[0] and '"nodes"' in outputs[1] for outputs in alone.values())
+    for workspace in order:
+        monkeypatch.chdir(workspace)
+        for command, expected in zip(COMMANDS, alone[workspace], strict=True):
+            capsys.readouterr()
+            main(command)
+            assert _without_time(capsys.readouterr().out) == expected, workspace.name
+
+
+NODE = """
+    import rclpy
+    from rclpy.node import Node
+    from std_srvs.srv import Trigger
+
+
+    class Robot(Node):
+        def __init__(self):
+            super().__init__('robot')
+            self.client = self.create_client(Trigger, 'reset')
+            self.client.wait_for_service()
+
+
+    def main():
+        rclpy.init()
+        rclpy.spin(Robot())
+
+
+    if __name__ == '__main__':
+        main()
+"""
+
+
+def test_another_workspace_is_judged_in_between(tmp_path: Path, monkeypatch: pytest.MonkeyPatch):
+    """The folder ``tests`` above a workspace makes nothing of it a test, whatever is read after it."""
+    for folder in ("tests/robot", "other"):
+        (tmp_path / folder).mkdir(parents=True)
+        (tmp_path / folder / "robot.py").write_text(dedent(NODE).lstrip(), encoding="utf-8")
+    monkeypatch.chdir(tmp_path)
+    judged, inside = pipeline._rules, []
+
+    def rules(settings, systems):
+        if not inside:
+            inside.append("other")
+            inside.append(places("other"))
+        return judged(settings, systems)
+
+    def places(folder: str) -> list[tuple[str, str]]:
+        report = check(Request((folder,), Settings(), cached=False, jobs=1))
+        return [(one.code, one.place.file) for one in report.findings if one.code == "TMO001"]
+
+    monkeypatch.setattr(pipeline, "_rules", rules)
+    assert places("tests/robot") == [("TMO001", "tests/robot/robot.py")]
+    assert inside == ["other", [("TMO001", "other/robot.py")]]
