@@ -13,6 +13,7 @@ from archlint.syntax.files import FactsOfFiles
 from archlint.syntax.python import gate, lowering
 from archlint.workspace.model import SourceFile
 
+WORDS = (b"rclpy",)
 NODE = "import rclpy\nnode = rclpy.create_node('a')\n"
 
 
@@ -38,7 +39,7 @@ def cache(tmp_path):
 
 
 def facts_of(files, store):
-    found = FactsOfFiles(store)
+    found = FactsOfFiles(store, lambda: WORDS)
     found.prepare(files)
     facts = [found.facts_of(file) for file in files]
     store.close()
@@ -72,7 +73,7 @@ def test_a_file_that_moved_is_known_by_its_content(tmp_path, cache):
 
 def test_the_screen_leaves_out_what_has_no_word_that_matters_until_it_is_asked_for(tmp_path, cache):
     file = source_file(tmp_path / "constants.py", "TOPIC = '/chatter'\n")
-    found = FactsOfFiles(cache())
+    found = FactsOfFiles(cache(), lambda: WORDS)
     found.prepare([file])
     assert not found.relevant(file)
     assert found.compiled == 0
@@ -88,7 +89,7 @@ def test_what_a_compiled_file_imports_is_compiled_with_it_and_stays_screened_out
         "other": "",
     }
     files = [source_file(tmp_path / f"{name}.py", text) for name, text in texts.items()]
-    found = FactsOfFiles(NullStore())
+    found = FactsOfFiles(NullStore(), lambda: WORDS)
     found.prepare(files)
     assert found.compiled == 3
     assert [found.relevant(file) for file in files] == [True, False, False, False]
@@ -100,7 +101,7 @@ def test_what_imports_a_module_that_the_screen_kept_is_kept_too(tmp_path):
     base = source_file(tmp_path / "base.py", NODE)
     derived = source_file(tmp_path / "derived.py", "from base import Base\nclass A(Base): pass\n")
     other = source_file(tmp_path / "other.py", "import math\n")
-    found = FactsOfFiles(NullStore())
+    found = FactsOfFiles(NullStore(), lambda: WORDS)
     found.prepare([base, derived, other])
     assert [found.relevant(file) for file in (base, derived, other)] == [True, True, False]
 

@@ -20,7 +20,6 @@ from archlint.syntax.python.gate import (
     nesting,
     read_bytes,
     read_source,
-    relevant,
 )
 
 NODE = "import rclpy\n\n\nclass Größe(Node):\n    pass\n"
@@ -114,41 +113,6 @@ def test_any_bytes_are_answered(data):
     answer = decode(data)
     if isinstance(answer, str):
         answer.encode("utf-8")
-
-
-# --- the screen
-
-
-@pytest.mark.parametrize(
-    "source",
-    [
-        "import rclpy",
-        "self.node.create_publisher(String, 'chatter', 10)",
-        "class Mixin:\n    def setup(self): self.create_timer(1.0, self.tick)",
-        "server = ActionServer(node, Fibonacci, 'fibonacci', execute)",
-        "value = node.get_parameter('rate').value",
-        "from tf2_ros import Buffer",
-        "x = 1  # archlint: ignore[NME001]",
-    ],
-)
-def test_what_can_create_or_wait_passes_the_screen(source):
-    assert relevant(source.encode())
-
-
-@pytest.mark.parametrize(
-    "source", ["", "import numpy as np", "class Node:\n    pass", "print('publisher')", "graph.create_node(1)"]
-)
-def test_what_cannot_does_not(source):
-    assert not relevant(source.encode())
-
-
-def test_every_way_to_create_an_endpoint_on_a_node_passes_the_screen():
-    from archlint.libraries import tables
-
-    creators = {row.path.rpartition(".")[2] for row in tables.ROWS if ".create_" in row.path}
-    creating = {name for name in creators if name.split("_")[1] in ("publisher", "subscription", "service", "client")}
-    assert {"create_publisher", "create_subscription", "create_service", "create_client"} <= creating
-    assert [name for name in sorted(creating) if not relevant(name.encode())] == []
 
 
 # --- depth and length

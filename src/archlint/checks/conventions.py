@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
-from archlint.model import ACTION_CLIENT, ACTION_SERVER, CLIENT, PUBLISHER, SERVICE, SUBSCRIBER
+from archlint.model import NAMED
 
 if TYPE_CHECKING:
     from archlint.finding import Finding, Place
@@ -18,14 +18,6 @@ if TYPE_CHECKING:
 _HIDDEN = "_"
 """What ROS hides from its lists: the parts of an action, and names that want to be out of the way."""
 _LOWER_SNAKE_CASE = "[a-z][a-z0-9_]*"
-_KINDS = {
-    PUBLISHER: "topic",
-    SUBSCRIBER: "topic",
-    SERVICE: "service",
-    CLIENT: "service",
-    ACTION_SERVER: "action",
-    ACTION_CLIENT: "action",
-}
 
 
 @rule(
@@ -64,7 +56,7 @@ def _names(system: System) -> Iterator[tuple[str, Text, str, Place, str | None]]
             yield "node", node.blueprint.name, "/", node.blueprint.name.origin or node.blueprint.place, node.name
         for end in node.endpoints:
             if end.creation.name_place is not None or end.creation.name.origin is not None:
-                yield _KINDS[end.kind], end.creation.name, "/", end.place, node.name
+                yield NAMED[end.kind], end.creation.name, "/", end.place, node.name
         for parameter in node.parameters:
             yield "parameter", parameter.name, ".", parameter.place, node.name
 

@@ -8,10 +8,10 @@ from typing import TYPE_CHECKING
 
 from archlint.analysis.completeness import enclosing_class
 from archlint.checks.folding import folds
-from archlint.checks.names import WORDS
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.finding import Related
+from archlint.model import NAMED
 from archlint.suggestions import did_you_mean
 
 if TYPE_CHECKING:
@@ -95,7 +95,7 @@ def _of_one_type(system: System, use: FieldUse, others: Sequence[FieldUse]) -> F
     found = _unknown_field(system, use)
     assert use.delivered is not None
     having = sorted({one.delivered.place for one in others if one.exists and one.delivered is not None})
-    word, name = WORDS.get(use.delivered.kind, ""), use.delivered.name.text
+    word, name = NAMED.get(use.delivered.kind, ""), use.delivered.name.text
     by = f"a {word}" if name is None else f"the {word} '{name}'"
     return replace(
         found,

@@ -10,10 +10,10 @@ from typing import TYPE_CHECKING
 from archlint.analysis.aside import is_not_installed
 from archlint.analysis.completeness import enclosing_class
 from archlint.checks.folding import folds
-from archlint.checks.names import WORDS
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.finding import Finding, Fix, Related, Severity
+from archlint.model import NAMED
 from archlint.systems.model import exclusive, key_of
 
 if TYPE_CHECKING:
@@ -175,7 +175,7 @@ def _conventional(name: str, allowed: tuple[str, ...]) -> bool:
 
 
 def _hardcoded(system: System, endpoint: Endpoint, users: Mapping[str, set[str]]) -> Finding:
-    creation, name, word = endpoint.creation, endpoint.written or "", WORDS[endpoint.kind]
+    creation, name, word = endpoint.creation, endpoint.written or "", NAMED[endpoint.kind]
     given = creation.name_place or endpoint.place
     place = creation.name.origin or given
     home = _home(system, place, endpoint.place)

@@ -11,22 +11,13 @@ from archlint.checks.launched_names import is_given_by_launch, is_renamed, names
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.finding import Finding, Related
-from archlint.model import ACTION_CLIENT, ACTION_SERVER, CLIENT, PUBLISHER, SERVICE, SUBSCRIBER
+from archlint.model import NAMED
 from archlint.ros import names
 from archlint.suggestions import listed
 
 if TYPE_CHECKING:
     from archlint.finding import Place
     from archlint.systems.model import Endpoint, Node, System
-
-WORDS = {
-    PUBLISHER: "topic",
-    SUBSCRIBER: "topic",
-    SERVICE: "service",
-    CLIENT: "service",
-    ACTION_SERVER: "action",
-    ACTION_CLIENT: "action",
-}
 
 
 def _written_elsewhere(endpoints: list[Endpoint]) -> list[Related]:
@@ -83,7 +74,7 @@ def _invalid_endpoints(system: System, node: Node) -> Iterator[Finding]:
         relative = _relative(endpoint)
         if relative is not None and is_renamed(system, node):
             continue  # launch files start it, perhaps in a namespace: their systems tell
-        shown, word = endpoint.written or "", WORDS[endpoint.kind]
+        shown, word = endpoint.written or "", NAMED[endpoint.kind]
         default = f", the default of the parameter '{endpoint.parameter}'" if endpoint.resolution == "parameter" else ""
         only_complete = names.validate_topic_name(shown) is None and endpoint.name != shown
         complete = f" (complete: '{endpoint.name}')" if only_complete else ""

@@ -15,6 +15,7 @@ from archlint.analysis.spins import spun_by_several, spun_in_callbacks
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.finding import Finding, Place, Related
+from archlint.libraries import tables
 from archlint.model import ACTION_CLIENT, ACTION_SERVER, CLIENT, FOR_A_MOMENT, GUARD, SERVICE, SUBSCRIBER, TIMER
 from archlint.syntax import facts
 from archlint.syntax.walk import blocks_of, called_name, calls_in, parts_of
@@ -27,12 +28,7 @@ _SERVED = {SUBSCRIBER: "subscription", SERVICE: "service", TIMER: "timer", ACTIO
 _WORKING = frozenset({*_SERVED, CLIENT, ACTION_CLIENT, GUARD})
 """Kinds of entities that an executor has work from."""
 _OWN_API = frozenset(
-    {
-        "rclpy.node.Node.create_subscription",
-        "rclpy.node.Node.create_service",
-        "rclpy.node.Node.create_timer",
-        "rclpy.action.server.ActionServer",
-    }
+    row.path for row in tables.ROWS if row.path.startswith("rclpy.") and row.kind in _SERVED and row.callbacks
 )
 
 

@@ -8,21 +8,22 @@ from typing import TYPE_CHECKING
 
 from archlint.finding import Edit, Fix
 from archlint.fixes import scopes
+from archlint.libraries import tables
+from archlint.model import NAMED
 
 if TYPE_CHECKING:
     from archlint.finding import Finding, Place
     from archlint.fixes.source import Source
     from archlint.fixes.surroundings import Surroundings
 
+_OWNERS = ("rclpy.node.Node", "rclpy.lifecycle.node.LifecycleNode", "rclpy.action.client", "rclpy.action.server")
 _KIND = {
-    "create_publisher": "topic",
-    "create_lifecycle_publisher": "topic",
-    "create_subscription": "topic",
-    "create_client": "service",
-    "create_service": "service",
-    "ActionClient": "action",
-    "ActionServer": "action",
+    name: NAMED[row.kind]
+    for row in tables.ROWS
+    for owner, _, name in [row.path.rpartition(".")]
+    if row.creates and row.name is not None and owner in _OWNERS
 }
+"""What the name that a call takes is a name of."""
 
 
 def declare_parameter(finding: Finding, around: Surroundings) -> Fix | None:

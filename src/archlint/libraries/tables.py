@@ -1,7 +1,9 @@
 """The API tables: one row a call that creates something, waits, sleeps or spins.
 
 Signatures are those of rclpy, humble to rolling: positional order is the same in every supported distro unless a
-row says otherwise; ``*`` starts the keyword-only parameters.  A new API is a new row.
+row says otherwise; ``*`` starts the keyword-only parameters, and a ``?`` ends one that may be left out where a row is
+``strict``.  A new API is a new row: the words of the screen, the methods of nodes, the arguments that Python refuses
+and what fixes and rules know of it follow.
 """
 
 from __future__ import annotations
@@ -39,6 +41,15 @@ class Api:
     extra: dict[str, str] = field(default_factory=dict)
     watched: bool = False
     """True where checks want to see each call."""
+    strict: bool = False
+    """True where all supported distributions take these positional arguments: Python refuses any other call."""
+    optional: frozenset[str] = frozenset()
+    """Positional parameters that may be left out; only a strict row says which."""
+
+    @property
+    def creates(self) -> bool:
+        """Whether a call makes an endpoint or a timer."""
+        return self.effect in ("endpoint", "timer")
 
     @property
     def positional(self) -> tuple[str, ...]:
@@ -46,7 +57,9 @@ class Api:
 
 
 def _row(path: str, signature: str, **data: object) -> Api:
-    return Api(path, tuple(signature.split()), **data)  # type: ignore[arg-type]
+    words = signature.split()
+    optional = frozenset(word.rstrip("?") for word in words if word.endswith("?"))
+    return Api(path, tuple(word.rstrip("?") for word in words), optional=optional, **data)  # type: ignore[arg-type]
 
 
 _NODE_OPTIONS = (
@@ -79,6 +92,7 @@ ROWS = [
     _row(
         "rclpy.node.Node.create_publisher",
         "msg_type topic qos_profile * callback_group event_callbacks qos_overriding_options publisher_class",
+        strict=True,
         effect="endpoint",
         kind=model.PUBLISHER,
         type="msg_type",
@@ -90,6 +104,7 @@ ROWS = [
     _row(
         "rclpy.lifecycle.node.LifecycleNode.create_lifecycle_publisher",
         "msg_type topic qos_profile * callback_group event_callbacks qos_overriding_options publisher_class",
+        strict=True,
         effect="endpoint",
         kind=model.PUBLISHER,
         type="msg_type",
@@ -102,6 +117,7 @@ ROWS = [
         "rclpy.node.Node.create_subscription",
         "msg_type topic callback qos_profile * callback_group event_callbacks qos_overriding_options raw "
         "content_filter_options acceptable_buffer_backends",
+        strict=True,
         effect="endpoint",
         kind=model.SUBSCRIBER,
         type="msg_type",
@@ -114,6 +130,7 @@ ROWS = [
     _row(
         "rclpy.node.Node.create_client",
         "srv_type srv_name * qos_profile callback_group",
+        strict=True,
         effect="endpoint",
         kind=model.CLIENT,
         type="srv_type",
@@ -126,6 +143,7 @@ ROWS = [
     _row(
         "rclpy.node.Node.create_service",
         "srv_type srv_name callback * qos_profile callback_group",
+        strict=True,
         effect="endpoint",
         kind=model.SERVICE,
         type="srv_type",
@@ -173,14 +191,15 @@ ROWS = [
     ),
     _row(
         "rclpy.node.Node.create_timer",
-        "timer_period_sec callback callback_group clock autostart",
+        "timer_period_sec callback callback_group? clock? autostart?",
+        strict=True,
         effect="timer",
         kind=model.TIMER,
         group="callback_group",
         callbacks=(("callback", "timer"),),
         returns="rclpy.timer.Timer",
     ),
-    _row("rclpy.node.Node.create_rate", "frequency clock", effect="rate", returns="rclpy.timer.Rate"),
+    _row("rclpy.node.Node.create_rate", "frequency clock?", strict=True, effect="rate", returns="rclpy.timer.Rate"),
     _row(
         "rclpy.node.Node.create_guard_condition",
         "callback callback_group",
@@ -469,19 +488,19 @@ ROWS = [
         "namespace parameters ignore_override",
         effect="declare_parameters",
     ),
-    _row("rclpy.node.Node.get_parameter", "name", effect="get_parameter", watched=True),
+    _row("rclpy.node.Node.get_parameter", "name", strict=True, effect="get_parameter", watched=True),
     _row("rclpy.node.Node.get_parameters", "names", effect="get_parameters", watched=True),
     _row("rclpy.node.Node.get_parameter_or", "name alternative_value", effect="get_parameter_or", watched=True),
     _row("rclpy.node.Node.get_parameters_by_prefix", "prefix", effect="get_parameters_by_prefix"),
-    _row("rclpy.node.Node.has_parameter", "name", effect="has_parameter", watched=True),
-    _row("rclpy.node.Node.undeclare_parameter", "name", watched=True),
+    _row("rclpy.node.Node.has_parameter", "name", strict=True, effect="has_parameter", watched=True),
+    _row("rclpy.node.Node.undeclare_parameter", "name", strict=True, watched=True),
     _row("rclpy.node.Node.set_parameters", "parameter_list", effect="set_parameters", watched=True),
     _row("rclpy.node.Node.set_parameters_atomically", "parameter_list", effect="set_parameters", watched=True),
     _row("rclpy.parameter.Parameter", "name type_ value", effect="parameter"),
     # ---- names of nodes
-    _row("rclpy.node.Node.get_name", "", effect="get_name"),
-    _row("rclpy.node.Node.get_namespace", "", effect="get_namespace"),
-    _row("rclpy.node.Node.get_fully_qualified_name", "", effect="get_fully_qualified_name"),
+    _row("rclpy.node.Node.get_name", "", strict=True, effect="get_name"),
+    _row("rclpy.node.Node.get_namespace", "", strict=True, effect="get_namespace"),
+    _row("rclpy.node.Node.get_fully_qualified_name", "", strict=True, effect="get_fully_qualified_name"),
     _row("rclpy.node.Node.resolve_topic_name", "topic * only_expand", effect="resolve_name"),
     _row("rclpy.node.Node.resolve_service_name", "service * only_expand", effect="resolve_name"),
     # ---- destroying
@@ -530,6 +549,14 @@ ROWS = [
 ]
 
 TABLE: dict[str, Api] = {row.path: row for row in ROWS}
+
+NODE_ROWS: dict[str, Api] = {
+    name: row
+    for row in ROWS
+    for cls, _, name in [row.path.rpartition(".")]
+    if cls in ("rclpy.node.Node", "rclpy.lifecycle.node.LifecycleNode") and name != "__init__"
+}
+"""The methods of a node, by name."""
 
 EXECUTORS = (
     "rclpy.executors.SingleThreadedExecutor",

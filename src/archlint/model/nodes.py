@@ -24,6 +24,15 @@ GUARD = "guard_condition"
 NEVER_CONSTRUCTED = "the node's constructor is not reached"
 """Why the name of an object of a node class is not known where nothing calls ``Node.__init__`` on it."""
 
+NAMED = {
+    PUBLISHER: "topic",
+    SUBSCRIBER: "topic",
+    SERVICE: "service",
+    CLIENT: "service",
+    ACTION_SERVER: "action",
+    ACTION_CLIENT: "action",
+}
+"""What the name of an endpoint is a name of."""
 ENDPOINT_KINDS = (PUBLISHER, SUBSCRIBER, SERVICE, CLIENT, ACTION_SERVER, ACTION_CLIENT)
 
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Collection, Iterable, Sequence
+from collections.abc import Callable, Collection, Iterable, Sequence
 from typing import TYPE_CHECKING, Protocol
 
 from archlint.syntax.cache import Stamp, digest_of
@@ -35,10 +35,15 @@ class Cache(Protocol):
 
 
 class FactsOfFiles:
-    """Facts by file: :meth:`prepare` compiles what is new in one go, the linker asks for more one by one."""
+    """Facts by file: :meth:`prepare` compiles what is new in one go, the linker asks for more one by one.
 
-    def __init__(self, cache: Cache, jobs: int | None = None) -> None:
+    ``words`` gives the words of the screen: a file that has none of them is compiled only where another leads to it.
+    It is called when a file has to be read.
+    """
+
+    def __init__(self, cache: Cache, words: Callable[[], Sequence[bytes]], jobs: int | None = None) -> None:
         self._cache = cache
+        self._words = words
         self._jobs = jobs
         self._digests: dict[str, str] = {}
         self._payloads: dict[str, bytes] = {}
@@ -193,7 +198,7 @@ class FactsOfFiles:
             self._keep(file, digest, payload)
             return None
         old = gate.is_ros1(data)
-        if old or (not gate.relevant(data) and b"\0" not in data):
+        if old or not (b"\0" in data or any(word in data for word in self._words())):
             payload = b"\n".join((_ROS1 if old else _IRRELEVANT, *_imported(data)))
             self._cache.put(digest, payload)
             self._keep(file, digest, payload)

@@ -5,6 +5,8 @@ from __future__ import annotations
 import re
 from functools import lru_cache
 
+from archlint.libraries import tables
+
 NODE = "rclpy.node.Node"
 LIFECYCLE_NODE = "rclpy.lifecycle.node.LifecycleNode"
 
@@ -87,43 +89,7 @@ PARAMETER_VALUES = frozenset({"rcl_interfaces.msg.ParameterValue"})
 
 CONSTANTS: dict[str, str] = {}
 
-NODE_METHODS = frozenset(
-    {
-        "add_on_set_parameters_callback",
-        "add_post_set_parameters_callback",
-        "add_pre_set_parameters_callback",
-        "create_client",
-        "create_guard_condition",
-        "create_lifecycle_publisher",
-        "create_publisher",
-        "create_rate",
-        "create_service",
-        "create_subscription",
-        "create_timer",
-        "declare_parameter",
-        "declare_parameters",
-        "get_parameter",
-        "get_parameter_or",
-        "get_parameters",
-        "get_parameters_by_prefix",
-        "has_parameter",
-        "set_parameters",
-        "set_parameters_atomically",
-        "undeclare_parameter",
-        "destroy_publisher",
-        "destroy_subscription",
-        "destroy_client",
-        "destroy_service",
-        "destroy_timer",
-        "destroy_node",
-        "get_name",
-        "get_namespace",
-        "get_fully_qualified_name",
-        "resolve_topic_name",
-        "resolve_service_name",
-        "wait_for_node",
-    }
-)
+NODE_METHODS = frozenset(tables.NODE_ROWS)
 
 _OTHER_NODE_ATTRIBUTES = frozenset(
     [

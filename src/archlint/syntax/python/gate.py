@@ -1,7 +1,7 @@
 """The gate: what a file must pass before libcst sees it.
 
 libcst can kill the process on deep nesting and stall on long operator chains, so a file is looked at first: a
-regular file of bearable size, decodable, with a word that matters, not nested too deep, no chain too long.
+regular file of bearable size, decodable, not nested too deep, no chain too long.
 ``ast.parse`` at the stock recursion limit is the last look, and never the judge of syntax: a newer Python's
 syntax is not an error.
 """
@@ -26,27 +26,6 @@ MAX_DEPTH = 200
 MAX_CHAIN = 2_500
 """The longest run of operators, ``elif``, attribute steps or neighbouring strings that is parsed."""
 
-WORDS = (
-    b"rclpy",
-    b"create_publisher",
-    b"create_subscription",
-    b"create_service",
-    b"create_client",
-    b"create_timer",
-    b"ActionServer",
-    b"ActionClient",
-    b"declare_parameter",
-    b"get_parameter",
-    b"message_filters",
-    b"tf2_ros",
-    b"wait_for_service",
-    b"call_async",
-    b"archlint:",
-)
-"""A file without any of these can neither create nor wait for anything.  ``rclpy`` alone would lose mixins and
-helpers that never import it. ``create_node`` is missing: where that is rclpy's, the
-file names rclpy, or imports a file of the workspace that does, and is read for that."""
-
 
 @dataclass(frozen=True)
 class SourceText:
@@ -63,11 +42,6 @@ class Refusal:
     line: int
     column: int
     message: str
-
-
-def relevant(data: bytes) -> bool:
-    """Whether a file has a word that matters."""
-    return any(word in data for word in WORDS)
 
 
 _ROS1_WORDS = (b"rospy", b"roslib", b"actionlib", b"dynamic_reconfigure")
