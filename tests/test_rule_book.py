@@ -11,6 +11,7 @@ from archlint.config.selection import Layer
 from archlint.config.settings import Settings, load
 from archlint.engine.pipeline import Request, check
 from archlint.observed.read import read
+from archlint.report import concise
 from archlint.rulebook import OFF, rules
 from rule_examples import Example, load_examples
 
@@ -28,7 +29,7 @@ def test_an_example_gives_exactly_the_findings_it_is_marked_with(
     report = check(Request((".",), _settings(tmp_path, example.page_code), cached=False, jobs=1, observed=observed))
 
     found = [(finding.place.file, finding.place.line, finding.code) for finding in report.findings]
-    assert sorted(found) == sorted(example.expected)
+    assert sorted(found) == sorted(example.expected), concise.render(report)
 
 
 def _settings(folder: Path, code: str) -> Settings:

@@ -8,6 +8,7 @@ from textwrap import dedent
 from archlint.config.settings import load
 from archlint.engine.pipeline import Request, check
 from archlint.finding import Finding
+from archlint.report import concise
 
 MARK = "# here"
 
@@ -31,5 +32,6 @@ class Judge:
         settings = f'select = ["{code}"]\n' + dedent(config)
         (self.folder / "archlint.toml").write_text(settings, encoding="utf-8")
         report = check(Request((".",), load(self.folder), cached=False, jobs=1))
-        assert sorted((one.place.file, one.place.line) for one in report.findings) == sorted(marked)
+        found = sorted((one.place.file, one.place.line) for one in report.findings)
+        assert found == sorted(marked), concise.render(report)
         return report.findings
