@@ -9,6 +9,7 @@ import pytest
 
 from archlint.config.settings import Settings
 from archlint.engine.pipeline import Request, check
+from archlint.finding import Severity
 from checks.judging import Judge
 
 LAUNCH = """
@@ -59,6 +60,41 @@ def write_package(folder: Path, launch_files: list[str]) -> None:
         (folder / "launch" / f"{names.replace(' ', '_')}.launch.py").write_text(
             dedent(LAUNCH).format(nodes=nodes).lstrip()
         )
+
+
+TALKS = "self.create_publisher(String, 'said', QoSProfile(depth=1, reliability=ReliabilityPolicy.BEST_EFFORT))"
+HEARS = "self.create_subscription(String, 'said', print, 10)"
+ALSO = "; self.create_publisher(String, 'done', 10)"
+TOGETHER = ", if they run together: no launch file here starts both"
+
+
+@pytest.mark.parametrize(
+    ("launch_files", "also", "told"),
+    [
+        (["left right"], ALSO, [(Severity.ERROR, False)]),
+        (["left", "right"], "", []),  # each in a launch file of its own
+        (["left"], "", [(Severity.WARNING, True)]),
+        (["left"], ALSO, []),  # both publish 'done': the one does the other's work
+        ([], "", [(Severity.ERROR, False)]),  # everything is started by hand
+    ],
+)
+def test_a_mismatch_of_nodes_that_perhaps_never_run_together(
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
+    launch_files: list[str],
+    also: str,
+    told: list[tuple[Severity, bool]],
+):
+    monkeypatch.chdir(tmp_path)
+    write_package(tmp_path, launch_files)
+    for name, creates in (("left", TALKS), ("right", HEARS)):
+        file = tmp_path / "drive" / f"{name}.py"
+        text = file.read_text().replace("self.create_publisher(String, 'said', 10)", creates + also)
+        file.write_text("from rclpy.qos import QoSProfile, ReliabilityPolicy\n" + text)
+    report = check(Request((".",), Settings(), cached=False, jobs=1))
+    found = [one for one in report.findings if one.code == "QOS001"]
+    assert [(one.severity, one.message.endswith(TOGETHER)) for one in found] == told
+    assert all((one.place.file, one.place.line) == ("drive/right.py", 10) for one in found)
 
 
 BENCH = """

@@ -197,6 +197,17 @@ def test_the_one_bad_publisher_of_three_is_named():
     assert [one.message for one in found.related] == ["/bad offers best effort"]
 
 
+def test_who_is_heard_is_said_where_another_is_not():
+    served = system(
+        node("/good", publisher("said")),
+        node("/bad", publisher("said", qos=BEST_EFFORT)),
+        node("/b", subscriber("said")),
+    )
+    alone = system(node("/bad", publisher("said", qos=BEST_EFFORT)), node("/b", subscriber("said")))
+    messages = [one.message.partition(": ")[2] for made in (served, alone) for one in findings(made, "QOS001")]
+    assert messages == ["its messages do not get through, those of /good do", "no message gets through"]
+
+
 @pytest.mark.parametrize(
     ("qos", "wrong"),
     [

@@ -11,6 +11,7 @@ from itertools import combinations
 from typing import TYPE_CHECKING
 
 from archlint.analysis.completeness import called_names
+from archlint.model import PUBLISHER
 from archlint.systems.model import exclusive, key_of, runs_along
 
 if TYPE_CHECKING:
@@ -134,8 +135,50 @@ def seen_together(system: System, one: Node, other: Node) -> bool:
     return not _starters(one).isdisjoint(_starters(other))
 
 
+def launched_apart(system: System, one: Node, other: Node) -> bool:
+    """Whether launch files start both nodes, but none starts both of them: then they are alternatives, or at
+    least nothing proves that they are not."""
+    if system.name is not None or system.world is None:
+        return False
+    mine, yours = (_launches(system.world.systems, node) for node in (one, other))
+    return bool(mine) and bool(yours) and mine.isdisjoint(yours)
+
+
+def _launches(systems: Iterable[System], node: Node) -> set[str | None]:
+    """The launch files that start a node of this class."""
+    if node.blueprint is None:
+        return set()
+    wanted = (node.blueprint.place, node.blueprint.class_name)
+    return {
+        system.name
+        for system in systems
+        if system.launched is not None
+        and any(n.blueprint and (n.blueprint.place, n.blueprint.class_name) == wanted for n in system.nodes)
+    }
+
+
+def has_launch_files(system: System) -> bool:
+    """Whether launch files say what runs together: what none of them starts together are mostly alternatives."""
+    systems = system.world.systems if system.world is not None else []
+    return any(other.launched is not None and bool(other.launched.started) for other in systems)
+
+
 def _starters(node: Node) -> set[tuple[str | None, str]]:
     return {(node.package, executable) for executable in node.executables}
+
+
+def are_alternatives(system: System, one: Node, other: Node) -> bool:
+    """Whether two nodes that nothing is seen to start together publish one topic: each does the other's work."""
+    if seen_together(system, one, other):
+        return False
+    return not _publishes(one).isdisjoint(_publishes(other) - _EVERYBODYS)
+
+
+_EVERYBODYS = frozenset({"/tf", "/tf_static", "/rosout", "/parameter_events", "/diagnostics", "/joint_states"})
+
+
+def _publishes(node: Node) -> set[str]:
+    return {end.name for end in node.of_kind(PUBLISHER) if end.resolved and end.name is not None}
 
 
 def _apart(system: System, one: Endpoint, other: Endpoint) -> bool:

@@ -6,11 +6,11 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from archlint.analysis.coexistence import certain, in_source_order, meet
+from archlint.analysis.coexistence import are_alternatives, certain, in_source_order, launched_apart, meet
 from archlint.ros.qos import Verdict, compatible
 
 if TYPE_CHECKING:
-    from archlint.systems.model import Connection, Endpoint, System
+    from archlint.systems.model import Connection, Endpoint, Node, System
 
 
 @dataclass(frozen=True)
@@ -41,9 +41,24 @@ def undelivered_on(system: System, topic: Connection) -> Iterator[Undelivered]:
     offers = in_source_order(end for end in topic.providers if _judged(end))
     for request in in_source_order(end for end in topic.users if _judged(end)):
         for offer in offers:
-            errors = tuple(_errors(offer, request)) if meet(system, offer, request) else ()
-            if errors:
+            errors = tuple(_errors(offer, request))
+            if errors and meet(system, offer, request) and not _never_both(system, offer.node, request.node):
                 yield Undelivered(offer, request, errors)
+
+
+def _never_both(system: System, one: Node, other: Node) -> bool:
+    """Whether two nodes are only seen as alternatives: by what they publish, or by the launch files that start them."""
+    return one is not other and (launched_apart(system, one, other) or are_alternatives(system, one, other))
+
+
+def fitting(system: System, request: Endpoint) -> list[Endpoint]:
+    """The publishers of a subscription's topic that can run along with it and whose messages it gets."""
+    topic = system.topics.get(request.name or "")
+    return [
+        offer
+        for offer in in_source_order(end for end in (topic.providers if topic is not None else ()) if _judged(end))
+        if meet(system, offer, request) and not _errors(offer, request)
+    ]
 
 
 def policy_words(verdict: Verdict, value: str | float | None) -> str:

@@ -9,7 +9,14 @@ from typing import TYPE_CHECKING
 
 from archlint.analysis.arbitration import speaks_once, take_turns
 from archlint.analysis.aside import is_aside
-from archlint.analysis.coexistence import in_source_order, meeting, named_by_library, seen_together
+from archlint.analysis.coexistence import (
+    has_launch_files,
+    in_source_order,
+    launched_apart,
+    meeting,
+    named_by_library,
+    seen_together,
+)
 from archlint.analysis.happenings import are_requests, tell_what_happened
 from archlint.analysis.left_over import is_left_over
 from archlint.analysis.sharing import are_words, is_bus, is_state
@@ -53,7 +60,7 @@ def _is_meant(system: System, connection: Connection, owners: list[Endpoint]) ->
     """Whether several nodes are there to publish a topic, or do not do so at once."""
     if is_bus(system.world, connection, owners) or tell_what_happened(system, owners) or are_requests(connection):
         return True
-    if not _is_proven(system, owners) and (_has_launch_files(system) or _says_what_happens(connection.name)):
+    if not _is_proven(system, owners) and (has_launch_files(system) or _says_what_happens(connection.name)):
         return True
     return take_turns(system, owners)
 
@@ -111,18 +118,12 @@ def _says_what_happens(topic: str) -> bool:
     return not _TELLING.isdisjoint(topic.rpartition("/")[2].lower().split("_"))
 
 
-def _has_launch_files(system: System) -> bool:
-    """Whether launch files say what runs together: what none of them starts together are mostly alternatives."""
-    systems = system.world.systems if system.world is not None else []
-    return any(other.launched is not None and bool(other.launched.started) for other in systems)
-
-
 def _several_owners(system: System, connection: Connection) -> Iterator[list[Endpoint]]:
     """Groups of endpoints of different nodes that meet; the last one in the source comes last."""
     groups: list[list[Endpoint]] = []
     own = [end for end in connection.providers if _owns(system, end)]
     for one, other in meeting(system, own):
-        if one.node is other.node or _launched_apart(system, one.node, other.node) or _left_out(one.node, other.node):
+        if one.node is other.node or launched_apart(system, one.node, other.node) or _left_out(one.node, other.node):
             continue
         group = next((group for group in groups if one in group or other in group), None)
         if group is None:
@@ -139,34 +140,12 @@ def _owns(system: System, end: Endpoint) -> bool:
     return not idle and (system.name is not None or not is_aside(system.world, end.place.file))
 
 
-def _launched_apart(system: System, one: Node, other: Node) -> bool:
-    """Whether launch files start both nodes, but none starts both of them: then they are alternatives, or at
-    least nothing proves that they are not."""
-    if system.name is not None or system.world is None:
-        return False
-    mine, yours = (_launches(system.world.systems, node) for node in (one, other))
-    return bool(mine) and bool(yours) and mine.isdisjoint(yours)
-
-
 def _left_out(one: Node, other: Node) -> bool:
     """Whether a script starts the one of two nodes that it defines, and leaves the other out."""
     if one.blueprint is None or other.blueprint is None or one.program is None or other.program is None:
         return False
     one_file = one.blueprint.place.file == other.blueprint.place.file
     return one_file and one.program.executable != other.program.executable
-
-
-def _launches(systems: Iterable[System], node: Node) -> set[str | None]:
-    """The launch files that start a node of this class."""
-    if node.blueprint is None:
-        return set()
-    wanted = (node.blueprint.place, node.blueprint.class_name)
-    return {
-        system.name
-        for system in systems
-        if system.launched is not None
-        and any(n.blueprint and (n.blueprint.place, n.blueprint.class_name) == wanted for n in system.nodes)
-    }
 
 
 def _finding(code: str, system: System, owners: list[Endpoint], message: str, does: str, help: str) -> Finding:

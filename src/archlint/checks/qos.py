@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
-from archlint.analysis.delivery import Undelivered, policy_words, undelivered
+from archlint.analysis.coexistence import has_launch_files, seen_together
+from archlint.analysis.delivery import Undelivered, fitting, policy_words, undelivered
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
-from archlint.finding import Finding, Related
+from archlint.finding import Finding, Related, Severity
 from archlint.model import PUBLISHER, SUBSCRIBER
 
 if TYPE_CHECKING:
@@ -43,18 +45,26 @@ def _mismatches(code: str, system: System, policies: set[str]) -> Iterator[Findi
             if verdict.policy in policies:
                 against.setdefault((id(pair.request), verdict.policy), []).append((pair, verdict))
     for pairs in against.values():
-        yield _mismatch(code, pairs)
+        yield _mismatch(code, system, pairs)
 
 
-def _mismatch(code: str, pairs: list[tuple[Undelivered, Verdict]]) -> Finding:
+def _mismatch(code: str, system: System, pairs: list[tuple[Undelivered, Verdict]]) -> Finding:
+    """The finding, a warning where there are launch files and none of them starts both nodes."""
+    pairs = sorted(pairs, key=lambda pair: not _is_proven(system, pair[0]))  # the others stay in their order
     first, verdict = pairs[0]
     user, offer = first.request, first.offer
     offered, requested = policy_words(verdict, verdict.offered), policy_words(verdict, verdict.requested)
-    return finding(
+    served = fitting(system, user)
+    lost = "no message gets through"
+    if served:
+        lost = f"its messages do not get through, those of {served[0].node.name} do"
+    proven = _is_proven(system, first)
+    if not proven:
+        lost += ", if they run together: no launch file here starts both"
+    found = finding(
         code,
         user.place,
-        f"{user.node.name} requests {requested} on '{user.name}', but {offer.node.name} offers {offered}: "
-        "no message gets through",
+        f"{user.node.name} requests {requested} on '{user.name}', but {offer.node.name} offers {offered}: {lost}",
         help=_ADVICE[verdict.policy],
         related=[
             Related(pair.offer.place, f"{pair.offer.node.name} offers {policy_words(one, one.offered)}")
@@ -63,6 +73,15 @@ def _mismatch(code: str, pairs: list[tuple[Undelivered, Verdict]]) -> Finding:
         node=user.node.name,
         identity=(user.name or "", verdict.policy, *(pair.offer.node.name or "" for pair, _ in pairs)),
     )
+    return found if proven else replace(found, severity=min(found.severity, Severity.WARNING))
+
+
+def _is_proven(system: System, pair: Undelivered) -> bool:
+    """Whether something is seen to start both nodes, or there is no launch file that could: then nobody can say that
+    one is left out."""
+    if system.closed or not has_launch_files(system):
+        return True
+    return pair.offer.node is pair.request.node or seen_together(system, pair.offer.node, pair.request.node)
 
 
 _ADVICE = {
