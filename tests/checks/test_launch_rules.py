@@ -1407,6 +1407,17 @@ def test_a_name_that_is_defined_or_may_be(findings, above, line, argument):
 
 
 # ------------------------------------------------------------------------------------------------ NME004
+
+
+@pytest.mark.parametrize(
+    ("package", "executable", "told"),
+    [("gazebo_ros", "spawn_entity.py", 0), ("ros_gz_sim", "create", 0), ("rviz2", "rviz2", 1), ("robot", "create", 1)],
+)
+def test_tools_that_end_by_themselves_share_no_name_for_long(findings, package: str, executable: str, told: int):
+    tools = [node(pkg=package, exec=executable, name="it", args=f"-x {number}") for number in (1, 2)]
+    assert len(findings("NME004", "\n".join(tools))) == told
+
+
 READ = """\
 
 def read():

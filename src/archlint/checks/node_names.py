@@ -54,11 +54,33 @@ def _twins(system: System) -> Iterator[Twins]:
 
 def _together(one: Node, other: Node) -> bool:
     """Whether two nodes certainly run at the same time."""
-    if not runs_along(one.alternatives, other.alternatives):
+    if not runs_along(one.alternatives, other.alternatives) or _ends_by_itself(one) or _ends_by_itself(other):
         return False
     if one.started is not other.started:
         return True
     return not (_gone_before(one, other) or _gone_before(other, one) or _in_other_branches(one, other))
+
+
+_TOOLS = frozenset(
+    {
+        ("controller_manager", "hardware_spawner"),
+        ("controller_manager", "spawner"),
+        ("controller_manager", "spawner.py"),
+        ("controller_manager", "unspawner"),
+        ("controller_manager", "unspawner.py"),
+        ("gazebo_ros", "spawn_entity.py"),
+        ("nav2_map_server", "map_saver_cli"),
+        ("ros_gz_sim", "create"),
+        ("ros_gz_sim", "remove"),
+        ("ros_ign_gazebo", "create"),
+    }
+)
+"""Executables that do one thing and end: what they are called for those seconds makes no difference to anybody."""
+
+
+def _ends_by_itself(node: Node) -> bool:
+    started = node.started
+    return started is not None and (started.package.text, started.executable.text) in _TOOLS
 
 
 def _in_other_branches(one: Node, other: Node) -> bool:
