@@ -1027,6 +1027,44 @@ def test_a_section_without_its_namespace(findings):
     assert findings("PRM005", node(load_it), **{"config/p.yaml": yaml}) == []
 
 
+@pytest.mark.parametrize(
+    ("source", "told"),
+    [
+        ('#include <rclcpp/rclcpp.hpp>\nOther() : rclcpp::Node("other_base") {}', 0),
+        ('#include <rclcpp/rclcpp.hpp>\nOther() : rclcpp::Node("other") {}', 1),
+        ('std::string name = "other_base";', 1),  # no program of ROS
+    ],
+)
+def test_a_section_for_another_program_of_the_package(findings, source: str, told: int):
+    """One file for two programs, of which the launch file starts one."""
+    load_it = '<param from="$(find-pkg-share robot)/config/p.yaml"/>'
+    yaml = "talker: {ros__parameters: {rate: 1.0}}\nother_base: {ros__parameters: {speed: 1.0}}"
+    assert len(findings("PRM005", node(load_it), **{"config/p.yaml": yaml, "src/other.cpp": source})) == told
+
+
+IN_ROUNDS = """\
+from launch import LaunchDescription
+from launch.actions import DeclareLaunchArgument
+from launch.substitutions import LaunchConfiguration
+from launch_ros.actions import Node
+
+def generate_launch_description():
+    actions = []
+    for name in ('left', 'right'):
+        actions.append(Node(package='robot', executable='talker', name=LaunchConfiguration(name)))
+        actions.append(DeclareLaunchArgument(name, default_value=name))
+    return LaunchDescription(actions)
+"""
+
+
+def test_the_rounds_of_a_loop_read_too_early_once(findings):
+    (found,) = findings("LCH003", **{"launch/it.launch.py": IN_ROUNDS})
+    assert (found.place.line, found.message) == (9, "the launch argument 'left' is read before it is declared")
+    assert "the launch argument 'right' is read before it is declared" in [one.message for one in found.related]
+    names = "$(var left) $(var right)"  # two mistakes in one attribute
+    assert len(findings("LCH003", f"<let name='a' value='{names}'/>", **{"launch/it.launch.py": ""})) == 2
+
+
 def test_a_section_for_a_node_inside_a_process_that_is_not_here(findings):
     load_it = '<param from="$(find-pkg-share robot)/config/p.yaml"/>'
     yaml = "local_costmap:\n  local_costmap: {ros__parameters: {rate: 1.0}}"

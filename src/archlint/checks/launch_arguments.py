@@ -33,7 +33,7 @@ def undeclared_launch_argument(system: System, options: Options) -> Iterator[Fin
     if launched is None or system.world is None:
         return
     if not launched.gaps and not _meant_to_be_included(launched):
-        yield from _undeclared_uses(system, launched)
+        yield from _of_one_call(_undeclared_uses(system, launched))
     loader = system.world.loader
     if loader is None:
         return
@@ -75,6 +75,19 @@ def _undeclared_uses(system: System, launched: Launched) -> Iterator[Finding]:
             message = f"no launch argument '{use.name}' is declared by then, and nothing sets it"
         related = [Related(place, "it is declared here" if later else "declared here, later") for place in places[:1]]
         yield finding("LCH003", use.place, message, help=help, related=related, identity=(use.file, use.name))
+
+
+def _of_one_call(found: Iterator[Finding]) -> Iterator[Finding]:
+    """One finding for a call that reads several arguments, in the rounds of a loop say; an attribute in XML or YAML
+    has a place for all that it reads."""
+    of_call: dict[tuple[Place, str], Finding] = {}
+    for one in found:
+        key = one.place, "" if one.place.file.endswith(".py") else one.message
+        first = of_call.setdefault(key, one)
+        if first is not one:
+            rows = (*first.related, Related(one.place, one.message), *one.related)
+            of_call[key] = replace(first, related=tuple(dict.fromkeys(rows)))
+    yield from of_call.values()
 
 
 def _its_own_default(use: UndeclaredUse, declaration: Place) -> Finding:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import posixpath
+import re
 from collections.abc import Iterable, Iterator
 from typing import TYPE_CHECKING
 
@@ -167,7 +168,7 @@ def parameters_for_unknown_node(system: System, options: Options) -> Iterator[Fi
                 continue
             else:
                 meant = did_you_mean(section.key, started)
-                if not meant and _may_hold_more_nodes(world, file):
+                if not meant and (_may_hold_more_nodes(world, file) or _is_of_a_cpp_node(world, file, last)):
                     continue
                 message += meant
             yield finding("PRM005", Place(file, *section.span), message, help=help, identity=(file, section.key))
@@ -198,6 +199,22 @@ def _may_hold_more_nodes(world: World, file: str) -> bool:
         for system in world.systems
         for node in system.nodes
     )
+
+
+_CPP = (".cpp", ".cc", ".cxx", ".hpp")
+
+
+def _is_of_a_cpp_node(world: World, file: str, name: str) -> bool:
+    """Whether a C++ source of the package that a parameter file lies in names a node so: one file may serve several
+    programs, of which a launch file starts one."""
+    loader = world.loader
+    installs = None if loader is None else world.installs.get(loader.package_of(file) or "")
+    if loader is None or installs is None:
+        return False
+    node = re.compile(rf'"{re.escape(name)}"')
+    sources = [path for path in loader.tree.files_below(installs.folder) if path.endswith(_CPP)]
+    texts = (loader.tree.text(path) or "" for path in sources)
+    return any("rclcpp" in text and node.search(text) is not None for text in texts)
 
 
 def _files_of_process(started: Started) -> list[str]:
