@@ -244,3 +244,37 @@ def test_names_that_one_file_takes_from_another(named):
     [found] = named(files, more="'one = robot.one:main',")
 
     assert found.severity is Severity.WARNING
+
+
+@pytest.mark.parametrize(
+    ("import_", "severity"),
+    [
+        ("from robot.eyes import Eye", Severity.INFO),
+        ("from robot.driver import Eye", Severity.WARNING),
+        ("from robot import driver", Severity.WARNING),
+        ("from robot.msg import Eye", Severity.WARNING),
+        ("from other.eyes import Eye", Severity.WARNING),
+        ("try:\n    from robot.eyes import Eye\nexcept ImportError:\n    pass", Severity.WARNING),
+    ],
+)
+def test_a_script_that_nobody_installs_and_whose_import_fails(tmp_path, monkeypatch, import_, severity):
+    script = NODE.replace("import rclpy\n", f"import rclpy\n{import_}\n", 1)
+    script = script.replace("rclpy.spin(Talker())", "node = Talker()")
+    script = script.replace(
+        "String, '/robot/words', 10)", "String, 'words', 10)\n        self.create_timer(1.0, print)"
+    )
+    files = {
+        "package.xml": MANIFEST,
+        "setup.py": SETUP.replace("{more}", ""),
+        "robot/__init__.py": "",
+        "robot/old.py": script,
+    }
+    for path, text in {**files, "robot/driver.py": NODE}.items():
+        (tmp_path / path).parent.mkdir(exist_ok=True)
+        (tmp_path / path).write_text(text, encoding="utf-8")
+    monkeypatch.chdir(tmp_path)
+    found = [
+        one for one in check(Request((".",), load(tmp_path), cached=False, jobs=1)).findings if one.code == "EXE008"
+    ]
+    assert [one.severity for one in found] == [severity]
+    assert ("its import of 'robot.eyes' fails" in found[0].message) == (severity is Severity.INFO)

@@ -204,6 +204,20 @@ class TestSignatures:
         [found] = run(source(setup, methods))
         assert found.related[-1].message == "Robot.on_right, which gets there too, is defined here"
 
+    def test_a_lambda_that_a_wrapper_passes_on(self, run: Run):
+        setup = "self.listen('left', lambda message, name, side: 1)\n"
+        setup += "self.listen('right', lambda message, name, side: 2)\nself.listen('good', lambda message: 3)\n"
+        methods = "def listen(self, topic, callback):\n    self.create_subscription(Empty, topic, callback, 10)\n"
+        text = source(setup, methods)
+        [found] = run(text)
+        lines = text.splitlines()
+        assert "lambda message, name, side: 1" in lines[found.place.line - 1]
+        assert [lines[one.place.line - 1].strip()[:16] for one in found.related] == [
+            "self.create_subs",
+            "self.listen('rig",
+        ]
+        assert found.related[0].message == "it gets to rclpy here"
+
 
 class TestSpinning:
     TICK = "def tick(self):\n    pass\n"
@@ -228,6 +242,10 @@ class TestSpinning:
             "from window import clock\nclock.ticked.connect(lambda: rclpy.spin_once(robot, timeout_sec=0.01))",
             "def spin():\n    while rclpy.ok():\n        rclpy.spin_once(robot)\n\n\n"
             "asyncio.get_event_loop().run_in_executor(None, spin)",
+            "executor = MultiThreadedExecutor()\nexecutor.add_node(robot)\n"
+            "asyncio.run(asyncio.get_event_loop().run_in_executor(None, executor.spin))",
+            "executor = SingleThreadedExecutor()\nfrom window import pool\npool.submit(executor.spin)\n"
+            "executor.add_node(robot)",
             "from window import widget\n\n\ndef spin():\n    rclpy.spin_once(robot)\n\n\n"
             "def on_event(event):\n    spin()\n\n\nwidget.timer_event = on_event",
             "from window import widget\n\n\ndef spin():\n    rclpy.spin_once(robot)\n\n\n"
@@ -237,6 +255,27 @@ class TestSpinning:
     )
     def test_a_node_that_is_spun_somehow(self, run: Run, body: str):
         assert codes(run(source(TIMER, self.TICK, self.main(body)))) == []
+
+    @pytest.mark.parametrize(
+        ("uses", "help_"),
+        [
+            ("print(self.eye.model)", "make no node for this: take 'model' out of the class"),
+            ("print(self.eye.model(1), self.eye.names)", "make no node for this: take 'model' and 'names' out of"),
+            ("self.eye.model = 1", "rclpy.spin(node)"),
+            ("self.eye.look()", "rclpy.spin(node)"),
+            ("self.eye.ask(self.eye.model)", "rclpy.spin(node)"),
+            ("print(self.eye.get_name())", "rclpy.spin(node)"),
+        ],
+    )
+    def test_a_node_that_is_made_for_an_attribute(self, run: Run, uses: str, help_: str):
+        eye = (
+            "class Eye(Node):\n    def __init__(self):\n        super().__init__('eye')\n        self.model = load()\n"
+            "        self.names = load()\n        self.create_timer(1.0, self.look)\n\n    def look(self):\n"
+            "        pass\n\n\n"
+        )
+        text = source(f"self.eye = Eye()\n{TIMER}", f"def tick(self):\n    {uses}\n")
+        [found] = run(text.replace("class Robot", eye + "class Robot", 1))
+        assert found.code == "EXE008" and found.help.startswith(help_)
 
     def test_a_function_that_hands_itself_out_anew_has_an_end(self, run: Run):
         body = (
@@ -253,6 +292,8 @@ class TestSpinning:
         [
             "print('there')",
             "executor = MultiThreadedExecutor()\nexecutor.add_node(robot)\nprint('forgotten')",
+            "executor = MultiThreadedExecutor()\nexecutor.add_node(robot)\n"
+            "asyncio.get_event_loop().run_in_executor(None, executor.shutdown)",
             "from window import widget\n\n\ndef note():\n    print('event')\n\n\n"
             "def on_event(event):\n    note()\n\n\nwidget.timer_event = on_event",
         ],

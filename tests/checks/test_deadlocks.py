@@ -15,6 +15,8 @@ CLIENT_APART = (
     "self.client = self.create_client(Trigger, 'check', callback_group=apart)\n"
 )
 TIMER = "self.create_timer(5.0, self.tick)\n"
+HANDLER = "self.create_service(Trigger, 'go', self.tick)\n"
+SERVER = "self.server = ActionServer(self, Fibonacci, 'count', self.execute)\n"
 CALL = """
 def tick(self):
     answer = self.client.call(Trigger.Request(), timeout_sec=1.0)
@@ -231,6 +233,34 @@ def test_a_spin_on_another_executor_strands_the_node(run: Run):
     assert found.code == "EXE001" and "none of its callbacks runs again" in found.message
 
 
+@pytest.mark.parametrize(
+    ("setup", "head", "main", "advice"),
+    [
+        (
+            HANDLER,
+            "def tick(self, request, response):",
+            ON_SEVERAL_THREADS,
+            "wait for a threading.Event, with a limit",
+        ),
+        (HANDLER, "def tick(self, request, response):", ON_ONE_THREAD, "make it an action"),
+        (SERVER, "def execute(self, goal_handle):", ON_SEVERAL_THREADS, "pause with time.sleep(…)"),
+        (
+            SERVER,
+            "def execute(self, goal_handle):",
+            ON_ONE_THREAD,
+            "spin the node with a MultiThreadedExecutor, and pause",
+        ),
+        (TIMER, "def tick(self):", ON_SEVERAL_THREADS, "return: whoever spins"),
+    ],
+)
+def test_what_to_do_instead_of_a_loop_of_spins(run: Run, setup: str, head: str, main: str, advice: str):
+    body = "    while load():\n        rclpy.spin_once(self, timeout_sec=0.1)\n"
+    found = [one for one in run(source(setup, f"{head}\n{body}{body}", main)) if one.code == "EXE001"]
+    [one] = found
+    assert one.help.startswith(advice)
+    assert [(r.message, r.place.line - one.place.line) for r in one.related][-1] == ("here it spins, too", 2)
+
+
 def test_a_node_of_its_own_may_be_spun_while_another_executor_runs(run: Run):
     setup = "self.helper = rclpy.create_node('helper')\n"
     setup += "self.client = self.helper.create_client(Trigger, 'check')\n" + TIMER
@@ -266,9 +296,6 @@ def test_another_node_of_the_executor_that_runs_is_taken_from_it(run: Run):
     text = source(setup, method, main).replace("__init__(self)", "__init__(self, helper)", 1)
     [found] = run(text)
     assert found.code == "EXE001" and "spins that node already: this takes the node from its executor" in found.message
-
-
-HANDLER = "self.create_service(Trigger, 'go', self.tick)\n"
 
 
 @pytest.mark.parametrize(

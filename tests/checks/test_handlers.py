@@ -235,3 +235,34 @@ def test_a_handler_may_set_what_was_asked_before(run: Run):
     )
     text = source(create, method).replace("class Robot", "PRESENT = load()\n\n\nclass Robot", 1)
     assert codes(run(text)) == ["SRV007"]
+
+
+@pytest.mark.parametrize(
+    ("test", "expected"),
+    [
+        ("rclpy.ok()", []),
+        ("self.context.ok()", []),
+        ("self.busy()", ["ACT003"]),
+        ("rclpy.ok() and self.busy()", ["ACT003"]),
+    ],
+)
+def test_a_goal_whose_outcome_only_the_end_of_ros_prevents(run: Run, test: str, expected: list[str]):
+    body = f"""
+        while {test}:
+            if self.step():
+                goal_handle.succeed()
+                return Fibonacci.Result()
+            self.wait()
+    """
+    assert [one for one in codes(run(execute(body))) if one == "ACT003"] == expected
+
+
+def test_an_early_end_since_ros_is_shut_down(run: Run):
+    body = """
+        if not rclpy.ok():
+            return Fibonacci.Result()
+        goal_handle.succeed()
+        return Fibonacci.Result()
+    """
+    assert "ACT003" in codes(run(execute(body.replace("not rclpy.ok()", "self.late"))))
+    assert "ACT003" not in codes(run(execute(body)))

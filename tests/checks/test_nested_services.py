@@ -359,6 +359,19 @@ class TestOneFindingAHandler:
         waits = [one.place.line for one in found.related if one.message.startswith("it waits for")]
         assert waits == [found.place.line + 1, found.place.line + 2]
 
+    @pytest.mark.parametrize("main", [SPIN, THREADS])
+    def test_an_await_that_holds_nothing_up_has_no_limit(self, judge: Judge, main: list[str]):
+        free = ", callback_group=self.free"
+        body = ["response.success = (await self.motor.call_async(SetBool.Request())).success  # here"]
+        source = gripper([*body, "return response"], main, client=free, service=free)
+        [found] = judge("SRV003", source.replace("def close", "async def close"))
+
+        assert found.severity is Severity.WARNING
+        assert found.message.endswith(
+            "but nothing limits the await: if the answer never comes, the handler and its caller wait for ever"
+        )
+        assert found.help.startswith("end it when a time is up: let a timer")
+
     TWO = "self.light = self.create_client(SetBool, 'switch_light', callback_group=self.apart)"
 
     def two_servers(self, *body: str) -> str:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import textwrap
+
 import pytest
 
 from archlint.finding import Severity
@@ -266,6 +268,60 @@ def test_the_request_may_say_how_long(run: Run):
         assert severity is Severity.INFO and "for as long as the request asks: the caller cannot cancel" in message
     message, severity = found("time.sleep(load())")
     assert severity is Severity.WARNING and "without knowing for how long" in message
+
+
+@pytest.mark.parametrize(
+    ("body", "said"),
+    [
+        ("time.sleep(request.a)\ntime.sleep(0.25)", "for as long as the request asks"),
+        ("time.sleep(request.a)\ntime.sleep(1.25)", "without knowing for how long"),
+        ("time.sleep(request.a)\ntime.sleep(load())", "without knowing for how long"),
+        ("time.sleep(min(request.a, 0.5))", ""),
+        ("time.sleep(max(0.0, min(float(request.a) / 10, 0.9)))", ""),
+        ("time.sleep(min(request.a, 5.0))", "sleeps for up to 5 s"),
+        ("time.sleep(min(request.a, request.b))", "for as long as the request asks"),
+        ("pause = abs(request.a) / 100 if abs(request.a) < 5 else 0.05\ntime.sleep(pause)", ""),
+        ("if abs(request.a) < 5:\n    pause = abs(request.a) / 100\nelse:\n    pause = 0.05\ntime.sleep(pause)", ""),
+        ("if request.a > 5:\n    pause = 0.1\nelse:\n    pause = request.a * 0.1\ntime.sleep(pause)", ""),
+        (
+            "if request.a < 5:\n    request.a = request.b\n    pause = request.a / 100\nelse:\n    pause = 0.05\n"
+            "time.sleep(pause)",
+            "for as long as the request asks",
+        ),
+        (
+            "if abs(request.a) < 5:\n    pause = 0.05\nelse:\n    pause = abs(request.a) / 100\ntime.sleep(pause)",
+            "for as long as the request asks",
+        ),
+    ],
+)
+def test_what_is_known_of_the_time_that_a_request_asks_for(run: Run, body: str, said: str):
+    create = "self.create_service(AddTwoInts, 'pulse', self.pulse)\n"
+    method = f"def pulse(self, request, response):\n{textwrap.indent(body, '    ')}\n    return response\n"
+    imports = "from std_srvs.srv import SetBool, Trigger\n"
+    text = source(create, method).replace(imports, imports + "from example_interfaces.srv import AddTwoInts\n")
+    found = run(text)
+    assert len(found) == (1 if said else 0)
+    assert all(one.code == "SRV008" and said in one.message for one in found)
+
+
+@pytest.mark.parametrize(
+    ("leaves", "expected"),
+    [
+        ("frame = self.camera.read()\n        if frame is not None:\n            return frame", []),
+        ("if self.arrived:\n            return response", ["SRV008"]),
+        ("frame = self.camera.read()\n        if self.arrived:\n            return response", ["SRV008"]),
+    ],
+)
+def test_a_loop_that_returns_with_what_it_reads_seldom_waits(run: Run, leaves: str, expected: list[str]):
+    create = "self.arrived = load()\nself.create_service(Trigger, 'look', self.look)\n"
+    method = (
+        "def look(self, request, response):\n    time.sleep(0.2)\n    self.wait(response)\n    return response\n\n"
+        "def wait(self, response):\n    start = time.time()\n    while time.time() - start < 3.0:\n"
+        f"        {leaves}\n        time.sleep(0.05)\n    return None\n"
+    )
+    found = run(source(create, method))
+    assert codes(found) == expected
+    assert all("sleeps for up to 3.2 s in all" in one.message for one in found)
 
 
 def test_a_loop_may_watch_the_clock(run: Run):

@@ -45,6 +45,45 @@ def script(line: str) -> str:
     return SCRIPT.format(line=line)
 
 
+def test_a_method_that_nothing_calls_says_nothing_of_those_that_are(judge: Judge):
+    text = """
+        import rclpy
+        from rclpy.node import Node
+        from std_srvs.srv import Trigger
+
+
+        class Robot(Node):
+            def __init__(self):
+                super().__init__('robot')
+                self.far = self.create_client(Trigger, 'far')
+
+            def announce(self):
+                rclpy.spin_once(self, timeout_sec=0.1)
+                return self.go()
+
+            def go(self):
+                self.far.wait_for_service()  # here
+                return self.far.call_async(Trigger.Request())
+
+
+        def main():
+            rclpy.init()
+            robot = Robot()
+            {call}
+            rclpy.spin(robot)
+
+
+        if __name__ == '__main__':
+            main()
+    """
+    [called] = judge("TMO001", text.replace("{call}", "robot.go()"))
+    assert called.severity is Severity.INFO
+    [ticking] = judge("TMO001", text.replace("{call}", "robot.create_timer(1.0, robot.go)"))
+    assert ticking.severity is Severity.WARNING and ticking.help.startswith("ask without waiting")
+    [uncalled] = judge("TMO001", text.replace("{call}", "pass"))
+    assert uncalled.severity is Severity.WARNING
+
+
 def test_a_script_may_wait_for_what_it_needs(judge: Judge):
     [script_waits] = judge("TMO001", script("client.wait_for_service()  # here"))
     assert script_waits.severity is Severity.INFO

@@ -130,3 +130,103 @@ def test_a_handler_that_waits_for_the_answer_next_is_one_finding(judge: Judge):
     )
     judge("TMO004", script(*lines))
     judge("SRV003", script(*(f"{line}  # here" if "far.call" in line else line for line in lines)))
+
+
+DRIVER = """
+    import rclpy
+    from rclpy.node import Node
+    from std_srvs.srv import Trigger
+
+
+    class Driver(Node):
+        def __init__(self):
+            super().__init__('driver')
+            self.left = self.create_client(Trigger, 'left')
+            self.right = self.create_client(Trigger, 'right')
+            self.lift = self.create_client(Trigger, 'lift')
+            while not self.left.wait_for_service(timeout_sec=1.0):  # here
+                pass
+            while not self.right.wait_for_service(timeout_sec=1.0):
+                pass
+            while not self.lift.wait_for_service(timeout_sec=1.0):
+                pass
+
+
+    def main():
+        rclpy.init()
+        rclpy.spin(Driver())
+
+
+    if __name__ == '__main__':
+        main()
+"""
+
+
+def test_the_loops_of_one_constructor_are_one_finding(judge: Judge):
+    [found] = judge("TMO004", DRIVER)
+
+    assert found.severity is Severity.INFO
+    assert "'left' ends this loop" in found.message
+    assert found.message.endswith("; the same holds for 2 more loops of Driver.__init__")
+    places = [one.place.line - found.place.line for one in found.related if one.message == "here is another such loop"]
+    assert places == [2, 4]
+
+
+HELPER = """
+    import rclpy
+    from rclpy.node import Node
+    from std_srvs.srv import Trigger
+
+
+    class Helper:
+        def __init__(self, node: Node):
+            self.node = node
+            self.far = node.create_client(Trigger, 'far')
+            while not self.far.wait_for_service(timeout_sec=1.0):{mark}
+                {say}
+
+        {more}
+
+
+    class Robot(Node):
+        def __init__(self):
+            super().__init__('robot')
+            {made}
+
+
+    def main():
+        rclpy.init()
+        rclpy.spin(Robot())
+
+
+    if __name__ == '__main__':
+        main()
+"""
+
+
+@pytest.mark.parametrize(
+    ("say", "more", "mark"),
+    [
+        ("self.get_logger().info('waiting')", "", ""),
+        ("self.node.get_logger().info('waiting')", "", "  # here"),
+        ("self.get_logger().info('waiting')", "def get_logger(self): return self.node.get_logger()", "  # here"),
+        ("self.get_logger().info('waiting')", "def use(self, log): self.get_logger = log", "  # here"),
+        (
+            "self.get_logger().info('waiting')",
+            "def __getattr__(self, name): return getattr(self.node, name)",
+            "  # here",
+        ),
+    ],
+)
+def test_a_loop_whose_first_round_asks_for_a_method_that_is_not_there(judge: Judge, say: str, more: str, mark: str):
+    judge("TMO004", HELPER.format(say=say, more=more, mark=mark, made="self.helper = Helper(self)"))
+
+
+@pytest.mark.parametrize(("uses", "mark"), [("", ""), ("HELPERS = [Helper]", "  # here")])
+def test_a_class_that_nothing_names(judge: Judge, tmp_path, uses: str, mark: str):
+    text = HELPER.format(say="pass", more="", mark=mark, made=uses or "pass")
+    (tmp_path / "package.xml").write_text(
+        "<package format='3'><name>robot</name><version>0.0.1</version><description>d</description>"
+        "<maintainer email='a@b.c'>a</maintainer><license>MIT</license></package>"
+    )
+    judge("TMO004", text)

@@ -55,6 +55,26 @@ def is_not_installed(world: World | None, file: str) -> bool:
     return _is_script(world, file) and not _is_named(world, installs, file) and file not in _reached(world)
 
 
+def import_that_fails(world: World | None, file: str) -> str | None:
+    """The first module of a file's own package that it imports as it starts, and that is not there."""
+    loader = None if world is None else world.loader
+    package = None if loader is None else loader.package_of(file)
+    found = None if loader is None else loader.facts_at(file)
+    if loader is None or package is None or found is None or package not in loader.top_modules:
+        return None
+    imports = (one for one in found.body if isinstance(one, facts.ImportFrom) and not one.level)
+    for one in imports:
+        top, _, rest = one.module.partition(".")
+        if top == package and rest and rest.partition(".")[0] not in _GENERATED:
+            names = [one.module, *(f"{one.module}.{name}" for name, _ in one.names)]
+            if all(loader.imported(file, name) is None for name in names):
+                return one.module
+    return None
+
+
+_GENERATED = frozenset({"msg", "srv", "action"})
+
+
 @once
 def _stray(world: World) -> frozenset[str]:
     """The scripts that lie beside the packages, and all that they import."""
@@ -104,4 +124,4 @@ def _reached(world: World) -> frozenset[str]:
     return frozenset() if world.loader is None else world.loader.in_use()
 
 
-__all__ = ["is_aside", "is_not_installed"]
+__all__ = ["import_that_fails", "is_aside", "is_not_installed"]

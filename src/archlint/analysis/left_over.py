@@ -53,6 +53,30 @@ def is_dead(world: World | None, program: Program, call: ApiCall) -> bool:
     return not uses.by_name and name in uses.idle and not any(loader.mentions(other, name) for other in others)
 
 
+def is_never_made(world: World | None, call: ApiCall) -> bool:
+    """Whether a call is in a method of a class, no node itself, that no Python file here names but to define it: no
+    object of it is ever made, whatever its annotations say of the node that it would be handed."""
+    owner, _, method = call.function.rpartition(".")
+    node, name = call.context.node, owner.rpartition(".")[2]
+    if world is None or world.loader is None or not name.isidentifier() or not method.isidentifier():
+        return False
+    loader, file = world.loader, call.file
+    found, uses = world.facts_at(file), _uses(world, file)
+    package = loader.package_of(file)
+    if found is None or uses is None or package is None or (node is not None and node.class_name == owner):
+        return False
+    if uses.by_name or name in uses.names or name in uses.count or not _defines(found, name):
+        return False
+    others = [other for one in world.packages for other in loader.python_files_of(one) if other != file]
+    return not any(loader.mentions(other, name) for other in others)
+
+
+def _defines(found: facts.Facts, name: str) -> bool:
+    """Whether a file defines a class, and gives it no decorator, which may note it somewhere."""
+    classes = [one for one in found.body if isinstance(one, facts.Class) and one.name == name]
+    return len(classes) == 1 and not classes[0].decorators and not classes[0].bases
+
+
 def _sets_itself(world: World, file: str, name: str) -> bool:
     uses = _uses(world, file)
     return uses is not None and name in uses.kept.values()

@@ -9,7 +9,7 @@ from archlint.analysis.completeness import facts_at, walk
 from archlint.finding import Place
 from archlint.syntax import facts
 from archlint.syntax.parts import names_in
-from archlint.syntax.walk import called_name, statements_of
+from archlint.syntax.walk import called_name, calls_in, statements_of
 
 if TYPE_CHECKING:
     from archlint.analysis.sleeps import Stay
@@ -71,6 +71,28 @@ def is_retry(call: ApiCall) -> bool:
     return isinstance(loop, facts.For) and any(
         isinstance(one, facts.Return) or (isinstance(one, facts.Jump) and one.kind == "break")
         for one in statements_of(loop.body)
+    )
+
+
+def reads_until_it_has(call: ApiCall) -> bool:
+    """Whether the loop around a call is left with what it has just read: ``frame = camera.read()``, and then
+    ``if frame is not None: return frame``.  Then the pauses are for the rare case that nothing comes."""
+    loop = call.loops[-1] if call.loops else None
+    if loop is None:
+        return False
+    read = {
+        name
+        for one in loop.body
+        if isinstance(one, facts.Assign) and any(True for _ in calls_in(one.value))
+        for target in one.targets
+        if isinstance(target, (facts.Name, facts.Sequence))
+        for name in names_in(target)
+    }
+    return any(
+        isinstance(one, facts.If)
+        and not read.isdisjoint(names_in(one.test))
+        and any(isinstance(left, facts.Return) and not read.isdisjoint(names_in(left)) for left in one.body)
+        for one in loop.body
     )
 
 

@@ -14,9 +14,10 @@ if TYPE_CHECKING:
     from archlint.launch.load import Tree
     from archlint.systems.model import World
 
-_FILES = (".gitlab-ci.yml", "Dockerfile")
-_FOLDERS = (".github/workflows", ".devcontainer", "docker")
-_READ = re.compile(r"(?:^|/)(?:[^/]*\.ya?ml|[^/]*Dockerfile[^/]*|devcontainer\.json)$")
+_COMPOSE = tuple(f"{name}.{end}" for name in ("docker-compose", "compose") for end in ("yml", "yaml"))
+_FILES = (".gitlab-ci.yml", "Dockerfile", "dockerfile", *_COMPOSE)
+_FOLDERS = (".github/workflows", ".devcontainer", "docker", "Docker", "DOCKER")
+_READ = re.compile(r"(?:^|/)(?:[^/]*\.ya?ml|[^/]*[Dd]ockerfile[^/]*|devcontainer\.json)$")
 _OTHERS = ("dashing", "eloquent", "foxy", "galactic", "iron", "noetic", "melodic")
 _NAMED = re.compile(rf"(?<![A-Za-z0-9])({'|'.join((*DISTROS, *_OTHERS))})(?![A-Za-z0-9])", re.IGNORECASE)
 _OF_ROS = re.compile(

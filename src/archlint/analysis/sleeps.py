@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
+from archlint.analysis.bounds import most
 from archlint.analysis.reach import argument
 from archlint.interpreter.values import Instance, Known, alternatives
 from archlint.libraries import tables
@@ -47,6 +48,9 @@ def stay_of(call: ApiCall) -> Stay | None:
     """How a call keeps its thread, if it is one that does."""
     if call.api == SLEEP:
         seconds = longest(argument(call, "seconds"))
+        cap = _cap(call) if seconds is None else None
+        if cap is not None:
+            return Stay("sleep", cap, f"sleeps for up to {cap:.3g} s")
         return Stay("sleep", seconds, "sleeps" if seconds is None else f"sleeps for {seconds:.3g} s")
     if call.api in _WAITS:
         limit = longest(argument(call, _WAITS[call.api]))
@@ -67,6 +71,14 @@ def stay_of(call: ApiCall) -> Stay | None:
         end = "" if limit is None else f" for up to {limit:g} s"
         return Stay("process", limit, f"waits for a process in {name}(){end}")
     return None
+
+
+def _cap(call: ApiCall) -> float | None:
+    """The seconds that a sleep never goes beyond, whatever it is asked for: ``time.sleep(min(request.a, 5.0))``."""
+    if call.chain or call.expression is None or not call.expression.args or call.context.function is None:
+        return None
+    given = call.expression.args[0]
+    return None if given.star or given.keyword else most(given.value, call.body, call.context.function.params)
 
 
 def _waits_for_lock(call: ApiCall) -> bool:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
@@ -23,9 +23,10 @@ from archlint.analysis.reach import (
 from archlint.analysis.spins import is_spin_call, spun_node
 from archlint.analysis.stuck import is_spin, nested_spins, stuck_waits
 from archlint.analysis.waits import Wait
+from archlint.checks.folding import folds
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
-from archlint.finding import Finding, Severity
+from archlint.finding import Finding, Related, Severity
 
 if TYPE_CHECKING:
     from archlint.model import ApiCall, Program
@@ -69,12 +70,36 @@ def _nested_spin(system: System, program: Program, call: ApiCall, options: Optio
         "EXE001",
         call.place,
         f"{callback_words(call.context)} calls {function}(), and {verdict.why}: this {verdict.words}",
-        help=_DONE if future is not None else "return: whoever spins the node goes on when the callback has ended",
+        help=_DONE if future is not None else _instead_of_spinning(program, call),
         related=tuple(related_to(call, program, client)),
         node=node_name(system, call.context.node),
         identity=(call.context.name, function),
+        group=(call.file, str(call.context.place.line), call.context.name),
     )
     yield replace(found, severity=Severity.WARNING) if verdict.safe else found
+
+
+def _instead_of_spinning(program: Program, call: ApiCall) -> str:
+    """What to do; whoever spins in a loop waits for something, and the answer of a handler must wait for it, too."""
+    several = threads_of(call.context.node, program) == blocking.SEVERAL
+    if call.looped and call.context.role == "execute":
+        return _PAUSE if several else f"spin the node with a MultiThreadedExecutor, and {_PAUSE}"
+    if call.looped and call.context.role == "service":
+        return _EVENT if several else "make it an action: its execute callback may take its time under several threads"
+    return "return: whoever spins the node goes on when the callback has ended"
+
+
+_PAUSE = "pause with time.sleep(…): the executor's other threads run the callbacks meanwhile"
+_EVENT = (
+    "wait for a threading.Event, with a limit: what sets it runs in another thread, if it is in another callback group"
+)
+
+
+@folds("EXE001")
+def _of_one_callback(findings: Sequence[Finding]) -> Finding:
+    """The finding for all spins of one callback: it must do without any."""
+    first, *others = findings
+    return replace(first, related=(*first.related, *(Related(one.place, "here it spins, too") for one in others)))
 
 
 # ------------------------------------------------------------------------------------------- EXE002, CBG001

@@ -69,6 +69,8 @@ def _undecided(system: System, callback: Callback, function: facts.Function) -> 
         return decided or _decides(fact, goal) or _hands_on(fact, goal), after(known, fact, followed)
 
     def branch(state: _State, test: facts.Expr, truth: bool) -> _State | None:
+        if _says_it_is_down(test, truth):
+            return None  # ROS is shut down: no outcome would reach anybody
         known = within(state[1], test, truth, followed)
         return None if known is None else (state[0], known)
 
@@ -81,6 +83,18 @@ def _undecided(system: System, callback: Callback, function: facts.Function) -> 
         yield _undecided_at(system, callback, Place.of(callback.file, end.span), "ends here", "return")
     if any(not decided for decided, _ in ends.falls):
         yield _undecided_at(system, callback, callback.place, "can run off its end", "end")
+
+
+def _says_it_is_down(test: facts.Expr, truth: bool) -> bool:
+    """Whether ``rclpy.ok()`` or ``self.context.ok()`` comes out false."""
+    if isinstance(test, facts.Unary) and test.op == "not":
+        return _says_it_is_down(test.operand, not truth)
+    return (
+        not truth
+        and isinstance(test, facts.Call)
+        and called_name(test) == "ok"
+        and not any(one.star for one in test.args)
+    )
 
 
 def _undecided_at(system: System, callback: Callback, place: Place, what: str, end: str) -> Finding:

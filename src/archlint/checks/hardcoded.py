@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 
 from archlint.analysis.aside import is_not_installed
 from archlint.analysis.completeness import enclosing_class
+from archlint.analysis.fixed_names import is_of_a_model, must_be_absolute
 from archlint.checks.folding import folds
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
@@ -88,6 +89,13 @@ _CHOSEN = _Reason(
     "absolute in one of the forms that the code chooses from",
     "",
     "this is fine where whoever starts the node can choose the other form",
+    Severity.INFO,
+)
+_DEMANDED = _Reason(
+    "demanded",
+    "absolute and fixed in the code",
+    ", and the code refuses {it} in another form",
+    "this is fine for one robot; for several, take the names from parameters",
     Severity.INFO,
 )
 _PRIVATE = _Reason(
@@ -201,6 +209,10 @@ def _reason(world: World | None, endpoint: Endpoint, users: int) -> _Reason:
     owner = _owner(name, endpoint.type or "")
     if owner is not None:
         return _of_others(owner)
+    if is_of_a_model(world, name):
+        return _of_others("Gazebo")
+    if must_be_absolute(world, endpoint):
+        return _DEMANDED
     if _private_to_foreign_node(world, name):
         return _PRIVATE
     if _is_chosen(node, endpoint):

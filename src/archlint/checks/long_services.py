@@ -8,7 +8,7 @@ from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from archlint.analysis.callback_roles import related_to
-from archlint.analysis.loop_times import around_future, in_loops, is_retry, watches_the_clock
+from archlint.analysis.loop_times import around_future, in_loops, is_retry, reads_until_it_has, watches_the_clock
 from archlint.analysis.reach import endpoint_words, judged_calls, node_name, one_for_each_place
 from archlint.analysis.sleeps import Stay, stay_of
 from archlint.checks.registry import Options, finding, rule
@@ -70,7 +70,8 @@ def _in_all(sleeps: Sequence[_Sleep]) -> float:
 def _seconds(call: ApiCall, stay: Stay) -> float:
     """How long a sleep takes in its loops, each ``for`` over what is not known taken for one round."""
     seconds = in_loops(call, stay, unknown=1.0)
-    if any(limit is not None for limit in call.limits) and seconds <= POLLING:
+    limited = any(limit is not None for limit in call.limits)
+    if limited and (seconds <= POLLING or (seconds < RETRYING and reads_until_it_has(call))):
         return 0.0
     return 0.0 if is_retry(call) and seconds < RETRYING else seconds
 
@@ -80,7 +81,7 @@ def _long_service(system: System, program: Program, sleeps: Sequence[_Sleep]) ->
     callback = call.context
     further = {other.place: Related(other.place, f"then it {words.words}") for other, words in others}
     further.pop(call.place, None)
-    asked = all(_as_asked(*sleep) for sleep in sleeps)
+    asked = _is_as_asked(sleeps)
     soon = _in_all(sleeps) <= SOON and any(limit is not None for one, _ in sleeps for limit in one.limits)
     found = finding(
         "SRV008",
@@ -106,7 +107,8 @@ def _how_long(sleeps: Sequence[_Sleep], asked: bool) -> str:
         return f"{stay.words}{again}: the caller waits {waits}, and cannot cancel"
     words = stay.words
     if any(other.place != call.place for other, _ in others):
-        words = f"sleeps for {total:.3g} s in all"
+        up_to = "up to " if any(limit is not None for one, _ in sleeps for limit in one.limits) else ""
+        words = f"sleeps for {up_to}{total:.3g} s in all"
     elif call.looped and any(isinstance(loop, facts.For) and _reads(call, loop) for loop in call.loops):
         words = "sleeps again and again, for a time that the loop sets"
     elif call.looped and math.isinf(in_loops(call, stay)):
@@ -120,6 +122,12 @@ def _how_long(sleeps: Sequence[_Sleep], asked: bool) -> str:
 def _reads(call: ApiCall, loop: facts.For) -> bool:
     """Whether what a call is given depends on the round: ``sleep(PAUSE * (attempt + 1))``."""
     return call.expression is not None and not names_in(call.expression).isdisjoint(names_in(loop.target))
+
+
+def _is_as_asked(sleeps: Sequence[_Sleep]) -> bool:
+    """Whether the request says how long a handler sleeps, but for what would be no finding by itself."""
+    others = [sleep for sleep in sleeps if not _as_asked(*sleep)]
+    return len(others) < len(sleeps) and _in_all(others) < LONG
 
 
 def _as_asked(call: ApiCall, stay: Stay) -> bool:

@@ -42,6 +42,10 @@ _NOT_WITH_IT = "give {} a callback group apart from those that wait here one aft
 _LONGER = "let the limit here be longer than what {} may wait in all"
 _KEEP = "keep the limit, and let whoever asks for {} wait longer than it"
 _IF_IT_CAN = "where the caller can do without the outcome, return, and report it on a topic from the done callback"
+_BOUND = (
+    "end it when a time is up: let a timer in the client's callback group call future.set_result(None), and ask for "
+    "None after the await"
+)
 _GROUP = "give the client a callback group of its own (callback_group=MutuallyExclusiveCallbackGroup())"
 
 _Row = tuple[Wait, Verdict, "list[Wait]"]
@@ -159,6 +163,8 @@ def _on_one_way(waits: list[Wait]) -> bool:
 def _help(wait: Wait, verdict: Verdict, held_up: Sequence[Callback], behind: Sequence[Edge], kept_apart: bool) -> str:
     """What to do: whoever looks at the answer needs it before the handler returns."""
     if wait.kind == AWAIT:
+        if verdict.safe and not held_up:
+            return _BOUND
         return _IF_IT_CAN if verdict.safe else _GROUP
     if wait.kind == CALL and _thrown_away(wait):
         return _GO_ON
@@ -187,7 +193,8 @@ def _other_handlers(first: Callback, waits: list[Wait]) -> Iterator[Related]:
 
 def _outcome(wait: Wait, verdict: Verdict, held_up: Sequence[Callback], behind: Sequence[Edge]) -> str:
     if verdict.safe:
-        return f"{_second_level(behind)}, which works here ({verdict.why}), but meanwhile {_cost(wait, held_up)}"
+        meanwhile = "" if wait.kind == AWAIT and not held_up else "meanwhile "
+        return f"{_second_level(behind)}, which works here ({verdict.why}), but {meanwhile}{_cost(wait, held_up)}"
     if wait.kind == SPIN:
         return f", and {verdict.why}" + ("" if verdict.unknown else f": this {verdict.words}")
     if verdict.unknown:
@@ -209,7 +216,7 @@ def _cost(wait: Wait, held_up: Sequence[Callback]) -> str:
     if held_up:
         return f"its own caller waits, and so does what is in its callback group: {_names_of(held_up)}"
     if wait.kind == AWAIT:
-        return "its own caller waits"
+        return "nothing limits the await: if the answer never comes, the handler and its caller wait for ever"
     if handler.group is not None and handler.group.kind == "reentrant":
         return "its own caller waits, and as many requests at once as there are threads leave none to take an answer"
     return "its own caller waits, and one thread less is there for the others"

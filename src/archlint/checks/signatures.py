@@ -127,7 +127,9 @@ def _misfit(system: System, first: _Wrong, others: Sequence[_Wrong], distros: Se
         f"{_what(callback)} is called with {passed}{where}, and {callback.name} {first.takes}{so}",
         help=f"rclpy passes {passed}" + _more(callback.role, distros),
         related=[
-            Related(callback.place, f"{callback.name} is defined here"),
+            Related(callback.place, f"{callback.name} is defined here")
+            if _place(first) != callback.place
+            else Related(_registered(first), "it gets to rclpy here"),
             *(_further(first, one) for one in others),
         ],
         node=node_name(system, callback.node),
@@ -162,6 +164,13 @@ def _what(callback: Callback) -> str:
 
 
 def _place(wrong: _Wrong) -> Place:
+    """Where a callback is handed over; a lambda that a wrapper passes on stands where that is."""
+    made, callback = _registered(wrong), wrong.callback
+    inside = made.file == callback.place.file and made.line <= callback.place.line <= made.end_line
+    return callback.place if isinstance(callback.function, facts.Lambda) and not inside else made
+
+
+def _registered(wrong: _Wrong) -> Place:
     assert wrong.callback.registered is not None
     return wrong.callback.registered
 

@@ -97,6 +97,12 @@ def _is_long(system: System, call: ApiCall, stay: Stay) -> bool:
     return seconds > MOMENT or (seconds == MOMENT and not known) or (period is not None and seconds > period)
 
 
+def _is_a_moment(call: ApiCall, stay: Stay) -> bool:
+    """Whether a sleep is just as long as is too long, once, and no longer than the timer's period."""
+    period = _period(call.context)
+    return stay.kind == "sleep" and stay.seconds == MOMENT and not call.looped and (period is None or period >= MOMENT)
+
+
 def _is_told_to_end(call: ApiCall) -> bool:
     """Whether a process that is waited for has just been told to end: ``process.terminate(); process.wait(…)``."""
     waited = None if call.expression is None else call.expression.func
@@ -200,7 +206,7 @@ def _slow(system: System, rows: Sequence[_Row]) -> Finding:
     if others:
         end += f", as {'does another line' if len(others) == 1 else f'do {len(others)} more lines'} of {call.function}"
     held_up = {_waiting(row[1], row[0]) for row in rows}
-    mild = _OTHERS not in held_up or all(_answers_in_time(row[1], row[2]) for row in rows)
+    mild = _OTHERS not in held_up or all(_answers_in_time(row[1], row[2]) or _is_a_moment(*row[1:]) for row in rows)
     meanwhile = _meanwhile(callback, program)
     if held_up == {_NOBODY}:
         meanwhile = f"the node has nothing else to do meanwhile, but its next {_ITS_NEXT[callback.role]} waits"

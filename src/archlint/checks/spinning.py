@@ -3,18 +3,20 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 from archlint.analysis import blocking
+from archlint.analysis.aside import import_that_fails, is_not_installed
 from archlint.analysis.callback_roles import runs_in_executor
 from archlint.analysis.completeness import enclosing_function, walk
 from archlint.analysis.deadlock import related_executor, threads_of
+from archlint.analysis.object_uses import read_off
 from archlint.analysis.reach import judged_calls, node_name, one_for_each_place, same_expression
 from archlint.analysis.spins import spun_by_several, spun_in_callbacks
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
-from archlint.finding import Finding, Place, Related
+from archlint.finding import Finding, Place, Related, Severity
 from archlint.libraries import tables
 from archlint.model import ACTION_CLIENT, ACTION_SERVER, CLIENT, FOR_A_MOMENT, GUARD, SERVICE, SUBSCRIBER, TIMER
 from archlint.syntax import facts
@@ -135,7 +137,11 @@ def _never_spun(system: System, node: Blueprint, idle: _Idle) -> Finding:
         message = f"nothing spins this node before ROS is shut down, so its {what} never {runs} a callback"
         help_ = "add both nodes to one executor: executor.add_node(…) for each, then executor.spin()"
         related.append(Related(idle.behind, "this spin does not return before, so the next one comes too late"))
-    return finding(
+    attributes = read_off(system.world, node) if idle.spin is idle.behind is None else []
+    if attributes:
+        names = " and ".join(f"'{name}'" for name in attributes)
+        help_ = f"make no node for this: take {names} out of the class, so that both can make it without the other"
+    found = finding(
         "EXE008",
         node.made_at or node.place,
         message,
@@ -144,6 +150,12 @@ def _never_spun(system: System, node: Blueprint, idle: _Idle) -> Finding:
         node=node_name(system, node),
         identity=(node.class_name,),
     )
+    file = found.place.file
+    fails = import_that_fails(system.world, file) if is_not_installed(system.world, file) else None
+    if fails is None:
+        return found
+    unused = f"no package installs this file, and its import of '{fails}' fails"
+    return replace(found, message=f"{message}; {unused}", severity=Severity.INFO)
 
 
 # --------------------------------------------------------------------------------------------------- CBG002

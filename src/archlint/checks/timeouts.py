@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 from archlint.analysis.callback_roles import runs_in_executor
 from archlint.analysis.kept import once
-from archlint.analysis.left_over import is_dead
+from archlint.analysis.left_over import is_dead, is_never_made
 from archlint.analysis.reach import (
     argument,
     calls_of,
@@ -53,11 +53,16 @@ _COMPLETE = tuple(f"rclpy.task.Future.{name}" for name in ("set_result", "set_ex
 @rule("TMO001", scope=Scope.CODE)
 def wait_without_timeout(system: System, options: Options) -> Iterator[Finding]:
     """Waits for a service, an action server or a message that nothing limits."""
+    calls = list(calls_of(system, _LIMIT))
+    called = {call.place for _, call in calls if call.context.role != "method"}
     yield from one_for_each_place(
         _limitless_wait(system, call)
-        for _, call in calls_of(system, _LIMIT)
+        for _, call in calls
+        # What a method that nothing calls gets to, too, says nothing of those that are called.
+        if not (call.context.role == "method" and call.place in called)
         # Below zero a client does not wait at all; wait_for_message() then waits for ever.
-        if waits_for_ever(call, _LIMIT[call.api], negative=call.api == WAIT_FOR_MESSAGE)
+        and waits_for_ever(call, _LIMIT[call.api], negative=call.api == WAIT_FOR_MESSAGE)
+        and not is_never_made(system.world, call)
     )
 
 
@@ -122,7 +127,7 @@ def spin_without_timeout(system: System, options: Options) -> Iterator[Finding]:
         _limitless_spin(system, call)
         for program, call in calls_of(system, (_SPIN, _EXECUTOR_SPIN))
         if waits_for_ever(call, "timeout_sec") and call.place not in told
-        if not is_dead(system.world, program, call)
+        if not is_dead(system.world, program, call) and not is_never_made(system.world, call)
         if not _own_future(call) or _waits_for_a_message(system, call)
         if call.context.role != "method" or creations_of(argument(call, "future"))
     )
@@ -221,6 +226,7 @@ def ignored_wait_result(system: System, options: Options) -> Iterator[Finding]:
         _ignored(system, call)
         for _, call in calls_of(system, (WAIT_FOR_SERVICE, WAIT_FOR_SERVER))
         if _thrown_away(call)
+        and not is_never_made(system.world, call)
         and has_limit(call, "timeout_sec")
         and asked.isdisjoint(creation.place for creation in creations_of(call.receiver))
     )

@@ -7,13 +7,14 @@ from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from archlint.analysis.callback_roles import runs_in_executor
-from archlint.analysis.left_over import is_dead
+from archlint.analysis.left_over import is_dead, is_never_made
 from archlint.analysis.reach import calls_of, creations_of, endpoint_words, has_limit, node_name
 from archlint.analysis.stuck import clients_of_handlers
+from archlint.checks.folding import folds
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.checks.timeouts import READY, WAIT_FOR_SERVER, WAIT_FOR_SERVICE, way_to
-from archlint.finding import Finding, Place, Severity
+from archlint.finding import Finding, Place, Related, Severity
 from archlint.syntax import facts
 from archlint.syntax.walk import calls_in
 
@@ -41,10 +42,10 @@ def endless_wait_loop(system: System, options: Options) -> Iterator[Finding]:
     for program, call in calls_of(system, (WAIT_FOR_SERVICE, WAIT_FOR_SERVER, *READY)):
         if not (call.api in READY or has_limit(call, "timeout_sec")) or not _only_the_server_ends(call):
             continue
-        if is_dead(system.world, program, call):
+        if is_dead(system.world, program, call) or is_never_made(system.world, call):
             continue
         if any(Place.of(call.file, one.span) in program.refused for one in calls_in(call.loops[-1].body)):
-            continue  # a TypeError ends the loop
+            continue  # an error ends the loop
         # A handler that asks the server afterwards is SRV003's: this is part of the same wait.
         if asked.isdisjoint((call.context.place, client.place) for client in creations_of(call.receiver)):
             loops.setdefault((call.place.file, call.loops[-1].span), []).append(call)
@@ -70,7 +71,19 @@ def _endless(system: System, calls: Sequence[ApiCall]) -> Finding:
         node=node_name(system, call.node or call.context.node),
         identity=(call.function, "" if call.creation is None else call.creation.name.text or "", "loop"),
     )
-    return found if in_callback else replace(found, severity=Severity.INFO)
+    return found if in_callback else replace(found, severity=Severity.INFO, group=(call.file, call.function))
+
+
+@folds("TMO004")
+def _of_one_function(findings: Sequence[Finding]) -> Finding:
+    """The finding for all such loops that a program comes to one after the other as it starts."""
+    first, *others = findings
+    loops = "the same holds for another loop" if len(others) == 1 else f"the same holds for {len(others)} more loops"
+    return replace(
+        first,
+        message=f"{first.message}; {loops} of {first.group[1]}",
+        related=(*first.related, *(Related(one.place, "here is another such loop") for one in others)),
+    )
 
 
 def _only_the_server_ends(call: ApiCall) -> bool:

@@ -19,12 +19,14 @@ from archlint.interpreter.values import (
     Known,
     ModuleValue,
     NodeValue,
+    Unknown,
     Value,
     alternatives,
 )
 from archlint.libraries import tables
 from archlint.libraries.rclpy import names, signatures
 from archlint.syntax import facts
+from archlint.syntax.parts import everything_in, names_in
 
 if TYPE_CHECKING:
     from archlint.interpreter.machine import Run
@@ -49,11 +51,38 @@ def check_call(
 ) -> None:
     """Raise Refused where a call of a function of the workspace, or of a node's method, cannot bind its arguments, if
     the statement always comes to that call; note the place of the call in any case."""
+    if _is_certain(run) and _is_missing(run, function, expression):
+        run.program.refused.add(run.place(expression.span))
     if open_arguments or not _is_certain(run) or not _refuses(function, len(args), keywords):
         return
     run.program.refused.add(run.place(expression.span))
     if run.context.role not in _AT_START:
         raise Refused
+
+
+def _is_missing(run: Run, function: Value, expression: facts.Call) -> bool:
+    """Whether a method is asked for that ``self`` has not: of an object that the program makes, of classes that are
+    all here, in whose files nothing sets an attribute of that name."""
+    made = run.activation.self_value
+    called = expression.func
+    if not isinstance(function, Unknown) or not (function.name or "").startswith("missing:"):
+        return False
+    if not isinstance(called, facts.Attribute) or not isinstance(called.value, facts.Name):
+        return False
+    if not isinstance(made, Instance) or made.place is None or not isinstance(made.cls, ClassValue):
+        return False
+    if run.evaluate(called.value) is not made:
+        return False
+    modules = {base.scope.module.path: base.scope.module for base in made.cls.mro if isinstance(base, ClassValue)}
+    return not any(_may_set(module.facts, called.attr) for module in modules.values())
+
+
+def _may_set(found: facts.Facts, name: str) -> bool:
+    """Whether code may set an attribute of this name, on whatever object."""
+    if not names_in(found.body).isdisjoint({"setattr", "__dict__", "__setattr__", "__getattribute__"}):
+        return True
+    stores = (one.targets for one in everything_in(found.body) if isinstance(one, facts.Assign))
+    return any(isinstance(target, facts.Attribute) and target.attr == name for targets in stores for target in targets)
 
 
 _MODULES = frozenset(

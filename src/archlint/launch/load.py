@@ -137,6 +137,13 @@ class LaunchLoader:
         found = None if importer is None else self.index.find(importer, module)
         return found is not None and found.file.package == file.package
 
+    def imported(self, path: str, name: str, level: int = 0) -> facts.Facts | None:
+        """The facts of the file of the workspace that a file's import of a module leads to; None for foreign ones."""
+        file = self._by_path.get(path)
+        importer = None if file is None else self.index.module(file)
+        module = None if importer is None else self.index.find(importer, name, level)
+        return None if module is None else module.facts
+
     def modules_of(self, package: str) -> dict[str, str]:
         """The modules of a package by name, with their paths."""
         return {

@@ -140,6 +140,8 @@ class _Walk(Generic[State]):
             flow.breaks |= one.breaks
             entering = self.after(head, one.next | one.continues)
         ended = frozenset() if endless else seen
+        if isinstance(s, facts.While):
+            ended = self.entering(s.test, False, ended)
         after = self.block(s.orelse, ended)
         result: _Flow[State] = _Flow(after.next | flow.breaks, raises=flow.raises | states)
         result.returns = flow.returns

@@ -15,7 +15,7 @@ from typing import Union
 
 import msgspec
 
-FACTS_VERSION = 5
+FACTS_VERSION = 6
 """Raised whenever the shape or the meaning of the facts changes: old cache entries are then misses."""
 
 Span = tuple[int, int, int, int]

@@ -30,6 +30,7 @@ from archlint.interpreter.values import (
     Value,
     alternatives,
 )
+from archlint.libraries import tables
 from archlint.libraries.rclpy import messages
 from archlint.libraries.rclpy import names as rclpy_names
 from archlint.syntax import facts
@@ -361,10 +362,24 @@ def _run_foreign_target(run: Run, value: Value, arguments: list[Value], call: Ap
         while isinstance(target, Partial):
             target = target.function
         if isinstance(target, (ApiMethod, External)):
-            kept = run.context
-            place = kept.place if call.expression is None else run.place(call.expression.span)
-            run.context = model.Callback("thread", target.path, place, None, file=place.file)
-            try:
-                run.call(option, list(arguments), {})
-            finally:
-                run.context = kept
+            _run_apart(run, option, target.path, arguments, call.expression)
+
+
+def _run_apart(run: Run, target: Value, name: str, arguments: Iterable[Value], expression: facts.Call | None) -> None:
+    """A function of a library runs in a thread that is started here."""
+    kept = run.context
+    place = kept.place if expression is None else run.place(expression.span)
+    run.context = model.Callback("thread", name, place, None, file=place.file)
+    try:
+        run.call(target, list(arguments), {})
+    finally:
+        run.context = kept
+
+
+def run_handed_spins(run: Run, values: Iterable[Value], expression: facts.Call | None) -> None:
+    """Run the spins of executors that code is given which we do not see: it can do nothing with one but call it, in a
+    thread of its own most likely, as ``loop.run_in_executor(None, executor.spin)`` does."""
+    for option in (option for value in values for option in alternatives(value)):
+        row = tables.find(option.path) if isinstance(option, ApiMethod) else None
+        if row is not None and row.effect == "executor_spin" and isinstance(option, ApiMethod):
+            _run_apart(run, option, option.path, (), expression)

@@ -86,6 +86,7 @@ def to_call(run: Run, values: Iterable[Value], what: str, expression: facts.Call
     given = carries(values)
     if not given:
         return
+    callbacks.run_handed_spins(run, given, expression)
     name = what or _name(expression)
     if name.rpartition(".")[2] not in _LOGS:
         escape(run, given, f"it is given to {name}(), which is not followed" if name else _UNFOLLOWED, expression)

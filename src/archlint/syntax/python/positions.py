@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import re
 from bisect import bisect_right
+from collections.abc import Mapping
 from types import TracebackType
 
 from libcst import (
@@ -26,9 +27,13 @@ _NEWLINE = re.compile(r"\r\n|\n|\r")
 
 
 class LineTable:
-    """Offsets in a text as lines and columns, both counted from 1."""
+    """Offsets in a text as lines and columns, both counted from 1.
 
-    def __init__(self, text: str) -> None:
+    ``shifts`` says of lines whose indentation is another one in the file how long it is here, and how long there.
+    """
+
+    def __init__(self, text: str, shifts: Mapping[int, tuple[int, int]] | None = None) -> None:
+        self._shifts = shifts or {}
         self.starts = [0, *(match.end() for match in _NEWLINE.finditer(text))]
         self._line = 1
         self._start = 0
@@ -41,7 +46,11 @@ class LineTable:
             self._line = bisect_right(self.starts, offset)
             self._start = self.starts[self._line - 1]
             self._next = self.starts[self._line] if self._line < len(self.starts) else self._beyond
-        return self._line, offset - self._start + 1
+        column = offset - self._start + 1
+        if self._line in self._shifts:
+            here, there = self._shifts[self._line]
+            column = max(min(column, there + 1), column - here + there)
+        return self._line, column
 
 
 class Positions(CodegenState):
@@ -118,8 +127,8 @@ class CommentPositions(Positions):
 class SpanFinder:
     """The spans of the nodes of one module, which must outlive it."""
 
-    def __init__(self, text: str, positions: Positions) -> None:
-        self.lines = LineTable(text)
+    def __init__(self, text: str, positions: Positions, shifts: Mapping[int, tuple[int, int]] | None = None) -> None:
+        self.lines = LineTable(text, shifts)
         self._ranges = positions.ranges
 
     def of(self, node: CSTNode) -> Span:

@@ -1,0 +1,225 @@
+"""The most that an expression may come to, as the function around it shows: ``min(x, 5)``, ``if abs(x) < 5:``."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Sequence
+
+from archlint.syntax import facts
+from archlint.syntax.parts import names_in
+from archlint.syntax.walk import blocks_in, parts_of, statements_of
+
+_Range = tuple[float, float]
+_Test = tuple[facts.Expr, bool]
+"""A condition, and whether it holds."""
+
+_BELOW = frozenset({"<", "<="})
+_ABOVE = frozenset({">", ">="})
+_STEPS = 8
+"""How many variables may be made of one another."""
+
+
+def most(expression: facts.Expr, body: Sequence[facts.Stmt], params: Sequence[facts.Param]) -> float | None:
+    """The most that a number may be which the last statements of a function use; None where nothing limits it.
+
+    Only what the function itself shows counts: literals, its variables, the conditions around their assignments.
+    """
+    found = _Numbers(body, frozenset(param.name for param in params)).range_of(expression, (), _STEPS)
+    return None if found is None or math.isinf(found[1]) else found[1]
+
+
+class _Numbers:
+    def __init__(self, body: Sequence[facts.Stmt], params: frozenset[str]) -> None:
+        self._body = body
+        self._params = params
+
+    def range_of(self, e: facts.Expr, tests: Sequence[_Test], steps: int) -> _Range | None:
+        """The least and the most, infinite where one is open; None where it need not be a number at all."""
+        tested = _tested(e, tests)
+        own = self._own_range(e, tests, steps)
+        if own is None:
+            return tested
+        return own if tested is None else (max(own[0], tested[0]), min(own[1], tested[1]))
+
+    def _own_range(self, e: facts.Expr, tests: Sequence[_Test], steps: int) -> _Range | None:
+        if isinstance(e, facts.Literal):
+            number = isinstance(e.value, (int, float)) and not isinstance(e.value, bool)
+            return (float(e.value), float(e.value)) if number and e.value is not None else None
+        if isinstance(e, facts.Name):
+            return self._of_variable(e.id, steps) if steps and e.id not in self._params else None
+        if isinstance(e, facts.Unary) and e.op in ("-", "+"):
+            found = self.range_of(e.operand, tests, steps)
+            return found if found is None or e.op == "+" else (-found[1], -found[0])
+        if isinstance(e, facts.Binary):
+            left, right = self.range_of(e.left, tests, steps), self.range_of(e.right, tests, steps)
+            return None if left is None or right is None else _combined(e.op, left, right)
+        if isinstance(e, facts.Conditional):
+            arms = [self.range_of(e.body, (*tests, (e.test, True)), steps)]
+            arms.append(self.range_of(e.orelse, (*tests, (e.test, False)), steps))
+            return _any_of(arms)
+        return self._of_call(e, tests, steps) if isinstance(e, facts.Call) else None
+
+    def _of_call(self, e: facts.Call, tests: Sequence[_Test], steps: int) -> _Range | None:
+        if not isinstance(e.func, facts.Name) or any(one.keyword or one.star for one in e.args) or not e.args:
+            return None
+        given = [self.range_of(one.value, tests, steps) for one in e.args]
+        known = [one for one in given if one is not None]
+        if e.func.id == "min" and known and len(given) > 1:
+            low = min(one[0] for one in known) if len(known) == len(given) else -math.inf
+            return low, min(one[1] for one in known)
+        if e.func.id == "abs" and len(given) == 1 and not known:
+            return 0.0, math.inf
+        if len(known) < len(given):
+            return None
+        if e.func.id == "max" and len(given) > 1:
+            return max(one[0] for one in known), max(one[1] for one in known)
+        if e.func.id == "abs" and len(given) == 1:
+            return 0.0, max(abs(known[0][0]), abs(known[0][1]))
+        return known[0] if e.func.id == "float" and len(given) == 1 else None
+
+    def _of_variable(self, name: str, steps: int) -> _Range | None:
+        """Of all assignments to a variable together; each holds under the conditions around it."""
+        values = list(_assigned(name, self._body, ()))
+        walrus = (part for part in parts_of(list(self._body)) if isinstance(part, facts.Assigned))
+        if not values or any(value is None for value, _ in values) or any(name in names_in(w.target) for w in walrus):
+            return None
+        return _any_of([self.range_of(value, tests, steps - 1) for value, tests in values if value is not None])
+
+
+def _assigned(
+    name: str, block: Sequence[facts.Stmt], tests: tuple[_Test, ...]
+) -> Iterator[tuple[facts.Expr | None, tuple[_Test, ...]]]:
+    """What is assigned to a variable, and under which conditions; None for what is not a plain assignment.
+
+    A condition is kept only where nothing in its branch sets what it asks for anew.
+    """
+    for statement in block:
+        if isinstance(statement, facts.Assign):
+            for target in statement.targets:
+                if isinstance(target, facts.Name) and target.id == name:
+                    yield statement.value, tests
+                elif name in names_in(target):
+                    yield None, ()
+        elif isinstance(statement, facts.Annotated) and statement.value is not None:
+            if isinstance(statement.target, facts.Name) and statement.target.id == name:
+                yield statement.value, tests
+        elif name in _names_bound(statement):
+            yield None, ()
+        if isinstance(statement, facts.If):
+            yield from _assigned(name, statement.body, _with(tests, statement.test, True, statement.body))
+            yield from _assigned(name, statement.orelse, _with(tests, statement.test, False, statement.orelse))
+        else:
+            for inner in blocks_in(statement):
+                yield from _assigned(name, inner, tests)
+
+
+def _with(tests: tuple[_Test, ...], test: facts.Expr, holds: bool, branch: Sequence[facts.Stmt]) -> tuple[_Test, ...]:
+    asked = names_in(test)
+    changed = {name for statement in statements_of(branch) for name in _names_changed(statement)}
+    return tests if not asked.isdisjoint(changed) else (*tests, (test, holds))
+
+
+def _names_changed(statement: facts.Stmt) -> frozenset[str]:
+    if isinstance(statement, facts.Assign):
+        return frozenset(name for target in statement.targets for name in _roots(target))
+    if isinstance(statement, (facts.Augmented, facts.Annotated, facts.For)):
+        return _roots(statement.target)
+    return frozenset()
+
+
+def _roots(target: facts.Expr) -> frozenset[str]:
+    """The variable that an assignment changes, be it an attribute of its object."""
+    while isinstance(target, (facts.Attribute, facts.Subscript)):
+        target = target.value
+    return names_in(target)
+
+
+def _names_bound(statement: facts.Stmt) -> frozenset[str]:
+    """The names that the head of a statement binds."""
+    if isinstance(statement, (facts.Augmented, facts.For)):
+        return names_in(statement.target)
+    if isinstance(statement, facts.With):
+        targets = [item.target for item in statement.items if item.target is not None]
+        return frozenset(name for target in targets for name in names_in(target))
+    if isinstance(statement, facts.Global):
+        return frozenset(statement.names)
+    if isinstance(statement, facts.Try):
+        return frozenset(handler.name for handler in statement.handlers if handler.name)
+    return frozenset()
+
+
+def _combined(op: str, left: _Range, right: _Range) -> _Range | None:
+    if op == "+":
+        return left[0] + right[0], left[1] + right[1]
+    if op == "-":
+        return left[0] - right[1], left[1] - right[0]
+    if op == "/":
+        if right[0] <= 0.0 <= right[1]:
+            return None
+        right = (1.0 / right[1], 1.0 / right[0])
+    elif op != "*":
+        return None
+    ends = [_product(one, other) for one in left for other in right]
+    return min(ends), max(ends)
+
+
+def _product(one: float, other: float) -> float:
+    return 0.0 if 0.0 in (one, other) else one * other
+
+
+def _any_of(ranges: Sequence[_Range | None]) -> _Range | None:
+    known = [one for one in ranges if one is not None]
+    if len(known) < len(ranges):
+        return None
+    return min(one[0] for one in known), max(one[1] for one in known)
+
+
+def _tested(e: facts.Expr, tests: Sequence[_Test]) -> _Range | None:
+    """What conditions that hold say of an expression: it is compared with a literal."""
+    low, high, found = -math.inf, math.inf, False
+    for test, holds in tests:
+        for left, op, right in _comparisons(test, holds):
+            for one, other, below, above in ((left, right, _BELOW, _ABOVE), (right, left, _ABOVE, _BELOW)):
+                limit = _literal(other)
+                if limit is None or not written_alike(one, e):
+                    continue
+                found = found or op in below or op in above
+                low = max(low, limit) if op in above else low
+                high = min(high, limit) if op in below else high
+    return (low, high) if found else None
+
+
+_OPPOSITE = {"<": ">=", "<=": ">", ">": "<=", ">=": "<"}
+
+
+def _comparisons(test: facts.Expr, holds: bool) -> Iterator[tuple[facts.Expr, str, facts.Expr]]:
+    """The comparisons that are true where a condition comes out so."""
+    if isinstance(test, facts.Unary) and test.op == "not":
+        yield from _comparisons(test.operand, not holds)
+    elif isinstance(test, facts.Boolean) and (test.op == "and") == holds:
+        for value in test.values:
+            yield from _comparisons(value, holds)
+    elif isinstance(test, facts.Compare) and (holds or len(test.ops) == 1):
+        ends = [test.left, *test.comparators]
+        for left, op, right in zip(ends, test.ops, ends[1:], strict=False):
+            if op in _OPPOSITE:
+                yield left, op if holds else _OPPOSITE[op], right
+
+
+def _literal(e: facts.Expr) -> float | None:
+    if isinstance(e, facts.Unary) and e.op == "-":
+        found = _literal(e.operand)
+        return None if found is None else -found
+    number = isinstance(e, facts.Literal) and isinstance(e.value, (int, float)) and not isinstance(e.value, bool)
+    return float(e.value) if number else None  # type: ignore[union-attr, arg-type]
+
+
+def written_alike(one: object, other: object) -> bool:
+    """Whether two facts are written alike, wherever they stand."""
+    if isinstance(one, (list, tuple)) and isinstance(other, (list, tuple)):
+        return len(one) == len(other) and all(written_alike(a, b) for a, b in zip(one, other, strict=True))
+    if isinstance(one, facts.Base):
+        return type(one) is type(other) and all(
+            written_alike(getattr(one, name), getattr(other, name)) for name in one.__struct_fields__ if name != "span"
+        )
+    return type(one) is type(other) and one == other

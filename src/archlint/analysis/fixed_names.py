@@ -1,0 +1,101 @@
+"""Names that the workspace itself holds to a form: code that refuses any other, a model that a simulator loads."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator, Sequence
+from typing import TYPE_CHECKING
+
+from archlint.analysis.completeness import enclosing_function
+from archlint.analysis.kept import once
+from archlint.syntax import facts
+from archlint.syntax.parts import everything_in
+from archlint.syntax.walk import called_name, calls_in, parts_of, statements_of
+
+if TYPE_CHECKING:
+    from archlint.systems.model import Endpoint, World
+
+_MODELS = (".sdf", ".world", ".urdf", ".xacro")
+_TOPIC = re.compile(r"<(?:topic|topic_name|odom_topic|service)>\s*(/[^<\s]+)\s*</")
+_BRIDGED = re.compile(r"[\"'](/[^\"'@\s]+)@[\w/]+[\[\]@]")
+
+
+def must_be_absolute(world: World | None, endpoint: Endpoint) -> bool:
+    """Whether a function that the name goes through on its way to the create call raises where it is not absolute."""
+    creation = endpoint.creation
+    if world is None or creation.name.origin is None or creation.name.origin == creation.name_place:
+        return False
+    made_in = enclosing_function(world, endpoint.place)
+    bodies: list[tuple[str, Sequence[facts.Stmt]]] = [(endpoint.place.file, [] if made_in is None else made_in.body)]
+    bodies += [(frame.place.file, frame.body) for frame in creation.chain]
+    bodies += [(endpoint.place.file, one) for one in _kept_by(world, endpoint.place.file, bodies[0][1])]
+    return any(_demands(body) or any(_demands(one) for one in _called(world, file, body)) for file, body in bodies)
+
+
+def _kept_by(world: World, file: str, body: Sequence[facts.Stmt]) -> Iterator[Sequence[facts.Stmt]]:
+    """The statements of a file that set what a body loops over: ``self.topics = checked(topics)`` for
+    ``for topic in self.topics``."""
+    loops = (one.iterable for one in statements_of(body) if isinstance(one, facts.For))
+    kept = {one.attr for one in loops if isinstance(one, facts.Attribute)}
+    found = None if world.loader is None else world.loader.facts_at(file)
+    for one in everything_in([] if found is None or not kept else found.body):
+        targets = one.targets if isinstance(one, facts.Assign) and isinstance(one.value, facts.Call) else []
+        if any(isinstance(target, facts.Attribute) and target.attr in kept for target in targets):
+            assert isinstance(one, facts.Assign)
+            yield [one]
+
+
+def _demands(body: Sequence[facts.Stmt]) -> bool:
+    """Whether a body has ``if not name.startswith('/'): raise …``."""
+    return any(
+        isinstance(one, facts.If)
+        and any(isinstance(inner, facts.Raise) for inner in one.body)
+        and any(_is_relative(part) for part in parts_of(one.test))
+        for one in statements_of(body)
+    )
+
+
+def _is_relative(test: object) -> bool:
+    if not (isinstance(test, facts.Unary) and test.op == "not" and isinstance(test.operand, facts.Call)):
+        return False
+    given = [one.value for one in test.operand.args]
+    slash = len(given) == 1 and isinstance(given[0], facts.Literal) and given[0].value == "/"
+    return slash and called_name(test.operand) == "startswith"
+
+
+def _called(world: World, file: str, body: Sequence[facts.Stmt]) -> Iterator[Sequence[facts.Stmt]]:
+    """The bodies of the functions that a body gives something to, be they of the same file or imported from one of the
+    workspace."""
+    given = {called_name(one) for one in calls_in(list(body)) if one.args and isinstance(one.func, facts.Name)}
+    found = None if world.loader is None else world.loader.facts_at(file)
+    if world.loader is None or found is None:
+        return
+    sources = [(name, name, found) for name in sorted(given)]
+    for one in (part for part in found.body if isinstance(part, facts.ImportFrom)):
+        other = world.loader.imported(file, one.module, one.level)
+        if other is not None:
+            sources += [(bound, name, other) for name, bound in one.names if bound in given]
+    for _, name, where in sources:
+        yield from (one.body for one in where.body if isinstance(one, facts.Function) and one.name == name)
+
+
+def is_of_a_model(world: World | None, name: str) -> bool:
+    """Whether a model of the workspace gives a plugin this topic and a launch file bridges it under the same name."""
+    return world is not None and name in _topics_of_models(world)
+
+
+@once
+def _topics_of_models(world: World) -> frozenset[str]:
+    loader = world.loader
+    if loader is None:
+        return frozenset()
+    texts = [loader.tree.text(path) or "" for path in loader.launch_files()]
+    bridged = {found[1] for text in texts for found in _BRIDGED.finditer(text)}
+    if not bridged:
+        return frozenset()
+    models = {path for folder in world.manifests for path in loader.tree.files_below(folder) if path.endswith(_MODELS)}
+    named = {found[1] for path in sorted(models) for found in _TOPIC.finditer(loader.tree.text(path) or "")}
+    return frozenset(bridged & named)
+
+
+__all__ = ["is_of_a_model", "must_be_absolute"]

@@ -1,0 +1,59 @@
+"""What code does with an object that it makes and keeps: whether it only reads attributes of it."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from archlint.analysis.completeness import facts_at, walk
+from archlint.finding import Place
+from archlint.syntax import facts
+
+if TYPE_CHECKING:
+    from archlint.model import Blueprint
+    from archlint.systems.model import World
+
+
+def read_off(world: World | None, node: Blueprint) -> list[str]:
+    """The attributes that the file which makes a node reads, sorted, where it does nothing else with the node:
+    ``self.detector = Detector()``, and then only ``self.detector.model``."""
+    found = None if world is None or node.made_at is None else facts_at(world, node.made_at.file)
+    if world is None or found is None or node.made_at is None:
+        return []
+    items = list(walk(found.body))
+    kept = [one.targets for one in items if isinstance(one, facts.Assign) and _makes(one.value, node.made_at)]
+    target = kept[0][0] if kept and len(kept[0]) == 1 else None
+    if not isinstance(target, facts.Attribute):
+        return []
+    uses = [one for one in items if isinstance(one, facts.Attribute) and one.attr == target.attr and one != target]
+    reads = [one for one in items if isinstance(one, facts.Attribute) and _is_use(one.value, target.attr)]
+    stored = [one.targets for one in items if isinstance(one, facts.Assign)]
+    stored += [[one.target] for one in items if isinstance(one, (facts.Augmented, facts.Annotated, facts.For))]
+    changed = any(one in reads for targets in stored for part in targets for one in walk(part))
+    read = {one.attr for one in reads}
+    if changed or not read or len(reads) < len(uses) or not all(_is_attribute(world, node, name) for name in read):
+        return []
+    return sorted(read)
+
+
+def _makes(value: facts.Expr, place: Place) -> bool:
+    return isinstance(value, facts.Call) and Place.of(place.file, value.span) == place
+
+
+def _is_use(value: facts.Expr, name: str) -> bool:
+    return isinstance(value, facts.Attribute) and value.attr == name
+
+
+def _is_attribute(world: World, node: Blueprint, name: str) -> bool:
+    """Whether the node's class sets an attribute of this name on itself: a method is not one."""
+    for place, qualified in node.classes:
+        found = facts_at(world, place.file)
+        classes = (one for one in walk([] if found is None else found.body) if isinstance(one, facts.Class))
+        for cls in (one for one in classes if one.name == qualified.rpartition(".")[2]):
+            targets = (target for one in walk(cls) if isinstance(one, facts.Assign) for target in one.targets)
+            if any(isinstance(one, facts.Attribute) and _is_self(one.value) and one.attr == name for one in targets):
+                return True
+    return False
+
+
+def _is_self(value: facts.Expr) -> bool:
+    return isinstance(value, facts.Name) and value.id == "self"
