@@ -8,11 +8,11 @@ from __future__ import annotations
 
 import re
 from dataclasses import dataclass
-from difflib import get_close_matches
 from functools import cache
 from pathlib import Path
 
 from archlint.finding import Severity
+from archlint.suggestions import nearest
 
 ON = "on"
 OFF = "off"
@@ -149,13 +149,12 @@ def _nearest(selector: str) -> str | None:
         return None
     if not match[2]:
         prefixes = sorted({code[:3] for code in rules()} | {"ALL"})
-        return next(iter(get_close_matches(selector, prefixes, 1, 0.6)), None)
+        return nearest(selector, prefixes)
     padded = f"{match[1]}{int(match[2][-9:]):03}"
-    near = get_close_matches(selector, rules(), 1, 0.7)
-    return padded if padded in rules() else next(iter(near), None)
+    return padded if padded in rules() else nearest(selector, rules())
 
 
 def _nearest_name(selector: str) -> str | None:
     names = {rule.name: rule for rule in rules().values()}
-    near = get_close_matches(selector, names, 1, 0.6)
-    return f"{near[0]} ({names[near[0]].code})" if near else None
+    near = nearest(selector, names)
+    return None if near is None else f"{near} ({names[near].code})"

@@ -87,10 +87,10 @@ def _made_of(coarse: list[str], fine: list[str]) -> bool:
     return not any(left)
 
 
-def did_you_mean(word: str, known: Iterable[str]) -> str:
+def did_you_mean(word: str, known: Iterable[str], quote: str = "'") -> str:
     """``; did you mean 'x'?`` to put after a message, or nothing."""
     near = nearest(word, known)
-    return f"; did you mean '{near}'?" if near is not None else ""
+    return f"; did you mean {quote}{near}{quote}?" if near is not None else ""
 
 
 _LISTED = 8

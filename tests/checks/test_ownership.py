@@ -5,11 +5,12 @@ from textwrap import dedent
 
 import pytest
 
-from archlint.checks.ownership import SHARED_BY_DESIGN, multiple_publishers, multiple_servers
+from archlint.checks.ownership import multiple_publishers, multiple_servers
 from archlint.checks.registry import Options
 from archlint.config.settings import load
 from archlint.engine.pipeline import Request, check
 from archlint.finding import Severity
+from archlint.ros.well_known import OF_MANY_PUBLISHERS
 from archlint.systems.model import System
 from checks.judging import Judge
 from systems.builders import action_server, node, partial, publisher, service, subscriber, system
@@ -83,7 +84,7 @@ class TestMultiplePublishers:
 
         assert owners(system(left, right)) == []
 
-    @pytest.mark.parametrize("topic", SHARED_BY_DESIGN)
+    @pytest.mark.parametrize("topic", sorted(OF_MANY_PUBLISHERS))
     def test_topics_that_are_shared_by_design(self, topic: str):
         assert owners(system(node("/a", publisher(topic)), node("/b", publisher(topic)))) == []
 

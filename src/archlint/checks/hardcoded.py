@@ -15,21 +15,13 @@ from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.finding import Finding, Fix, Related, Severity
 from archlint.model import NAMED
+from archlint.ros.well_known import ABSOLUTE
 from archlint.systems.model import exclusive, key_of
 
 if TYPE_CHECKING:
     from archlint.finding import Place
     from archlint.systems.model import Endpoint, Node, System, World
 
-ABSOLUTE_BY_CONVENTION = (
-    "/tf",
-    "/tf_static",
-    "/clock",
-    "/rosout",
-    "/parameter_events",
-    "/diagnostics",
-    "/robot_description",
-)
 FIXED_BY_OTHERS = {
     "/fmu/": "PX4",
     "/ap/": "ArduPilot",
@@ -179,7 +171,7 @@ def _fixed_in_code(endpoint: Endpoint) -> bool:
 
 
 def _conventional(name: str, allowed: tuple[str, ...]) -> bool:
-    return name in ABSOLUTE_BY_CONVENTION or any(fnmatchcase(name, pattern) for pattern in allowed)
+    return name in ABSOLUTE or any(fnmatchcase(name, pattern) for pattern in allowed)
 
 
 def _hardcoded(system: System, endpoint: Endpoint, users: Mapping[str, set[str]]) -> Finding:

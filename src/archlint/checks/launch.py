@@ -17,6 +17,7 @@ from archlint.finding import Finding, Related
 from archlint.launch.model import MISSING, NOT_INSTALLED
 from archlint.model import ACTION_CLIENT, ACTION_SERVER
 from archlint.ros import names
+from archlint.ros.well_known import OF_EVERY_NODE
 from archlint.suggestions import did_you_mean, distance, have_same_words, listed
 from archlint.syntax import facts
 from archlint.systems.instances import instantiate
@@ -183,7 +184,6 @@ def _before_remapping(node: Node, started: Started) -> tuple[set[str], str, str]
     return found, name, namespace or "/"
 
 
-_EVERY_NODE = frozenset({"/rosout", "/parameter_events", "/clock", "/tf", "/tf_static"})
 _SERVICES = frozenset(
     {
         "describe_parameters",
@@ -207,7 +207,7 @@ _SERVICES = frozenset(
 
 def _implicit(full: str, name: str, namespace: str) -> bool:
     """Names that rclpy gives every node.  Remapping /tf is a habit that harms nobody."""
-    if full in _EVERY_NODE or full.rpartition("/")[2] in ("tf", "tf_static"):
+    if full in OF_EVERY_NODE or full.rpartition("/")[2] in ("tf", "tf_static"):
         return True
     below = names.join(namespace, name) + "/"
     return full.startswith(below) and full[len(below) :] in _SERVICES

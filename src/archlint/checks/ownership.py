@@ -24,18 +24,10 @@ from archlint.checks.folding import folds
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.finding import Finding, Related, Severity
+from archlint.ros.well_known import OF_MANY_PUBLISHERS, TYPES_OF_MANY_PUBLISHERS
 
 if TYPE_CHECKING:
     from archlint.systems.model import Connection, Endpoint, Node, System
-
-SHARED_BY_DESIGN = ("/tf", "/tf_static", "/rosout", "/parameter_events", "/diagnostics", "/joint_states")
-TYPES_SHARED_BY_DESIGN = (
-    "diagnostic_msgs/msg/DiagnosticArray",
-    "tf2_msgs/msg/TFMessage",
-    "visualization_msgs/msg/Marker",
-    "visualization_msgs/msg/MarkerArray",
-)
-"""Each message of these says whose it is, so that the ones of several nodes add up."""
 
 
 @rule("OWN001", scope=Scope.SYSTEM)
@@ -85,9 +77,9 @@ def _is_obeyed(connection: Connection, owners: list[Endpoint]) -> bool:
 
 def _is_shared(connection: Connection, options: Options) -> bool:
     return (
-        connection.name in SHARED_BY_DESIGN
+        connection.name in OF_MANY_PUBLISHERS
         or options.is_shared(connection.name)
-        or (bool(connection.types) and set(connection.types) <= set(TYPES_SHARED_BY_DESIGN))
+        or (bool(connection.types) and TYPES_OF_MANY_PUBLISHERS.issuperset(connection.types))
     )
 
 

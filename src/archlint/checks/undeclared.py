@@ -17,6 +17,7 @@ from archlint.ros import packages
 from archlint.rulebook import rules
 from archlint.suggestions import distance, nearest
 from archlint.syntax import facts
+from archlint.workspace.closure import closure
 from archlint.workspace.manifest import condition_holds
 
 if TYPE_CHECKING:
@@ -165,13 +166,7 @@ _ALSO = {"tf2_ros": "tf2_ros_py", "tf2_ros_py": "tf2_ros", "launch": "launch_ros
 def _there(world: World, package: Package) -> frozenset[str]:
     """The package itself, what it declares, what these need when they run, what that needs …: all installed."""
     declared = [d for d in package.dependencies if d.kind not in _FOR_OTHERS and condition_holds(d.condition)]
-    waiting = [package.name, *(d.name for d in declared)]
-    found = set(waiting)
-    while waiting:
-        new = _brought_by(waiting.pop(), world) - found
-        found |= new
-        waiting.extend(new)
-    return frozenset(found)
+    return closure([package.name, *(d.name for d in declared)], lambda name: _brought_by(name, world))
 
 
 def _brought_by(name: str, world: World) -> set[str]:
@@ -312,19 +307,16 @@ def _related(by_needed: Mapping[str, Sequence[Use]]) -> Iterator[Related]:
 # ------------------------------------------------------------------------------------------------------ the fix
 
 
-def _reachable(name: str, world: World, used: Mapping[str, AbstractSet[str]]) -> set[str]:
+def _reachable(name: str, world: World, used: Mapping[str, AbstractSet[str]]) -> frozenset[str]:
     """The packages of this workspace that one of them may need, directly or not, itself included."""
-    found = {name}
-    waiting = [name]
-    while waiting:
-        one = waiting.pop()
+
+    def needs(one: str) -> set[str]:
         package = world.packages.get(one)
-        needs = [] if package is None else [d for d in package.dependencies if d.kind not in _FOR_OTHERS]
-        named = {d.name for d in needs if condition_holds(d.condition)} | used.get(one, set())
-        new = (named & world.packages.keys()) - found
-        found |= new
-        waiting.extend(new)
-    return found
+        declared = [] if package is None else [d for d in package.dependencies if d.kind not in _FOR_OTHERS]
+        named = {d.name for d in declared if condition_holds(d.condition)} | used.get(one, set())
+        return named & world.packages.keys()
+
+    return closure([name], needs)
 
 
 def _tag(package: Package) -> str:

@@ -10,18 +10,16 @@ from archlint.analysis.coexistence import certain, in_source_order, named_by_lib
 from archlint.analysis.completeness import declares_all
 from archlint.analysis.completeness import in_sight as followed
 from archlint.checks.near_misses import nearly_equal
-from archlint.checks.ownership import SHARED_BY_DESIGN, TYPES_SHARED_BY_DESIGN
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.finding import Finding, Related
 from archlint.model import ACTION_CLIENT, ACTION_SERVER, CLIENT, PUBLISHER, SERVICE, SUBSCRIBER
+from archlint.ros.well_known import FOR_TOOLS, TYPES_OF_MANY_PUBLISHERS
 from archlint.systems.implicit import implicit_names
 
 if TYPE_CHECKING:
     from archlint.systems.model import Connection, Endpoint, Node, System, World
 
-_FOR_TOOLS = (*SHARED_BY_DESIGN, "/robot_description")
-"""Topics that tools such as RViz and the diagnostics aggregator listen to."""
 _PARTNER = {
     PUBLISHER: SUBSCRIBER,
     SUBSCRIBER: PUBLISHER,
@@ -36,7 +34,7 @@ _PARTNER = {
 def topic_without_subscriber(system: System, options: Options) -> Iterator[Finding]:
     """Topics of a closed system that are published and that nobody subscribes to."""
     for end in _lonely(system, options, system.topics, PUBLISHER):
-        if end.name not in _FOR_TOOLS and end.type not in TYPES_SHARED_BY_DESIGN:
+        if end.name not in FOR_TOOLS and end.type not in TYPES_OF_MANY_PUBLISHERS:
             yield _finding(
                 "TOP002",
                 system,

@@ -6,7 +6,6 @@ import argparse
 import os
 from collections.abc import Sequence
 from dataclasses import replace
-from difflib import get_close_matches
 from pathlib import Path
 from typing import TYPE_CHECKING, NoReturn
 
@@ -16,6 +15,7 @@ from archlint.config.selection import Layer
 from archlint.config.settings import ConfigurationError, Settings, load
 from archlint.config.values import unknown_rule
 from archlint.rulebook import codes_of
+from archlint.suggestions import did_you_mean, nearest
 
 if TYPE_CHECKING:
     from archlint.observed.model import Observed
@@ -31,8 +31,7 @@ class Parser(argparse.ArgumentParser):
         words = message.partition("unrecognized arguments: ")[2].split()
         known = [text for action in self._actions for text in action.option_strings]
         for word in words[:1]:
-            near = get_close_matches(word.partition("=")[0], known, 1)
-            message += f"; did you mean {near[0]}?" if near else ""
+            message += did_you_mean(word.partition("=")[0], known, quote="")
         raise UsageError(f"{message}\nTry `{self.prog} --help`.")
 
 
@@ -121,8 +120,8 @@ def paths_of(arguments: argparse.Namespace) -> tuple[str, ...]:
     paths: Sequence[str] = arguments.paths or ["."]
     for path in paths:
         if not Path(path).exists():
-            near = get_close_matches(path, COMMANDS, 1)
-            hint = f"; did you mean the command `{near[0]}`?" if near else ""
+            near = nearest(path, COMMANDS)
+            hint = f"; did you mean the command `{near}`?" if near else ""
             raise UsageError(f"no such file or directory: {path}{hint}")
     return tuple(paths)
 

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from difflib import get_close_matches
 from typing import TYPE_CHECKING
 
 from archlint.architecture import (
@@ -24,6 +23,7 @@ from archlint.architecture import (
 from archlint.config.toml_places import headers, locate
 from archlint.config.values import Value, one_of, string, strings, table, unknown_key
 from archlint.finding import Place
+from archlint.suggestions import did_you_mean
 
 if TYPE_CHECKING:
     from archlint.config.values import ConfigurationError
@@ -168,11 +168,8 @@ def _policy(value: Value) -> tuple[str | float, ...]:
         return tuple(values)
     for one in values or [None]:
         if one not in POLICIES[key]:
-            near = get_close_matches(str(one).lower(), POLICIES[key], 1)
-            raise value.error(
-                f"`{'.'.join(value.path)}` must be {' or '.join(POLICIES[key])}"
-                + (f"; did you mean {near[0]}?" if near else "")
-            )
+            near = did_you_mean(str(one).lower(), POLICIES[key], quote="")
+            raise value.error(f"`{'.'.join(value.path)}` must be {' or '.join(POLICIES[key])}{near}")
     return tuple(values)
 
 

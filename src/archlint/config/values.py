@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
-from difflib import get_close_matches
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -12,6 +11,7 @@ from archlint.config.toml_places import KeyPath, locate
 from archlint.finding import Severity
 from archlint.globs import Glob
 from archlint.rulebook import codes_of, find_rule, suggestion
+from archlint.suggestions import did_you_mean
 
 if TYPE_CHECKING:
     from archlint.checks.registry import OptionValue
@@ -142,11 +142,8 @@ def unknown_rule(selector: str) -> str:
 def one_of(words: tuple[str, ...]) -> Callable[[Value], str]:
     def read(value: Value) -> str:
         if value.value not in words:
-            near = get_close_matches(str(value.value), words, 1)
-            raise value.error(
-                f"`{'.'.join(value.path)}` must be one of {', '.join(words)}"
-                + (f"; did you mean {near[0]}?" if near else "")
-            )
+            near = did_you_mean(str(value.value), words, quote="")
+            raise value.error(f"`{'.'.join(value.path)}` must be one of {', '.join(words)}{near}")
         return str(value.value)
 
     return read
@@ -220,5 +217,6 @@ def _like(default: OptionValue, given: Value) -> OptionValue:
 
 
 def unknown_key(key: str, known: Mapping[str, object], words: str = "unknown key") -> str:
-    near = get_close_matches(key.replace("_", "-"), known, 1)
-    return f"{words} `{key}`" + (f"; did you mean `{near[0]}`?" if near else "")
+    dashed = key.replace("_", "-")
+    near = f"; did you mean `{dashed}`?" if dashed in known else did_you_mean(dashed, known, quote="`")
+    return f"{words} `{key}`{near}"

@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING
 
 from archlint.syntax.facts import Class, Facts, Function, Import, ImportFrom, Stmt
 from archlint.syntax.walk import statements_of
+from archlint.workspace.closure import closure
 from archlint.workspace.test_code import FileRoles
 
 if TYPE_CHECKING:
@@ -98,14 +99,7 @@ class ModuleIndex:
     def imported_by(self, module: Module) -> frozenset[str]:
         """The shown paths of a module and of all that its imports lead to, wherever they stand in it."""
         if module.path not in self._imported:
-            seen = {module.path: module}
-            waiting = [module]
-            for one in waiting:
-                for below in self._imports_of(one):
-                    if below.path not in seen:
-                        seen[below.path] = below
-                        waiting.append(below)
-            self._imported[module.path] = frozenset(seen)
+            self._imported[module.path] = frozenset(one.path for one in closure([module], self._imports_of))
         return self._imported[module.path]
 
     def _imports_of(self, module: Module) -> Iterator[Module]:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import astuple
 from typing import TYPE_CHECKING, Protocol
 
@@ -10,6 +10,7 @@ from archlint.model import TIMER, Blueprint, Program, Text
 from archlint.ros.remapping import RemapRule, rules_of_arguments
 from archlint.systems.model import Endpoint, Node, System
 from archlint.systems.resolution import NodeName, endpoint_name, node_init
+from archlint.workspace.closure import closure
 
 if TYPE_CHECKING:
     from archlint.workspace.model import Package, Workspace
@@ -191,20 +192,10 @@ _TOGETHER = ("depend", "exec", "run", "build", "build_export")
 def dependencies_within(packages: Iterable[Package]) -> dict[str, frozenset[str]]:
     """Package → the packages of the same workspace that it needs, directly or not."""
     direct = {package.name: _needs(package) for package in packages}
-    return {name: frozenset(_reachable(name, direct)) for name in sorted(direct)}
+    here = {name: direct.keys() & needs for name, needs in direct.items()}
+    return {name: closure([name], here.__getitem__) - {name} for name in sorted(here)}
 
 
 def _needs(package: Package) -> list[str]:
     entries = package.dependencies
     return sorted({entry.name for entry in entries if entry.kind.removesuffix("_depend") in _TOGETHER})
-
-
-def _reachable(start: str, direct: Mapping[str, Sequence[str]]) -> Iterator[str]:
-    seen = {start}
-    waiting = [start]
-    while waiting:
-        for name in direct[waiting.pop()]:
-            if name in direct and name not in seen:
-                seen.add(name)
-                waiting.append(name)
-                yield name

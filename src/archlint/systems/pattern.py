@@ -11,6 +11,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
 
+from archlint.ros.well_known import OF_EVERY_NODE, OF_MANY_PUBLISHERS
 from archlint.systems.shape import connections, plain_graph, splits
 
 if TYPE_CHECKING:
@@ -22,7 +23,7 @@ HUB = "hub and spoke"
 MANY = "many-to-many"
 REQUESTS = "request clusters"
 
-SHARED = frozenset({"/tf", "/tf_static", "/rosout", "/parameter_events", "/diagnostics", "/clock", "/joint_states"})
+SHARED = OF_MANY_PUBLISHERS | OF_EVERY_NODE
 """Topics that everybody shares; they tell nothing about the architecture."""
 _CENTRAL = 0.6
 """The share of all pairs of neighbours, and of all other nodes, that a hub has at least."""

@@ -1,0 +1,54 @@
+"""Topics that have one meaning in every ROS 2 system, and what follows from it.
+
+Sources: rclpy ``node.py`` and ``time_source.py`` (``/rosout``, ``/parameter_events``, ``/clock``); tf2_ros
+``transform_broadcaster.py`` and ``static_transform_broadcaster.py`` (``/tf``, ``/tf_static``); REP 107 and
+diagnostic_updater (``/diagnostics``); robot_state_publisher and joint_state_publisher (``/joint_states``,
+``/robot_description``).
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+
+@dataclass(frozen=True)
+class WellKnownTopic:
+    """What everybody knows of a topic."""
+
+    name: str
+    absolute: bool = False
+    """Whether code writes it with its slash, for it is the same topic for all robots."""
+    many_publishers: bool = False
+    """Whether it is made to be published by many."""
+    of_every_node: bool = False
+    """Whether any node may have it without a word of it in its own code."""
+    for_tools: bool = False
+    """Whether tools listen to it that no workspace holds: RViz, the diagnostics aggregator, loggers."""
+
+
+TOPICS = (
+    WellKnownTopic("/tf", absolute=True, many_publishers=True, of_every_node=True, for_tools=True),
+    WellKnownTopic("/tf_static", absolute=True, many_publishers=True, of_every_node=True, for_tools=True),
+    WellKnownTopic("/rosout", absolute=True, many_publishers=True, of_every_node=True, for_tools=True),
+    WellKnownTopic("/parameter_events", absolute=True, many_publishers=True, of_every_node=True, for_tools=True),
+    WellKnownTopic("/clock", absolute=True, of_every_node=True),
+    WellKnownTopic("/diagnostics", absolute=True, many_publishers=True, for_tools=True),
+    WellKnownTopic("/joint_states", many_publishers=True, for_tools=True),
+    WellKnownTopic("/robot_description", absolute=True, for_tools=True),
+)
+
+ABSOLUTE = frozenset(topic.name for topic in TOPICS if topic.absolute)
+OF_MANY_PUBLISHERS = frozenset(topic.name for topic in TOPICS if topic.many_publishers)
+OF_EVERY_NODE = frozenset(topic.name for topic in TOPICS if topic.of_every_node)
+FOR_TOOLS = frozenset(topic.name for topic in TOPICS if topic.for_tools)
+
+TYPES_OF_MANY_PUBLISHERS = frozenset(
+    {
+        "diagnostic_msgs/msg/DiagnosticArray",
+        "tf2_msgs/msg/TFMessage",
+        "visualization_msgs/msg/Marker",
+        "visualization_msgs/msg/MarkerArray",
+    }
+)
+"""Each message of these says whose it is, so that the ones of several nodes add up; RViz and the diagnostics aggregator
+listen to them, whatever the topic is called."""
