@@ -90,5 +90,17 @@ def test_what_a_document_points_at_exists(name: str):
     text = (ROOT / name).read_text("utf-8")
     for link in re.findall(r"\]\(([^)#]+)[^)]*\)", text):
         assert link.startswith("https://") or (ROOT / link).exists(), link
-    for code in re.findall(r"\b[A-Z]{3}\d{3}\b", text):
-        assert list((ROOT / "rules").glob(f"{code}-*.md")), code
+
+
+@pytest.mark.parametrize("name", ["CHANGELOG.md", "SECURITY.md", "ARCHITECTURE.md"])
+def test_a_rule_that_a_document_names_exists(name: str):
+    text = (ROOT / name).read_text("utf-8")
+    codes = set(re.findall(r"\b[A-Z]{3}\d{3}\b", text))
+    assert [code for code in sorted(codes) if not list((ROOT / "rules").glob(f"{code}-*.md"))] == []
+
+
+def test_the_paths_of_the_recipes_exist():
+    text = (ROOT / "CONTRIBUTING.md").read_text("utf-8")
+    named = set(re.findall(r"`((?:src|tests|tests_ros|scripts|fixtures|benchmarks)/[\w/.]+)`", text))
+    assert len(named) > 12
+    assert [path for path in sorted(named) if not (ROOT / path).exists()] == []

@@ -2,22 +2,23 @@ from __future__ import annotations
 
 import pytest
 
-from archlint.render import BINARY, FORMATS, by_suffix
+from archlint.render import FORMATS, by_suffix
+from archlint.render import render as shown_as
 from render.lesson import lesson
 
 
 @pytest.mark.parametrize("name", FORMATS)
 def test_each_format_shows_the_lesson(name: str) -> None:
-    shown = FORMATS[name](False)(lesson())
-    assert isinstance(shown, bytes if name in BINARY else str)
+    shown = shown_as(name, lesson())
+    assert isinstance(shown, bytes if FORMATS[name].binary else str)
     assert len(shown) > 100
-    if name not in BINARY:
+    if not FORMATS[name].binary:
         assert "/sensor_data" in shown
 
 
 def test_colour_is_for_text() -> None:
-    assert FORMATS["text"](True)(lesson()) != FORMATS["text"](False)(lesson())
-    assert FORMATS["json"](True)(lesson()) == FORMATS["json"](False)(lesson())
+    assert shown_as("text", lesson(), color=True) != shown_as("text", lesson())
+    assert shown_as("json", lesson(), color=True) == shown_as("json", lesson())
 
 
 @pytest.mark.parametrize(

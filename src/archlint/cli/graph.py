@@ -70,7 +70,7 @@ def run(arguments: argparse.Namespace) -> int:
     color = to_terminal and console.wants_color(arguments.color, sys.stdout)
     try:
         system = graph(request, everything=arguments.all)
-        drawn = render.FORMATS[format](color)(system)
+        drawn = render.render(format, system, color)
     except (NothingToDo, CannotDraw) as error:
         raise UsageError(str(error)) from None
     console.write(drawn, arguments.file)
@@ -111,6 +111,6 @@ def _format(format: str | None, file: str | None) -> str:
         if format is None:
             raise UsageError(f"the suffix of {file} is that of no format; say --format")
     format = format or "text"
-    if format in render.BINARY and to_terminal and sys.stdout.isatty():
+    if render.FORMATS[format].binary and to_terminal and sys.stdout.isatty():
         raise UsageError(f"{format} is not for a terminal; write it to a file with -o")
     return format

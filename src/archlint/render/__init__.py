@@ -5,96 +5,51 @@ A format is a pure function from a system to text or bytes; its module is loaded
 
 from __future__ import annotations
 
-from collections.abc import Callable
+import importlib
+from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from archlint.systems.model import System
 
-    Renderer = Callable[[System], "str | bytes"]
-    """Raises :class:`archlint.render.drawing.CannotDraw` where a picture needs a missing Graphviz."""
+
+@dataclass(frozen=True)
+class Format:
+    """A function of a module of this package, and the suffixes of file names that ask for it."""
+
+    module: str
+    function: str = "render"
+    suffixes: tuple[str, ...] = ()
+    binary: bool = False
+    """Whether it gives bytes."""
 
 
-def _text(color: bool) -> Renderer:
-    from functools import partial
-
-    from archlint.render import text
-
-    return partial(text.render, color=color)
-
-
-def _json(color: bool) -> Renderer:
-    from archlint.render import json
-
-    return json.render
-
-
-def _dot(color: bool) -> Renderer:
-    from archlint.render import dot
-
-    return dot.render
-
-
-def _svg(color: bool) -> Renderer:
-    from archlint.render import drawing
-
-    return drawing.svg
-
-
-def _png(color: bool) -> Renderer:
-    from archlint.render import drawing
-
-    return drawing.png
-
-
-def _pdf(color: bool) -> Renderer:
-    from archlint.render import drawing
-
-    return drawing.pdf
-
-
-def _mermaid(color: bool) -> Renderer:
-    from archlint.render import mermaid
-
-    return mermaid.render
-
-
-def _html(color: bool) -> Renderer:
-    from archlint.render import html
-
-    return html.render
-
-
-FORMATS: dict[str, Callable[[bool], Renderer]] = {
-    "text": _text,
-    "json": _json,
-    "dot": _dot,
-    "svg": _svg,
-    "png": _png,
-    "pdf": _pdf,
-    "mermaid": _mermaid,
-    "html": _html,
+FORMATS: dict[str, Format] = {
+    "text": Format("text", suffixes=("txt",)),
+    "json": Format("json", suffixes=("json",)),
+    "dot": Format("dot", suffixes=("dot", "gv")),
+    "svg": Format("drawing", "svg", ("svg",)),
+    "png": Format("drawing", "png", ("png",), binary=True),
+    "pdf": Format("drawing", "pdf", ("pdf",), binary=True),
+    "mermaid": Format("mermaid", suffixes=("mmd", "mermaid")),
+    "html": Format("html", suffixes=("html", "htm")),
 }
-"""Format → loader.  A loader is told whether colour is on (only ``text`` cares) and gives the renderer."""
+"""A new format is a new row."""
 
-BINARY = frozenset({"png", "pdf"})
-"""Formats that are bytes."""
+_BY_SUFFIX = {suffix: name for name, format in FORMATS.items() for suffix in format.suffixes}
 
-_SUFFIXES = {
-    "txt": "text",
-    "json": "json",
-    "dot": "dot",
-    "gv": "dot",
-    "svg": "svg",
-    "png": "png",
-    "pdf": "pdf",
-    "mmd": "mermaid",
-    "mermaid": "mermaid",
-    "html": "html",
-    "htm": "html",
-}
+
+def render(format: str, system: System, color: bool = False) -> str | bytes:
+    """The system in a format of :data:`FORMATS`; only ``text`` knows colours.
+
+    Raises :class:`archlint.render.drawing.CannotDraw` where a picture needs a missing Graphviz.
+    """
+    row = FORMATS[format]
+    function = getattr(importlib.import_module(f"archlint.render.{row.module}"), row.function)
+    drawn: str | bytes = function(system, color=color) if format == "text" else function(system)
+    return drawn
 
 
 def by_suffix(path: str) -> str | None:
     """The format that a file name asks for; None for a suffix that is no format's."""
-    return _SUFFIXES.get(path.rpartition(".")[2].lower()) if "." in path else None
+    return _BY_SUFFIX.get(path.rpartition(".")[2].lower()) if "." in path else None
