@@ -33,7 +33,14 @@ def augmented(run: Run, s: facts.Augmented) -> Status:
     return None
 
 
-_GROWS = {"+": "extend", "|": "update"}
+_GROWS = {
+    "+": "extend",
+    "|": "update",
+    "-": "difference_update",
+    "&": "intersection_update",
+    "^": "symmetric_difference_update",
+}
+"""The method that changes a collection as ``+=`` and the like do."""
 
 
 def _is_collection(value: Value) -> bool:

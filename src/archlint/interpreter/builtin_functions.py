@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 from archlint.interpreter.constant_expressions import NotFollowed, evaluate
 from archlint.interpreter.heap import Items
 from archlint.interpreter.type_tests import isinstance_of
-from archlint.interpreter.value_methods import Arguments, Keywords, call_method, update_entries
+from archlint.interpreter.value_methods import Arguments, Keywords, call_method, in_order, update_entries
 from archlint.interpreter.values import (
     FALSE,
     NONE,
@@ -131,11 +131,15 @@ def _number(convert: Callable[[Any], Any]) -> Callable[..., Value]:
     def handler(run: Run, args: Arguments, keywords: Keywords, e: object) -> Value:
         if not args:
             return Known(convert()) if isinstance(convert, type) else Unknown("a call that fails")
+        rest = [*args[1:], *keywords.values()]
+        base = [value.value for value in rest if isinstance(value, Known)]
+        if len(base) < len(rest):
+            return Unknown(reason(*rest))
         found: list[Value] = []
         for option in alternatives(args[0]):
             if isinstance(option, Known):
                 try:
-                    found.append(constant(convert(option.value), option.via))
+                    found.append(constant(convert(option.value, *base), option.via | via(*rest)))
                 except (TypeError, ValueError, OverflowError):
                     found.append(Unknown("a conversion that fails"))
             else:
@@ -184,6 +188,12 @@ def _len(run: Run, args: Arguments, keywords: Keywords, e: object) -> Value:
     items = containers.iterate(run, value)
     if items is None or items.open or isinstance(value, OneOf):
         return Unknown("the length of a collection that is not known")
+    if (
+        isinstance(value, ListValue)
+        and value.kind == "set"
+        and not all(isinstance(item, Known) for item in items.values)
+    ):
+        return Unknown("how many items of this set are the same")
     return Known(len(items.values))
 
 
@@ -258,10 +268,7 @@ def _collect(kind: str) -> Callable[..., Value]:
             if items is None:
                 found.append(Unknown(reason(option), next(iter(sorted(via(option))), None)))
                 continue
-            values = list(items.values)
-            if kind == "set":
-                values = list(dict.fromkeys(values)) if all(isinstance(v, Known) for v in values) else values
-            found.append(containers.new_list(run, values, kind, items.open))
+            found.append(containers.new_list(run, items.values, kind, items.open))
         return one_of(found)
 
     return handler
@@ -286,15 +293,7 @@ def _sorted(run: Run, args: Arguments, keywords: Keywords, e: object) -> Value:
     items = containers.iterate(run, _first(args))
     if items is None:
         return Unknown(reason(*args))
-    values = [item.value for item in items.values if isinstance(item, Known)]
-    if len(values) == len(items.values) and "key" not in keywords:
-        try:
-            reverse = keywords.get("reverse", FALSE) == TRUE
-            order = sorted(range(len(values)), key=lambda i: values[i], reverse=reverse)  # type: ignore[arg-type,return-value]
-            return containers.new_list(run, [items.values[i] for i in order], "list", items.open)
-        except TypeError:
-            pass
-    return containers.new_list(run, items.values, "list", items.open)
+    return containers.new_list(run, in_order(items.values, keywords), "list", items.open)
 
 
 def _dict(run: Run, args: Arguments, keywords: Keywords, e: object) -> Value:

@@ -205,7 +205,6 @@ def bind_arguments(
             left = {}
         elif param.kind in ("positional_only", "normal") and rest:
             bound[param.name] = rest.pop(0)
-            left.pop(param.name, None)
         elif param.name in left and param.kind != "positional_only":
             bound[param.name] = left.pop(param.name)
         elif open_arguments:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Hashable, Sequence
+from collections.abc import Hashable, Iterable, Sequence
 from typing import TYPE_CHECKING
 
 from archlint.interpreter.attributes import get_attribute, set_attribute
@@ -41,8 +41,17 @@ def new_list(
     run: Run, values: Sequence[Value], kind: str = "list", open_: bool = False, whole: bool = False
 ) -> ListValue:
     made = ListValue(run.store.new_key(), kind)
-    run.store.set(made.key, "#items", Items(tuple(values), open_, whole))
+    run.store.set(made.key, "#items", Items(distinct(values) if kind == "set" else tuple(values), open_, whole))
     return made
+
+
+def distinct(values: Iterable[Value]) -> tuple[Value, ...]:
+    """The items of a set: of those that Python takes for the same, the first."""
+    found: dict[Hashable, Value] = {}
+    for value in values:
+        at = hashable(value)
+        found.setdefault(("#unknown", len(found)) if at is None else at, value)
+    return tuple(found.values())
 
 
 def new_dict(run: Run, entries: dict[Hashable, tuple[Value, Value]], open_: bool = False) -> DictValue:

@@ -5,15 +5,17 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import TYPE_CHECKING
 
-from archlint.interpreter.attributes import set_attribute
+from archlint.interpreter.attributes import class_lookup, set_attribute
 from archlint.interpreter.containers import entries_of, hashable, items_of, iterate
 from archlint.interpreter.operators import compare_values, is_object
 from archlint.interpreter.type_tests import classes_of, is_any
 from archlint.interpreter.values import (
     Builtin,
+    ClassValue,
     DictValue,
     External,
     Holed,
+    Instance,
     Known,
     ListValue,
     OneOf,
@@ -49,9 +51,20 @@ def truth(run: Run, value: Value) -> bool | None:
         return True if entries.entries and not entries.open else None if entries.open else False
     if isinstance(value, Holed):
         return True if any(value.parts) else None
+    if isinstance(value, Instance) and isinstance(value.cls, ClassValue):
+        return _object_truth(run, value, value.cls)
     if is_object(value):
         return True
     return None
+
+
+def _object_truth(run: Run, value: Instance, cls: ClassValue) -> bool | None:
+    """An object is true, but where its class says otherwise: members of ``IntEnum`` are as true as their numbers."""
+    held = run.store.get(value.key, "value") if run.store.get(value.key, "#enum") else None
+    if isinstance(held, Value) and set(cls.external_bases()) - {"enum.Enum"}:
+        return truth(run, held)
+    says = any(class_lookup(run, cls, name)[0] is not None for name in ("__bool__", "__len__"))
+    return None if says else True
 
 
 def narrow(run: Run, test: facts.Expr, holds: bool) -> None:

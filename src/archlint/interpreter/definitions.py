@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from archlint.interpreter import hints, refusals
@@ -166,26 +167,50 @@ def methods_of(cls: ClassValue) -> list[facts.Function]:
 
 
 def _make_members(run: Run, cls: ClassValue) -> None:
-    members: list[str] = []
-    for statement in cls.ir.body:
-        targets = (
-            statement.targets
-            if isinstance(statement, facts.Assign)
-            else ([statement.target] if isinstance(statement, facts.Annotated) and statement.value is not None else [])
-        )
+    members: dict[str, Value] = {}
+    for name in _assigned(cls.ir.body):
+        value = run.store.get(cls.key, name)
+        if isinstance(value, External) and value.path == "enum.auto":
+            value = _automatic(cls, name, list(members.values()))
+        if not isinstance(value, Value):
+            value = Unknown("an enum value")
+        first = next((other for other, held in members.items() if isinstance(held, Known) and held == value), None)
+        if first is not None:  # a second name of the same member
+            run.store.set(cls.key, name, run.store.get(cls.key, first))
+            continue
+        member = Instance(cls, run.store.new_key())
+        run.store.set(member.key, "value", value)
+        run.store.set(member.key, "_value_", value)
+        run.store.set(member.key, "name", Known(name))
+        run.store.set(member.key, "#enum", True)
+        run.store.set(cls.key, name, member)
+        members[name] = value
+    run.store.set(cls.key, "#members", tuple(members))
+
+
+def _assigned(body: list[facts.Stmt]) -> Iterator[str]:
+    """The names that are assigned in the body of a class, but for private ones."""
+    for statement in body:
+        targets: list[facts.Expr] = []
+        if isinstance(statement, facts.Assign):
+            targets = statement.targets
+        elif isinstance(statement, facts.Annotated) and statement.value is not None:
+            targets = [statement.target]
         for target in targets:
             if isinstance(target, facts.Name) and not target.id.startswith("_"):
-                value = run.store.get(cls.key, target.id)
-                member = Instance(cls, run.store.new_key())
-                if isinstance(value, External) and value.path == "enum.auto":
-                    value = Known(len(members) + 1)
-                run.store.set(member.key, "value", value if isinstance(value, Value) else Unknown("an enum value"))
-                run.store.set(member.key, "_value_", value if isinstance(value, Value) else Unknown("an enum value"))
-                run.store.set(member.key, "name", Known(target.id))
-                run.store.set(member.key, "#enum", True)
-                run.store.set(cls.key, target.id, member)
-                members.append(target.id)
-    run.store.set(cls.key, "#members", tuple(members))
+                yield target.id
+
+
+def _automatic(cls: ClassValue, name: str, before: list[Value]) -> Value:
+    """What ``enum.auto()`` stands for: the next number, bit or, of a ``StrEnum``, the name."""
+    bases = set(cls.external_bases())
+    if "enum.StrEnum" in bases:
+        return Known(name.lower())
+    numbers = [value.value for value in before if isinstance(value, Known) and isinstance(value.value, int)]
+    if len(numbers) < len(before) or numbers[-1:] != [max(numbers, default=0)][: len(numbers)]:
+        return Unknown("an enum value")  # Pythons differ
+    last = numbers[-1] if numbers else 0
+    return Known(1 << last.bit_length() if {"enum.Flag", "enum.IntFlag"} & bases else last + 1)
 
 
 def linearize(cls: ClassValue) -> tuple[Value, ...]:

@@ -175,6 +175,7 @@ def _comprehension(run: Run, e: facts.Comprehension) -> Value:
     from archlint.interpreter.statements import assign
 
     activation = run.activation
+    outermost = run.evaluate(e.generators[0].iterable)  # in the scope around: a class body has names of its own
     scope = run.new_scope(activation.scope, activation.module, "comprehension", activation.qualified)
     kept, activation.scope = activation.scope, scope
     activation.scopes.append(scope.key)
@@ -191,7 +192,7 @@ def _comprehension(run: Run, e: facts.Comprehension) -> Value:
             rows.append((run.evaluate(e.element), value))
             return
         generator = e.generators[depth]
-        iterable = run.evaluate(generator.iterable)
+        iterable = run.evaluate(generator.iterable) if depth else outermost
         items = iterate(run, iterable)
         values: Sequence[Value]
         if items is None or len(items.values) > min(UNROLL, run.items_left):
@@ -261,7 +262,7 @@ def _format_string(run: Run, e: facts.FormatString) -> Value:
             parts.append(Known(part))
             continue
         value = run.evaluate(part.value)
-        if part.conversion == "r" or part.spec:
+        if part.conversion in ("r", "a") or part.spec:
             value = one_of(format_one(option, part.conversion, part.spec) for option in alternatives(value))
         parts.append(value)
     return combine(run, parts, e.span)

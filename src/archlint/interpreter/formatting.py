@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING
 
 from archlint.interpreter.attributes import get_attribute
@@ -29,8 +29,12 @@ from archlint.syntax import facts
 if TYPE_CHECKING:
     from archlint.interpreter.machine import Run
 
+CONVERSIONS: dict[str | None, Callable[[object], str]] = {"r": repr, "a": ascii, "s": str}
+"""What ``!r``, ``!a`` and ``!s`` stand for."""
 CARTESIAN = 36
 """How many combinations of alternatives one operation follows."""
+_PERCENT = re.compile(r"%(?:%|[-#0 +]*[\d.]*[hlL]?[a-zA-Z])")
+_PERCENT_OF_DICT = re.compile(r"%(?:%|\((\w+)\)([-#0 +]*[\d.]*[a-zA-Z]))")
 _WIDE = re.compile(r"\d{5,}")
 """A width or a precision that nobody asks for; Python would make a text as long as that."""
 
@@ -51,7 +55,7 @@ def percent_format(run: Run, template: Value, argument: Value, span: facts.Span)
     parts: list[Value] = []
     text = template.value
     at = 0
-    for match in re.finditer(r"%(?:%|[-#0 +]*[\d.]*[hlL]?[a-zA-Z])", text):
+    for match in _PERCENT.finditer(text):
         parts.append(Known(text[at : match.start()], template.via))
         at = match.end()
         if match.group() == "%%":
@@ -60,7 +64,9 @@ def percent_format(run: Run, template: Value, argument: Value, span: facts.Span)
         if not arguments:
             return Unknown("% has fewer arguments than the text asks for")
         parts.append(_formatted(match.group(), arguments.pop(0)))
-    parts.append(Known(text[at:]))
+    parts.append(Known(text[at:], template.via))
+    if arguments or "%" in re.sub(_PERCENT, "", text):
+        return Unknown(reason(*arguments, Unknown("% does not get what the text asks for")))
     return combine(run, parts, span)
 
 
@@ -85,15 +91,17 @@ def _percent_dict(run: Run, template: Known, argument: DictValue, span: facts.Sp
     assert isinstance(template.value, str)
     parts: list[Value] = []
     at = 0
-    for match in re.finditer(r"%(?:%|\((\w+)\)([-#0 +]*[\d.]*[a-zA-Z]))", template.value):
-        parts.append(Known(template.value[at : match.start()]))
+    if "%" in re.sub(_PERCENT_OF_DICT, "", template.value):
+        return Unknown("% does not get what the text asks for")
+    for match in _PERCENT_OF_DICT.finditer(template.value):
+        parts.append(Known(template.value[at : match.start()], template.via))
         at = match.end()
         if match.group(1) is None:
             parts.append(Known("%"))
         else:
             value = get_entry(run, argument, Known(match.group(1)), None)
             parts.append(_formatted("%" + match.group(2), value))
-    parts.append(Known(template.value[at:]))
+    parts.append(Known(template.value[at:], template.via))
     return combine(run, parts, span)
 
 
@@ -153,11 +161,12 @@ def _is_text_enum(cls: ClassValue) -> bool:
 
 def format_one(value: Value, conversion: str | None, spec: str | None) -> Value:
     """What one ``{value!conversion:spec}`` gives."""
+    if isinstance(value, Holed):
+        return Unknown(value.reason, next(iter(sorted(value.via)), None))
     if not isinstance(value, Known):
         return value
     try:
-        shown: object = repr(value.value) if conversion == "r" else value.value
-        shown = str(shown) if conversion == "s" else shown
+        shown = CONVERSIONS[conversion](value.value) if conversion in CONVERSIONS else value.value
         text = None if _WIDE.search(spec or "") else format(shown, spec or "")
     except (TypeError, ValueError, OverflowError):
         return Unknown("a format that fails")

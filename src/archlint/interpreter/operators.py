@@ -7,6 +7,7 @@ import posixpath
 from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
+from archlint.interpreter.attributes import class_lookup
 from archlint.interpreter.containers import ITEM_LIMIT, PYTHON, entries_of, hashable, items_of, new_dict, new_list
 from archlint.interpreter.formatting import CARTESIAN, percent_format, plain_text
 from archlint.interpreter.values import (
@@ -84,11 +85,12 @@ def _binary_one(run: Run, op: str, left: Value, right: Value, span: facts.Span) 
         return constant(joined, via(left, right), kind="path", origin=file_origin(left, right))
     if op == "%" and is_text(left):
         return percent_format(run, left, right, span)
-    if op == "+" and isinstance(left, ListValue) and isinstance(right, ListValue):
+    if op == "+" and isinstance(left, ListValue) and isinstance(right, ListValue) and left.kind == right.kind:
         one, other = items_of(run, left), items_of(run, right)
         values = one.values + other.values
-        whole = one.whole and other.whole and len(values) <= ITEM_LIMIT
-        return new_list(run, values[:ITEM_LIMIT], left.kind, one.open or other.open, whole)
+        long = len(values) > ITEM_LIMIT
+        whole = one.whole and other.whole and not long
+        return new_list(run, values[:ITEM_LIMIT], left.kind, one.open or other.open or long, whole)
     if op == "|" and isinstance(left, DictValue) and isinstance(right, DictValue):
         first, second = entries_of(run, left), entries_of(run, right)
         return new_dict(run, {**first.entries, **second.entries}, first.open or second.open)
@@ -148,13 +150,14 @@ def _compare_one(run: Run, op: str, left: Value, right: Value) -> bool | None:
         if op == "==":
             return bool(left.value == right.value)
         if op == "is":
-            return left.value is right.value if None in (left.value, right.value) else left.value == right.value
+            return type(left.value) is type(right.value) and left.value == right.value
         try:
             return bool(_ORDER[op](left.value, right.value))
         except (TypeError, KeyError):
             return None
     if op in ("==", "is"):
-        return _same(left, right)
+        same = _same(left, right)
+        return None if same is False and op == "==" and _may_equal(run, left, right) else same
     return None
 
 
@@ -182,6 +185,27 @@ def _same(left: Value, right: Value) -> bool | None:
     if isinstance(left, External) and isinstance(right, External):
         return left == right
     return None
+
+
+def _may_equal(run: Run, left: Value, right: Value) -> bool:
+    """Whether two objects may be equal though they are two: messages are, and so are those of some classes."""
+    if isinstance(left, MessageValue) and isinstance(right, MessageValue):
+        return True
+    return any(_compares(run, one) for one in (left, right) if isinstance(one, Instance))
+
+
+def _compares(run: Run, value: Instance) -> bool:
+    """Whether the class of an object says what is equal, or may do so: it is not here, or one of data."""
+    if isinstance(value.cls, External):
+        return True
+    data = any(
+        "dataclass" in path for base in value.cls.mro if isinstance(base, ClassValue) for path in base.decorators
+    )
+    return (
+        data
+        or "typing.NamedTuple" in value.cls.external_bases()
+        or class_lookup(run, value.cls, "__eq__")[0] is not None
+    )
 
 
 def is_object(value: Value) -> bool:

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 
 from archlint.interpreter.heap import JOINED_LIMIT, Entries, Items
 from archlint.interpreter.values import (
+    FALSE,
     NONE,
     TEXT_LIMIT,
     DictValue,
@@ -51,6 +52,19 @@ def update_entries(run: Run, entries: dict[Hashable, tuple[Value, Value]], sourc
             return False
         entries[at] = (row.values[0], row.values[1])
     return not items.open
+
+
+def in_order(values: Sequence[Value], keywords: Keywords) -> tuple[Value, ...]:
+    """Values as ``sorted`` orders them; where their order is not known, as they are."""
+    constants = [value.value for value in values if isinstance(value, Known)]
+    reverse = keywords.get("reverse", FALSE)
+    if len(constants) < len(values) or "key" in keywords or not isinstance(reverse, Known):
+        return tuple(values)
+    try:
+        order = sorted(range(len(constants)), key=lambda i: constants[i], reverse=bool(reverse.value))  # type: ignore[arg-type,return-value]
+    except TypeError:
+        return tuple(values)
+    return tuple(values[i] for i in order)
 
 
 _TEXT_METHODS = frozenset(
@@ -168,6 +182,8 @@ def _text_method(
         kind = "tuple" if name.endswith("partition") else "list"
         return containers.new_list(run, [Known(piece, target.via) for piece in pieces], kind)
     if name in _TEXT_METHODS:
+        if keywords:
+            return Unknown(f"str.{name}() of arguments by name is not followed")
         found: list[Value] = []
         for row in _combinations(args):
             plain = [arg.value for arg in row if isinstance(arg, Known)]
@@ -250,7 +266,7 @@ def _format(run: Run, template: Known, args: Arguments, keywords: Keywords, e: f
                 value = containers.get_item(run, value, index)
             else:
                 value = get_attribute(run, value, step)
-        if spec or conversion == "r":
+        if spec or conversion in ("r", "a"):
             value = one_of(formatting.format_one(option, conversion, spec) for option in alternatives(value))
         parts.append(value)
     return formatting.combine(run, parts, e.span if e is not None else None)
@@ -280,7 +296,9 @@ def _list_method(run: Run, target: ListValue, name: str, args: Arguments, keywor
     if name in ("extend", "update") and args:
         more = containers.iterate(run, args[0])
         whole = items.whole and more is not None and more.whole
-        put((*items.values, *(more.values if more else ())), items.open or more is None or more.open, whole)
+        joined = (*items.values, *(more.values if more else ()))
+        joined = containers.distinct(joined) if target.kind == "set" else joined
+        put(joined, items.open or more is None or more.open, whole)
         return NONE
     if name == "insert" and len(args) == 2:
         at = args[0].value if isinstance(args[0], Known) and isinstance(args[0].value, int) else None
@@ -288,7 +306,16 @@ def _list_method(run: Run, target: ListValue, name: str, args: Arguments, keywor
         values.insert(at if at is not None else len(values), args[1])
         put(tuple(values), items.open or at is None)
         return NONE
-    if name == "pop":
+    if name in ("appendleft", "extendleft") and args:
+        more = Items((args[0],)) if name == "appendleft" else containers.iterate(run, args[0])
+        before = tuple(reversed(more.values)) if more else ()
+        put((*before, *items.values), items.open or more is None or more.open)
+        return NONE
+    if name in _CHANGES:
+        put(items.values, True)
+        return Unknown(f"{target.kind}.{name}() is not followed")
+    if name in ("pop", "popleft"):
+        args = [Known(0)] if name == "popleft" else args
         last: object = args[0].value if args and isinstance(args[0], Known) else -1 if not args else None
         if isinstance(last, int) and not items.open and -len(items.values) <= last < len(items.values):
             values = list(items.values)
@@ -301,11 +328,12 @@ def _list_method(run: Run, target: ListValue, name: str, args: Arguments, keywor
         put((), False)
         return NONE
     if name in ("remove", "discard") and args:
-        kept = tuple(value for value in items.values if value != args[0])
+        first = next((number for number, value in enumerate(items.values) if value == args[0]), len(items.values))
+        kept = (*items.values[:first], *items.values[first + 1 :])
         put(kept, items.open or len(kept) == len(items.values))
         return NONE
     if name in ("sort", "reverse"):
-        put(tuple(reversed(items.values)) if name == "reverse" else items.values, items.open)
+        put(tuple(reversed(items.values)) if name == "reverse" else in_order(items.values, keywords), items.open)
         return NONE
     if name in ("copy",):
         return containers.new_list(run, items.values, target.kind, items.open)
@@ -314,6 +342,10 @@ def _list_method(run: Run, target: ListValue, name: str, args: Arguments, keywor
         joined = items.values + tuple(v for v in (more.values if more else ()) if v not in items.values)
         return containers.new_list(run, joined, target.kind, items.open or more is None or more.open)
     return Unknown(f"{target.kind}.{name}() is not followed")
+
+
+_CHANGES = frozenset({"rotate", "difference_update", "intersection_update", "symmetric_difference_update"})
+"""What leaves other items than were there."""
 
 
 def _default(args: Arguments) -> Value:
@@ -338,6 +370,8 @@ def _dict_method(run: Run, target: DictValue, name: str, args: Arguments, keywor
         if at is not None and at in entries.entries:
             return entries.entries[at][1]
         value = args[1] if len(args) > 1 else NONE
+        if entries.open:
+            value = one_of((value, Unknown("the dict has entries that are not known")))
         containers.set_item(run, target, args[0], value)
         return value
     if name == "update":
@@ -354,6 +388,9 @@ def _dict_method(run: Run, target: DictValue, name: str, args: Arguments, keywor
         value = containers.get_entry(run, target, args[0], fallback)
         containers.delete_item(run, target, args[0])
         return value
+    if name == "popitem":
+        run.store.set(target.key, "#items", Entries(entries.entries, True))
+        return Unknown("what popitem() takes")
     if name == "copy":
         return containers.new_dict(run, dict(entries.entries), entries.open)
     if name == "clear":
