@@ -570,3 +570,75 @@ def test_it_is_drawn_apart(owners):
     assert 'label="used by a node that is not known"' in dot.render(system)
     assert "1 node, 1 topic" in dot.render(system)
     assert 'subgraph g0["used by a node that is not known"]' in mermaid.render(system)
+
+
+FALLBACK = """
+    class Listener(Node):
+        def __init__(self):
+            super().__init__('listener')
+            for topic in ['a', 'b']:
+                try:
+                    self.words = self.create_subscription(String, topic, print, 10)
+                    {after}
+                except Exception:
+                    {handler}
+
+
+    def main():
+        rclpy.init()
+        rclpy.spin(Listener())
+
+
+    if __name__ == '__main__':
+        main()
+"""
+
+
+@pytest.mark.parametrize(
+    ("after", "handler", "expected"),
+    [
+        ("break", "continue", ["/a"]),
+        ("break", "self.get_logger().warning('not this one')", ["/a"]),
+        ("break", "self.spare = self.create_publisher(String, 'spare', 10)", ["/a", "/b", "/spare"]),
+        ("pass", "continue", ["/a", "/b"]),
+        ("if self.quick(): break", "continue", ["/a", "/b"]),
+    ],
+)
+def test_a_loop_that_breaks_off_at_the_first_success(owners: Workspace, after: str, handler: str, expected: list[str]):
+    assert owners(FALLBACK.format(after=after, handler=handler)) == {"/listener": expected}
+
+
+TOOLBOX = """
+    class Toolbox:
+        def __init__(self, node):
+            self.node = node
+
+        def listen(self, topic):
+            return self.node.create_subscription(String, topic, print, 10)
+
+        def speak(self, topic):
+            return self.node.create_publisher(String, topic, 10)
+
+
+    class Robot(Node):
+        def __init__(self):
+            super().__init__('robot')
+            self.tools = Toolbox(self)
+            self.tools.listen('words')
+            {more}
+
+
+    def main():
+        rclpy.init()
+        rclpy.spin(Robot())
+
+
+    if __name__ == '__main__':
+        main()
+"""
+
+
+def test_a_wrapper_that_nothing_calls_creates_nothing(owners: Workspace):
+    assert owners(TOOLBOX.format(more="pass")) == {"/robot": ["/words"]}
+    assert owners(TOOLBOX.format(more="self.tools.speak(load())")) == {"/robot": ["/words", "None"]}
+    assert "None" in owners(TOOLBOX.format(more="somewhere.hand_over(self)"))["/robot"]

@@ -32,6 +32,14 @@ def may_expect_missing_attribute(handler: facts.Handler) -> bool:
     return _names_attribute_error(handler.type) and not (_is_for_all(handler.type) and _only_tells(handler))
 
 
+def only_goes_on(handler: facts.Handler) -> bool:
+    """Whether a handler in a loop does no more than say that something went wrong, and go on to the next round."""
+    return all(
+        (isinstance(one, facts.Jump) and one.kind != "break") or _is_telling_call(one, handler.name)
+        for one in handler.body
+    )
+
+
 def _names_attribute_error(expression: facts.Expr | None) -> bool:
     if isinstance(expression, facts.Sequence):
         return any(_names_attribute_error(element) for element in expression.elements)

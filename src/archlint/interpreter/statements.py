@@ -238,7 +238,9 @@ def _try(run: Run, s: facts.Try) -> Status:
         status = run.execute(s.orelse)
     results: list[tuple[Status, Layer]] = [(status, {})]
     key = run.key_of(s.span)
-    for arm, handler in enumerate(s.handlers, start=1):
+    # What ends in `break` is the first of several attempts: the others are for the case that it fails.
+    attempt = status == "break" and all(caught.only_goes_on(handler) for handler in s.handlers)
+    for arm, handler in enumerate([] if attempt else s.handlers, start=1):
         if status is None and (_cannot_raise(s.body) or caught.is_import_error(handler.type)):
             continue
         with run.arm(key, arm) as taken:

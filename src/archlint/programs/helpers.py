@@ -130,17 +130,22 @@ def prune_uncalled(programs: list[model.Program]) -> None:
     """Drop what a method would create if anybody called it, where others show what it creates when called.
 
     A wrapper that every node inherits and few call is tried on each of them; it is kept where nothing better is
-    known of its create call, and then once.
+    known of its create call, and then once.  A node of an executable that is seen from end to end has nothing of what
+    it never calls.
     """
     sites: dict[Place, list[model.Creation]] = {}
+    seen: set[int] = set()
     for program in programs:
         for node in program.nodes:
+            if program.executable and node.complete and not node.held:
+                seen.update(id(creation) for creation in node.creations)
             for creation in node.creations:
                 sites.setdefault(creation.place, []).append(creation)
     dropped: set[int] = set()
     for creations in sites.values():
         uncalled = [creation for creation in creations if _is_uncalled(creation)]
-        kept = uncalled[:1] if len(uncalled) == len(creations) else []
+        unclear = [creation for creation in uncalled if id(creation) not in seen]
+        kept = unclear[:1] if len(uncalled) == len(creations) else []
         dropped.update(id(creation) for creation in uncalled if creation not in kept)
     for program in programs:
         for node in program.nodes:
