@@ -11,37 +11,56 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
+from typing import Final, Literal
 
 from archlint.ros.distros import DISTROS
 
-CALL = "call"
+CALL: Final = "call"
 """The thread stands still until the answer is there: ``call``, ``send_goal``, a loop, an event."""
-LIMITED_CALL = "call with a limit"
+LIMITED_CALL: Final = "call with a limit"
 """The same with a limit that the code sets itself: an event's, or a clock in a loop."""
-TIMED_CALL = "call with timeout_sec"
+TIMED_CALL: Final = "call with timeout_sec"
 """``Client.call(request, timeout_sec=…)``."""
-AWAIT = "await"
+AWAIT: Final = "await"
 """The callback is put aside until the answer is there; the thread is free meanwhile."""
-SPIN = "spin"
+SPIN: Final = "spin"
 """The callback spins its node, on the executor that is running."""
-LIMITED_SPIN = "spin with a limit"
-STEAL = "spin on another executor"
+LIMITED_SPIN: Final = "spin with a limit"
+STEAL: Final = "spin on another executor"
 """The callback spins its node on an executor that does not run it."""
-LIMITED_STEAL = "spin on another executor with a limit"
-RATE = "rate"
+LIMITED_STEAL: Final = "spin on another executor with a limit"
+RATE: Final = "rate"
 """``Rate.sleep()``: the rate's timer has a group of its own."""
-RESULT = "result at once"
+RESULT: Final = "result at once"
 """``future.result()`` straight after ``call_async()``."""
 
-ONE = "one thread"
-SEVERAL = "several threads"
-NOBODY = "nobody seen to spin it"
-ANY = "executor not known"
+ONE: Final = "one thread"
+SEVERAL: Final = "several threads"
+NOBODY: Final = "nobody seen to spin it"
+ANY: Final = "executor not known"
 
-SAME = "same group"
-OTHER = "other group"
-REENTRANT = "reentrant group"
-UNCLEAR = "group not known"
+SAME: Final = "same group"
+OTHER: Final = "other group"
+REENTRANT: Final = "reentrant group"
+UNCLEAR: Final = "group not known"
+
+Form = Literal[
+    "call",
+    "call with a limit",
+    "call with timeout_sec",
+    "await",
+    "spin",
+    "spin with a limit",
+    "spin on another executor",
+    "spin on another executor with a limit",
+    "rate",
+    "result at once",
+]
+"""How a callback waits."""
+Threads = Literal["one thread", "several threads", "nobody seen to spin it", "executor not known"]
+"""How many threads run a node's callbacks."""
+Relation = Literal["same group", "other group", "reentrant group", "group not known"]
+"""How the group of the client is to that of the callback which waits."""
 
 FINE = "works"
 HANGS = "hangs for ever"
@@ -57,6 +76,7 @@ UNKNOWN = "may hang"
 NESTED_SINCE = {"jazzy": "7.1.9", "kilted": "9.1.5"}
 """The rclpy that first refuses a nested spin: before, these distributions let it in, as humble does."""
 
+_Cell = tuple[Form, Threads, Relation]
 Outcomes = Mapping[str, str]
 """The outcome in each distribution."""
 
@@ -72,12 +92,12 @@ def _humble_and_later(humble: str, later: str) -> dict[str, str]:
 _TIMED = {distro: {"humble": NO_SUCH_ARGUMENT, "jazzy": GIVES_NONE}.get(distro, RAISES_TIMEOUT) for distro in DISTROS}
 _TIMED_FINE = _humble_and_later(NO_SUCH_ARGUMENT, FINE)
 
-_GROUPS = (SAME, OTHER, REENTRANT, UNCLEAR)
-_APART = (OTHER, REENTRANT)
-_THREADS = (ONE, SEVERAL, NOBODY, ANY)
+_GROUPS: tuple[Relation, ...] = (SAME, OTHER, REENTRANT, UNCLEAR)
+_APART: tuple[Relation, ...] = (OTHER, REENTRANT)
+_THREADS: tuple[Threads, ...] = (ONE, SEVERAL, NOBODY, ANY)
 
 
-def _stuck(form: str, outcomes: Outcomes, fine: Outcomes) -> dict[tuple[str, str, str], Outcomes]:
+def _stuck(form: Form, outcomes: Outcomes, fine: Outcomes) -> dict[_Cell, Outcomes]:
     """The rows of a form that keeps its thread: it needs a second thread and a group apart."""
     unknown = _everywhere(UNKNOWN)
     return {
@@ -89,7 +109,7 @@ def _stuck(form: str, outcomes: Outcomes, fine: Outcomes) -> dict[tuple[str, str
     }
 
 
-MATRIX: dict[tuple[str, str, str], Outcomes] = {
+MATRIX: dict[_Cell, Outcomes] = {
     **_stuck(CALL, _everywhere(HANGS), _everywhere(FINE)),
     **_stuck(LIMITED_CALL, _everywhere(TIMES_OUT), _everywhere(FINE)),
     **_stuck(TIMED_CALL, _TIMED, _TIMED_FINE),
@@ -153,7 +173,7 @@ class Verdict:
         return f" ({self.before} in {' and '.join(releases)})"
 
 
-def look_up(form: str, threads: str, relation: str, why: str, distros: Sequence[str] = DISTROS) -> Verdict:
+def look_up(form: Form, threads: Threads, relation: Relation, why: str, distros: Sequence[str] = DISTROS) -> Verdict:
     """The verdict of the matrix for some distributions."""
     row = MATRIX[form, threads, relation]
     outcomes = {distro: row[distro] for distro in distros}

@@ -35,6 +35,7 @@ from archlint.model import FOR_A_MOMENT
 from archlint.ros.distros import DISTROS
 
 if TYPE_CHECKING:
+    from archlint.analysis.blocking import Form, Relation, Threads
     from archlint.model import ApiCall, Blueprint, Creation, ExecutorUse, Group, Program
 
 __all__ = [
@@ -64,7 +65,7 @@ _OWN_SPIN = "a node and an executor of its own let the answer in"
 
 
 def judge_wait(
-    kind: str,
+    kind: Form,
     call: ApiCall,
     client: Creation | None,
     program: Program,
@@ -84,13 +85,13 @@ def judge_wait(
     return look_up(form, threads, relation, _why(form, threads, relation, callback.role), distros)
 
 
-def _form(kind: str, call: ApiCall, limited: bool) -> str:
+def _form(kind: Form, call: ApiCall, limited: bool) -> Form:
     if kind != CALL or not limited:
         return kind
     return TIMED_CALL if call.api == _TIMED else LIMITED_CALL
 
 
-def _why(form: str, threads: str, relation: str, role: str) -> str:
+def _why(form: Form, threads: Threads, relation: Relation, role: str) -> str:
     who = "handler" if role == "service" else "callback"
     if form == AWAIT:
         return {SAME: _GROUP_HELD.format(who=who), UNCLEAR: _NO_GROUP}.get(relation, _FREE)
@@ -103,7 +104,7 @@ def _why(form: str, threads: str, relation: str, role: str) -> str:
     return _NO_SPIN if threads == NOBODY else _NO_EXECUTOR
 
 
-def threads_of(node: Blueprint | None, program: Program) -> str:
+def threads_of(node: Blueprint | None, program: Program) -> Threads:
     """How many threads run a node's callbacks."""
     if node is None or node.executor == "unknown":
         return ANY
@@ -137,7 +138,7 @@ def _executor_words(use: ExecutorUse) -> str:
     return "a single-threaded executor"
 
 
-def group_relation(one: Group | None, other: Group | None) -> str:
+def group_relation(one: Group | None, other: Group | None) -> Relation:
     """How the callback group of a callback and that of a client of the same node relate."""
     if one is None:
         return OTHER  # in no group: holds none
@@ -151,7 +152,7 @@ def group_relation(one: Group | None, other: Group | None) -> str:
 
 
 def _judge_two_nodes(
-    form: str, node: Blueprint, client: Blueprint, program: Program, distros: Sequence[str]
+    form: Form, node: Blueprint, client: Blueprint, program: Program, distros: Sequence[str]
 ) -> Verdict:
     """The client belongs to another node: it matters who spins that one."""
     if form == AWAIT:
@@ -186,9 +187,9 @@ def judge_spin(
         # What spins without a future waits for any work, and the group keeps out that of its own.
         relation = SAME if callback.group is not None and callback.group.kind != "reentrant" else OTHER
     globally = call.api.startswith("rclpy.spin") and not _given(call, "executor")
-    form = LIMITED_SPIN if limited else SPIN
+    form: Form = LIMITED_SPIN if limited else SPIN
     # A spin without a future ends as soon as there is any work.
-    steal = LIMITED_STEAL if limited or "future" not in call.arguments else STEAL
+    steal: Form = LIMITED_STEAL if limited or "future" not in call.arguments else STEAL
     if globally and any(use.place is None for use in running):
         return look_up(form, ANY, relation, _NESTED, distros)
     if spun is None or node is None:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Literal
 
 from archlint.analysis.bounds import most
 from archlint.analysis.reach import argument
@@ -31,15 +31,18 @@ _LOCKS = ("fcntl.flock", "fcntl.lockf")
 _NETWORK = ("urllib.", "requests.", "socket.")
 
 
+StayKind = Literal["sleep", "discovery", "network", "process", "message", "lock", "keyboard"]
+"""What a call that keeps its thread waits for."""
+
+
 @dataclass(frozen=True)
 class Stay:
     """A call that keeps its thread.
 
-    ``seconds`` is None where that is not known; ``kind`` is ``sleep``, ``discovery``, ``network``, ``process``,
-    ``message``, ``lock`` or ``keyboard``.
+    ``seconds`` is None where that is not known.
     """
 
-    kind: str
+    kind: StayKind
     seconds: float | None
     words: str
 

@@ -22,6 +22,7 @@ from archlint.syntax.parts import names_in
 from archlint.syntax.walk import called_name, statements_of
 
 if TYPE_CHECKING:
+    from archlint.analysis.blocking import Form
     from archlint.finding import Place
     from archlint.interpreter.values import Value
     from archlint.model import ApiCall, Creation, Program
@@ -53,11 +54,11 @@ _Signals = dict["int | Place | None", "Creation"]
 class Wait:
     """A place where code stands still until an answer has come.
 
-    ``kind`` is one of those of :mod:`archlint.analysis.deadlock`; ``limited`` tells that a timeout ends it;
+    ``limited`` tells that a timeout ends it;
     ``bounded``, that one does, or that a limit is given which is not known.
     """
 
-    kind: str
+    kind: Form
     call: ApiCall
     client: Creation
     program: Program
@@ -87,7 +88,7 @@ def _may_end(limit: Value | None) -> bool:
     )
 
 
-def _waits_of(call: ApiCall, signals: _Signals) -> Iterator[tuple[str, tuple[Creation, ...]]]:
+def _waits_of(call: ApiCall, signals: _Signals) -> Iterator[tuple[Form, tuple[Creation, ...]]]:
     if call.api in BLOCKING_CALLS:
         yield CALL, creations_of(call.receiver)
     elif call.api in SPINS_FOR_FUTURE:

@@ -30,7 +30,7 @@ from archlint.model.nodes import (
 )
 from archlint.model.overrides import Overrides, node_key
 from archlint.model.programs import Program
-from archlint.model.texts import Text
+from archlint.model.texts import Resolution, Text
 
 __all__ = [
     "ACTION_CLIENT",
@@ -60,6 +60,7 @@ __all__ = [
     "ParameterDeclaration",
     "Passed",
     "Program",
+    "Resolution",
     "Spell",
     "Text",
     "UnknownInterface",

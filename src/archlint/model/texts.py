@@ -3,10 +3,14 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Literal
 
 if TYPE_CHECKING:
     from archlint.finding import Place
+
+
+Resolution = Literal["exact", "parameter", "partial", "unknown"]
+"""How far a name is known: one text, that of a parameter, one with holes, or not at all."""
 
 
 @dataclass(frozen=True)
@@ -22,7 +26,7 @@ class Text:
     """
 
     text: str | None
-    resolution: str
+    resolution: Resolution
     parameter: str | None = None
     reason: str | None = None
     origin: Place | None = None

@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     from archlint.finding import Place
     from archlint.launch.load import LaunchLoader
     from archlint.launch.model import Launched, Started
-    from archlint.model import ApiCall, Blueprint, Callback, Creation, ParameterDeclaration, Program
+    from archlint.model import ApiCall, Blueprint, Callback, Creation, ParameterDeclaration, Program, Resolution
     from archlint.observed.model import Comparison
     from archlint.ros.interfaces import InterfaceTable
     from archlint.ros.qos import Qos
@@ -42,7 +42,7 @@ class Endpoint:
     node: Node
     name: str | None
     error: str | None = None
-    resolution: str = "exact"
+    resolution: Resolution = "exact"
     parameter: str | None = None
     reason: str | None = None
 
@@ -105,7 +105,7 @@ class Node:
     overrides: dict[str, object] = field(default_factory=dict)
     settings: list[Setting] = field(default_factory=list)
     """The parameters that a launch file sets on an external node: what it declares is not known."""
-    resolution: str = "exact"
+    resolution: Resolution = "exact"
     """How far ``name`` is known, as for endpoints; a ``partial`` name has holes."""
     error: str | None = None
     """Set where ROS rejects the node's name or namespace, in rmw's words."""

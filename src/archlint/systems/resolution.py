@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
-from archlint.model import ACTION_CLIENT, ACTION_SERVER, CLIENT, SERVICE, Text
+from archlint.model import ACTION_CLIENT, ACTION_SERVER, CLIENT, SERVICE, Resolution, Text
 from archlint.ros import names, remapping
 from archlint.ros.names import InvalidName
 from archlint.ros.remapping import RemapRule
@@ -29,7 +29,7 @@ class NodeName:
         return names.join(self.namespace.text, self.name.text)
 
     @property
-    def resolution(self) -> str:
+    def resolution(self) -> Resolution:
         return _weakest([self.name, self.namespace]).resolution
 
     @property
@@ -50,7 +50,7 @@ class FinalName:
 
     name: str | None
     error: str | None = None
-    resolution: str = "exact"
+    resolution: Resolution = "exact"
     parameter: str | None = None
     reason: str | None = None
 
