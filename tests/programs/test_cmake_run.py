@@ -8,7 +8,7 @@ import pytest
 
 from archlint.programs.cmake_run import CMakeRun
 from archlint.programs.installs import read_cmake
-from archlint.syntax.cmake import parse_cmake
+from archlint.workspace.cmake import parse_cmake
 from archlint.workspace.installed import Installs
 from builds import Build
 

@@ -12,7 +12,7 @@ import re
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
 
-from archlint.syntax.cmake import Argument, Command, parse_cmake
+from archlint.workspace.cmake import Argument, Command, parse_cmake
 
 SOURCE = "//"
 """How a path below a folder of the source tree begins."""

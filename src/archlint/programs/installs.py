@@ -8,8 +8,8 @@ from typing import Protocol
 
 from archlint.finding import Place
 from archlint.programs.cmake_run import CMakeRun, Step
-from archlint.syntax.cmake import Argument, Command
 from archlint.syntax.entry_point_tables import ScriptEntry, entries_of_setup_cfg
+from archlint.workspace.cmake import Argument, Command
 from archlint.workspace.installed import Executable, InstalledFiles, Installs
 
 

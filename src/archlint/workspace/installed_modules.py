@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Sequence
 
-_INSTALL = re.compile(r"\bament_python_install_package\s*\(([^()]*)\)", re.IGNORECASE)
-_PROJECT = re.compile(r"\bproject\s*\(\s*\"?([\w-]+)", re.IGNORECASE)
-_COMMENT = re.compile(r"#\[(=*)\[.*?\]\1\]|#[^\n]*", re.DOTALL)
-_WORD = re.compile(r'"([^"]*)"|([^\s"]+)')
+from archlint.workspace.cmake import Command, parse_cmake
+
+_INSTALL = "ament_python_install_package"
+_NAME = re.compile(r"[\w-]+")
 _HERE = re.compile(r"\$\{(?:CMAKE_CURRENT_SOURCE_DIR|PROJECT_SOURCE_DIR|CMAKE_SOURCE_DIR)\}/?")
 
 
@@ -17,18 +18,14 @@ def installed_modules(text: str, package: str) -> dict[str, str]:
     ``package`` stands in for ``${PROJECT_NAME}`` in a file that does not say ``project``.  What takes other
     variables is left out.
     """
-    if "ament_python_install_package" not in text:
+    if _INSTALL not in text:
         return {}
-    text = _COMMENT.sub("", text)
-    project = _PROJECT.search(text)
-    project_name = project[1] if project else package
+    commands = parse_cmake(text)
+    project = _project(commands) or package
     found = {}
-    for call in _INSTALL.finditer(text):
-        words = [
-            _HERE.sub("", quoted or plain).replace("${PROJECT_NAME}", project_name)
-            for quoted, plain in _WORD.findall(call[1])
-        ]
-        if not words:
+    for command in commands:
+        words = [_HERE.sub("", word).replace("${PROJECT_NAME}", project) for word in command.texts]
+        if command.name != _INSTALL or not words:
             continue
         folder = words[0]
         if "PACKAGE_DIR" in words[:-1]:
@@ -36,3 +33,9 @@ def installed_modules(text: str, package: str) -> dict[str, str]:
         if words[0].isidentifier() and "$" not in folder:
             found[folder.strip("/")] = words[0]
     return found
+
+
+def _project(commands: Sequence[Command]) -> str | None:
+    """The name that the file gives its project, where it is written out."""
+    named = (command.texts[0] for command in commands if command.name == "project" and command.texts)
+    return next((name for name in named if _NAME.fullmatch(name)), None)
