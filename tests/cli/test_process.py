@@ -65,7 +65,8 @@ def test_small_commands_import_nothing_heavy(tmp_path: Path, arguments: list[str
 @pytest.mark.parametrize("format", ["text", "concise", "json", "sarif"])
 def test_a_run_on_an_unchanged_workspace_imports_nothing_heavy(node: Path, format: str):
     assert "libcst" in imported(node.parent, "check", "--format", format)
-    assert not HEAVY & imported(node.parent, "check", "--format", format)
+    # msgspec reads the result that was kept: 10 ms, for findings whose types are checked.
+    assert HEAVY & imported(node.parent, "check", "--format", format) <= {"msgspec"}
 
 
 def test_no_check_imports_what_only_drawings_need(node: Path):

@@ -1,6 +1,7 @@
 """The result of a whole run, kept under the content of all that it depends on.
 
-A record is plain JSON from a folder that anybody may have written to: one with anything wrong is a miss.
+A record is plain JSON from a folder that anybody may have written to: one with anything wrong is a miss.  The types of
+what is kept say what is right, down to the last place of a fix.
 """
 
 from __future__ import annotations
@@ -8,14 +9,14 @@ from __future__ import annotations
 import hashlib
 import json
 import os
-from dataclasses import astuple
+from dataclasses import astuple, dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
+
+import msgspec
 
 from archlint.engine.sources import PYTHON
-from archlint.finding import Edit, Finding, Fix, Place, Related, Severity
-from archlint.report.json import diagnostic
-from archlint.report.model import Judged, Summary
+from archlint.report.model import Judged
 from archlint.rulebook import pages_folder
 
 if TYPE_CHECKING:
@@ -27,6 +28,13 @@ if TYPE_CHECKING:
 
 
 _PIECE = 1_000_000
+
+
+@dataclass(frozen=True)
+class _Record:
+    judged: Judged
+    asked: list[tuple[str, str, str | None]]
+    """See :meth:`RunCache._asked`."""
 
 
 class RunCache:
@@ -59,13 +67,7 @@ class RunCache:
         """Keep a result, unless some input could not be read."""
         if self._key is None:
             return
-        record = {
-            "findings": [{**diagnostic(finding), "identity": finding.identity} for finding in judged.findings],
-            "summary": vars(judged.summary),
-            "notices": judged.notices,
-            "remarks": judged.remarks,
-            "asked": self._asked(),
-        }
+        record = msgspec.to_builtins(_Record(judged, self._asked()))
         self._store.put_run(self._key, json.dumps(record).encode())
 
     def _read(self) -> Judged | None:
@@ -73,14 +75,12 @@ class RunCache:
         if payload is None:
             return None
         try:
-            record = json.loads(payload)
-            if any(self._tree.answer(question, path) != answer for question, path, answer in record["asked"]):
-                return None
-            findings = [_finding(entry) for entry in record["findings"]]
-            notices, remarks = ([str(text) for text in record[key]] for key in ("notices", "remarks"))
-            return Judged(findings, Summary(**record["summary"]), notices, remarks)
-        except (ValueError, KeyError, TypeError, AttributeError, RecursionError):
+            # Not with msgspec's own reader: the name of a file may hold what is no UTF-8.
+            record = msgspec.convert(json.loads(payload), _Record)
+        except (ValueError, RecursionError):
             return None
+        stale = any(self._tree.answer(question, path) != answer for question, path, answer in record.asked)
+        return None if stale else record.judged
 
     def _asked(self) -> list[tuple[str, str, str | None]]:
         """What was asked of the disk beside the files that the key is made of: a parameter file that git ignores,
@@ -141,35 +141,3 @@ def own_code() -> list[tuple[str, int, int]]:
                 elif entry.name != "__pycache__" and entry.is_dir():
                     folders.append(entry.path)
     return sorted(entries)
-
-
-def _finding(entry: dict[str, Any]) -> Finding:
-    """The finding that :func:`~archlint.report.json.diagnostic` wrote."""
-    related = tuple(Related(_place(one), str(one["message"])) for one in entry["related"])
-    return Finding(
-        code=str(entry["code"]),
-        name=str(entry["name"]),
-        severity=Severity.parse(entry["severity"]),
-        message=str(entry["message"]),
-        place=_place(entry),
-        help=str(entry["help"]),
-        node=entry["node"],
-        system=entry["system"],
-        related=related,
-        fix=None if entry["fix"] is None else _fix(entry["fix"]),
-        identity=tuple(str(part) for part in entry["identity"]),
-        condition=entry["condition"],
-    )
-
-
-def _fix(entry: dict[str, Any]) -> Fix:
-    edits = (
-        Edit(Place(str(one["file"]), *(int(at) for at in (*one["start"], *one["end"]))), str(one["text"]))
-        for one in entry["edits"]
-    )
-    return Fix(str(entry["safety"]), tuple(edits), str(entry.get("title", "")))
-
-
-def _place(entry: dict[str, Any]) -> Place:
-    keys = ("line", "column", "end_line", "end_column")
-    return Place(str(entry["file"]), *(int(entry[key]) for key in keys))
