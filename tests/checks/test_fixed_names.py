@@ -93,6 +93,7 @@ BRIDGE = """
     [
         ("/ball/words", "/ball/words", Severity.INFO),
         ("words", "/ball/words", Severity.WARNING),
+        ("/words", "/words", Severity.WARNING),
         ("/ball/words", "/ball/other", Severity.WARNING),
     ],
 )

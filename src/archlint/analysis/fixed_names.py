@@ -16,7 +16,8 @@ if TYPE_CHECKING:
     from archlint.systems.model import Endpoint, World
 
 _MODELS = (".sdf", ".world", ".urdf", ".xacro")
-_TOPIC = re.compile(r"<(?:topic|topic_name|odom_topic|service)>\s*(/[^<\s]+)\s*</")
+_TOPIC = re.compile(r"<(?:topic|topic_name|odom_topic|service)>\s*(/[^<\s/]+/[^<\s]+)\s*</")
+"""A topic below the name of the model, such as ``/ball/cmd_vel``: ``/cmd_vel`` may be of any robot."""
 _BRIDGED = re.compile(r"[\"'](/[^\"'@\s]+)@[\w/]+[\[\]@]")
 
 
