@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import ast
 import os
 import re
 import subprocess
@@ -112,3 +113,41 @@ def test_another_workspace_is_judged_in_between(tmp_path: Path, monkeypatch: pyt
     monkeypatch.setattr(pipeline, "_rules", rules)
     assert places("tests/robot") == [("TMO001", "tests/robot/robot.py")]
     assert inside == ["other", [("TMO001", "other/robot.py")]]
+
+
+PURE = {
+    "checks/registry.py": {"_defined"},
+    "ros/packages.py": {"table"},
+    "ros/standard_interfaces.py": {"table"},
+    "rulebook.py": {"rules"},
+    "systems/overrides.py": {"_pattern"},
+}
+"""What is kept for the process, since it follows from archlint's own files or from a text alone."""
+ROOMS = (
+    "analysis",
+    "checks",
+    "config",
+    "engine",
+    "fixes",
+    "observed",
+    "programs",
+    "render",
+    "report",
+    "ros",
+    "systems",
+)
+
+
+def test_nothing_of_a_workspace_is_kept_in_a_module():
+    """A cache lives on what it is of: a ``System`` or a ``World`` (:mod:`archlint.analysis.kept`)."""
+    source = Path(archlint.__file__).parent
+    files = [source / "rulebook.py", *(file for room in ROOMS for file in sorted((source / room).rglob("*.py")))]
+    kept: dict[str, set[str]] = {}
+    for file in files:
+        for item in ast.walk(ast.parse(file.read_text(encoding="utf-8"))):
+            if isinstance(item, ast.Global):
+                kept.setdefault(file.relative_to(source).as_posix(), set()).update(item.names)
+            for decorator in getattr(item, "decorator_list", ()):
+                if re.match(r"(functools\.)?(lru_)?cache\b", ast.unparse(decorator)):
+                    kept.setdefault(file.relative_to(source).as_posix(), set()).add(item.name)
+    assert kept == PURE
