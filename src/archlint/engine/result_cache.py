@@ -103,7 +103,7 @@ class RunCache:
             return None
         files = self._workspace.files
         inputs = [
-            [file.relative, file.kind, file.package, file.module, file.context, digest]
+            [file.relative, file.kind, file.package, file.module, file.context, list(map(astuple, file.links)), digest]
             for file, digest in zip(files, digests, strict=True)
         ]
         problems = [astuple(problem) for problem in self._workspace.problems]

@@ -72,8 +72,10 @@ class ModuleIndex:
                 continue
             path = file.path.replace("\\", "/")
             self._by_path[path] = file
-            if file.module:
-                self._by_name.setdefault(file.module, []).append(file)
+            for one in (file, *file.links):
+                self._by_path.setdefault(one.path.replace("\\", "/"), file)
+                if one.module and file not in self._by_name.setdefault(one.module, []):
+                    self._by_name[one.module].append(file)
             stem = path.removesuffix("/__init__.py").removesuffix(".py")
             self._by_tail.setdefault(stem.rpartition("/")[2], []).append(file)
 
@@ -124,12 +126,14 @@ class ModuleIndex:
         return ".".join((*base, *([name] if name else [])))
 
     def _relative(self, importer: Module, name: str, level: int) -> Module | None:
-        folder = importer.file.path.replace("\\", "/").rpartition("/")[0]
-        for _ in range(level - 1):
-            folder = folder.rpartition("/")[0]
-        stem = "/".join((folder, *name.split("."))) if name else folder
-        file = self._at(stem)
-        return None if file is None else self.module(file)
+        for one in (importer.file, *importer.file.links):
+            folder = one.path.replace("\\", "/").rpartition("/")[0]
+            for _ in range(level - 1):
+                folder = folder.rpartition("/")[0]
+            file = self._at("/".join((folder, *name.split("."))) if name else folder)
+            if file is not None:
+                return self.module(file)
+        return None
 
     def _at(self, stem: str) -> SourceFile | None:
         return self._by_path.get(stem + ".py") or self._by_path.get(stem + "/__init__.py")

@@ -10,13 +10,11 @@ from dataclasses import replace
 
 from archlint.workspace.installed_modules import installed_modules
 from archlint.workspace.manifest import read_manifest
-from archlint.workspace.model import Package, Problem, SourceFile, Workspace
+from archlint.workspace.model import PYTHON_KINDS, Link, Package, Problem, SourceFile, Workspace
 from archlint.workspace.module_names import ModuleNames
 
 MAX_BYTES = 1_000_000
 """Nobody writes a package.xml or a CMakeLists.txt of this size."""
-
-_PYTHON_KINDS = ("python", "launch_python", "setup_py")
 
 
 def place(
@@ -48,8 +46,12 @@ def place(
         if folder not in homes:
             homes[folder] = _innermost(packages, folder)
         owner = names[homes[folder]]
-        module = owner.module(file.path) if file.kind in _PYTHON_KINDS else None
-        placed.append(_member(file, owner.package, module))
+        module = owner.module(file.path) if file.kind in PYTHON_KINDS else None
+        links = []
+        for link in sorted(file.links, key=lambda link: link.path):
+            around = names[_innermost(packages, os.path.dirname(link.path))]
+            links.append(Link(link.path, around.package, around.module(link.path)))
+        placed.append(_member(file, owner.package, module, tuple(links)))
     known = [package for package in packages.values() if package is not None]
     with_cpp = {_innermost(packages, folder) for folder in cpp_folders}
     return Workspace(
@@ -62,10 +64,10 @@ def place(
     )
 
 
-def _member(file: SourceFile, package: str | None, module: str | None) -> SourceFile:
+def _member(file: SourceFile, package: str | None, module: str | None, links: tuple[Link, ...]) -> SourceFile:
     # dataclasses.replace takes four times as long.
     status = file.size, file.mtime_ns, file.inode, file.context, file.ctime_ns
-    return SourceFile(file.path, file.relative, file.kind, package, module, *status)
+    return SourceFile(file.path, file.relative, file.kind, package, module, *status, links)
 
 
 def _manifests(files: Iterable[SourceFile]) -> list[SourceFile]:

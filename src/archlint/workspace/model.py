@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 
+PYTHON_KINDS = ("python", "launch_python", "setup_py")
+
 
 @dataclass(frozen=True, slots=True)
 class Problem:
@@ -15,6 +17,15 @@ class Problem:
     message: str
     help: str | None = None
     """What brings the file, where that is known; it is no fault of the workspace then."""
+
+
+@dataclass(frozen=True, slots=True)
+class Link:
+    """A symbolic link to a file of the workspace: the package that it lies in, and the name that it gives a module."""
+
+    path: str
+    package: str | None = None
+    module: str | None = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -38,6 +49,8 @@ class SourceFile:
     inode: int = 0
     context: bool = False
     ctime_ns: int = 0
+    links: tuple[Link, ...] = ()
+    """The other names that a Python file has in this workspace."""
 
     @property
     def stamp(self) -> tuple[int, int, int, int]:

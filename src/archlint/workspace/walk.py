@@ -6,11 +6,11 @@ import errno
 import os
 import stat
 from collections.abc import Callable, Iterator, Set
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from archlint.workspace.ignore import Ignores, clones_in, ignores_above
 from archlint.workspace.kinds import has_python_shebang, kind_of, may_be_script
-from archlint.workspace.model import Problem, SourceFile
+from archlint.workspace.model import PYTHON_KINDS, Link, Problem, SourceFile
 from archlint.workspace.pruning import is_pruned_by_content, is_pruned_by_name
 from archlint.workspace.submodules import submodule_of
 
@@ -179,7 +179,11 @@ class Walk:
             yield _Folder(link.path, shown, real, folder.ignores, folder.context, frozenset())
 
     def _keep(self, real: str, path: str, shown: str, kind: str, status: os.stat_result, context: bool) -> None:
-        if real in self.files:
+        known = self.files.get(real)
+        if known is not None:
+            linked = path != known.path and os.path.islink(path) and not os.path.islink(known.path)
+            if linked and known.kind in PYTHON_KINDS and all(path != link.path for link in known.links):
+                self.files[real] = replace(known, links=(*known.links, Link(path)))
             return
         if not stat.S_ISREG(status.st_mode):
             if not context:
