@@ -17,7 +17,7 @@ from archlint.workspace.test_code import FileRoles
 
 if TYPE_CHECKING:
     from archlint.interpreter.values import Scope
-    from archlint.workspace.model import SourceFile
+    from archlint.workspace.model import Link, SourceFile
 
 
 _OF_ROS = frozenset(
@@ -72,7 +72,7 @@ class ModuleIndex:
                 continue
             path = file.path.replace("\\", "/")
             self._by_path[path] = file
-            for one in (file, *file.links):
+            for one in _names_of(file):
                 self._by_path.setdefault(one.path.replace("\\", "/"), file)
                 if one.module and file not in self._by_name.setdefault(one.module, []):
                     self._by_name[one.module].append(file)
@@ -126,7 +126,7 @@ class ModuleIndex:
         return ".".join((*base, *([name] if name else [])))
 
     def _relative(self, importer: Module, name: str, level: int) -> Module | None:
-        for one in (importer.file, *importer.file.links):
+        for one in _names_of(importer.file):
             folder = one.path.replace("\\", "/").rpartition("/")[0]
             for _ in range(level - 1):
                 folder = folder.rpartition("/")[0]
@@ -167,6 +167,11 @@ class ModuleIndex:
             and file.path.replace("\\", "/").removesuffix("/__init__.py").removesuffix(".py").endswith(tail)
         ]
         return _nearest(importer, found) if found else None
+
+
+def _names_of(file: SourceFile) -> tuple[SourceFile | Link, ...]:
+    """The file and the symbolic links that lead to it: each gives it a path, and perhaps a name to import it by."""
+    return (file, *file.links)
 
 
 def _imports(body: Sequence[Stmt]) -> Iterator[Import | ImportFrom]:
