@@ -8,7 +8,7 @@ import pytest
 
 from archlint.config.settings import load
 from archlint.engine.pipeline import Request, check
-from archlint.finding import Finding
+from archlint.finding import Finding, Severity
 from archlint.suggestions import did_you_mean, distance, nearest
 
 MANIFEST = """<package format="3"><name>{name}</name>
@@ -708,6 +708,26 @@ def generate_launch_description():
     return LaunchDescription([Node(package='robot', executable='talker')])
 """
     assert len(findings("LCH005", **{"launch/old.launch.py": text})) == told
+
+
+@pytest.mark.parametrize(
+    ("name", "keyword", "severity"),
+    [
+        ("dashing_start", "node_executable", Severity.INFO),
+        ("start", "node_executable", Severity.WARNING),
+        ("dashing_start", "executible", Severity.WARNING),
+        ("flashing_start", "node_executable", Severity.WARNING),
+    ],
+)
+def test_a_file_for_an_old_release(findings, name: str, keyword: str, severity: Severity):
+    text = f"""\
+from launch import LaunchDescription
+from launch_ros.actions import Node
+
+def generate_launch_description():
+    return LaunchDescription([Node(package='robot', {keyword}='talker')])
+"""
+    assert [one.severity for one in findings("LCH005", **{f"launch/{name}.launch.py": text})] == [severity]
 
 
 def test_files_of_other_packages_are_not_looked_for(findings):

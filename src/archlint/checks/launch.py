@@ -13,7 +13,7 @@ from archlint.analysis.generated_files import is_generated
 from archlint.checks.folding import folds
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
-from archlint.finding import Finding, Related
+from archlint.finding import Finding, Related, Severity
 from archlint.launch.model import MISSING, NOT_INSTALLED
 from archlint.model import ACTION_CLIENT, ACTION_SERVER
 from archlint.ros import names
@@ -317,7 +317,7 @@ def unknown_launch_attribute(system: System, options: Options) -> Iterator[Findi
         in_xml = wrong.action.startswith("<")
         kind = "attribute" if in_xml else "argument"
         why = "launch refuses this file as it reads it" if in_xml else "this call raises TypeError"
-        yield finding(
+        found = finding(
             "LCH005",
             wrong.place,
             f"{wrong.action} has no {kind} '{wrong.name}'{hint}",
@@ -325,6 +325,14 @@ def unknown_launch_attribute(system: System, options: Options) -> Iterator[Findi
             identity=(wrong.action, wrong.name),
             group=(wrong.place.file,),
         )
+        is_old = (
+            wrong.name.startswith("node_") and _OLD_RELEASE.search(posixpath.basename(wrong.place.file)) is not None
+        )
+        yield replace(found, severity=Severity.INFO) if is_old else found
+
+
+_OLD_RELEASE = re.compile(r"(?<![a-z])(?:dashing|eloquent|foxy)(?![a-z])")
+"""The releases whose ``Node`` took ``node_name`` and the like, in the name of a file that is for one of them."""
 
 
 @folds("LCH005")
