@@ -104,7 +104,7 @@ def test_the_topic_of_a_model(judge: Judge, tmp_path: Path, model: str, bridged:
     (tmp_path / "launch").mkdir()
     (tmp_path / "launch" / "bridge.launch.py").write_text(dedent(BRIDGE).format(name=bridged))
 
-    [found] = judge("NME001", MOVER)
+    [found] = judge("NME001", MOVER.replace("/ball/words", bridged if model == bridged else "/ball/words"))
 
     assert found.severity is severity
     assert ("Gazebo fixes it so" in found.message) == (severity is Severity.INFO)
