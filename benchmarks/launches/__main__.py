@@ -26,11 +26,16 @@ from collections import Counter
 from pathlib import Path
 
 from archlint.config.settings import Settings
-from archlint.engine.pipeline import Request, _compiled, _found, _store, _systems
+from archlint.engine.compiling import compiled
+from archlint.engine.inputs import find_files
+from archlint.engine.loading import systems_of as systems_of_workspace
+from archlint.engine.pipeline import store_of
+from archlint.engine.request import Request
 from archlint.finding import Place
 from archlint.launch.load import LaunchLoader
 from archlint.launch.model import Launched
 from archlint.systems.model import System
+from archlint.workspace.tree import SourceTree
 
 KINDS = ("here", "external", "not taken", "unresolved", "not reached", "put nowhere")
 PYTHON = re.compile(r"(?<![\w])(?:Lifecycle)?(?:Node|ComposableNode|ComposableNodeContainer)\s*\(")
@@ -43,9 +48,9 @@ YAML = re.compile(r"^\s*-?\s*(?:node|lifecycle_node|composable_node|node_contain
 def systems_of(root: Path) -> list[System]:
     os.chdir(root)
     request = Request((".",), Settings(), cached=False, jobs=1)
-    workspace = _found(request)
-    store = _store(request)
-    return _systems(request, workspace, _compiled(request, workspace, store))
+    workspace = find_files(request)
+    facts = compiled(request, workspace, store_of(request))
+    return systems_of_workspace(request, workspace, facts, SourceTree(Path.cwd(), Path(workspace.root)))
 
 
 def actions_in(path: str) -> list[int]:

@@ -10,7 +10,10 @@ from dataclasses import dataclass, field
 from pathlib import Path
 
 from archlint.config.settings import Settings
-from archlint.engine.pipeline import Request, _compiled, _found, _parts, _store
+from archlint.engine.compiling import compiled
+from archlint.engine.inputs import find_files, parts_of
+from archlint.engine.pipeline import store_of
+from archlint.engine.request import Request
 from archlint.launch.load import LaunchLoader
 from archlint.launch.model import Launched, OpenParameters, ParameterFileUse, ParameterSetting, Started
 from archlint.model import Text
@@ -62,11 +65,11 @@ class Checkout:
     def __init__(self, root: Path) -> None:
         os.chdir(root)
         request = Request((".",), Settings(), cached=False, jobs=1)
-        workspace = _found(request)
-        facts = _compiled(request, workspace, _store(request))
+        workspace = find_files(request)
+        facts = compiled(request, workspace, store_of(request))
         tree = SourceTree(Path.cwd(), Path(workspace.root))
         self.loaders: list[LaunchLoader] = []
-        for part in _parts(request, workspace):
+        for part in parts_of(request, workspace):
             installs = read_installs(part.packages, part.files, facts.facts_of, tree)
             old = frozenset(package.name for package in part.packages if package.ros1)
             loader = LaunchLoader(

@@ -9,8 +9,8 @@ import pytest
 
 from archlint.architecture import matches
 from archlint.checks.idle_contracts import idle_patterns
-from archlint.checks.registry import options_for
 from archlint.cli import main
+from archlint.config.options import options_for
 from archlint.config.settings import ConfigurationError, load
 from archlint.engine.judging import judge
 from archlint.finding import Finding

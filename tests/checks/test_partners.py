@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from archlint.checks.near_misses import nearly_equal
-from archlint.checks.registry import options_for
+from archlint.config.options import options_for
 from archlint.config.settings import Settings
 from archlint.engine.judging import judge
 from archlint.finding import Finding, Place

@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import pytest
 
-from archlint.checks.registry import Options, finding, options_for, registered, rule, unreadable
+from archlint.checks.registry import Options, finding, registered, rule, unreadable
 from archlint.checks.scope import Scope
+from archlint.config.options import options_for
 from archlint.config.settings import Settings
 from archlint.engine.judging import judge
 from archlint.finding import Place, Severity

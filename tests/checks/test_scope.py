@@ -10,10 +10,11 @@ from textwrap import dedent
 
 import pytest
 
-from archlint.checks.registry import Options, finding, options_for, registered, rule
+from archlint.checks.registry import Options, finding, registered, rule
 from archlint.checks.scope import Scope
+from archlint.config.options import options_for
 from archlint.config.settings import Settings, load
-from archlint.engine import pipeline
+from archlint.engine import findings
 from archlint.engine.merging import merged
 from archlint.engine.pipeline import Request, check
 from archlint.finding import Finding, Place, Related
@@ -76,7 +77,7 @@ def _judged(write, folder: Path) -> Iterator[Judged]:
     with pytest.MonkeyPatch.context() as patch:
         systems: list[System] = []
         patch.chdir(folder)
-        patch.setattr(pipeline, "_rules", lambda _, found: iter(systems.extend(found) or ()))
+        patch.setattr(findings, "_rules", lambda _, found: iter(systems.extend(found) or ()))
         write(folder)
         settings = load(folder)
         check(Request((".",), settings, cached=False, jobs=1))

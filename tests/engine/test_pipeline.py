@@ -363,7 +363,7 @@ def age(*names: str) -> None:
 
 @pytest.fixture
 def no_linking(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("archlint.engine.pipeline._systems", lambda *_: pytest.fail("linked again"))
+    monkeypatch.setattr("archlint.engine.findings.systems_of", lambda *_: pytest.fail("linked again"))
 
 
 def test_the_same_is_found_with_and_without_cache_and_for_any_number_of_jobs():

@@ -9,9 +9,10 @@ import threading
 
 import pytest
 
+from archlint.faults import INTERNAL_ERROR
 from archlint.syntax import compile as compiler
 from archlint.syntax import workers
-from archlint.syntax.compile import CRASHED, INTERNAL_ERROR, compile_python, compile_sources
+from archlint.syntax.compile import CRASHED, compile_python, compile_sources
 from archlint.syntax.facts import Facts, decode
 from archlint.syntax.python import gate, lowering
 

@@ -6,9 +6,9 @@ from pathlib import Path
 
 import pytest
 
+from archlint.faults import INTERNAL_ERROR
 from archlint.syntax import workers
 from archlint.syntax.cache import NullStore, Store
-from archlint.syntax.compile import INTERNAL_ERROR
 from archlint.syntax.files import FactsOfFiles
 from archlint.syntax.python import gate, lowering
 from archlint.workspace.model import SourceFile

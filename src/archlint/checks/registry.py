@@ -12,7 +12,7 @@ decorator: the default gives the type, and an underscore is a dash in the config
 from __future__ import annotations
 
 import importlib
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from fnmatch import fnmatchcase
 from functools import cache
@@ -22,14 +22,13 @@ from typing import TYPE_CHECKING, TypeVar
 from archlint import checks
 from archlint.checks.folding import Fold
 from archlint.checks.scope import Scope
-from archlint.faults import Fault
+from archlint.faults import INTERNAL_ERROR, Fault
 from archlint.finding import Finding, Place, Related, Severity
 from archlint.project import issue_tracker
-from archlint.rulebook import codes_of, rules
+from archlint.rulebook import rules
 
 if TYPE_CHECKING:
     from archlint.architecture import Contract, Layers
-    from archlint.config.settings import Settings
     from archlint.globs import Glob
     from archlint.systems.model import System
 
@@ -173,29 +172,6 @@ def finding(
     )
 
 
-def options_for(settings: Settings, codes: Iterable[str]) -> dict[str, Options]:
-    """What the configuration says to each of these rules; codes that no module registers are left out."""
-    checks = registered()
-    return {
-        code: Options(
-            distros=settings.distros,
-            shared_topics=settings.shared_topics,
-            external=settings.external,
-            owners=settings.owners,
-            contracts=settings.contracts,
-            layers=settings.node_layers,
-            own={**checks[code].defaults, **settings.rules.get(code, {})},
-            ignored_in=tuple(
-                glob
-                for glob, selectors in settings.per_file_ignores.items()
-                if any(code in codes_of(selector) for selector in selectors)
-            ),
-        )
-        for code in codes
-        if code in checks
-    }
-
-
 def failure(fault: Fault) -> Finding:
     """The LNT003 finding for a part of archlint that raised."""
     return finding(
@@ -210,8 +186,6 @@ def failure(fault: Fault) -> Finding:
 def unreadable(file: str, line: int, column: int, message: str, help: str | None = None) -> Finding:
     """The LNT002 finding for what could not be read, or LNT003 where reading failed by a fault of ours; information
     where ``help`` says what brings the file."""
-    from archlint.syntax.compile import INTERNAL_ERROR
-
     place = Place(file, line, column, line, column)
     if not message.startswith(INTERNAL_ERROR):
         found = finding("LNT002", place, message, help=help or "", identity=(message,))

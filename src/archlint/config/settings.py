@@ -16,7 +16,7 @@ from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from archlint.config import architecture_tables
+from archlint.config import architecture_tables, rule_options
 from archlint.config import values as read
 from archlint.config.selection import Layer, Selection, resolve
 from archlint.config.values import ConfigurationError, Source, Value
@@ -94,7 +94,7 @@ KEYS: dict[str, Callable[[Value], object]] = {
     "owners": architecture_tables.owners,
     "per-file-ignores": read.ignores_by_glob,
     "per-package-ignores": read.ignores_by_name,
-    "rules": read.rule_options,
+    "rules": rule_options.rule_options,
     "select": read.selectors,
     "severity": read.severities,
     "shared-topics": read.strings,

@@ -5,17 +5,13 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from archlint.config.toml_places import KeyPath, locate
 from archlint.finding import Severity
 from archlint.globs import Glob
-from archlint.rulebook import codes_of, find_rule, suggestion
+from archlint.rulebook import codes_of, suggestion
 from archlint.suggestions import did_you_mean
-
-if TYPE_CHECKING:
-    from archlint.checks.registry import OptionValue
-    from archlint.rulebook import Rule
 
 
 class ConfigurationError(Exception):
@@ -181,39 +177,6 @@ def home_of(source: Source, path: str, key: KeyPath) -> Path:
         return Path(path).expanduser()
     except RuntimeError:
         raise source.error(f"`{key[-1]}` names a user whose home is not known: {path}", key) from None
-
-
-def rule_options(value: Value) -> dict[str, dict[str, OptionValue]]:
-    from archlint.checks.registry import registered  # only a configuration with such tables pays for it
-
-    checks = registered()
-    found = {}
-    for name, given in table(value).items():
-        rule = find_rule(name)
-        if rule is None:
-            raise value.source.error(unknown_rule(name), given.path)
-        defaults = checks[rule.code].defaults if rule.code in checks else {}
-        found[rule.code] = {key: _option(rule, defaults, key, one) for key, one in table(given).items()}
-    return found
-
-
-def _option(rule: Rule, defaults: Mapping[str, OptionValue], key: str, given: Value) -> OptionValue:
-    if key not in defaults:
-        raise given.source.error(unknown_key(key, defaults, f"{rule.title} has no option"), given.path)
-    return _like(defaults[key], given)
-
-
-def _like(default: OptionValue, given: Value) -> OptionValue:
-    """A rule's option, of the type that its default has."""
-    if isinstance(default, bool):
-        return boolean(given)
-    if isinstance(default, tuple):
-        return strings(given)
-    if isinstance(default, str):
-        return string(given)
-    if isinstance(given.value, bool) or not isinstance(given.value, (int, float)):
-        raise given.wrong("a number")
-    return given.value
 
 
 def unknown_key(key: str, known: Mapping[str, object], words: str = "unknown key") -> str:

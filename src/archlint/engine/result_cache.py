@@ -20,7 +20,7 @@ from archlint.report.model import Judged
 from archlint.rulebook import pages_folder
 
 if TYPE_CHECKING:
-    from archlint.engine.pipeline import Request
+    from archlint.engine.request import Request
     from archlint.syntax.cache import NullStore, Store
     from archlint.syntax.files import FactsOfFiles
     from archlint.workspace.model import SourceFile, Workspace

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, NamedTuple
 
 from msgspec import structs
 
+from archlint.faults import INTERNAL_ERROR
 from archlint.syntax.facts import FACTS_VERSION, Facts, FileProblem, encode
 from archlint.syntax.python import gate
 from archlint.syntax.python.deep_stack import DEEP_LIMIT, STOCK_LIMIT, call_with_deep_stack, recursion_limit
@@ -18,9 +19,6 @@ if TYPE_CHECKING:
     from collections.abc import Iterator
 
     from archlint.syntax.workers import Answer
-
-INTERNAL_ERROR = "internal error"
-"""How the message of a problem begins that is archlint's own fault."""
 
 CRASHED = "crashes the parser"
 """The message for a file that kills the process that parses it."""

@@ -1,0 +1,206 @@
+"""Everything that the selected rules find in a workspace: judge, suppress, fold, sort."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import replace
+from typing import TYPE_CHECKING
+
+from archlint.checks.idle_contracts import idle_patterns
+from archlint.checks.launch_notices import argument_notices
+from archlint.checks.registry import failure, registered, unreadable, unreadable_interface
+from archlint.checks.scope import Scope
+from archlint.config.filters import Filters
+from archlint.config.options import options_for
+from archlint.engine import suppressions
+from archlint.engine.inputs import is_input, is_of_package, known_files, parts_of, python_files, refuse_nothing
+from archlint.engine.judging import judge_alternatives
+from archlint.engine.loading import as_asked_for, systems_of
+from archlint.engine.looked_at import followed_in_part, for_ros1, without_start
+from archlint.engine.merging import folded, merged
+from archlint.engine.request import NothingToDo, Request
+from archlint.engine.sources import Sources
+from archlint.faults import Faults
+from archlint.finding import Place, Related
+from archlint.fixes import Surroundings, attach
+from archlint.observed.words import comparison_notices, comparison_words
+from archlint.render.json import unresolved
+from archlint.report.model import Judged, summarise
+from archlint.rulebook import rules
+from archlint.syntax.interfaces import interface_problems
+
+if TYPE_CHECKING:
+    from archlint.config.settings import Settings
+    from archlint.finding import Finding
+    from archlint.launch.load import LaunchLoader
+    from archlint.syntax.files import FactsOfFiles
+    from archlint.systems.model import System
+    from archlint.workspace.model import SourceFile, Workspace
+    from archlint.workspace.tree import SourceTree
+
+
+def judged_in_parts(request: Request, workspace: Workspace, facts: FactsOfFiles, tree: SourceTree) -> Judged:
+    """What is found in each of the workspaces that stand side by side."""
+    refuse_nothing(request, workspace, facts)
+    judged: list[Judged] = []
+    refused: NothingToDo | None = None
+    for part in parts_of(request, workspace):
+        try:
+            judged.append(_judged(request, part, facts, tree))
+        except NothingToDo as error:
+            refused = refused or error
+    if not judged:
+        assert refused is not None
+        raise refused
+    return judged[0] if len(judged) == 1 else _joined(judged)
+
+
+def _joined(judged: Sequence[Judged]) -> Judged:
+    findings = sorted(dict.fromkeys(f for one in judged for f in one.findings), key=lambda finding: finding.sort_key)
+    summary = summarise(
+        findings,
+        files=sum(one.summary.files for one in judged),
+        nodes=sum(one.summary.nodes for one in judged),
+        suppressed=sum(one.summary.suppressed for one in judged),
+        unresolved=sum(one.summary.unresolved for one in judged),
+        elapsed_s=0.0,
+    )
+    return Judged(findings, summary, list(dict.fromkeys(notice for one in judged for notice in one.notices)))
+
+
+def _judged(request: Request, workspace: Workspace, facts: FactsOfFiles, tree: SourceTree) -> Judged:
+    known = known_files(request, workspace, facts)
+    systems = systems_of(request, workspace, facts, tree)
+    loader = systems[0].world.loader if systems[0].world is not None else None
+    faults = systems[0].world.faults if systems[0].world is not None else Faults()
+    imported = [f for f in python_files(workspace) if f not in known and facts.was_read(f) and not facts.is_ros1(f)]
+    found = [*_problems(workspace, [*known, *imported], facts), *merged(_rules(request.settings, systems))]
+    found.extend(_of_interfaces(workspace, systems, faults))
+    by_file = {file.relative: one.suppressions for file in known if (one := facts.facts_of(file)) is not None}
+    if loader is not None:
+        found.extend(unreadable(*problem) for problem in loader.problems())
+        by_file.update(loader.suppressions())
+    found.extend(failure(fault) for fault in faults.found())
+    outcome = suppressions.apply(_wanted(found, request.settings, workspace), by_file)
+    stale = suppressions.stale(outcome.unused, _ran(request, systems), Sources().line)
+    kept = [*outcome.kept, *suppressions.apply(_wanted(stale, request.settings, workspace), by_file).kept]
+    whole = folded(dict.fromkeys(_with_fixes(kept, request, workspace)))
+    findings = sorted(whole, key=lambda finding: finding.sort_key)
+    shown = [as_asked_for(request, systems[0], workspace)]
+    summary = summarise(
+        findings,
+        files=sum(map(is_input, workspace.files)) or sum(map(is_of_package, workspace.files)),
+        nodes=sum(len(system.nodes) for system in shown),
+        suppressed=len(outcome.suppressed),
+        unresolved=sum(len(unresolved(system)) for system in shown),
+        elapsed_s=0.0,
+    )
+    refused = [suppressions.refusal(file, suppression) for file, suppression in outcome.refused]
+    notices = [*_passed_over(request, workspace, facts, loader)]
+    if request.launch is not None:
+        notices.extend(argument_notices(systems[0]))
+    notices.extend(comparison_notices(systems[0].compared))
+    notices.extend(without_start(systems, {file.relative for file in workspace.files if file.context}))
+    notices.extend(followed_in_part(systems[0].world.cut_short() if systems[0].world is not None else []))
+    remarks = [*comparison_words(systems[0].compared)]
+    return Judged(findings, summary, [*refused, *notices, *_idle(request.settings, systems)], remarks)
+
+
+def _passed_over(
+    request: Request, workspace: Workspace, facts: FactsOfFiles, loader: LaunchLoader | None
+) -> Iterator[str]:
+    """What is told of files for ROS 1; raises :class:`NothingToDo` where there are no others."""
+    python = [file.relative for file in python_files(workspace) if not file.context and facts.is_ros1(file)]
+    launch = loader.ros1_files() if loader is not None else []
+    inputs = {file.relative for file in workspace.files if is_input(file)}
+    if inputs and inputs <= {*python, *launch}:
+        raise NothingToDo(f"nothing to check in {', '.join(request.paths)}: all of it is for ROS 1")
+    yield from for_ros1(python, launch)
+
+
+def _rules(settings: Settings, systems: Sequence[System]) -> Iterator[Finding]:
+    selection, checks = settings.selection, registered()
+    for system in systems:
+        codes = [code for code in selection.codes if selection.runs(code, system.closed)]
+        if system.launched is not None and len(systems) > 1:
+            codes = [code for code in codes if code in checks and checks[code].scope.of_each_system]
+        yield from judge_alternatives(system, options_for(settings, codes))
+
+
+def _idle(settings: Settings, systems: Sequence[System]) -> list[str]:
+    """Parts of the declared architecture that no system has, so that nothing was held against them."""
+    judged = {"ARC001", "ARC002", "ARC003", "OWN003"} & set(settings.selection.codes)
+    if not judged or not (settings.contracts or settings.owners or settings.node_layers):
+        return []
+
+    return list(dict.fromkeys(idle_patterns(systems, options_for(settings, ["ARC003"])["ARC003"])))
+
+
+def _ran(request: Request, systems: Sequence[System]) -> frozenset[str]:
+    """The codes of the rules that judged everything they can judge."""
+    if request.launch is not None:
+        return frozenset()
+    closed = any(system.closed for system in systems)
+    selection = request.settings.selection
+    running = frozenset(code for code, check in registered().items() if check.scope is Scope.RUNNING)
+    unheld = frozenset() if request.observed is not None else running
+    return frozenset(code for code in selection.codes if selection.runs(code, closed)) - unheld
+
+
+def _with_fixes(findings: Sequence[Finding], request: Request, workspace: Workspace) -> Sequence[Finding]:
+    """The findings with their fixes; one more for each fix that cannot be made by a fault of ours."""
+    if not any(rules()[finding.code].fix for finding in findings):
+        return findings
+
+    faults = Faults()
+    files = [file.path for file in python_files(workspace)]
+    fixed = attach(findings, Surroundings(request.settings.distros, files), faults)
+    return [*fixed, *map(failure, faults.found())]
+
+
+def _problems(workspace: Workspace, files: Sequence[SourceFile], facts: FactsOfFiles) -> Iterator[Finding]:
+    """What could not be read: LNT002, or LNT003 where the fault is ours."""
+    old = tuple(f"{package.relative}/" for package in workspace.packages if package.catkin_code)
+    for problem in workspace.problems:
+        if not problem.file.startswith(old):
+            yield unreadable(problem.file, problem.line, problem.column, problem.message, problem.help)
+    for file in files:
+        found = facts.facts_of(file)
+        if found is None or not found.problems:
+            continue
+        importers = _importers(file, files, facts) if file.context else ()
+        for fault in found.problems:
+            one = unreadable(file.relative, fault.line, fault.column, fault.message)
+            yield replace(one, related=tuple(Related(place, "it is imported here") for place in importers))
+
+
+def _of_interfaces(workspace: Workspace, systems: Sequence[System], faults: Faults) -> Iterator[Finding]:
+    """One LNT002 for an interface file that rosidl would refuse."""
+    table = systems[0].world.interfaces if systems[0].world is not None else None
+    old = {package.name for package in workspace.packages if package.ros1}
+    for file in workspace.files:
+        if file.kind == "interface" and not file.context and file.package not in old:
+            with faults.apart("reading this interface", Place(file.relative, 1, 1, 1, 1)):
+                problems = interface_problems(file.path)
+                if problems:
+                    yield unreadable_interface(file.relative, problems, table is None or table.is_built(file))
+
+
+def _importers(module: SourceFile, files: Sequence[SourceFile], facts: FactsOfFiles) -> list[Place]:
+    """Where the files that were asked for import one that was not."""
+    asked = (file for file in files if not file.context)
+    rows = [(file.relative, span) for file in asked if (span := facts.imports_of(file, module)) is not None]
+    return [Place.of(file, span) for file, span in rows[:_FEW]]
+
+
+_FEW = 3
+"""How many places that import a broken module are told."""
+
+
+def _wanted(findings: Iterable[Finding], settings: Settings, workspace: Workspace) -> Iterator[Finding]:
+    """The findings that the configuration does not turn off, with the severities that it wants."""
+    filters = Filters(settings, workspace)
+    for finding in findings:
+        wanted = filters.apply(finding)
+        if wanted is not None:
+            yield wanted

@@ -1,0 +1,90 @@
+"""Which files, and which of several workspaces side by side, a request is about."""
+
+from __future__ import annotations
+
+import os
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from archlint.engine.request import NothingToDo, Request
+from archlint.engine.sources import PYTHON
+from archlint.workspace.discovery import find
+from archlint.workspace.parts import parts
+
+if TYPE_CHECKING:
+    from archlint.syntax.files import FactsOfFiles
+    from archlint.workspace.model import SourceFile, Workspace
+
+
+def find_files(request: Request) -> Workspace:
+    """The files of a request and what lies around them.  Raises :class:`NothingToDo` where there are none."""
+    exclude = [pattern for glob in request.settings.exclude for pattern in glob.patterns()]
+    workspace = find(request.paths, exclude=exclude)
+    if not workspace.problems and not any(is_input(file) or is_of_package(file) for file in workspace.files):
+        where = ", ".join(request.paths)
+        raise NothingToDo(f"nothing to check: no package.xml, no Python file and no launch file in {where}")
+    return workspace
+
+
+def is_input(file: SourceFile) -> bool:
+    """Whether a file was asked for, and starts or holds code."""
+    return not file.context and file.kind in ("python", "launch_python", "launch_xml", "launch_yaml")
+
+
+def is_of_package(file: SourceFile) -> bool:
+    """Whether a file can be judged without any Python: a manifest, an interface."""
+    return not file.context and file.kind in ("package_xml", "interface")
+
+
+def _is_for_ros(workspace: Workspace) -> bool:
+    """Whether files say by their kind that this is ROS."""
+    kinds = ("package_xml", "interface", "launch_python", "launch_xml", "launch_yaml")
+    return any(file.kind in kinds for file in workspace.files)
+
+
+def python_files(workspace: Workspace) -> list[SourceFile]:
+    """The files of Python, launch files among them."""
+    return [file for file in workspace.files if file.kind in PYTHON]
+
+
+def is_partial(request: Request, workspace: Workspace) -> bool:
+    """Whether less is known than the folder that the configuration is for holds."""
+    if request.settings.file is None:
+        return False
+    base = Path(request.settings.file).parent.resolve()
+    return not any(base.is_relative_to(Path(folder).resolve()) for folder in workspace.whole)
+
+
+def known_files(request: Request, workspace: Workspace, facts: FactsOfFiles) -> list[SourceFile]:
+    """The Python files that matter, and those that were asked for by name and cannot be compiled."""
+    named = {os.path.abspath(path) for path in request.paths}
+
+    def broken(file: SourceFile) -> bool:
+        found = facts.facts_of(file) if file.path in named and not facts.is_ros1(file) else None
+        return found is not None and bool(found.problems)
+
+    return [file for file in python_files(workspace) if facts.relevant(file) or broken(file)]
+
+
+def refuse_nothing(request: Request, workspace: Workspace, facts: FactsOfFiles) -> None:
+    """Raises :class:`NothingToDo` where nothing is for ROS 2: a run that finds nothing there would say nothing."""
+    if known_files(request, workspace, facts):
+        return
+    if not _is_for_ros(workspace):
+        files = len(python_files(workspace))
+        raise NothingToDo(
+            f"nothing to check in {', '.join(request.paths)}: no package.xml, no launch file, "
+            f"and nothing that uses rclpy in {files} Python file{'s' if files > 1 else ''}"
+        )
+
+
+def parts_of(request: Request, workspace: Workspace) -> list[Workspace]:
+    """The workspace, or the several that it is, of which those that were asked for; with ``--launch`` the one that
+    has the launch file."""
+    found = [part for part in parts(workspace) if any(not file.context for file in part.files)] or [workspace]
+    if request.launch is None and request.observed is not None and len(found) > 1:
+        folders = ", ".join(sorted(part.root for part in found))
+        raise NothingToDo(f"--observed is of one system, and several workspaces stand side by side here: {folders}")
+    if request.launch is None or len(found) == 1:
+        return found
+    return [part for part in found if any(file.relative == request.launch for file in part.files)][:1] or found[:1]

@@ -1,0 +1,107 @@
+"""From the facts of a workspace to its systems: link, load."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Sequence
+from dataclasses import replace
+from typing import TYPE_CHECKING
+
+from archlint.analysis.comparison import compare
+from archlint.config.options import options_for
+from archlint.engine.inputs import is_partial
+from archlint.engine.request import NothingToDo, Request
+from archlint.faults import Faults
+from archlint.launch.load import LaunchLoader
+from archlint.programs.entry_points import entry_points, read_installs
+from archlint.programs.linker import Linker
+from archlint.ros.interfaces import InterfaceTable
+from archlint.systems.instances import assemble
+from archlint.systems.launches import launch_systems
+from archlint.systems.model import System, World
+from archlint.systems.shown import only
+
+if TYPE_CHECKING:
+    from archlint.syntax.files import FactsOfFiles
+    from archlint.workspace.model import Workspace
+    from archlint.workspace.tree import SourceTree
+
+
+def systems_of(request: Request, workspace: Workspace, facts: FactsOfFiles, tree: SourceTree) -> list[System]:
+    """Link and load."""
+    faults = Faults()
+    installs = read_installs(workspace.packages, workspace.files, facts.facts_of, tree, faults)
+    words = {name: one.words for name, one in installs.items()}
+    generated = {name: one.generated for name, one in installs.items() if one.generated is not None}
+    names = Counter(package.name for package in workspace.packages)
+    without = [name for name, one in installs.items() if one.generates_nothing and names[name] == 1]
+    interfaces = InterfaceTable(workspace.files, lambda file: tree.text(file.relative), words, generated, without)
+    linker = Linker(workspace.files, facts.facts_of, facts.relevant, interfaces, faults)
+    entries = entry_points(installs, workspace.files)
+    programs = linker.run_all(entries)
+    [opened] = assemble(programs, workspace, request.settings)
+    old = frozenset(package.name for package in workspace.packages if package.ros1)
+    distro = request.settings.distro
+    loader = LaunchLoader(workspace.files, facts.facts_of, installs, tree, facts.relevant, faults, old, distro)
+    if request.launch is not None and not loader.is_launch_file(request.launch):
+        raise NothingToDo(_no_launch_file(request, loader))
+    systems = launch_systems(
+        opened,
+        linker,
+        entries,
+        loader,
+        World(
+            installs,
+            {package.name: package for package in workspace.packages},
+            {package.relative: package for package in workspace.packages},
+            loader=loader,
+            faults=faults,
+            interfaces=interfaces,
+            partial=is_partial(request, workspace),
+            roles=linker.index.roles,
+            cut_short=linker.cut_short,
+        ),
+        closed=request.settings.closed_world,
+        chosen=request.launch,
+        arguments=dict(request.launch_arguments),
+        configured=request.settings.launch,
+        distro=distro,
+    )
+    if not systems:  # only where one launch file was asked for: the open system is always there
+        ros1 = loader.frontend(request.launch or "").ros1
+        raise NothingToDo(f"{request.launch} {'is for ROS 1' if ros1 else 'starts nothing that can be read'}")
+    if request.observed is not None:
+        is_external = options_for(request.settings, ["GRF006"])["GRF006"].is_external
+        context = {file.relative for file in workspace.files if file.context and request.launch is None}
+        systems[0].compared = compare(systems[0], request.observed, is_external, context)
+    return systems
+
+
+def _no_launch_file(request: Request, loader: LaunchLoader) -> str:
+    """Why the file of ``--launch`` cannot be launched."""
+    for file, line, column, message in loader.problems():
+        if file == request.launch:
+            return f"{file}:{line}:{column}: {message}"
+    return f"{request.launch} is no launch file in {', '.join(request.paths)}"
+
+
+def as_asked_for(request: Request, system: System, workspace: Workspace) -> System:
+    """The system as it is shown: whole where a launch file was asked for, else without what is only context."""
+    if request.launch is not None:
+        return system
+    return only(system, {file.relative for file in workspace.files if file.context})
+
+
+def together(systems: Sequence[System]) -> System:
+    """One system to draw of those of several workspaces."""
+    first, *others = systems
+    if not others:
+        return first
+    nodes = sorted((n for one in systems for n in one.nodes), key=lambda n: (n.name is None, n.name or ""))
+    return replace(
+        first,
+        nodes=nodes,
+        programs=[program for one in systems for program in one.programs],
+        unowned=[entry for one in systems for entry in one.unowned],
+        neighbours=[node for one in systems for node in one.neighbours],
+    )

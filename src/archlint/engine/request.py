@@ -1,0 +1,30 @@
+"""What is asked of a run."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from archlint.config.settings import Settings
+    from archlint.observed.model import Observed
+
+
+class NothingToDo(Exception):
+    """No file to look at; ``str()`` says where none was found."""
+
+
+@dataclass(frozen=True)
+class Request:
+    """What is to be analysed and how.  ``paths`` exist; ``jobs`` is the most processes, None for as many as
+    there are processors."""
+
+    paths: tuple[str, ...]
+    settings: Settings
+    cached: bool = True
+    jobs: int | None = None
+    launch: str | None = None
+    """The launch file that is the only system, as a path from the working directory."""
+    launch_arguments: tuple[tuple[str, str], ...] = ()
+    observed: Observed | None = None
+    """What a running system said of itself, to hold the system against."""
