@@ -34,8 +34,8 @@ types: $(STAMP)
 layers: $(STAMP)
 	$(BIN)/lint-imports --no-cache
 
-suite: $(STAMP)
-	$(BIN)/python -m pytest
+suite: $(STAMP)  ## as many tests at a time as there are processors
+	$(BIN)/python -m pytest -n auto --dist worksteal
 
 test-ros: $(STAMP)  ## against running nodes, on the ROS 2 distributions that PyPI has wheels of: two at a time
 	@command -v cmake >/dev/null && command -v c++ >/dev/null || { \

@@ -4,11 +4,14 @@ from __future__ import annotations
 
 import os
 from collections.abc import Iterator
+from functools import lru_cache
 from pathlib import Path
 
 import pytest
 from hypothesis import HealthCheck, settings
 
+from archlint.syntax import compile as compiler
+from archlint.syntax import workers
 from checks.callbacks import Run, findings
 from checks.judging import Judge
 from launching import Launches
@@ -28,6 +31,18 @@ def home_of_the_tests(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Path
         del os.environ["XDG_CONFIG_HOME"]
     else:
         os.environ["XDG_CONFIG_HOME"] = before
+
+
+@pytest.fixture(autouse=True, scope="session")
+def compiled_once() -> Iterator[None]:
+    """Each text is compiled in this process, and once: a fork of a process with thousands of tests is slow.
+
+    What tests the compiler and its processes undoes it (tests/syntax/conftest.py).
+    """
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(workers, "can_fork", lambda: False)
+        patch.setattr(compiler, "_encoded", lru_cache(maxsize=20_000)(compiler._encoded))
+        yield
 
 
 @pytest.fixture

@@ -11,8 +11,18 @@ import pytest
 sys.path.insert(0, str(Path(__file__).resolve().parents[2]))
 
 
+@pytest.fixture(scope="module")
+def processes():
+    """The servers that all runs live in; each run is a fork of one."""
+    from benchmarks.accuracy.oracle.processes import Pool, Python
+
+    pool = Pool(Python())
+    yield pool
+    pool.close()
+
+
 @pytest.fixture
-def execute(tmp_path):
+def execute(tmp_path, processes):
     """Write files into a workspace, run everything in it, and give the oracle's record."""
     from benchmarks.accuracy.oracle.run import Oracle
 
@@ -21,7 +31,7 @@ def execute(tmp_path):
             path = tmp_path / "workspace" / name
             path.parent.mkdir(parents=True, exist_ok=True)
             path.write_text(textwrap.dedent(text).lstrip("\n"), encoding="utf-8")
-        return Oracle(tmp_path / "workspace").run()
+        return Oracle(tmp_path / "workspace", processes=processes).run()
 
     return run
 

@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-import json
-import os
 import shutil
-import subprocess
-import sys
 from pathlib import Path
 
 import pytest
+
+from archlint.config.settings import load
+from archlint.engine import pipeline
+from archlint.render.json import document
 
 PROJECT = Path(__file__).resolve().parents[2]
 FIXTURES = PROJECT / "fixtures"
@@ -17,41 +17,33 @@ SYSTEMS = sorted(path.name for path in FIXTURES.iterdir() if (path / "src").is_d
 BY_DATA = ("unbounded.py", "patterns.py")  # there a run decides by chance what the graph leaves open
 
 
-def graph_of(workspace: Path) -> dict:
-    """What `archlint graph` says."""
-    done = subprocess.run(
-        [sys.executable, "-m", "archlint", "graph", ".", "--format", "json", "--no-cache"],
-        cwd=workspace,
-        env={**os.environ, "PYTHONPATH": str(PROJECT / "src")},
-        capture_output=True,
-        text=True,
-        check=False,
-    )
-    assert done.stdout, done.stderr
-    return json.loads(done.stdout)
-
-
-def compared(workspace: Path):
-    """The scores of the graph against a run of the same workspace, and the run."""
+@pytest.fixture
+def compared(tmp_path, monkeypatch, processes):
+    """The scores of the graph of a workspace against a run of it, and the run."""
     from benchmarks.accuracy.compare import compare
     from benchmarks.accuracy.oracle.run import Oracle
 
-    record = Oracle(workspace).run()
-    return compare(record, graph_of(workspace)), record
+    def run(name: str, *left_out: str):
+        workspace = tmp_path / name
+        shutil.copytree(FIXTURES / name, workspace, ignore=shutil.ignore_patterns(*left_out))
+        record = Oracle(workspace, processes=processes).run()
+        monkeypatch.chdir(workspace)
+        graph = document(pipeline.graph(pipeline.Request((".",), load(workspace), cached=False)))
+        return compare(record, graph), record
+
+    return run
 
 
 @pytest.mark.parametrize("system", SYSTEMS)
-def test_the_graph_of_a_system_is_what_runs(system, tmp_path):
-    shutil.copytree(FIXTURES / system, tmp_path / system)
-    comparison, record = compared(tmp_path / system)
+def test_the_graph_of_a_system_is_what_runs(system, compared):
+    comparison, record = compared(system)
     assert record["entities"]
     assert comparison.misses == []
     assert comparison.wrong == []
 
 
-def test_every_form_is_read_as_it_runs(tmp_path):
-    shutil.copytree(FIXTURES / "forms", tmp_path / "forms", ignore=shutil.ignore_patterns(*BY_DATA))
-    comparison, record = compared(tmp_path / "forms")
+def test_every_form_is_read_as_it_runs(compared):
+    comparison, record = compared("forms", *BY_DATA)
     assert len(record["entities"]) > 300
     assert comparison.wrong == []
     # Which of several star imports a message comes from, the packages alone could say.

@@ -77,11 +77,9 @@ def test_a_process_that_dies_once_is_forgiven(tmp_path):
 
 
 def test_what_takes_too_long_is_given_up():
-    started = time.monotonic()
     answers = run_in_workers(work, [b"a", b"hang", b"b"], 2, 0.5)
     assert [answers[0], answers[2]] == [b"aa", b"bb"]
     assert isinstance(answers[1], TimedOut)
-    assert time.monotonic() - started < 20
 
 
 def test_time_that_the_machine_spends_on_others_does_not_count():
