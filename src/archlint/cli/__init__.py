@@ -6,9 +6,13 @@ import gc
 import os
 import sys
 from collections.abc import Sequence
+from importlib import import_module
 from typing import NoReturn
 
+from archlint import __version__
 from archlint.cli.exits import FAILED, INTERRUPTED, READER_GONE, UsageError
+from archlint.cli.overview import OVERVIEW
+from archlint.project import issue_tracker
 
 COMMANDS = ("check", "graph", "observe", "explain", "rules", "config")
 """Each is a module of this package with ``parser()`` and ``run(arguments)``; a new command is a new row."""
@@ -41,20 +45,14 @@ def _guarded(arguments: list[str]) -> int:
 
 
 def _dispatch(arguments: list[str]) -> int:
-    from importlib import import_module
-
     for stream in (sys.stdout, sys.stderr):
         if hasattr(stream, "reconfigure"):
             stream.reconfigure(errors="backslashreplace")
     first = arguments[0] if arguments else ""
     if first in ("-h", "--help", "help"):
-        from archlint.cli.overview import OVERVIEW
-
         print(OVERVIEW, end="")
         return 0
     if first in ("-V", "--version"):
-        from archlint import __version__
-
         print(f"archlint {__version__}")
         return 0
     command, rest = (first, arguments[1:]) if first in COMMANDS else ("check", arguments)
@@ -64,15 +62,13 @@ def _dispatch(arguments: list[str]) -> int:
 
 
 def _tell(text: str) -> int:
-    from archlint.cli.console import note
+    from archlint.cli.console import note  # with pathlib, which --version and --help do without
 
     note(f"archlint: {text}")
     return FAILED
 
 
 def _failed(error: Exception, verbose: bool) -> int:
-    from archlint.project import issue_tracker
-
     if verbose:
         import traceback
 

@@ -9,12 +9,11 @@ from typing import TextIO
 
 from archlint.cli.exits import UsageError
 from archlint.disk import replace_file
+from archlint.visible import visible
 
 
 def note(text: str) -> None:
     """Tell something on standard error; a reader that went away is not an error."""
-    from archlint.visible import visible
-
     try:
         for line in text.splitlines():
             print(visible(line), file=sys.stderr)

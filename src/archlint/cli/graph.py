@@ -7,6 +7,7 @@ import sys
 from typing import TYPE_CHECKING
 
 from archlint import render
+from archlint.checks.launch_notices import argument_notices
 from archlint.cli import console, exits
 from archlint.cli.exits import UsageError
 from archlint.cli.options import (
@@ -23,6 +24,7 @@ from archlint.cli.options import (
     settings_of,
 )
 from archlint.engine.pipeline import NothingToDo, Request, graph
+from archlint.observed.words import comparison_notices, comparison_words
 
 if TYPE_CHECKING:
     from archlint.observed.model import Comparison
@@ -50,7 +52,6 @@ def parser() -> argparse.ArgumentParser:
 
 
 def run(arguments: argparse.Namespace) -> int:
-    from archlint.checks.launch_notices import argument_notices
     from archlint.render.drawing import CannotDraw
 
     format = _format(arguments.format, arguments.file)
@@ -83,8 +84,6 @@ def run(arguments: argparse.Namespace) -> int:
 
 
 def _tell_comparison(compared: Comparison) -> None:
-    from archlint.observed.words import comparison_notices, comparison_words
-
     for sentence in comparison_words(compared):
         console.note(sentence)
     for notice in comparison_notices(compared):
