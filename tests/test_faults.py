@@ -98,14 +98,14 @@ def explode(monkeypatch: pytest.MonkeyPatch) -> Callable[[type[Exception]], None
     """From now on the literal ``'boom'`` raises when it is evaluated."""
 
     def arm(error: type[Exception]) -> None:
-        literal = expressions._EXPRESSIONS[facts.Literal]
+        literal = expressions.EXPRESSIONS[facts.Literal]
 
         def evaluate(run, expression):
             if expression.value == "boom":
                 raise error("boom")
             return literal(run, expression)
 
-        monkeypatch.setitem(expressions._EXPRESSIONS, facts.Literal, evaluate)
+        monkeypatch.setitem(expressions.EXPRESSIONS, facts.Literal, evaluate)
 
     return arm
 

@@ -10,7 +10,7 @@ import pytest
 from archlint.config.settings import Settings
 from archlint.engine import pipeline
 from archlint.interpreter import heap
-from archlint.interpreter.machine import Run
+from archlint.libraries.run import Run
 
 SOURCE = """\
 import rclpy

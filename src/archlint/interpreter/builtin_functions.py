@@ -3,10 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Hashable
+from functools import partial
 from typing import TYPE_CHECKING, Any
 
+from archlint.interpreter.call_site import CallSite
 from archlint.interpreter.constant_expressions import NotFollowed, evaluate
 from archlint.interpreter.heap import Items
+from archlint.interpreter.machine import Phase
 from archlint.interpreter.type_tests import isinstance_of
 from archlint.interpreter.value_methods import Arguments, Keywords, call_method, in_order, update_entries
 from archlint.interpreter.values import (
@@ -19,11 +22,11 @@ from archlint.interpreter.values import (
     ClassValue,
     EachValue,
     External,
+    ForeignValue,
     FunctionValue,
     Instance,
     Known,
     ListValue,
-    MessageValue,
     OneOf,
     Partial,
     Unknown,
@@ -35,40 +38,30 @@ from archlint.interpreter.values import (
     reason,
     via,
 )
-from archlint.libraries.rclpy import escapes, names
 from archlint.syntax import facts
 
 if TYPE_CHECKING:
-    from archlint.interpreter.machine import Run
+    from archlint.interpreter.machine import Machine
 
 
-def call_builtin(
-    run: Run,
-    function: Builtin,
-    args: Arguments,
-    keywords: Keywords,
-    expression: facts.Call | None,
-    open_arguments: bool,
-) -> Value:
+def call_builtin(machine: Machine, function: Builtin, site: CallSite) -> Value:
+    """Call a function of Python's own, or a method of a text or a collection."""
     target = function.self_value
     if target is not None:
-        method = function.name.rpartition(".")[2]
-        return call_method(run, target, method, args, keywords, expression, open_arguments)
-    found = _call_known(run, function.name, args, keywords, expression, open_arguments)
+        return call_method(machine, target, function.name.rpartition(".")[2], site)
+    found = _call_known(machine, function.name, site)
     if function.name in _LEAVE_ALONE:
         return found
-    return escapes.lost(run, found, [*args, *keywords.values()], f"it is given to {function.name}()")
+    return machine.library.lost(found, site.values, f"it is given to {function.name}()")
 
 
-def _call_known(
-    run: Run, name: str, args: Arguments, keywords: Keywords, expression: facts.Call | None, open_arguments: bool
-) -> Value:
+def _call_known(machine: Machine, name: str, site: CallSite) -> Value:
     handler = BUILTINS.get(name)
     if handler is None:
         return Unknown(f"{name}() is not followed")
-    if open_arguments and name not in ("print", "dict", "set", "list"):
+    if site.open and name not in ("print", "dict", "set", "list"):
         return Unknown(f"{name}() of arguments that are not known")
-    return handler(run, args, keywords, expression)
+    return handler(machine, site.args, site.keywords, site.expression)
 
 
 _LEAVE_ALONE = frozenset(
@@ -82,42 +75,30 @@ def _first(args: Arguments, why: str = "an argument is missing") -> Value:
     return args[0] if args else Unknown(why)
 
 
-def _nothing(run: Run, args: Arguments, keywords: Keywords, e: object) -> Value:
+def _nothing(machine: Machine, args: Arguments, keywords: Keywords, e: object) -> Value:
     return NONE
 
 
 def _unknown(what: str) -> Callable[..., Value]:
-    def handler(run: Run, args: Arguments, keywords: Keywords, e: object) -> Value:
+    def handler(machine: Machine, args: Arguments, keywords: Keywords, e: object) -> Value:
         return Unknown(reason(*args) if args else what)
 
     return handler
 
 
-def _input(run: Run, args: Arguments, keywords: Keywords, e: facts.Call | None) -> Value:
-    from archlint.libraries import tables
-    from archlint.libraries.rclpy import effects
-
-    api = tables.find("builtins.input")
-    if api is not None and e is not None:
-        effects.record(run, api, None, {}, e)
-    return Unknown("what a user types")
+def _of_the_world(machine: Machine, args: Arguments, keywords: Keywords, e: facts.Call | None, name: str) -> Value:
+    """What asks for something outside of the program."""
+    return machine.library.call_builtin(Builtin(name), CallSite(args, keywords, e))
 
 
-def _open(run: Run, args: Arguments, keywords: Keywords, e: object) -> Value:
-    """A file; only launch files read any that matter here."""
-    from archlint.launch.effects import open_file
-
-    return open_file(run, args)
-
-
-def _str(run: Run, args: Arguments, keywords: Keywords, e: object) -> Value:
+def _str(machine: Machine, args: Arguments, keywords: Keywords, e: object) -> Value:
     from archlint.interpreter import formatting
 
     if not args:
         return Known("")
     found = []
     for option in alternatives(args[0]):
-        text = formatting.text_of(run, option)
+        text = formatting.text_of(machine, option)
         found.append(_as_text(text) if isinstance(text, Known) else text)
     return one_of(found)
 
@@ -128,7 +109,7 @@ def _as_text(value: Known) -> Known:
 
 
 def _number(convert: Callable[[Any], Any]) -> Callable[..., Value]:
-    def handler(run: Run, args: Arguments, keywords: Keywords, e: object) -> Value:
+    def handler(machine: Machine, args: Arguments, keywords: Keywords, e: object) -> Value:
         if not args:
             return Known(convert()) if isinstance(convert, type) else Unknown("a call that fails")
         rest = [*args[1:], *keywords.values()]
@@ -149,7 +130,7 @@ def _number(convert: Callable[[Any], Any]) -> Callable[..., Value]:
     return handler
 
 
-def _eval(run: Run, args: Arguments, keywords: Keywords, e: object) -> Value:
+def _eval(machine: Machine, args: Arguments, keywords: Keywords, e: object) -> Value:
     """``eval('True')``: how launch files turn an argument's text into a value.  Constants only; nothing runs."""
     found: list[Value] = []
     for option in alternatives(_first(args)):
@@ -166,18 +147,18 @@ def _eval(run: Run, args: Arguments, keywords: Keywords, e: object) -> Value:
     return one_of(found)
 
 
-def _bool(run: Run, args: Arguments, keywords: Keywords, e: object) -> Value:
+def _bool(machine: Machine, args: Arguments, keywords: Keywords, e: object) -> Value:
     from archlint.interpreter import decisions
 
     if not args:
         return FALSE
     if isinstance(args[0], Known):
         return Known(bool(args[0].value), args[0].via)
-    known = decisions.truth(run, args[0])
+    known = decisions.truth(machine, args[0])
     return Unknown(reason(args[0])) if known is None else Known(known)
 
 
-def _len(run: Run, args: Arguments, keywords: Keywords, e: object) -> Value:
+def _len(machine: Machine, args: Arguments, keywords: Keywords, e: object) -> Value:
     from archlint.interpreter import containers
 
     value = _first(args)
@@ -185,7 +166,7 @@ def _len(run: Run, args: Arguments, keywords: Keywords, e: object) -> Value:
         return Known(len(value.value), value.via)
     if isinstance(value, Known):
         return Unknown("the length of a number")
-    items = containers.iterate(run, value)
+    items = containers.iterate(machine, value)
     if items is None or items.open or isinstance(value, OneOf):
         return Unknown("the length of a collection that is not known")
     if (
@@ -197,7 +178,7 @@ def _len(run: Run, args: Arguments, keywords: Keywords, e: object) -> Value:
     return Known(len(items.values))
 
 
-def _range(run: Run, args: Arguments, keywords: Keywords, e: object) -> Value:
+def _range(machine: Machine, args: Arguments, keywords: Keywords, e: object) -> Value:
     from archlint.interpreter import containers
 
     numbers = [arg.value for arg in args if isinstance(arg, Known) and isinstance(arg.value, int)]
@@ -209,108 +190,109 @@ def _range(run: Run, args: Arguments, keywords: Keywords, e: object) -> Value:
         return Unknown("a range that fails")
     if wanted[containers.ITEM_LIMIT :]:  # its length may be too large a number for len()
         return Unknown("a range too long to follow")
-    return containers.new_list(run, [Known(number, via(*args)) for number in wanted])
+    return containers.new_list(machine, [Known(number, via(*args)) for number in wanted])
 
 
-def _rows(row: list[Value], run: Run) -> Value:
+def _rows(row: list[Value], machine: Machine) -> Value:
     from archlint.interpreter import containers
 
-    return EachValue(containers.new_list(run, row, "tuple"))
+    return EachValue(containers.new_list(machine, row, "tuple"))
 
 
 def _element(value: Value) -> Value:
     return value.element if isinstance(value, EachValue) else Unknown("an item beside others")
 
 
-def _enumerate(run: Run, args: Arguments, keywords: Keywords, e: object) -> Value:
+def _enumerate(machine: Machine, args: Arguments, keywords: Keywords, e: object) -> Value:
     from archlint.interpreter import containers
 
-    items = containers.iterate(run, _first(args))
+    items = containers.iterate(machine, _first(args))
     start = args[1] if len(args) > 1 else keywords.get("start", Known(0))
     if isinstance(_first(args), EachValue):
-        return _rows([Unknown("the number of an item"), _element(_first(args))], run)
+        return _rows([Unknown("the number of an item"), _element(_first(args))], machine)
     if items is None:
         return Unknown(reason(*args))
     rows: list[Value] = []
     for number, item in enumerate(items.values):
         at = Known(start.value + number) if isinstance(start, Known) and isinstance(start.value, int) else start
-        rows.append(containers.new_list(run, [at, item], "tuple"))
-    return containers.new_list(run, rows, "list", items.open)
+        rows.append(containers.new_list(machine, [at, item], "tuple"))
+    return containers.new_list(machine, rows, "list", items.open)
 
 
-def _zip(run: Run, args: Arguments, keywords: Keywords, e: object) -> Value:
+def _zip(machine: Machine, args: Arguments, keywords: Keywords, e: object) -> Value:
     from archlint.interpreter import containers
 
     if any(isinstance(arg, EachValue) for arg in args):
-        return _rows([_element(arg) for arg in args], run)
-    columns = [containers.iterate(run, arg) for arg in args]
+        return _rows([_element(arg) for arg in args], machine)
+    columns = [containers.iterate(machine, arg) for arg in args]
     if not columns or any(column is None for column in columns):
         return Unknown(reason(*args))
     known = [column for column in columns if column is not None]
     rows: list[Value] = [
-        containers.new_list(run, list(row), "tuple") for row in zip(*(column.values for column in known), strict=False)
+        containers.new_list(machine, list(row), "tuple")
+        for row in zip(*(column.values for column in known), strict=False)
     ]
-    return containers.new_list(run, rows, "list", any(column.open for column in known))
+    return containers.new_list(machine, rows, "list", any(column.open for column in known))
 
 
 def _collect(kind: str) -> Callable[..., Value]:
-    def handler(run: Run, args: Arguments, keywords: Keywords, e: object) -> Value:
+    def handler(machine: Machine, args: Arguments, keywords: Keywords, e: object) -> Value:
         from archlint.interpreter import containers
 
         if not args:
-            return containers.new_list(run, [], kind)
+            return containers.new_list(machine, [], kind)
         found: list[Value] = []
         for option in alternatives(args[0]):
             if isinstance(option, EachValue):
                 found.append(option)
                 continue
-            items = containers.iterate(run, option)
+            items = containers.iterate(machine, option)
             if items is None:
                 found.append(Unknown(reason(option), next(iter(sorted(via(option))), None)))
                 continue
-            found.append(containers.new_list(run, items.values, kind, items.open))
+            found.append(containers.new_list(machine, items.values, kind, items.open))
         return one_of(found)
 
     return handler
 
 
-def _reversed(run: Run, args: Arguments, keywords: Keywords, e: object) -> Value:
+def _reversed(machine: Machine, args: Arguments, keywords: Keywords, e: object) -> Value:
     from archlint.interpreter import containers
 
     if isinstance(_first(args), EachValue):
         return _first(args)
-    items = containers.iterate(run, _first(args))
+    items = containers.iterate(machine, _first(args))
     if items is None:
         return Unknown(reason(*args))
-    return containers.new_list(run, list(reversed(items.values)), "list", items.open)
+    return containers.new_list(machine, list(reversed(items.values)), "list", items.open)
 
 
-def _sorted(run: Run, args: Arguments, keywords: Keywords, e: object) -> Value:
+def _sorted(machine: Machine, args: Arguments, keywords: Keywords, e: object) -> Value:
     from archlint.interpreter import containers
 
     if isinstance(_first(args), EachValue):
         return _first(args)
-    items = containers.iterate(run, _first(args))
+    items = containers.iterate(machine, _first(args))
     if items is None:
         return Unknown(reason(*args))
-    return containers.new_list(run, in_order(items.values, keywords), "list", items.open)
+    return containers.new_list(machine, in_order(items.values, keywords), "list", items.open)
 
 
-def _dict(run: Run, args: Arguments, keywords: Keywords, e: object) -> Value:
+def _dict(machine: Machine, args: Arguments, keywords: Keywords, e: object) -> Value:
     from archlint.interpreter import containers
 
     entries: dict[Hashable, tuple[Value, Value]] = {}
     open_ = False
     if args:
-        open_ = not update_entries(run, entries, args[0])
+        open_ = not update_entries(machine, entries, args[0])
     for name, value in keywords.items():
         at = containers.hashable(Known(name))
         assert at is not None
         entries[at] = (Known(name), value)
-    return containers.new_dict(run, entries, open_)
+    return containers.new_dict(machine, entries, open_)
 
 
-def _getattr(run: Run, args: Arguments, keywords: Keywords, e: object) -> Value:
+def _getattr(machine: Machine, args: Arguments, keywords: Keywords, e: object) -> Value:
     from archlint.interpreter.attributes import get_attribute
 
     if len(args) < 2:
@@ -318,10 +300,10 @@ def _getattr(run: Run, args: Arguments, keywords: Keywords, e: object) -> Value:
     found = []
     for name in alternatives(args[1]):
         if isinstance(name, Known) and isinstance(name.value, str):
-            value = get_attribute(run, args[0], name.value)
+            value = get_attribute(machine, args[0], name.value)
             if isinstance(value, External) and name.via:
                 value = External(value.path, value.via | name.via)
-            missing = _is_missing(value)
+            missing = _is_missing(machine, value)
             found.append(as_default(args[2]) if missing and len(args) > 2 else value)
             if isinstance(value, Unknown) and not missing and len(args) > 2:
                 found.append(as_default(args[2]))
@@ -330,78 +312,77 @@ def _getattr(run: Run, args: Arguments, keywords: Keywords, e: object) -> Value:
     return one_of(found)
 
 
-def _is_missing(value: Value) -> bool:
-    """Whether an object certainly lacks an attribute: neither its class here nor rclpy's Node has it."""
+def _is_missing(machine: Machine, value: Value) -> bool:
+    """Whether an object certainly lacks an attribute: neither its class here nor a foreign base has it."""
     if isinstance(value, Unknown):
         return (value.name or "").startswith("missing:")
-    if isinstance(value, ApiMethod):
-        owner, _, name = value.path.rpartition(".")
-        return owner in names.NODE_CLASSES and not names.is_node_attribute(name)
-    return False
+    return isinstance(value, ApiMethod) and machine.library.lacks(value)
 
 
-def _setattr(run: Run, args: Arguments, keywords: Keywords, e: object) -> Value:
+def _setattr(machine: Machine, args: Arguments, keywords: Keywords, e: object) -> Value:
     from archlint.interpreter.attributes import set_attribute
 
     if len(args) == 3 and isinstance(args[1], Known) and isinstance(args[1].value, str):
-        set_attribute(run, args[0], args[1].value, args[2])
+        set_attribute(machine, args[0], args[1].value, args[2])
     else:
-        escapes.escape(run, args[2:], "setattr() stores it under a name that is not known")
+        machine.library.escaped(args[2:], "setattr() stores it under a name that is not known")
     return NONE
 
 
-def _hasattr(run: Run, args: Arguments, keywords: Keywords, e: object) -> Value:
+def _hasattr(machine: Machine, args: Arguments, keywords: Keywords, e: object) -> Value:
     from archlint.interpreter.attributes import get_attribute
 
     if len(args) != 2 or not isinstance(args[1], Known) or not isinstance(args[1].value, str):
         return Unknown("hasattr() of a name that is not known")
-    if isinstance(args[0], MessageValue) and run.interfaces is not None:
-        known = run.interfaces.has(args[0].type, args[0].part, args[1].value)
-        return Unknown("hasattr() of a message that is not known") if known is None else Known(known)
+    known = machine.library.has_attribute(args[0], args[1].value) if isinstance(args[0], ForeignValue) else None
+    if known is not None:
+        return known
     if not isinstance(args[0], Instance) or not isinstance(args[0].cls, ClassValue):
         return Unknown("hasattr() of an object that is not followed")
-    value = get_attribute(run, args[0], args[1].value)
-    if _is_missing(value):
-        return FALSE if run.context.role in ("init", "main") else Unknown("whether it is set by then")
+    value = get_attribute(machine, args[0], args[1].value)
+    if _is_missing(machine, value):
+        return FALSE if machine.phase is Phase.START else Unknown("whether it is set by then")
     return Unknown(value.reason) if isinstance(value, Unknown) else TRUE
 
 
-def _map(run: Run, args: Arguments, keywords: Keywords, e: object) -> Value:
+def _map(machine: Machine, args: Arguments, keywords: Keywords, e: object) -> Value:
     from archlint.interpreter import containers
 
     if len(args) != 2:
         return Unknown("map() over several collections")
-    items = containers.iterate(run, args[1])
+    items = containers.iterate(machine, args[1])
     if items is None:
         return Unknown(reason(args[1]))
-    return containers.new_list(run, [run.call(args[0], [item], {}) for item in items.values], "list", items.open)
+    return containers.new_list(
+        machine, [machine.call(args[0], CallSite([item])) for item in items.values], "list", items.open
+    )
 
 
-def _filter(run: Run, args: Arguments, keywords: Keywords, e: object) -> Value:
+def _filter(machine: Machine, args: Arguments, keywords: Keywords, e: object) -> Value:
     from archlint.interpreter import containers, decisions
 
     if len(args) == 2 and isinstance(args[1], EachValue):
         return args[1]
-    items = containers.iterate(run, args[1]) if len(args) == 2 else None
+    items = containers.iterate(machine, args[1]) if len(args) == 2 else None
     if items is None:
         return Unknown("what filter() leaves")
     kept: list[Value] = []
     open_ = items.open
     for item in items.values:
-        verdict = decisions.truth(run, item if args[0] == NONE else run.call(args[0], [item], {}))
+        verdict = decisions.truth(machine, item if args[0] == NONE else machine.call(args[0], CallSite([item])))
         if verdict is not False:
             kept.append(item)
         open_ = open_ or verdict is None
-    return containers.new_list(run, kept, "list", open_)
+    return containers.new_list(machine, kept, "list", open_)
 
 
 def _extreme(pick: Callable[..., Any]) -> Callable[..., Value]:
-    def handler(run: Run, args: Arguments, keywords: Keywords, e: object) -> Value:
+    def handler(machine: Machine, args: Arguments, keywords: Keywords, e: object) -> Value:
         from archlint.interpreter import containers
 
         if len(args) == 1 and isinstance(args[0], EachValue):
             return args[0].element
-        items = containers.iterate(run, args[0]) if len(args) == 1 else Items(tuple(args))
+        items = containers.iterate(machine, args[0]) if len(args) == 1 else Items(tuple(args))
         if items is None or items.open or "key" in keywords:
             return Unknown(reason(*args))
         values = [item.value for item in items.values if isinstance(item, Known)]
@@ -415,30 +396,30 @@ def _extreme(pick: Callable[..., Any]) -> Callable[..., Value]:
     return handler
 
 
-def _sum(run: Run, args: Arguments, keywords: Keywords, e: object) -> Value:
+def _sum(machine: Machine, args: Arguments, keywords: Keywords, e: object) -> Value:
     """Of numbers the sum; of lists, ``sum(lists, [])``, one list with all that they hold."""
     from archlint.interpreter import containers
 
     start = args[1] if len(args) == 2 else keywords.get("start")
     if not isinstance(start, ListValue) or start.kind != "list":
-        return _extreme(sum)(run, args, {}, e) if start is None else Unknown(reason(*args))
-    lists = containers.iterate(run, args[0])
-    parts = None if lists is None else [containers.iterate(run, one) for one in (start, *lists.values)]
+        return _extreme(sum)(machine, args, {}, e) if start is None else Unknown(reason(*args))
+    lists = containers.iterate(machine, args[0])
+    parts = None if lists is None else [containers.iterate(machine, one) for one in (start, *lists.values)]
     known = [part for part in parts or () if part is not None]
     if lists is None or parts is None or len(known) != len(parts):
         return Unknown(reason(*args))
     values = [value for part in known for value in part.values]
-    return containers.new_list(run, values, "list", lists.open or any(part.open for part in known))
+    return containers.new_list(machine, values, "list", lists.open or any(part.open for part in known))
 
 
 def _any_all(wanted: bool) -> Callable[..., Value]:
-    def handler(run: Run, args: Arguments, keywords: Keywords, e: object) -> Value:
+    def handler(machine: Machine, args: Arguments, keywords: Keywords, e: object) -> Value:
         from archlint.interpreter import containers, decisions
 
-        items = containers.iterate(run, _first(args))
+        items = containers.iterate(machine, _first(args))
         if items is None:
             return Unknown(reason(*args))
-        verdicts = [decisions.truth(run, item) for item in items.values]
+        verdicts = [decisions.truth(machine, item) for item in items.values]
         if wanted in verdicts:
             return Known(wanted)
         return Unknown("not all items are known") if None in verdicts or items.open else Known(not wanted)
@@ -446,47 +427,46 @@ def _any_all(wanted: bool) -> Callable[..., Value]:
     return handler
 
 
-def _type(run: Run, args: Arguments, keywords: Keywords, e: object) -> Value:
+def _type(machine: Machine, args: Arguments, keywords: Keywords, e: object) -> Value:
     value = _first(args)
     if isinstance(value, Instance):
         return value.cls
-    if isinstance(value, MessageValue) and not value.part:
-        return External(value.type.replace("/", "."))
-    return Unknown("the type of a value")
+    cls = machine.library.class_of(value) if isinstance(value, ForeignValue) else None
+    return Unknown("the type of a value") if cls is None else cls
 
 
-def _callable(run: Run, args: Arguments, keywords: Keywords, e: object) -> Value:
+def _callable(machine: Machine, args: Arguments, keywords: Keywords, e: object) -> Value:
     value = _first(args)
     if isinstance(value, (FunctionValue, BoundMethod, ClassValue, Partial)):
         return TRUE
     return FALSE if isinstance(value, Known) else Unknown(reason(value))
 
 
-def _next(run: Run, args: Arguments, keywords: Keywords, e: object) -> Value:
+def _next(machine: Machine, args: Arguments, keywords: Keywords, e: object) -> Value:
     from archlint.interpreter import containers
 
     first = _first(args)
     if isinstance(first, EachValue):
         return one_of((first.element, *args[1:]))
-    items = containers.iterate(run, first)
+    items = containers.iterate(machine, first)
     if items is not None and items.values:
         return one_of(items.values)
     return args[1] if len(args) > 1 and items is not None and not items.open else Unknown("what an iterator gives")
 
 
-def _same(run: Run, args: Arguments, keywords: Keywords, e: object) -> Value:
+def _same(machine: Machine, args: Arguments, keywords: Keywords, e: object) -> Value:
     return _first(args)
 
 
-def _object_new(run: Run, args: Arguments, keywords: Keywords, e: object) -> Value:
+def _object_new(machine: Machine, args: Arguments, keywords: Keywords, e: object) -> Value:
     from archlint.interpreter.definitions import allocate
 
-    return allocate(run, args[0]) if args and isinstance(args[0], ClassValue) else Unknown("an object")
+    return allocate(machine, args[0]) if args and isinstance(args[0], ClassValue) else Unknown("an object")
 
 
-def _object_setattr(run: Run, args: Arguments, keywords: Keywords, e: object) -> Value:
+def _object_setattr(machine: Machine, args: Arguments, keywords: Keywords, e: object) -> Value:
     """``object.__setattr__(self, 'x', value)``: how frozen dataclasses fill themselves."""
-    return _setattr(run, args, keywords, e)
+    return _setattr(machine, args, keywords, e)
 
 
 BUILTINS: dict[str, Callable[..., Value]] = {
@@ -527,8 +507,8 @@ BUILTINS: dict[str, Callable[..., Value]] = {
     "type": _type,
     "callable": _callable,
     "next": _next,
-    "input": _input,
-    "open": _open,
+    "input": partial(_of_the_world, name="input"),
+    "open": partial(_of_the_world, name="open"),
     "id": _unknown("an identity"),
     "hash": _unknown("a hash"),
     "vars": _unknown("the attributes of an object"),

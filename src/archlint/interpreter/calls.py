@@ -2,14 +2,18 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from dataclasses import replace
 
 from archlint.finding import Place
-from archlint.interpreter import hints, refusals, repeats
+from archlint.interpreter import containers, hints, refusals, repeats
+from archlint.interpreter.activation import Activation
 from archlint.interpreter.attributes import get_attribute
 from archlint.interpreter.bindings import bound_names
 from archlint.interpreter.builtin_functions import BUILTINS, call_builtin
+from archlint.interpreter.call_site import NOTHING_GIVEN, CallSite
 from archlint.interpreter.definitions import instantiate
+from archlint.interpreter.heap import Layer
+from archlint.interpreter.machine import DEPTH, Machine, Status
 from archlint.interpreter.values import (
     NONE,
     ApiMethod,
@@ -18,12 +22,11 @@ from archlint.interpreter.values import (
     ClassValue,
     DictValue,
     External,
+    ForeignValue,
     FunctionValue,
-    FutureValue,
     Instance,
     Known,
     ListValue,
-    NodeValue,
     OneOf,
     Partial,
     PythonValue,
@@ -33,43 +36,36 @@ from archlint.interpreter.values import (
     alternatives,
     one_of,
 )
-from archlint.libraries.python import tasks
-from archlint.libraries.rclpy import effects, escapes
 from archlint.syntax import facts
 
-if TYPE_CHECKING:
-    from archlint.interpreter.machine import Run
-
-__all__ = ["BUILTINS", "call"]
+__all__ = ["BUILTINS", "call", "call_function", "place_of"]
 
 
 # ----------------------------------------------------------------------------------------- a call expression
 
 
-def evaluate_call(run: Run, e: facts.Call) -> Value:
-    if isinstance(e.func, facts.Name) and e.func.id == "super" and run.lookup("super") is None:
-        return _super(run, e)
+def evaluate_call(machine: Machine, e: facts.Call) -> Value:
+    if isinstance(e.func, facts.Name) and e.func.id == "super" and machine.lookup("super") is None:
+        return _super(machine, e)
     if isinstance(e.func, facts.Name) and e.func.id in ("locals", "globals"):
         return Unknown("the variables as a dict")
-    function = run.evaluate(e.func)
-    tasks.note_started(run, e, function)
-    args, keywords, open_ = evaluate_arguments(run, e.args)
-    refusals.check_call(run, function, args, keywords, e, open_)
-    with tasks.apart(run, e, function):
-        return call(run, function, args, keywords, e, open_)
+    function = machine.evaluate(e.func)
+    machine.library.coroutines_started(function, e)
+    site = call_site(machine, e)
+    refusals.check_call(machine, function, site, e)
+    with machine.library.around_call(function, e):
+        return call(machine, function, site)
 
 
-def evaluate_arguments(run: Run, arguments: list[facts.Argument]) -> tuple[list[Value], dict[str, Value], bool]:
-    """Positional and keyword arguments; the flag says that more may follow than are known."""
-    from archlint.interpreter import containers
-
+def call_site(machine: Machine, e: facts.Call) -> CallSite:
+    """The arguments of a call expression."""
     args: list[Value] = []
     keywords: dict[str, Value] = {}
     open_ = False
-    for argument in arguments:
-        value = run.evaluate(argument.value)
+    for argument in e.args:
+        value = machine.evaluate(argument.value)
         if argument.star == "*":
-            items = containers.iterate(run, value)
+            items = containers.iterate(machine, value)
             if items is None or items.open:
                 open_ = True
             if items is not None:
@@ -77,7 +73,7 @@ def evaluate_arguments(run: Run, arguments: list[facts.Argument]) -> tuple[list[
                 open_ = open_ or len(args) >= containers.ITEM_LIMIT
         elif argument.star == "**":
             if isinstance(value, DictValue):
-                entries = containers.entries_of(run, value)
+                entries = containers.entries_of(machine, value)
                 open_ = open_ or entries.open
                 for key, item in entries.entries.values():
                     if isinstance(key, Known) and isinstance(key.value, str):
@@ -88,15 +84,15 @@ def evaluate_arguments(run: Run, arguments: list[facts.Argument]) -> tuple[list[
             keywords[argument.keyword] = value
         else:
             args.append(value)
-    return args, keywords, open_
+    return CallSite(args, keywords, e, open_)
 
 
-def _super(run: Run, e: facts.Call) -> Value:
+def _super(machine: Machine, e: facts.Call) -> Value:
     if e.args:
-        args, _, _ = evaluate_arguments(run, e.args)
+        args = call_site(machine, e).args
         if len(args) >= 2 and isinstance(args[0], ClassValue):
             return SuperValue(args[0], args[1])
-    for activation in reversed(run.activations):
+    for activation in reversed(machine.activations):
         if activation.function is not None and activation.function.owner is not None:
             if activation.self_value is not None:
                 return SuperValue(activation.function.owner, activation.self_value)
@@ -106,195 +102,145 @@ def _super(run: Run, e: facts.Call) -> Value:
     return Unknown("super() outside of a method")
 
 
-def call(
-    run: Run,
-    function: Value,
-    args: list[Value],
-    keywords: dict[str, Value],
-    expression: facts.Call | None = None,
-    open_arguments: bool = False,
-) -> Value:
+def call(machine: Machine, function: Value, site: CallSite) -> Value:
     """Call a value.  What is not known to be callable evaluates to unknown."""
     if isinstance(function, OneOf):
-        return _call_alternatives(run, function, args, keywords, expression, open_arguments)
+        return _call_alternatives(machine, function, site)
     if isinstance(function, BoundMethod):
         if isinstance(function.function, FunctionValue):
-            self_value = function.self_value
-            return call_function(
-                run, function.function, [self_value, *args], keywords, expression, open_arguments, self_value
-            )
-        return call(run, function.function, [function.self_value, *args], keywords, expression, open_arguments)
+            return call_function(machine, function.function, site.after(function.self_value), function.self_value)
+        return call(machine, function.function, site.after(function.self_value))
     if isinstance(function, FunctionValue):
-        return call_function(run, function, args, keywords, expression, open_arguments)
+        return call_function(machine, function, site)
     if isinstance(function, ClassValue):
-        return instantiate(run, function, args, keywords, expression, open_arguments)
+        return instantiate(machine, function, site)
     if isinstance(function, Partial):
-        merged = {**dict(function.keywords), **keywords}
-        return call(run, function.function, [*function.args, *args], merged, expression, open_arguments)
+        merged = {**dict(function.keywords), **site.keywords}
+        return call(machine, function.function, replace(site, args=[*function.args, *site.args], keywords=merged))
     if isinstance(function, PythonValue):
-        return function.function(*args, **keywords)
+        return function.function(*site.args, **site.keywords)
     if isinstance(function, ApiMethod):
-        return effects.call_method(run, function, args, keywords, expression, open_arguments)
+        return machine.library.call_method(function, site)
     if isinstance(function, External):
-        return effects.call_external(run, function, args, keywords, expression, open_arguments)
+        return machine.library.call_function(function, site)
     if isinstance(function, Builtin):
-        return call_builtin(run, function, args, keywords, expression, open_arguments)
+        return call_builtin(machine, function, site)
     if isinstance(function, Instance) and isinstance(function.cls, ClassValue):
-        method = get_attribute(run, function, "__call__")
+        method = get_attribute(machine, function, "__call__")
         if isinstance(method, BoundMethod):
-            return call(run, method, args, keywords, expression, open_arguments)
-    escapes.to_call(run, [*args, *keywords.values()], "", expression)
+            return call(machine, method, site)
+    machine.library.given_away(site)
     if isinstance(function, Unknown):
         return Unknown(function.reason, function.parameter)
     return Unknown("the result of a call that is not followed")
 
 
-def _call_alternatives(
-    run: Run,
-    function: OneOf,
-    args: list[Value],
-    keywords: dict[str, Value],
-    expression: facts.Call | None,
-    open_arguments: bool,
-) -> Value:
+def _call_alternatives(machine: Machine, function: OneOf, site: CallSite) -> Value:
     callable_ = [f for f in function.values if not (isinstance(f, Known) and f.value is None)]
     if len(callable_) == 1:
-        return call(run, callable_[0], args, keywords, expression, open_arguments)
-    span = expression.span if expression is not None else (0, 0, 0, 0)
-    key = run.key_of(span) + "?" if run.activations else "?"
+        return call(machine, callable_[0], site)
+    span = site.expression.span if site.expression is not None else (0, 0, 0, 0)
+    key = machine.key_of(span) + "?" if machine.activations else "?"
     found = []
     layers = []
     for number, option in enumerate(callable_):
-        with run.arm(key, number) as taken:
-            found.append(call(run, option, list(args), dict(keywords), expression, open_arguments))
+        with machine.arm(key, number) as taken:
+            found.append(call(machine, option, replace(site, args=list(site.args), keywords=dict(site.keywords))))
         layers.append(taken[0])
-    run.store.merge(layers)
+    machine.store.merge(layers)
     return one_of(found)
 
 
 # -------------------------------------------------------------------------------------- entering a function
 
 
-def parameters_of(ir: facts.Function | facts.Lambda) -> list[facts.Param]:
-    return ir.params
-
-
-def bind_arguments(
-    run: Run,
-    function: FunctionValue,
-    args: list[Value],
-    keywords: dict[str, Value],
-    open_arguments: bool,
-) -> dict[str, Value]:
+def bind_arguments(machine: Machine, function: FunctionValue, site: CallSite) -> dict[str, Value]:
     """The parameters of a function as a call sets them."""
-    from archlint.interpreter import containers
-
     defaults = dict(function.defaults)
     bound: dict[str, Value] = {}
-    rest = list(args)
-    left = dict(keywords)
+    rest = list(site.args)
+    left = dict(site.keywords)
     for param in function.ir.params:
         if param.kind == "star":
-            bound[param.name] = containers.new_list(run, rest, "tuple", open_arguments)
+            bound[param.name] = containers.new_list(machine, rest, "tuple", site.open)
             rest = []
         elif param.kind == "double_star":
             entries = {containers.hashable(Known(k)): (Known(k), v) for k, v in left.items()}
             bound[param.name] = containers.new_dict(
-                run, {k: v for k, v in entries.items() if k is not None}, open_arguments
+                machine, {k: v for k, v in entries.items() if k is not None}, site.open
             )
             left = {}
         elif param.kind in ("positional_only", "normal") and rest:
             bound[param.name] = rest.pop(0)
         elif param.name in left and param.kind != "positional_only":
             bound[param.name] = left.pop(param.name)
-        elif open_arguments:
+        elif site.open:
             bound[param.name] = Unknown(f"the argument '{param.name}' is passed by * or **")
         elif param.name in defaults:
             bound[param.name] = defaults[param.name]
         else:
-            meant = hints.class_named(run, function.scope, param.annotation)
+            meant = hints.class_named(machine, function.scope, param.annotation)
             bound[param.name] = Unknown(f"nothing in the workspace passes '{param.name}'", None, meant, param.name)
     return bound
 
 
-def call_function(
-    run: Run,
-    function: FunctionValue,
-    args: list[Value],
-    keywords: dict[str, Value],
-    expression: facts.Call | None = None,
-    open_arguments: bool = False,
-    self_value: Value | None = None,
-) -> Value:
+def call_function(machine: Machine, function: FunctionValue, site: CallSite, self_value: Value | None = None) -> Value:
     """Run a function of the workspace and return what it may return."""
-    from archlint.interpreter.machine import DEPTH
-
     ir = function.ir
     running = sum(
-        1 for activation in run.activations if activation.function is not None and activation.function.ir is ir
+        1 for activation in machine.activations if activation.function is not None and activation.function.ir is ir
     )
     if running > 2:
         return Unknown(f"'{function.qualified}' calls itself")
-    if len(run.activations) >= DEPTH:
-        run.program.exhausted = True
+    if len(machine.activations) >= DEPTH:
+        machine.give_up()
         return Unknown("the chain of calls is too deep to follow")
-    key = repeats.call_key(function, args, keywords)
+    key = repeats.call_key(function, site.args, site.keywords)
 
     def enter() -> Value:
-        return enter_function(run, function, args, keywords, expression, open_arguments, self_value)
+        return enter_function(machine, function, site, self_value)
 
-    return repeats.follow(run, function, key, enter)
+    return repeats.follow(machine, function, key, enter)
 
 
-def enter_function(
-    run: Run,
-    function: FunctionValue,
-    args: list[Value],
-    keywords: dict[str, Value],
-    expression: facts.Call | None,
-    open_arguments: bool,
-    self_value: Value | None,
-) -> Value:
-    from archlint.interpreter.machine import Activation
-
+def enter_function(machine: Machine, function: FunctionValue, site: CallSite, self_value: Value | None) -> Value:
     ir = function.ir
     module = function.scope.module
-    bound = bind_arguments(run, function, args, keywords, open_arguments)
+    bound = bind_arguments(machine, function, site)
     self_value = self_value or _self_of(function, bound)
-    instance_key = self_value.key if isinstance(self_value, (Instance, NodeValue)) else 0
-    run.executed.add((instance_key, id(ir)))
-    run.ran.add(id(ir))
+    on = getattr(self_value, "key", 0) if isinstance(self_value, (Instance, ForeignValue)) else 0
+    machine.executed.add((on, id(ir)))
+    machine.ran.add(id(ir))
     names, outer = bound_names(ir)
-    scope = run.new_scope(function.scope, module, "function", function.qualified, names, outer)
+    scope = machine.new_scope(function.scope, module, "function", function.qualified, names, outer)
     body = ir.body if isinstance(ir, facts.Function) else []
     call_place = None
-    if expression is not None and run.activations:
-        call_place = run.place(expression.span)
-        run.callers.setdefault(id(ir), set()).add(call_place)
-    depth = run.store.depth
+    if site.expression is not None and machine.activations:
+        call_place = machine.place(site.expression.span)
+        machine.callers.setdefault(id(ir), set()).add(call_place)
+    depth = machine.store.depth
     activation = Activation(function.qualified, module, scope, body, depth, function, self_value, call_place)
-    activation.arms = len(run.arms)
+    activation.arms = len(machine.arms)
     activation.scopes.append(scope.key)
-    run.store.push()
+    machine.store.push()
     for name, value in bound.items():
-        run.store.set(scope.key, name, value)
-    run.activations.append(activation)
+        machine.store.set(scope.key, name, value)
+    machine.activations.append(activation)
     try:
         if isinstance(ir, facts.Lambda):
-            result = run.evaluate(ir.body)
+            result = machine.evaluate(ir.body)
             status = None
         else:
-            status = run.execute(body)
+            status = machine.execute(body)
             result = NONE
     finally:
-        run.activations.pop()
-        layer = run.store.cut(depth)
-        for node in activation.short_lived:
-            node.until = len(run.nodes)
+        machine.activations.pop()
+        layer = machine.store.cut(depth)
+        machine.library.function_left(activation)
     if isinstance(ir, facts.Lambda):
-        run.store.merge([layer])
+        machine.store.merge([layer])
         return result
-    return _leave_function(run, ir, activation, status, layer)
+    return _leave_function(machine, ir, activation, status, layer)
 
 
 def _self_of(function: FunctionValue, bound: dict[str, Value]) -> Value | None:
@@ -306,21 +252,21 @@ def _self_of(function: FunctionValue, bound: dict[str, Value]) -> Value | None:
     return first if isinstance(first, (Instance, ClassValue)) else None
 
 
-def _leave_function(run: Run, ir: facts.Function, activation: object, status: str | None, layer: object) -> Value:
+def _leave_function(
+    machine: Machine, ir: facts.Function, activation: Activation, status: Status, layer: Layer
+) -> Value:
     from archlint.interpreter import containers
-    from archlint.interpreter.machine import Activation
 
-    assert isinstance(activation, Activation) and isinstance(layer, dict)
     captured = [kept for _, kept in activation.returns if kept is not None]
     activation.forget([*captured, layer])
     falls_through = status not in ("return", "raise")
     straight = any(kept is None for _, kept in activation.returns)
     if not captured:
-        run.store.layers[-1].update(layer)
+        machine.store.layers[-1].update(layer)
     else:
-        run.store.merge([*captured, layer] if falls_through or straight else captured)
+        machine.store.merge([*captured, layer] if falls_through or straight else captured)
     if ir.is_generator:
-        return containers.new_list(run, activation.yields, "generator", True)
+        return containers.new_list(machine, activation.yields, "generator", True)
     values = [value for value, _ in activation.returns]
     if falls_through and not straight:
         values.append(NONE)
@@ -332,40 +278,38 @@ def _leave_function(run: Run, ir: facts.Function, activation: object, status: st
 # ------------------------------------------------------------------------------------------- odds and ends
 
 
-def awaited(run: Run, value: Value, expression: facts.Await) -> Value:
+def awaited(machine: Machine, value: Value, expression: facts.Await) -> Value:
     """``await value``."""
     found = []
     for option in alternatives(value):
-        if isinstance(option, FutureValue):
-            found.append(effects.await_future(run, option, expression))
+        if isinstance(option, ForeignValue):
+            found.append(machine.library.awaited(option, expression))
         else:
             found.append(option)
     return one_of(found)
 
 
-def enter(run: Run, value: Value) -> Value:
+def enter(machine: Machine, value: Value) -> Value:
     """What ``with value as x`` binds."""
-    from archlint.interpreter import containers
-
     if isinstance(value, ListValue) and value.kind == "generator":
-        items = containers.items_of(run, value)
+        items = containers.items_of(machine, value)
         return items.values[0] if items.values else Unknown("what a context manager gives")
     if isinstance(value, Instance) and isinstance(value.cls, ClassValue):
-        method = get_attribute(run, value, "__enter__")
+        method = get_attribute(machine, value, "__enter__")
         if isinstance(method, BoundMethod):
-            return call(run, method, [], {})
+            return call(machine, method, NOTHING_GIVEN)
     return value
 
 
 _EXITS = frozenset({"sys.exit", "os._exit"})
 
 
-def never_returns(run: Run, e: facts.Call) -> bool:
+def never_returns(machine: Machine, e: facts.Call) -> bool:
     """``sys.exit()`` and the like."""
     if isinstance(e.func, facts.Name):
-        return e.func.id in ("exit", "quit") and run.lookup(e.func.id) is None
+        return e.func.id in ("exit", "quit") and machine.lookup(e.func.id) is None
     if isinstance(e.func, facts.Attribute) and isinstance(e.func.value, facts.Name):
-        value = run.lookup(e.func.value.id)
+        value = machine.lookup(e.func.value.id)
         return isinstance(value, External) and f"{value.path}.{e.func.attr}" in _EXITS
     return False
 

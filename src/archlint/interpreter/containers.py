@@ -6,6 +6,7 @@ from collections.abc import Hashable, Iterable, Sequence
 from typing import TYPE_CHECKING
 
 from archlint.interpreter.attributes import get_attribute, set_attribute
+from archlint.interpreter.call_site import CallSite
 from archlint.interpreter.heap import Entries, Items
 from archlint.interpreter.values import (
     AttributesValue,
@@ -13,8 +14,8 @@ from archlint.interpreter.values import (
     ClassValue,
     DictValue,
     EachValue,
-    EntityValue,
     External,
+    ForeignValue,
     Instance,
     Known,
     ListValue,
@@ -28,20 +29,19 @@ from archlint.interpreter.values import (
     via,
     with_via,
 )
-from archlint.libraries.rclpy import escapes
 
 if TYPE_CHECKING:
-    from archlint.interpreter.machine import Run
+    from archlint.interpreter.machine import Machine
 ITEM_LIMIT = 4096
 STRANGE_KEYS = 64
 """How many values under keys that are not known a dict keeps."""
 
 
 def new_list(
-    run: Run, values: Sequence[Value], kind: str = "list", open_: bool = False, whole: bool = False
+    machine: Machine, values: Sequence[Value], kind: str = "list", open_: bool = False, whole: bool = False
 ) -> ListValue:
-    made = ListValue(run.store.new_key(), kind)
-    run.store.set(made.key, "#items", Items(distinct(values) if kind == "set" else tuple(values), open_, whole))
+    made = ListValue(machine.store.new_key(), kind)
+    machine.store.set(made.key, "#items", Items(distinct(values) if kind == "set" else tuple(values), open_, whole))
     return made
 
 
@@ -54,14 +54,14 @@ def distinct(values: Iterable[Value]) -> tuple[Value, ...]:
     return tuple(found.values())
 
 
-def new_dict(run: Run, entries: dict[Hashable, tuple[Value, Value]], open_: bool = False) -> DictValue:
-    made = DictValue(run.store.new_key())
-    run.store.set(made.key, "#items", Entries(entries, open_))
+def new_dict(machine: Machine, entries: dict[Hashable, tuple[Value, Value]], open_: bool = False) -> DictValue:
+    made = DictValue(machine.store.new_key())
+    machine.store.set(made.key, "#items", Entries(entries, open_))
     return made
 
 
-def items_of(run: Run, value: ListValue) -> Items:
-    items = run.store.get(value.key, "#items")
+def items_of(machine: Machine, value: ListValue) -> Items:
+    items = machine.store.get(value.key, "#items")
     if not isinstance(items, Items):
         return Items((), True)
     if not value.via:
@@ -69,8 +69,8 @@ def items_of(run: Run, value: ListValue) -> Items:
     return Items(tuple(with_via(item, value.via) for item in items.values), items.open, items.whole)
 
 
-def entries_of(run: Run, value: DictValue) -> Entries:
-    entries = run.store.get(value.key, "#items")
+def entries_of(machine: Machine, value: DictValue) -> Entries:
+    entries = machine.store.get(value.key, "#items")
     if not isinstance(entries, Entries):
         return Entries({}, True)
     if not value.via:
@@ -83,31 +83,33 @@ def hashable(value: Value) -> Hashable | None:
     """What stands for a value as a key; None where it is not known."""
     if isinstance(value, Known):
         return (type(value.value).__name__ if isinstance(value.value, str) else "", value.value)
-    if isinstance(value, (Instance, ClassValue, EntityValue)):
+    if isinstance(value, (Instance, ClassValue)):
+        return ("#", id(value))
+    if isinstance(value, ForeignValue) and value.is_hashable:
         return ("#", id(value))
     if isinstance(value, External):
         return ("#external", value.path)
     return None
 
 
-def iterate(run: Run, value: Value) -> Items | None:
+def iterate(machine: Machine, value: Value) -> Items | None:
     """The items that iterating yields; None where nothing is known of them."""
     if isinstance(value, ListValue):
-        return items_of(run, value)
+        return items_of(machine, value)
     if isinstance(value, DictValue):
-        entries = entries_of(run, value)
+        entries = entries_of(machine, value)
         return Items(tuple(key for key, _ in entries.entries.values()), entries.open)
     if isinstance(value, Known) and isinstance(value.value, str):
         if len(value.value) > 256:
             return None
         return Items(tuple(Known(character, value.via) for character in value.value))
     if isinstance(value, ClassValue):
-        members = enum_members(run, value)
+        members = enum_members(machine, value)
         return Items(tuple(members)) if members else None
     if isinstance(value, Instance):
-        return _fields_of_tuple(run, value)
+        return _fields_of_tuple(machine, value)
     if isinstance(value, OneOf):
-        rows = [iterate(run, alternative) for alternative in value.values]
+        rows = [iterate(machine, alternative) for alternative in value.values]
         known = [row for row in rows if row is not None]
         if not known:
             return None
@@ -120,16 +122,16 @@ def iterate(run: Run, value: Value) -> Items | None:
     return None
 
 
-def _fields_of_tuple(run: Run, value: Instance) -> Items | None:
+def _fields_of_tuple(machine: Machine, value: Instance) -> Items | None:
     """The items of a named tuple."""
-    names = run.store.get(value.key, "#fields")
+    names = machine.store.get(value.key, "#fields")
     if not isinstance(names, tuple):
         return None
-    fields = [run.store.get(value.key, name) for name in names]
+    fields = [machine.store.get(value.key, name) for name in names]
     return Items(tuple(field for field in fields if isinstance(field, Value)))
 
 
-def unknown_item(run: Run, iterable: Value, why: str) -> Value:
+def unknown_item(machine: Machine, iterable: Value, why: str) -> Value:
     """What stands for any of the items of what cannot be iterated over."""
     if isinstance(iterable, EachValue):
         return iterable.element
@@ -138,49 +140,49 @@ def unknown_item(run: Run, iterable: Value, why: str) -> Value:
     return Unknown(why)
 
 
-def enum_members(run: Run, cls: ClassValue) -> list[Value]:
-    names = run.store.get(cls.key, "#members")
+def enum_members(machine: Machine, cls: ClassValue) -> list[Value]:
+    names = machine.store.get(cls.key, "#members")
     if not isinstance(names, tuple):
         return []
-    found = [run.store.get(cls.key, name) for name in names]
+    found = [machine.store.get(cls.key, name) for name in names]
     return [value for value in found if isinstance(value, Value)]
 
 
-def slice_of(run: Run, value: Value, bounds: slice | None) -> Value:
-    return escapes.lost(run, _slice_of(run, value, bounds), (value,), "it is in a part of a list")
+def slice_of(machine: Machine, value: Value, bounds: slice | None) -> Value:
+    return machine.library.lost(_slice_of(machine, value, bounds), (value,), "it is in a part of a list")
 
 
-def _slice_of(run: Run, value: Value, bounds: slice | None) -> Value:
+def _slice_of(machine: Machine, value: Value, bounds: slice | None) -> Value:
     if isinstance(value, EachValue):
         return value
     if bounds is None or bounds.step == 0:
         return Unknown("a slice whose bounds are not known")
     if isinstance(value, ListValue):
-        items = items_of(run, value)
+        items = items_of(machine, value)
         if items.open:
             return Unknown("the items of this list are not known")
-        return new_list(run, items.values[bounds], value.kind)
+        return new_list(machine, items.values[bounds], value.kind)
     if isinstance(value, Known) and isinstance(value.value, str):
         return Known(value.value[bounds], value.via)
     return Unknown(reason(value))
 
 
-def get_item(run: Run, container: Value, index: Value) -> Value:
+def get_item(machine: Machine, container: Value, index: Value) -> Value:
     """``container[index]``."""
-    found = _get_item(run, container, index)
+    found = _get_item(machine, container, index)
     if isinstance(container, (ListValue, DictValue)):
-        return escapes.lost(run, found, (container,), _TAKEN)
+        return machine.library.lost(found, (container,), _TAKEN)
     return found
 
 
 _TAKEN = "it is in a container from which something is taken"
 
 
-def _get_item(run: Run, container: Value, index: Value) -> Value:
+def _get_item(machine: Machine, container: Value, index: Value) -> Value:
     if isinstance(container, EachValue):
         return container.element
     if isinstance(container, ListValue):
-        items = items_of(run, container)
+        items = items_of(machine, container)
         if isinstance(index, Known) and isinstance(index.value, int):
             inside = -len(items.values) <= index.value < len(items.values)
             if inside and not items.open:
@@ -190,7 +192,7 @@ def _get_item(run: Run, container: Value, index: Value) -> Value:
             return with_via(one_of(items.values), via(index))
         return Unknown(reason(index, *items.values[:1]))
     if isinstance(container, DictValue):
-        return get_entry(run, container, index, None)
+        return get_entry(machine, container, index, None)
     if isinstance(container, Known) and isinstance(container.value, str):
         if isinstance(index, Known) and isinstance(index.value, int):
             try:
@@ -200,56 +202,44 @@ def _get_item(run: Run, container: Value, index: Value) -> Value:
         return Unknown(reason(index))
     if isinstance(container, ClassValue):
         if isinstance(index, Known) and isinstance(index.value, str):
-            member = run.store.get(container.key, index.value)  # an enum by name, or a generic class
+            member = machine.store.get(container.key, index.value)  # an enum by name, or a generic class
             if isinstance(member, Value):
                 return member
         return container
     if isinstance(container, External):
-        return _external_item(run, container, index)
+        return _external_item(machine, container, index)
     if isinstance(container, Instance):
-        items_ = _fields_of_tuple(run, container)
+        items_ = _fields_of_tuple(machine, container)
         if items_ is not None and isinstance(index, Known) and isinstance(index.value, int):
             return items_.values[index.value] if abs(index.value) < len(items_.values) else Unknown("no such item")
-        method = get_attribute(run, container, "__getitem__")
+        method = get_attribute(machine, container, "__getitem__")
         if isinstance(method, BoundMethod):
-            return run.call(method, [index], {})
+            return machine.call(method, CallSite([index]))
     if isinstance(container, AttributesValue) and isinstance(index, Known) and isinstance(index.value, str):
-        return get_attribute(run, container.instance, index.value)
+        return get_attribute(machine, container.instance, index.value)
     if isinstance(container, Unknown):
         return Unknown(container.reason, container.parameter)
     return Unknown(reason(container, index))
 
 
-def _external_item(run: Run, container: External, index: Value) -> Value:
+def _external_item(machine: Machine, container: External, index: Value) -> Value:
     """``os.environ['X']``, an enum by name, or a generic such as ``list[str]``."""
     name = index.value if isinstance(index, Known) else None
     if container.path == "os.environ":
-        known = environment_of(run, name)
+        known = machine.library.environment(name)
         return known or Unknown(f"the environment variable {name!s}" if name else "an environment variable")
     if container.path == "sys.version_info" and name == 0:
         return Known(PYTHON[0])
-    if container.path.startswith("rclpy.qos.") and isinstance(name, str):
-        return External(f"{container.path}.{name.upper()}")
-    return container
+    return machine.library.item_of_external(container, name) or container
 
 
-ENVIRONMENT = {"ROS_VERSION": "2", "ROS_PYTHON_VERSION": "3"}
-"""What the environment of every ROS 2 process says."""
-
-
-def environment_of(run: Run, name: object) -> Known | None:
-    """What a variable is in any process of ROS 2; ``ROS_DISTRO`` where the configuration says the distribution."""
-    text = run.distro if name == "ROS_DISTRO" else ENVIRONMENT.get(str(name))
-    return None if text is None else Known(text)
-
-
-def get_entry(run: Run, container: DictValue, index: Value, default: Value | None) -> Value:
+def get_entry(machine: Machine, container: DictValue, index: Value, default: Value | None) -> Value:
     """``dict[index]``, or ``dict.get(index, default)`` where a default is given; what chose the index chooses it."""
-    return with_via(_get_entry(run, container, index, default), via(index))
+    return with_via(_get_entry(machine, container, index, default), via(index))
 
 
-def _get_entry(run: Run, container: DictValue, index: Value, default: Value | None) -> Value:
-    entries = entries_of(run, container)
+def _get_entry(machine: Machine, container: DictValue, index: Value, default: Value | None) -> Value:
+    entries = entries_of(machine, container)
     at = hashable(index)
     if at is not None:
         found = entries.entries.get(at)
@@ -259,7 +249,7 @@ def _get_entry(run: Run, container: DictValue, index: Value, default: Value | No
             why = Unknown("the dict has entries that are not known")
             return why if default is None else one_of((as_default(default), why))
         if default is None:
-            return _made_entry(run, container, index)
+            return _made_entry(machine, container, index)
         return default
     values = [value for _, value in entries.entries.values()]
     if default is not None:
@@ -269,67 +259,67 @@ def _get_entry(run: Run, container: DictValue, index: Value, default: Value | No
     return one_of(values)
 
 
-def _made_entry(run: Run, container: DictValue, index: Value) -> Value:
+def _made_entry(machine: Machine, container: DictValue, index: Value) -> Value:
     """What a ``defaultdict`` makes for a new key."""
-    factory = run.store.get(container.key, "#factory")
+    factory = machine.store.get(container.key, "#factory")
     if not isinstance(factory, Value):
         return Unknown("the dict has no such key")
-    made = run.call(factory, [], {})
-    set_item(run, container, index, made)
+    made = machine.call(factory)
+    set_item(machine, container, index, made)
     return made
 
 
-def set_item(run: Run, container: Value, index: Value, value: Value) -> None:
+def set_item(machine: Machine, container: Value, index: Value, value: Value) -> None:
     """``container[index] = value``; where it is one of several containers, each may now hold it."""
     several = isinstance(container, OneOf)
     for target in alternatives(container):
         if isinstance(target, (DictValue, ListValue)):
-            escapes.kept(run, target.key, (index, value))
+            machine.library.kept(target.key, (index, value))
         if isinstance(target, DictValue):
-            entries = entries_of(run, target)
+            entries = entries_of(machine, target)
             at = hashable(index)
             updated = dict(entries.entries)
             if at is None:
                 strange = [row for key, row in updated.items() if isinstance(key, tuple) and key[0] == "#unknown"]
                 if len(strange) < STRANGE_KEYS and (index, value) not in strange:
                     updated[("#unknown", len(updated))] = (index, value)
-                run.store.set(target.key, "#items", Entries(updated, True))
+                machine.store.set(target.key, "#items", Entries(updated, True))
                 continue
             if several and at in updated:
                 value = one_of((updated[at][1], value))
             updated[at] = (index, value)
             if len(updated) <= ITEM_LIMIT:
-                run.store.set(target.key, "#items", Entries(updated, entries.open))
+                machine.store.set(target.key, "#items", Entries(updated, entries.open))
         elif isinstance(target, ListValue):
-            items = items_of(run, target)
+            items = items_of(machine, target)
             if isinstance(index, Known) and isinstance(index.value, int) and not items.open:
                 values = list(items.values)
                 if -len(values) <= index.value < len(values):
                     values[index.value] = value
-                    run.store.set(target.key, "#items", Items(tuple(values)))
+                    machine.store.set(target.key, "#items", Items(tuple(values)))
             else:
-                run.store.set(target.key, "#items", Items((*items.values, value)[:ITEM_LIMIT], True))
+                machine.store.set(target.key, "#items", Items((*items.values, value)[:ITEM_LIMIT], True))
         elif isinstance(target, AttributesValue):
             if isinstance(index, Known) and isinstance(index.value, str):
-                set_attribute(run, target.instance, index.value, value)
+                set_attribute(machine, target.instance, index.value, value)
         elif isinstance(target, Instance):
-            method = get_attribute(run, target, "__setitem__")
+            method = get_attribute(machine, target, "__setitem__")
             if isinstance(method, BoundMethod):
-                run.call(method, [index, value], {})
+                machine.call(method, CallSite([index, value]))
             else:
-                escapes.escape(run, (value,), "it is put into something that is not followed")
+                machine.library.escaped((value,), "it is put into something that is not followed")
         else:
-            escapes.escape(run, (value,), "it is put into something that is not followed")
+            machine.library.escaped((value,), "it is put into something that is not followed")
 
 
-def delete_item(run: Run, container: Value, index: Value) -> None:
+def delete_item(machine: Machine, container: Value, index: Value) -> None:
     at = hashable(index)
     if isinstance(container, DictValue):
-        entries = entries_of(run, container)
+        entries = entries_of(machine, container)
         kept = {key: entry for key, entry in entries.entries.items() if key != at}
-        run.store.set(container.key, "#items", Entries(kept, entries.open or at is None))
+        machine.store.set(container.key, "#items", Entries(kept, entries.open or at is None))
     elif isinstance(container, ListValue):
-        run.store.set(container.key, "#items", Items(items_of(run, container).values, True))
+        machine.store.set(container.key, "#items", Items(items_of(machine, container).values, True))
 
 
 PYTHON = (3, 10)

@@ -6,7 +6,11 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from archlint.interpreter import hints, refusals
+from archlint.interpreter.activation import Activation
 from archlint.interpreter.attributes import bind, class_lookup, get_attribute
+from archlint.interpreter.call_site import CallSite
+from archlint.interpreter.modules import Scope
+from archlint.interpreter.python_classes import ENUM_BASES
 from archlint.interpreter.values import (
     ApiMethod,
     BoundMethod,
@@ -17,41 +21,38 @@ from archlint.interpreter.values import (
     Instance,
     Known,
     Partial,
-    Scope,
     Unknown,
     Value,
     alternatives,
     as_default,
     one_of,
 )
-from archlint.libraries.rclpy import effects, escapes
-from archlint.libraries.rclpy import names as rclpy_names
 from archlint.syntax import facts
 
 if TYPE_CHECKING:
-    from archlint.interpreter.machine import Run
+    from archlint.interpreter.machine import Machine
 
 
-def define_function(run: Run, s: facts.Function) -> Value:
-    activation = run.activation
+def define_function(machine: Machine, s: facts.Function) -> Value:
+    activation = machine.activation
     activation.closed_over = True
     defaults = []
     for param in s.params:
         if param.default is not None:
-            defaults.append((param.name, as_default(run.evaluate(param.default))))
+            defaults.append((param.name, as_default(machine.evaluate(param.default))))
     owner_scope = activation.scope
     prefix = "" if owner_scope.kind == "module" else owner_scope.qualified + "."
     names: set[str] = set()
     foreign: list[Value] = []
     for decorator in s.decorators:
-        _read_decorator(run, s, decorator, names, foreign)
+        _read_decorator(machine, s, decorator, names, foreign)
     value: Value = FunctionValue(s, owner_scope, prefix + s.name, tuple(defaults), None, frozenset(names))
     if "setter" in names:
-        before = run.store.get(owner_scope.key, s.name)
-        run.store.set(owner_scope.key, f"#setter:{s.name}", value)
+        before = machine.store.get(owner_scope.key, s.name)
+        machine.store.set(owner_scope.key, f"#setter:{s.name}", value)
         return before if isinstance(before, Value) else value
     for decorator_value in reversed(foreign):
-        decorated = run.call(decorator_value, [value], {})
+        decorated = machine.call(decorator_value, CallSite([value]))
         if not isinstance(decorated, Unknown) and not (isinstance(decorated, Known) and decorated.value is None):
             value = decorated
     return value
@@ -69,11 +70,13 @@ _KNOWN_DECORATORS = {
 }
 
 
-def _read_decorator(run: Run, s: facts.Function, decorator: facts.Expr, names: set[str], foreign: list[Value]) -> None:
+def _read_decorator(
+    machine: Machine, s: facts.Function, decorator: facts.Expr, names: set[str], foreign: list[Value]
+) -> None:
     if isinstance(decorator, facts.Attribute) and decorator.attr in ("setter", "getter", "deleter"):
         names.add(decorator.attr)
         return
-    value = run.evaluate(decorator)
+    value = machine.evaluate(decorator)
     path = value.path if isinstance(value, External) else value.name if isinstance(value, Builtin) else ""
     if path in _KNOWN_DECORATORS:
         names.add(_KNOWN_DECORATORS[path])
@@ -81,69 +84,68 @@ def _read_decorator(run: Run, s: facts.Function, decorator: facts.Expr, names: s
         foreign.append(value)
 
 
-def define_lambda(run: Run, e: facts.Lambda) -> Value:
-    run.activation.closed_over = True
+def define_lambda(machine: Machine, e: facts.Lambda) -> Value:
+    machine.activation.closed_over = True
     defaults = []
     for param in e.params:
         if param.default is not None:
-            defaults.append((param.name, run.evaluate(param.default)))
-    return FunctionValue(e, run.activation.scope, "<lambda>", tuple(defaults))
+            defaults.append((param.name, machine.evaluate(param.default)))
+    return FunctionValue(e, machine.activation.scope, "<lambda>", tuple(defaults))
 
 
-def define_class(run: Run, s: facts.Class) -> Value:
+def define_class(machine: Machine, s: facts.Class) -> Value:
     from archlint.interpreter import registries
-    from archlint.interpreter.machine import Activation
 
-    activation = run.activation
+    activation = machine.activation
     activation.closed_over = True
     bases: list[Value] = []
     for argument in s.bases:
         if argument.keyword is None and not argument.star:
-            base = run.evaluate(argument.value)
-            if refusals.is_module(base):
+            base = machine.evaluate(argument.value)
+            if refusals.is_module(machine, base):
                 return Unknown("no class can inherit from a module")
-            bases.append(_single_base(base))
+            bases.append(_single_base(machine, base))
         elif argument.keyword is not None:
-            run.evaluate(argument.value)
+            machine.evaluate(argument.value)
     decorators: set[str] = set()
     for decorator in s.decorators:
-        value = run.evaluate(decorator.func if isinstance(decorator, facts.Call) else decorator)
+        value = machine.evaluate(decorator.func if isinstance(decorator, facts.Call) else decorator)
         if isinstance(value, External):
             decorators.add(value.path)
-    registering = registries.decorators_of(run, s)
+    registering = registries.decorators_of(machine, s)
     prefix = "" if activation.scope.kind == "module" else activation.scope.qualified + "."
-    key = run.store.new_key()
+    key = machine.store.new_key()
     scope = Scope(key, activation.scope, activation.module, "class", prefix + s.name)
     cls = ClassValue(s, scope, prefix + s.name, tuple(bases), key, (), frozenset(decorators))
     object.__setattr__(cls, "mro", linearize(cls))
-    run.activations.append(Activation(prefix + s.name, activation.module, scope, s.body, run.store.depth))
+    machine.activations.append(Activation(prefix + s.name, activation.module, scope, s.body, machine.store.depth))
     try:
-        run.execute(s.body)
+        machine.execute(s.body)
     finally:
-        run.activations.pop()
-    _own_functions(run, cls)
-    if rclpy_names.ENUM_BASES & set(cls.external_bases()):
-        _make_members(run, cls)
-    return registries.announce(run, s, cls, registering)
+        machine.activations.pop()
+    _own_functions(machine, cls)
+    if ENUM_BASES & set(cls.external_bases()):
+        _make_members(machine, cls)
+    return registries.announce(machine, s, cls, registering)
 
 
-def _single_base(value: Value) -> Value:
+def _single_base(machine: Machine, value: Value) -> Value:
     """A base that depends on a branch (``try: import …``): the first class among the alternatives."""
     for option in alternatives(value):
         if isinstance(option, (ClassValue, External)):
-            return External(rclpy_names.canonical(option.path)) if isinstance(option, External) else option
+            return External(machine.library.canonical(option.path)) if isinstance(option, External) else option
     if isinstance(value, Builtin):
         return External(value.name)
     return value
 
 
-def _own_functions(run: Run, cls: ClassValue) -> None:
+def _own_functions(machine: Machine, cls: ClassValue) -> None:
     """Tell the functions of a class body which class they belong to, for ``super()``."""
     for statement in _definitions(cls.ir.body):
-        value = run.store.get(cls.key, statement.name)
+        value = machine.store.get(cls.key, statement.name)
         if isinstance(value, FunctionValue) and value.owner is None:
             object.__setattr__(value, "owner", cls)
-        setter = run.store.get(cls.key, f"#setter:{statement.name}")
+        setter = machine.store.get(cls.key, f"#setter:{statement.name}")
         if isinstance(setter, FunctionValue) and setter.owner is None:
             object.__setattr__(setter, "owner", cls)
 
@@ -166,26 +168,26 @@ def methods_of(cls: ClassValue) -> list[facts.Function]:
     return _definitions(cls.ir.body)
 
 
-def _make_members(run: Run, cls: ClassValue) -> None:
+def _make_members(machine: Machine, cls: ClassValue) -> None:
     members: dict[str, Value] = {}
     for name in _assigned(cls.ir.body):
-        value = run.store.get(cls.key, name)
+        value = machine.store.get(cls.key, name)
         if isinstance(value, External) and value.path == "enum.auto":
             value = _automatic(cls, name, list(members.values()))
         if not isinstance(value, Value):
             value = Unknown("an enum value")
         first = next((other for other, held in members.items() if isinstance(held, Known) and held == value), None)
         if first is not None:  # a second name of the same member
-            run.store.set(cls.key, name, run.store.get(cls.key, first))
+            machine.store.set(cls.key, name, machine.store.get(cls.key, first))
             continue
-        member = Instance(cls, run.store.new_key())
-        run.store.set(member.key, "value", value)
-        run.store.set(member.key, "_value_", value)
-        run.store.set(member.key, "name", Known(name))
-        run.store.set(member.key, "#enum", True)
-        run.store.set(cls.key, name, member)
+        member = Instance(cls, machine.store.new_key())
+        machine.store.set(member.key, "value", value)
+        machine.store.set(member.key, "_value_", value)
+        machine.store.set(member.key, "name", Known(name))
+        machine.store.set(member.key, "#enum", True)
+        machine.store.set(cls.key, name, member)
         members[name] = value
-    run.store.set(cls.key, "#members", tuple(members))
+    machine.store.set(cls.key, "#members", tuple(members))
 
 
 def _assigned(body: list[facts.Stmt]) -> Iterator[str]:
@@ -241,54 +243,37 @@ def _is_in(value: Value, row: list[Value]) -> bool:
     return any(_equal(value, other) for other in row)
 
 
-GIVEN = "#given"
-"""The slot of what the constructor of a class that derives from one of launch's was given, by name or position."""
-
-
-def instantiate(
-    run: Run,
-    cls: ClassValue,
-    args: list[Value],
-    keywords: dict[str, Value],
-    expression: facts.Call | None = None,
-    open_arguments: bool = False,
-) -> Value:
+def instantiate(machine: Machine, cls: ClassValue, site: CallSite) -> Value:
     """Make an object of a class of the workspace."""
-    if run.store.get(cls.key, "#members"):
-        return _enum_member(run, cls, args)
-    made = _given_by_new(run, cls, args, keywords, expression) or allocate(run, cls, expression)
-    if not open_arguments and any(path.startswith("launch") for path in cls.external_bases()):
-        named = sorted(keywords.items(), key=lambda row: row[0])
-        rows = [*((str(number), value) for number, value in enumerate(args)), *named]
-        run.store.set(made.key, GIVEN, tuple(rows))
-    init, owner = class_lookup(run, cls, "__init__")
+    if machine.store.get(cls.key, "#members"):
+        return _enum_member(machine, cls, site.args)
+    made = _given_by_new(machine, cls, site) or allocate(machine, cls, site.expression)
+    machine.library.constructing(made, cls, site)
+    init, owner = class_lookup(machine, cls, "__init__")
     if init is not None:
-        run.call(bind(run, init, made, cls), args, keywords, expression, open_arguments)
+        machine.call(bind(machine, init, made, cls), site)
     elif isinstance(owner, External):
-        path = rclpy_names.canonical(owner.path)
-        effects.call_method(run, ApiMethod(f"{path}.__init__", made), args, keywords, expression, open_arguments)
+        machine.library.call_method(ApiMethod(f"{owner.path}.__init__", made), site)
     elif any("dataclass" in name for name in _decorators(cls)) or "typing.NamedTuple" in cls.external_bases():
-        _fill_dataclass(run, made, cls, args, keywords, open_arguments)
+        _fill_dataclass(machine, made, cls, site)
     return made
 
 
-def allocate(run: Run, cls: ClassValue, expression: facts.Call | None = None) -> Instance:
+def allocate(machine: Machine, cls: ClassValue, expression: facts.Call | None = None) -> Instance:
     """An object of a class, before its ``__init__``."""
-    place = run.place(expression.span) if expression is not None and run.activations else None
-    made = Instance(cls, run.store.new_key(), place)
-    run.instances[made.key] = made
-    effects.adopt(run, made)
+    place = machine.place(expression.span) if expression is not None and machine.activations else None
+    made = Instance(cls, machine.store.new_key(), place)
+    machine.instances[made.key] = made
+    machine.library.allocated(made)
     return made
 
 
-def _given_by_new(
-    run: Run, cls: ClassValue, args: list[Value], keywords: dict[str, Value], expression: facts.Call | None
-) -> Instance | None:
+def _given_by_new(machine: Machine, cls: ClassValue, site: CallSite) -> Instance | None:
     """The object that a ``__new__`` of ours gives: of a class with one object only, the one that there is."""
-    new, _ = class_lookup(run, cls, "__new__")
+    new, _ = class_lookup(machine, cls, "__new__")
     if not isinstance(new, FunctionValue):
         return None
-    given = run.call(new, [cls, *args], keywords, expression)
+    given = machine.call(new, CallSite([cls, *site.args], site.keywords, site.expression))
     objects = [one for one in alternatives(given) if isinstance(one, Instance) and one.cls is cls]
     return min(objects, key=lambda one: one.key, default=None)
 
@@ -297,59 +282,52 @@ def _decorators(cls: ClassValue) -> set[str]:
     return {name for base in cls.mro if isinstance(base, ClassValue) for name in base.decorators}
 
 
-def _enum_member(run: Run, cls: ClassValue, args: list[Value]) -> Value:
+def _enum_member(machine: Machine, cls: ClassValue, args: list[Value]) -> Value:
     from archlint.interpreter import containers
 
-    members = containers.enum_members(run, cls)
+    members = containers.enum_members(machine, cls)
     if len(args) == 1 and isinstance(args[0], Known):
         for member in members:
-            if isinstance(member, Instance) and run.store.get(member.key, "value") == args[0]:
+            if isinstance(member, Instance) and machine.store.get(member.key, "value") == args[0]:
                 return member
     return one_of(members) if members else Unknown("an enum without members")
 
 
-def _fill_dataclass(
-    run: Run,
-    made: Instance,
-    cls: ClassValue,
-    args: list[Value],
-    keywords: dict[str, Value],
-    open_arguments: bool,
-) -> None:
+def _fill_dataclass(machine: Machine, made: Instance, cls: ClassValue, site: CallSite) -> None:
     fields: dict[str, ClassValue] = {}
     for base in reversed(cls.mro):
         if isinstance(base, ClassValue):
             for statement in base.ir.body:
                 if isinstance(statement, facts.Annotated) and isinstance(statement.target, facts.Name):
                     fields[statement.target.id] = base
-    rest = list(args)
+    rest = list(site.args)
     for name, base in fields.items():
         value: object
         if rest:
             value = rest.pop(0)
-        elif name in keywords:
-            value = keywords[name]
-        elif open_arguments:
+        elif name in site.keywords:
+            value = site.keywords[name]
+        elif site.open:
             value = Unknown("a field that is passed by * or **")
         else:
-            value = run.store.get(base.key, name)
+            value = machine.store.get(base.key, name)
             if isinstance(value, Instance) and value.note == "dataclasses.field":
-                value = _field_default(run, value)
+                value = _field_default(machine, value)
             value = as_default(value) if isinstance(value, Value) else value
         if isinstance(value, Value):
-            escapes.kept(run, made.key, (value,), name)
+            machine.library.kept(made.key, (value,), name)
         if not isinstance(value, Value):
-            value = hints.declared(run, cls, name) or Unknown(f"the field '{name}' is not set")
-        run.store.set(made.key, name, value)
+            value = hints.declared(machine, cls, name) or Unknown(f"the field '{name}' is not set")
+        machine.store.set(made.key, name, value)
     if "typing.NamedTuple" in cls.external_bases():
-        run.store.set(made.key, "#fields", tuple(fields))
-    after = get_attribute(run, made, "__post_init__")
+        machine.store.set(made.key, "#fields", tuple(fields))
+    after = get_attribute(machine, made, "__post_init__")
     if isinstance(after, BoundMethod):
-        run.call(after, [], {})
+        machine.call(after)
 
 
-def _field_default(run: Run, declared: Instance) -> Value:
+def _field_default(machine: Machine, declared: Instance) -> Value:
     if "default" in declared.arguments:
         return declared.arguments["default"]
     factory = declared.arguments.get("default_factory")
-    return Unknown("a field without a default") if factory is None else run.call(factory, [], {})
+    return Unknown("a field without a default") if factory is None else machine.call(factory)

@@ -27,7 +27,7 @@ from archlint.interpreter.values import (
 from archlint.syntax import facts
 
 if TYPE_CHECKING:
-    from archlint.interpreter.machine import Run
+    from archlint.interpreter.machine import Machine
 
 CONVERSIONS: dict[str | None, Callable[[object], str]] = {"r": repr, "a": ascii, "s": str}
 """What ``!r``, ``!a`` and ``!s`` stand for."""
@@ -39,17 +39,17 @@ _WIDE = re.compile(r"\d{5,}")
 """A width or a precision that nobody asks for; Python would make a text as long as that."""
 
 
-def percent_format(run: Run, template: Value, argument: Value, span: facts.Span) -> Value:
+def percent_format(machine: Machine, template: Value, argument: Value, span: facts.Span) -> Value:
     """``'…%s…' % argument``."""
     if not isinstance(template, Known) or not isinstance(template.value, str):
         return Unknown(reason(template))
     if isinstance(argument, ListValue) and argument.kind == "tuple":
-        items = items_of(run, argument)
+        items = items_of(machine, argument)
         if items.open:
             return Unknown("the arguments of % are not known")
         arguments = list(items.values)
     elif isinstance(argument, DictValue):
-        return _percent_dict(run, template, argument, span)
+        return _percent_dict(machine, template, argument, span)
     else:
         arguments = [argument]
     parts: list[Value] = []
@@ -67,7 +67,7 @@ def percent_format(run: Run, template: Value, argument: Value, span: facts.Span)
     parts.append(Known(text[at:], template.via))
     if arguments or "%" in re.sub(_PERCENT, "", text):
         return Unknown(reason(*arguments, Unknown("% does not get what the text asks for")))
-    return combine(run, parts, span)
+    return combine(machine, parts, span)
 
 
 def _formatted(conversion: str, value: Value) -> Value:
@@ -87,7 +87,7 @@ def _formatted(conversion: str, value: Value) -> Value:
     return one_of(found)
 
 
-def _percent_dict(run: Run, template: Known, argument: DictValue, span: facts.Span) -> Value:
+def _percent_dict(machine: Machine, template: Known, argument: DictValue, span: facts.Span) -> Value:
     assert isinstance(template.value, str)
     parts: list[Value] = []
     at = 0
@@ -99,13 +99,13 @@ def _percent_dict(run: Run, template: Known, argument: DictValue, span: facts.Sp
         if match.group(1) is None:
             parts.append(Known("%"))
         else:
-            value = get_entry(run, argument, Known(match.group(1)), None)
+            value = get_entry(machine, argument, Known(match.group(1)), None)
             parts.append(_formatted("%" + match.group(2), value))
     parts.append(Known(template.value[at:], template.via))
-    return combine(run, parts, span)
+    return combine(machine, parts, span)
 
 
-def combine(run: Run, parts: Sequence[Value], span: facts.Span | None) -> Value:
+def combine(machine: Machine, parts: Sequence[Value], span: facts.Span | None) -> Value:
     """Join text parts over all combinations of their alternatives."""
     rows: list[list[Value]] = [[]]
     for part in parts:
@@ -113,8 +113,8 @@ def combine(run: Run, parts: Sequence[Value], span: facts.Span | None) -> Value:
         if len(rows) * len(options) > CARTESIAN:
             options = (Unknown("more values than can be followed"),)
         rows = [[*row, option] for row in rows for option in options]
-    place = None if span is None else run.place(span)
-    return one_of(join_texts([text_of(run, part) for part in row], place) for row in rows)
+    place = None if span is None else machine.place(span)
+    return one_of(join_texts([text_of(machine, part) for part in row], place) for row in rows)
 
 
 def _meant(part: Value) -> Sequence[Value]:
@@ -131,27 +131,27 @@ def _is_none(value: Value) -> bool:
     return isinstance(value, Known) and value.value is None
 
 
-def plain_text(run: Run, value: Value) -> Value:
+def plain_text(machine: Machine, value: Value) -> Value:
     """A member of ``class X(str, Enum)`` is the text it holds; everything else is itself."""
-    if isinstance(value, Instance) and isinstance(value.cls, ClassValue) and run.store.get(value.key, "#enum"):
-        held = run.store.get(value.key, "value")
+    if isinstance(value, Instance) and isinstance(value.cls, ClassValue) and machine.store.get(value.key, "#enum"):
+        held = machine.store.get(value.key, "value")
         if {"str", "enum.StrEnum"} & set(value.cls.external_bases()) and isinstance(held, Value):
             return held
     return value
 
 
-def text_of(run: Run, value: Value) -> Value:
+def text_of(machine: Machine, value: Value) -> Value:
     """``str(value)``."""
     if isinstance(value, (Known, Holed, Unknown)):
         return value
     if isinstance(value, Instance) and isinstance(value.cls, ClassValue):
-        enum = run.store.get(value.key, "value") if run.store.get(value.key, "#enum") else None
+        enum = machine.store.get(value.key, "value") if machine.store.get(value.key, "#enum") else None
         if isinstance(enum, Known) and _is_text_enum(value.cls):
             return enum
         for name in ("__str__", "__repr__"):
-            method = get_attribute(run, value, name)
+            method = get_attribute(machine, value, name)
             if isinstance(method, BoundMethod):
-                return run.call(method, [], {})
+                return machine.call(method)
     return Unknown(reason(value))
 
 

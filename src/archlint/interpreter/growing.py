@@ -16,30 +16,30 @@ from archlint.syntax import facts
 from archlint.syntax.parts import Itself, everything_in
 
 if TYPE_CHECKING:
-    from archlint.interpreter.machine import Run
+    from archlint.interpreter.machine import Machine
 
 _FILLS = frozenset({"append", "appendleft", "add", "extend", "insert", "update", "setdefault"})
 _EMPTY_CALLS = frozenset({"dict", "list", "set", "deque", "defaultdict", "OrderedDict"})
 
 
-def open_up(run: Run) -> None:
+def open_up(machine: Machine) -> None:
     """Forget that collections are empty which objects keep and methods of theirs fill, once for each."""
-    for instance in list(run.instances.values()):
-        if isinstance(instance.cls, ClassValue) and instance.key not in run.opened:
-            run.opened.add(instance.key)
-            for name in _filled_of(instance.cls) & run.store.held.get(instance.key, {}).keys():
-                value = run.store.get(instance.key, name)
+    for instance in list(machine.instances.values()):
+        if isinstance(instance.cls, ClassValue) and instance.key not in machine.opened:
+            machine.opened.add(instance.key)
+            for name in _filled_of(instance.cls) & machine.store.held.get(instance.key, {}).keys():
+                value = machine.store.get(instance.key, name)
                 if isinstance(value, Value):
-                    _open(run, value)
+                    _open(machine, value)
 
 
-def _open(run: Run, value: Value) -> None:
+def _open(machine: Machine, value: Value) -> None:
     for option in alternatives(value):
-        items = run.store.get(option.key, "#items") if isinstance(option, (ListValue, DictValue)) else None
+        items = machine.store.get(option.key, "#items") if isinstance(option, (ListValue, DictValue)) else None
         if isinstance(option, ListValue) and isinstance(items, Items) and not items.values:
-            run.store.set(option.key, "#items", Items((), True))
+            machine.store.set(option.key, "#items", Items((), True))
         elif isinstance(option, DictValue) and isinstance(items, Entries) and not items.entries:
-            run.store.set(option.key, "#items", Entries({}, True))
+            machine.store.set(option.key, "#items", Entries({}, True))
 
 
 def _filled_of(cls: ClassValue) -> frozenset[str]:

@@ -1,39 +1,28 @@
-"""The symbolic run: state, statements, and the joining of undecided branches.
+"""The machine that interprets Python abstractly: its state, its limits, and the joining of undecided branches.
 
-Expressions are evaluated in :mod:`archlint.interpreter.expressions`, calls in :mod:`archlint.interpreter.calls`.
+What a kind of statement, expression or call does is in rooms of their own, which know the machine; it knows none of
+them (:mod:`archlint.interpreter.interpreter` puts them together) and no library either: it asks its
+:class:`~archlint.interpreter.library.Library`.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from abc import ABC, abstractmethod
+from collections.abc import Hashable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
-from dataclasses import dataclass, field
-from typing import TYPE_CHECKING, Any
+from dataclasses import dataclass
+from enum import Enum
 
-from archlint import model
 from archlint.faults import Faults
 from archlint.finding import Place
-from archlint.interpreter.heap import Layer, Store
-from archlint.interpreter.refusals import Refused
-from archlint.interpreter.values import (
-    ClassValue,
-    EachValue,
-    FunctionValue,
-    Instance,
-    Known,
-    MessageValue,
-    ModuleValue,
-    Scope,
-    Unknown,
-    Value,
-)
+from archlint.interpreter.activation import Activation
+from archlint.interpreter.call_site import NOTHING_GIVEN, CallSite
+from archlint.interpreter.heap import Layer, Slot, Store
+from archlint.interpreter.library import Library
+from archlint.interpreter.modules import Module, ModuleIndex, Scope
+from archlint.interpreter.values import External, Instance, Known, ModuleValue, Unknown, Value
 from archlint.syntax import facts
 from archlint.syntax.control_flow import comes_round
-
-if TYPE_CHECKING:
-    from archlint.interpreter import identity, repeats
-    from archlint.interpreter.modules import Module, ModuleIndex
-    from archlint.ros.interfaces import InterfaceTable
 
 DEPTH = 48
 """How many calls deep a run follows."""
@@ -63,81 +52,40 @@ Status = str | None
 """How a block ended: None (fell through), ``return``, ``break``, ``continue``, ``raise``."""
 
 
-@dataclass(eq=False)
-class Activation:
-    """One running function (or module, or class body)."""
-
-    qualified: str
-    module: Module
-    scope: Scope
-    body: list[facts.Stmt]
-    depth: int
-    """Depth of the store when it began."""
-    function: FunctionValue | None = None
-    self_value: Value | None = None
-    call_place: Place | None = None
-    statement: facts.Stmt | None = None
-    loops: list[facts.While | facts.For] = field(default_factory=list)
-    left: set[int] = field(default_factory=set)
-    """Loops (by identity) that an undecided ``break`` may have left."""
-    tries: int = 0
-    """How many ``try`` blocks of the function are around what runs now."""
-    forgiving: int = 0
-    """How many of them may be there for an attribute that is missing."""
-    returns: list[tuple[Value, Layer | None]] = field(default_factory=list)
-    yields: list[Value] = field(default_factory=list)
-    scopes: list[int] = field(default_factory=list)
-    """Scopes that end with it: its own, and those of its comprehensions."""
-    arms: int = 0
-    """How many undecided branches it was called in."""
-    settled: int = -1
-    """How many undecided branches there were when the statement that runs began: no more are left to chance in it."""
-    closed_over: bool = False
-    """Whether a function defined inside may outlive it."""
-    short_lived: list[model.Blueprint] = field(default_factory=list)
-    """The nodes that nothing but its variables hold."""
-
-    def forget(self, layers: list[Layer]) -> None:
-        """Drop the variables of a function that has ended, unless an inner function still needs them."""
-        if self.closed_over:
-            return
-        for layer in layers:
-            for at in [at for at in layer if at[0] in self.scopes]:
-                del layer[at]
-
-    def place(self, span: facts.Span) -> Place:
-        return Place(self.module.path, *span)
+class Refused(Exception):
+    """Ends the path that runs: the statement raises a TypeError."""
 
 
-@dataclass(eq=False)
-class Pending:
-    """A callback that is still to be run, with what it is called with."""
+class Phase(Enum):
+    """When code of a program runs, which decides how certain its state is."""
 
-    callback: model.Callback
-    value: Value
-    arguments: tuple[Value, ...]
-    lineage: tuple[int, ...] = ()
-    """The functions (their facts, by identity) of the callbacks that led to it, the first one first."""
+    IMPORT = "import"
+    """While a module is imported."""
+    START = "start"
+    """While the program starts: nothing has come from outside."""
+    LATER = "later"
+    """Whenever something calls it."""
 
 
-class Run:
-    """The state of the symbolic run of one program."""
+@dataclass(slots=True)
+class Repeated:
+    """What is known of the calls of one function with the same arguments."""
 
-    def __init__(
-        self,
-        index: ModuleIndex,
-        store: Store,
-        program: model.Program,
-        context: model.Callback,
-        interfaces: InterfaceTable | None = None,
-        overrides: model.Overrides | None = None,
-    ) -> None:
+    count: int = 0
+    value: Value | None = None
+    """What the last call gave; None while it runs."""
+    around: Mapping[Slot, object] | None = None
+    """What it read of the state, and what it left there; None where that was not watched."""
+
+
+class Machine(ABC):
+    """The state of one abstract interpretation."""
+
+    library: Library
+
+    def __init__(self, index: ModuleIndex, store: Store) -> None:
         self.index = index
         self.store = store
-        self.program = program
-        self.context = context
-        self.interfaces = interfaces
-        self.overrides = overrides or model.Overrides()
         self.faults = Faults()
         """Where archlint itself failed; a linker or loader gives all of its runs one."""
         self.activations: list[Activation] = []
@@ -152,65 +100,34 @@ class Run:
         """Whether the other programs of the workspace have spent what all may run together."""
         self.items_left = COMPREHENDED
         """How many more items its comprehensions go through."""
-        self.blueprints: dict[int, model.Blueprint] = {}
-        self.nodes: dict[str, model.Blueprint] = {}
         self.instances: dict[int, Instance] = {}
-        self.distro: str | None = None
-        """The distribution that the workspace is for, where that was said."""
-        self.argv: Value | None = None
-        """The list ``sys.argv``, where the command line is known."""
-        self.coroutines: set[int] = set()
-        """The calls, by the id of their facts, whose coroutines another call starts."""
         self.opened: set[int] = set()
         """Objects whose empty collections no longer count as empty, by key."""
-        self.escaped: dict[int, escapes.Escape] = {}
-        """Objects that code has which is not followed, by key."""
-        self.shared: list[escapes.Shared] = []
-        """Nodes, or what may hold some, that were put where all functions of a module can get at them."""
-        self.handed_out: dict[int, ClassValue] = {}
-        """Node classes that the entry point gives to code that is not here."""
-        self.roots = 0
-        """How many callbacks and methods have run."""
-        self.lineage: tuple[int, ...] = ()
-        """The functions of the callback that runs now and of those that led to it."""
-        self.pending: list[Pending] = []
-        self.started: list[Pending] = []
-        """Callbacks that ran, in their order."""
-        self.met_again: set[int] | None = None
-        """Where callbacks run that have run before: the nodes that they made then and have met again."""
-        self.news: dict[str, set[int]] = {}
-        """The attributes, and of which objects (by key), in which callbacks left what another may act on."""
-        self.tried: list[Pending] = []
-        """The methods that nothing calls, as they were run."""
-        self.at_spin: Callable[[Run], None] | None = None
-        """Runs what is pending when main spins: callbacks see the state of then, not what main does at the end."""
-        self.registered: dict[tuple[Any, ...], set[identity.Key]] = {}
-        """Which callbacks were handed over where, and with what each time."""
-        self.fields: dict[tuple[int, str], MessageValue | EachValue] = {}
-        """Messages that fields of messages hold, where nothing was assigned to them."""
-        self.made_in: dict[int, Activation] = {}
-        """Which call of a function made a message, by its key."""
-        self.inside: dict[int, int] = {}
-        """Which message a message is a field of, by their keys."""
         self.callers: dict[int, set[Place | None]] = {}
         """Where each function (by the id of its facts) is called; None for code that is not here."""
-        self.passed_to: dict[int, Place] = {}
-        """The functions that fields of their parameters are used in, by the same id."""
-        self.delivered: dict[int, model.Creation] = {}
-        """Which subscription, server or client calls its callback with a message, by its key."""
-        self.field_uses: set[tuple[Any, ...]] = set()
-        self.creations: dict[tuple[Any, ...], model.Creation] = {}
-        self.told_apart: dict[identity.Key, identity.Key] = {}
-        """Which callbacks the first of the creations at one place, with one name, was given."""
-        self.calls: dict[tuple[Any, ...], model.ApiCall] = {}
-        self.repeats: dict[identity.Key, repeats.Repeated] = {}
+        self.repeats: dict[Hashable, Repeated] = {}
         self.runs: dict[int, int] = {}
+        self.exhausted = False
+        self.refused: set[Place] = set()
+        """The calls that Python refuses."""
         self.executed: set[tuple[int, int]] = set()
         """Functions that ran, as ``(instance key or 0, id of the function's facts)``."""
-        self.comes_round: dict[tuple[int, int], bool] = {}
-        """Whether a loop may go round again after a statement in it, by their ids."""
         self.ran: set[int] = set()
         """Functions that ran on anything."""
+        self._comes_round: dict[tuple[int, int], bool] = {}
+        """Whether a loop may go round again after a statement in it, by their ids."""
+
+    @property
+    def phase(self) -> Phase:
+        return Phase.START
+
+    def give_up(self) -> None:
+        """A bound cuts the interpretation short: the program is followed only in part."""
+        self.exhausted = True
+
+    def note_refused(self, place: Place) -> None:
+        """Python refuses the call at a place."""
+        self.refused.add(place)
 
     # ------------------------------------------------------------------------------------------- places
 
@@ -220,14 +137,6 @@ class Run:
 
     def place(self, span: facts.Span) -> Place:
         return Place(self.activation.module.path, *span)
-
-    def chain(self) -> tuple[model.Frame, ...]:
-        """The calls that lead from the start of this root to what runs now."""
-        frames = []
-        for caller, callee in zip(self.activations, self.activations[1:], strict=False):
-            if callee.call_place is not None:
-                frames.append(model.Frame(caller.qualified, callee.qualified, callee.call_place, caller.body))
-        return tuple(frames)
 
     def rounds(self) -> tuple[Place, ...]:
         """The loops that go round what runs now, those of the callers first."""
@@ -242,9 +151,9 @@ class Run:
         found = []
         for loop in activation.loops:
             key = id(loop), id(statement)
-            if key not in self.comes_round:
-                self.comes_round[key] = comes_round(loop, statement)
-            if self.comes_round[key]:
+            if key not in self._comes_round:
+                self._comes_round[key] = comes_round(loop, statement)
+            if self._comes_round[key]:
                 found.append(loop)
         return found
 
@@ -286,10 +195,10 @@ class Run:
                 target = target.parent
             scope = target or scope
         if isinstance(value, Instance):
-            nodes.note_replaced(self, value, self.store.get(scope.key, name))
+            self.library.rebound(value, self.store.get(scope.key, name))
         self.store.set(scope.key, name, value)
         if scope.kind == "module":
-            escapes.named(self, scope.module, name, value)
+            self.library.module_variable(scope.module, name, value)
 
     # -------------------------------------------------------------------------------------------- modules
 
@@ -298,29 +207,40 @@ class Run:
         if module.state == "new":
             module.state = "running"
             module.scope = Scope(self.store.new_key(), None, module, "module", module.name)
-            kept = self.activations, self.arms, self.context
-            context = model.Callback("module", module.name, Place(module.path, 1, 1, 1, 1), None)
-            self.activations, self.arms, self.context = [], [], context
+            kept = self.activations, self.arms
+            self.activations, self.arms = [], []
             bounds = self.steps, self.allowed_steps
             if self.late:  # what is run for all programs is not cut short for the sake of the others
                 self.steps, self.allowed_steps = 0, STEPS
             try:
-                with self.store.at_base():
-                    self.store.set(module.scope.key, "__name__", Known(module.name))
-                    self.store.set(module.scope.key, "__file__", self.path_of(module))
-                    self.activations.append(
-                        Activation(module.name, module, module.scope, module.facts.body, self.store.depth)
-                    )
-                    self.execute(module.facts.body)
-            except Exception as error:  # of what statements do not keep to themselves: code that is nested too deep
-                self.note_fault(f"following the module {module.name}", error, context.place)
+                with self.importing(module):
+                    self._run_top_level(module)
             finally:
-                self.activations, self.arms, self.context = kept
+                self.activations, self.arms = kept
                 if self.late:
                     self.steps, self.allowed_steps = bounds
                 module.state = "done"
-            escapes.share(self, module)
+            self.library.module_done(module)
         return ModuleValue(module)
+
+    def _run_top_level(self, module: Module) -> None:
+        assert module.scope is not None
+        try:
+            with self.store.at_base():
+                self.store.set(module.scope.key, "__name__", Known(module.name))
+                self.store.set(module.scope.key, "__file__", self.path_of(module))
+                self.activations.append(
+                    Activation(module.name, module, module.scope, module.facts.body, self.store.depth)
+                )
+                self.execute(module.facts.body)
+        except Exception as error:  # of what statements do not keep to themselves: code that is nested too deep
+            place = Place(module.path, 1, 1, 1, 1)
+            self.note_fault(f"following the module {module.name}", error, place)
+
+    @contextmanager
+    def importing(self, module: Module) -> Iterator[None]:
+        """While a module's top level runs."""
+        yield
 
     def path_of(self, module: Module) -> Value:
         """What a module knows as ``__file__``."""
@@ -337,7 +257,15 @@ class Run:
             below = self.index.find(module, name, level=1)
             if below is not None and below is not module:
                 return self.import_module(below)
-        return expressions.star_imported(self, module.star_externals, name)
+        return self.star_imported(module.star_externals, name)
+
+    def star_imported(self, packages: Sequence[str], name: str) -> Value | None:
+        """A name that may come from a star import of a foreign package; None where there is no such import.  Where
+        several may have it, it is unknown."""
+        candidates = self.library.star_sources(packages, name)
+        if len(set(candidates)) == 1:
+            return External(f"{candidates[0]}.{name}")
+        return Unknown(f"'{name}' comes from one of several star imports") if candidates else None
 
     # ----------------------------------------------------------------------------------------- statements
 
@@ -351,12 +279,12 @@ class Run:
         for statement in block:
             self.steps += 1
             if self.steps > self.allowed_steps:
-                self.program.exhausted = True
+                self.give_up()
                 return "raise"
             activation.statement = statement
             activation.settled = arms
             try:
-                status = statements.STATEMENTS[statement.__class__](self, statement)
+                status = self.run_statement(statement)
             except Refused:
                 return "raise"
             except (RecursionError, MemoryError):
@@ -382,13 +310,7 @@ class Run:
     def note_fault(self, what: str, error: Exception, place: Place) -> None:
         """Note a failure of archlint's own: the program is followed only in part."""
         self.faults.note(what, error, place)
-        self.program.exhausted = True
-
-    def note_open_test(self, key: str, test: Value) -> None:
-        """Nothing decides the test of a branch; a launch notes why."""
-
-    def note_asked_file(self, path: str) -> None:
-        """The code asks whether a file is there; a launch notes which."""
+        self.give_up()
 
     def branch(self, key: str, arm: int, block: list[facts.Stmt]) -> tuple[Status, Layer]:
         """Run a block as one arm of an undecided branch; its writes are returned, not applied."""
@@ -424,24 +346,19 @@ class Run:
     def key_of(self, span: facts.Span) -> str:
         return f"{self.activation.module.path}:{span[0]}:{span[1]}"
 
-    # ---------------------------------------------------------- implemented by the neighbouring modules
+    # ------------------------------------------------------------------------------ what the rooms implement
 
+    @abstractmethod
+    def run_statement(self, statement: facts.Stmt) -> Status:
+        """Run one statement."""
+
+    @abstractmethod
     def evaluate(self, expression: facts.Expr) -> Value:
-        return expressions.evaluate(self, expression)
+        """The value of an expression."""
 
-    def call(
-        self,
-        function: Value,
-        args: list[Value],
-        keywords: dict[str, Value],
-        expression: facts.Call | None = None,
-        open_arguments: bool = False,
-    ) -> Value:
-        return calls.call(self, function, args, keywords, expression, open_arguments)
+    @abstractmethod
+    def call(self, function: Value, site: CallSite = NOTHING_GIVEN) -> Value:
+        """Call a value.  What is not known to be callable evaluates to unknown."""
 
 
-# The three modules are one machine in three rooms: statements here need expressions and calls there.
-from archlint.interpreter import calls, expressions, statements
-from archlint.libraries.rclpy import escapes, nodes
-
-__all__ = ["Activation", "Pending", "Run"]
+__all__ = ["Activation", "Machine", "Phase", "Refused", "Repeated"]

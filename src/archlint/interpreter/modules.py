@@ -16,7 +16,6 @@ from archlint.workspace.closure import closure
 from archlint.workspace.test_code import FileRoles
 
 if TYPE_CHECKING:
-    from archlint.interpreter.values import Scope
     from archlint.workspace.model import Link, SourceFile
 
 
@@ -27,6 +26,23 @@ _OF_ROS = frozenset(
     }
 )
 """ROS's own Python packages.  A folder of such a name with an ``__init__.py`` in it, often ``launch``, is no such."""
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Scope:
+    """Where names live: one frame of a function, a class body or a module; ``key`` is its store identity.
+
+    ``locals`` are the names that the function binds; None for modules and class bodies.
+    """
+
+    key: int
+    parent: Scope | None
+    module: Module
+    kind: str
+    qualified: str
+    bound: frozenset[str] | None = None
+    outer: frozenset[str] = frozenset()
+    """Names declared ``nonlocal`` or ``global``."""
 
 
 @dataclass(eq=False)

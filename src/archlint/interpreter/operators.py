@@ -17,17 +17,14 @@ from archlint.interpreter.values import (
     Builtin,
     ClassValue,
     DictValue,
-    EntityValue,
     External,
+    ForeignValue,
     FunctionValue,
-    FutureValue,
     Holed,
     Instance,
     Known,
     ListValue,
-    MessageValue,
     ModuleValue,
-    NodeValue,
     Partial,
     Unknown,
     Value,
@@ -39,11 +36,10 @@ from archlint.interpreter.values import (
     reason,
     via,
 )
-from archlint.libraries.rclpy import escapes
 from archlint.syntax import facts
 
 if TYPE_CHECKING:
-    from archlint.interpreter.machine import Run
+    from archlint.interpreter.machine import Machine
 
 
 _ARITHMETIC: dict[str, Callable[[Any, Any], Any]] = {
@@ -62,42 +58,42 @@ _ARITHMETIC: dict[str, Callable[[Any, Any], Any]] = {
 }
 
 
-def binary(run: Run, op: str, left: Value, right: Value, span: facts.Span) -> Value:
+def binary(machine: Machine, op: str, left: Value, right: Value, span: facts.Span) -> Value:
     """``left op right`` over all alternatives."""
-    found = [_binary_one(run, op, one, other, span) for one in alternatives(left) for other in alternatives(right)]
+    found = [_binary_one(machine, op, one, other, span) for one in alternatives(left) for other in alternatives(right)]
     result = one_of(found[:CARTESIAN])
-    return result if is_text(left) else escapes.lost(run, result, (left, right), f"it is an operand of '{op}'")
+    return result if is_text(left) else machine.library.lost(result, (left, right), f"it is an operand of '{op}'")
 
 
 def is_text(value: Value) -> bool:
     return (isinstance(value, Known) and isinstance(value.value, str)) or isinstance(value, Holed)
 
 
-def _binary_one(run: Run, op: str, left: Value, right: Value, span: facts.Span) -> Value:
-    left, right = plain_text(run, left), plain_text(run, right)
+def _binary_one(machine: Machine, op: str, left: Value, right: Value, span: facts.Span) -> Value:
+    left, right = plain_text(machine, left), plain_text(machine, right)
     if op == "+" and (is_text(left) or is_text(right)):
         both_known = isinstance(left, Known) and isinstance(right, Known)
         if both_known and not (is_text(left) and is_text(right)):
             return Unknown("adding a text and something else fails")
-        return join_texts((left, right), run.place(span))
+        return join_texts((left, right), machine.place(span))
     if op == "/" and isinstance(left, Known) and isinstance(right, Known) and is_text(left) and is_text(right):
         joined = posixpath.join(str(left.value), str(right.value))  # of a pathlib.Path
         return constant(joined, via(left, right), kind="path", origin=file_origin(left, right))
     if op == "%" and is_text(left):
-        return percent_format(run, left, right, span)
+        return percent_format(machine, left, right, span)
     if op == "+" and isinstance(left, ListValue) and isinstance(right, ListValue) and left.kind == right.kind:
-        one, other = items_of(run, left), items_of(run, right)
+        one, other = items_of(machine, left), items_of(machine, right)
         values = one.values + other.values
         long = len(values) > ITEM_LIMIT
         whole = one.whole and other.whole and not long
-        return new_list(run, values[:ITEM_LIMIT], left.kind, one.open or other.open or long, whole)
+        return new_list(machine, values[:ITEM_LIMIT], left.kind, one.open or other.open or long, whole)
     if op == "|" and isinstance(left, DictValue) and isinstance(right, DictValue):
-        first, second = entries_of(run, left), entries_of(run, right)
-        return new_dict(run, {**first.entries, **second.entries}, first.open or second.open)
+        first, second = entries_of(machine, left), entries_of(machine, right)
+        return new_dict(machine, {**first.entries, **second.entries}, first.open or second.open)
     if op == "*" and isinstance(left, ListValue) and isinstance(right, Known):
-        items = items_of(run, left)
+        items = items_of(machine, left)
         if isinstance(right.value, int) and 0 <= right.value * len(items.values) <= ITEM_LIMIT:
-            return new_list(run, items.values * min(right.value, ITEM_LIMIT), left.kind, items.open)
+            return new_list(machine, items.values * min(right.value, ITEM_LIMIT), left.kind, items.open)
     if isinstance(left, Known) and isinstance(right, Known):
         return _arithmetic(op, left, right)
     return Unknown(reason(left, right), next(iter(sorted(via(left, right))), None))
@@ -124,8 +120,8 @@ def _arithmetic(op: str, left: Known, right: Known) -> Value:
     return constant(result, left.via | right.via)
 
 
-def compare_values(run: Run, op: str, left: Value, right: Value) -> bool | None:
-    found = {_compare_one(run, op, one, other) for one in alternatives(left) for other in alternatives(right)}
+def compare_values(machine: Machine, op: str, left: Value, right: Value) -> bool | None:
+    found = {_compare_one(machine, op, one, other) for one in alternatives(left) for other in alternatives(right)}
     return found.pop() if len(found) == 1 else None
 
 
@@ -137,15 +133,15 @@ _ORDER: dict[str, Callable[[Any, Any], bool]] = {
 }
 
 
-def _compare_one(run: Run, op: str, left: Value, right: Value) -> bool | None:
+def _compare_one(machine: Machine, op: str, left: Value, right: Value) -> bool | None:
     if op in ("not in", "!=", "is not"):
         opposite = {"not in": "in", "!=": "==", "is not": "is"}[op]
-        verdict = _compare_one(run, opposite, left, right)
+        verdict = _compare_one(machine, opposite, left, right)
         return None if verdict is None else not verdict
     if op == "in":
-        return _contains(run, left, right)
+        return _contains(machine, left, right)
     if isinstance(left, External) and left.path == "sys.version_info":
-        return _compare_version(run, op, right)
+        return _compare_version(machine, op, right)
     if isinstance(left, Known) and isinstance(right, Known):
         if op == "==":
             return bool(left.value == right.value)
@@ -157,15 +153,15 @@ def _compare_one(run: Run, op: str, left: Value, right: Value) -> bool | None:
             return None
     if op in ("==", "is"):
         same = _same(left, right)
-        return None if same is False and op == "==" and _may_equal(run, left, right) else same
+        return None if same is False and op == "==" and _may_equal(machine, left, right) else same
     return None
 
 
-def _compare_version(run: Run, op: str, right: Value) -> bool | None:
+def _compare_version(machine: Machine, op: str, right: Value) -> bool | None:
     """``sys.version_info >= (3, 8)``: decided where it is the same for every supported Python."""
     if not isinstance(right, ListValue):
         return None
-    numbers = tuple(item.value for item in items_of(run, right).values if isinstance(item, Known))
+    numbers = tuple(item.value for item in items_of(machine, right).values if isinstance(item, Known))
     if not numbers or not all(isinstance(number, int) for number in numbers):
         return None
     if numbers <= PYTHON:
@@ -173,28 +169,33 @@ def _compare_version(run: Run, op: str, right: Value) -> bool | None:
     return None
 
 
-_OBJECTS = (Instance, EntityValue, NodeValue, FunctionValue, BoundMethod, ClassValue, MessageValue, FutureValue)
+_OBJECTS = (Instance, FunctionValue, BoundMethod, ClassValue)
+
+
+def _has_identity(value: Value) -> bool:
+    """Whether a value is equal to itself alone."""
+    return isinstance(value, _OBJECTS) or (isinstance(value, ForeignValue) and value.is_object)
 
 
 def _same(left: Value, right: Value) -> bool | None:
     for one, other in ((left, right), (right, left)):
         if isinstance(one, Known) and one.value is None and is_object(other):
             return False
-    if isinstance(left, _OBJECTS) and isinstance(right, _OBJECTS):
+    if _has_identity(left) and _has_identity(right):
         return left == right if type(left) is type(right) else False
     if isinstance(left, External) and isinstance(right, External):
         return left == right
     return None
 
 
-def _may_equal(run: Run, left: Value, right: Value) -> bool:
+def _may_equal(machine: Machine, left: Value, right: Value) -> bool:
     """Whether two objects may be equal though they are two: messages are, and so are those of some classes."""
-    if isinstance(left, MessageValue) and isinstance(right, MessageValue):
+    if isinstance(left, ForeignValue) and type(left) is type(right) and left.has_content:
         return True
-    return any(_compares(run, one) for one in (left, right) if isinstance(one, Instance))
+    return any(_compares(machine, one) for one in (left, right) if isinstance(one, Instance))
 
 
-def _compares(run: Run, value: Instance) -> bool:
+def _compares(machine: Machine, value: Instance) -> bool:
     """Whether the class of an object says what is equal, or may do so: it is not here, or one of data."""
     if isinstance(value.cls, External):
         return True
@@ -204,32 +205,31 @@ def _compares(run: Run, value: Instance) -> bool:
     return (
         data
         or "typing.NamedTuple" in value.cls.external_bases()
-        or class_lookup(run, value.cls, "__eq__")[0] is not None
+        or class_lookup(machine, value.cls, "__eq__")[0] is not None
     )
 
 
 def is_object(value: Value) -> bool:
     """Whether a value is certainly not None."""
-    return isinstance(
-        value,
-        (*_OBJECTS, ListValue, DictValue, Holed, ModuleValue, Partial, Builtin, ApiMethod),
+    return _has_identity(value) or isinstance(
+        value, (ListValue, DictValue, Holed, ModuleValue, Partial, Builtin, ApiMethod)
     )
 
 
-def _contains(run: Run, item: Value, container: Value) -> bool | None:
+def _contains(machine: Machine, item: Value, container: Value) -> bool | None:
     if isinstance(container, Known) and isinstance(container.value, str):
         if isinstance(item, Known) and isinstance(item.value, str):
             return item.value in container.value
         return None
     if isinstance(container, DictValue):
         at = hashable(item)
-        entries = entries_of(run, container)
+        entries = entries_of(machine, container)
         if at is None:
             return None
         return True if at in entries.entries else None if entries.open else False
     if isinstance(container, ListValue):
-        items = items_of(run, container)
-        verdicts = [_compare_one(run, "==", item, other) for other in items.values]
+        items = items_of(machine, container)
+        verdicts = [_compare_one(machine, "==", item, other) for other in items.values]
         if True in verdicts:
             return True
         return None if None in verdicts or items.open else False

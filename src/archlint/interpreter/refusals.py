@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING
 
+from archlint.interpreter.machine import Phase, Refused
 from archlint.interpreter.values import (
     ApiMethod,
     BoundMethod,
@@ -18,52 +19,37 @@ from archlint.interpreter.values import (
     Instance,
     Known,
     ModuleValue,
-    NodeValue,
     Unknown,
     Value,
     alternatives,
 )
-from archlint.libraries import tables
-from archlint.libraries.rclpy import names, signatures
 from archlint.syntax import facts
 from archlint.syntax.parts import everything_in, names_in
 
 if TYPE_CHECKING:
-    from archlint.interpreter.machine import Run
+    from archlint.interpreter.call_site import CallSite
+    from archlint.interpreter.machine import Machine
 
-_AT_START = frozenset({"init", "main", "module"})
-"""Roles of what runs before anything spins."""
 _TRANSPARENT = frozenset({"staticmethod", "classmethod"})
 """Decorators that leave a function's parameters as they are."""
 
 
-class Refused(Exception):
-    """Ends the path that runs: the statement raises a TypeError."""
-
-
-def check_call(
-    run: Run,
-    function: Value,
-    args: Sequence[Value],
-    keywords: Mapping[str, Value],
-    expression: facts.Call,
-    open_arguments: bool,
-) -> None:
+def check_call(machine: Machine, function: Value, site: CallSite, expression: facts.Call) -> None:
     """Raise Refused where a call of a function of the workspace, or of a node's method, cannot bind its arguments, if
     the statement always comes to that call; note the place of the call in any case."""
-    if _is_certain(run) and _is_missing(run, function, expression):
-        run.program.refused.add(run.place(expression.span))
-    if open_arguments or not _is_certain(run) or not _refuses(function, len(args), keywords):
+    if _is_certain(machine) and _is_missing(machine, function, expression):
+        machine.note_refused(machine.place(expression.span))
+    if site.open or not _is_certain(machine) or not _refuses(machine, function, len(site.args), site.keywords):
         return
-    run.program.refused.add(run.place(expression.span))
-    if run.context.role not in _AT_START:
+    machine.note_refused(machine.place(expression.span))
+    if machine.phase is Phase.LATER:
         raise Refused
 
 
-def _is_missing(run: Run, function: Value, expression: facts.Call) -> bool:
+def _is_missing(machine: Machine, function: Value, expression: facts.Call) -> bool:
     """Whether a method is asked for that ``self`` has not: of an object that the program makes, of classes that are
     all here, in whose files nothing sets an attribute of that name."""
-    made = run.activation.self_value
+    made = machine.activation.self_value
     called = expression.func
     if not isinstance(function, Unknown) or not (function.name or "").startswith("missing:"):
         return False
@@ -71,7 +57,7 @@ def _is_missing(run: Run, function: Value, expression: facts.Call) -> bool:
         return False
     if not isinstance(made, Instance) or made.place is None or not isinstance(made.cls, ClassValue):
         return False
-    if run.evaluate(called.value) is not made:
+    if machine.evaluate(called.value) is not made:
         return False
     modules = {base.scope.module.path: base.scope.module for base in made.cls.mro if isinstance(base, ClassValue)}
     return not any(_may_set(module.facts, called.attr) for module in modules.values())
@@ -85,41 +71,28 @@ def _may_set(found: facts.Facts, name: str) -> bool:
     return any(isinstance(target, facts.Attribute) and target.attr == name for targets in stores for target in targets)
 
 
-_MODULES = frozenset(
-    ".".join(parts[:length])
-    for row in tables.ROWS
-    if row.path.startswith("rclpy.")
-    for parts in [row.path.split(".")]
-    for length in range(1, len(parts))
-    if parts[length - 1].islower()
-)
-"""The modules of rclpy."""
-
-
-def is_module(base: Value) -> bool:
+def is_module(machine: Machine, base: Value) -> bool:
     """Whether a class is to inherit from a module: ``import rclpy.node as Node``, then ``class Robot(Node)``."""
     return all(
-        isinstance(option, ModuleValue) or (isinstance(option, External) and option.path in _MODULES)
+        isinstance(option, ModuleValue) or (isinstance(option, External) and machine.library.is_module(option.path))
         for option in alternatives(base)
     )
 
 
-def refuses_to_iterate(run: Run, iterable: Value) -> bool:
+def refuses_to_iterate(machine: Machine, iterable: Value) -> bool:
     """Whether a ``for`` over a value fails: ``for i in len(items)``."""
     number = isinstance(iterable, Known) and isinstance(iterable.value, (int, float)) and not iterable.via
-    return number and run.context.role not in _AT_START
+    return number and machine.phase is Phase.LATER
 
 
-def _is_certain(run: Run) -> bool:
-    activation = run.activation
-    return activation.scope.kind != "comprehension" and activation.settled == len(run.arms)
+def _is_certain(machine: Machine) -> bool:
+    activation = machine.activation
+    return activation.scope.kind != "comprehension" and activation.settled == len(machine.arms)
 
 
-def _refuses(function: Value, given: int, keywords: Mapping[str, Value]) -> bool:
+def _refuses(machine: Machine, function: Value, given: int, keywords: Mapping[str, Value]) -> bool:
     if isinstance(function, ApiMethod):
-        owner, _, name = function.path.rpartition(".")
-        of_node = owner in names.NODE_CLASSES and _is_node(function.self_value)
-        return of_node and signatures.refuses(name, given, keywords)
+        return machine.library.refuses(function, given, keywords)
     if isinstance(function, BoundMethod):
         function, given = function.function, given + 1
     if not isinstance(function, FunctionValue):
@@ -130,19 +103,6 @@ def _refuses(function: Value, given: int, keywords: Mapping[str, Value]) -> bool
     ):
         return False
     return not _binds(ir.params, given, keywords)
-
-
-def _is_node(value: Value) -> bool:
-    """Whether a value is a node for certain, whose methods are rclpy's own where the workspace defines none."""
-    if isinstance(value, NodeValue):
-        return not value.blueprint.held
-    if not isinstance(value, Instance) or not isinstance(value.cls, ClassValue):
-        return False
-    known = names.NODE_CLASSES | names.PLAIN_BASES
-    return all(
-        isinstance(base, ClassValue) or (isinstance(base, External) and names.canonical(base.path) in known)
-        for base in value.cls.mro
-    )
 
 
 def _binds(params: Sequence[facts.Param], given: int, keywords: Mapping[str, Value]) -> bool:

@@ -6,26 +6,27 @@ from typing import TYPE_CHECKING
 
 from archlint.interpreter import containers
 from archlint.interpreter.attributes import class_lookup
+from archlint.interpreter.call_site import CallSite
 from archlint.interpreter.values import BoundMethod, ClassValue, FunctionValue, Partial, PythonValue, Value
 from archlint.syntax import facts
 
 if TYPE_CHECKING:
-    from archlint.interpreter.machine import Run
+    from archlint.interpreter.machine import Machine
 
 _SUBCLASSES = "#subclasses"
 
 
-def decorators_of(run: Run, s: facts.Class) -> list[Value]:
+def decorators_of(machine: Machine, s: facts.Class) -> list[Value]:
     """The decorators of a class that are code of the workspace; those from elsewhere are known by name alone."""
     found = []
     for decorator in s.decorators:
-        value = run.evaluate(decorator.func if isinstance(decorator, facts.Call) else decorator)
+        value = machine.evaluate(decorator.func if isinstance(decorator, facts.Call) else decorator)
         if isinstance(value, (FunctionValue, BoundMethod, Partial)):
-            found.append(run.evaluate(decorator) if isinstance(decorator, facts.Call) else value)
+            found.append(machine.evaluate(decorator) if isinstance(decorator, facts.Call) else value)
     return found
 
 
-def announce(run: Run, s: facts.Class, cls: ClassValue, decorators: list[Value]) -> Value:
+def announce(machine: Machine, s: facts.Class, cls: ClassValue, decorators: list[Value]) -> Value:
     """What a class statement does beside making the class; what its name stands for then.
 
     A decorator that gives something else than a class, such as a function that keeps one object of it, leaves the
@@ -33,42 +34,42 @@ def announce(run: Run, s: facts.Class, cls: ClassValue, decorators: list[Value])
     """
     for base in cls.bases:
         if isinstance(base, ClassValue):
-            known = run.store.get(base.key, _SUBCLASSES)
+            known = machine.store.get(base.key, _SUBCLASSES)
             before = known if isinstance(known, tuple) else ()
-            run.store.set(base.key, _SUBCLASSES, (*(one for one in before if one.ir is not cls.ir), cls))
+            machine.store.set(base.key, _SUBCLASSES, (*(one for one in before if one.ir is not cls.ir), cls))
     if cls.bases and isinstance(cls.mro[1], ClassValue):
-        hook, _ = class_lookup(run, cls, "__init_subclass__", after=cls)
+        hook, _ = class_lookup(machine, cls, "__init_subclass__", after=cls)
         if isinstance(hook, FunctionValue):
-            run.call(BoundMethod(hook, cls), [], _keywords(run, s))
+            machine.call(BoundMethod(hook, cls), CallSite(keywords=_keywords(machine, s)))
     made: Value = cls
     for decorator in reversed(decorators):
         if isinstance(decorator, (FunctionValue, BoundMethod, Partial)):
-            given = run.call(decorator, [made], {})
+            given = machine.call(decorator, CallSite([made]))
             made = given if isinstance(given, ClassValue) else made
     return made
 
 
-def _keywords(run: Run, s: facts.Class) -> dict[str, Value]:
+def _keywords(machine: Machine, s: facts.Class) -> dict[str, Value]:
     """``class Camera(Plugin, kind="camera")``: what ``__init_subclass__`` gets."""
     return {
-        argument.keyword: run.evaluate(argument.value)
+        argument.keyword: machine.evaluate(argument.value)
         for argument in s.bases
         if argument.keyword is not None and argument.keyword != "metaclass"
     }
 
 
-def subclasses(run: Run, cls: ClassValue) -> Value:
+def subclasses(machine: Machine, cls: ClassValue) -> Value:
     """``cls.__subclasses__``: those of the modules that the program imports.
 
     Where it imports none of them in a way that is seen, it is taken to load them all.
     """
 
     def listed(*_: Value, **__: Value) -> Value:
-        known = run.store.get(cls.key, _SUBCLASSES)
+        known = machine.store.get(cls.key, _SUBCLASSES)
         every = [one for one in known if isinstance(one, ClassValue)] if isinstance(known, tuple) else []
-        imported = run.index.imported_by(run.activations[0].module) if run.activations else frozenset()
+        imported = machine.index.imported_by(machine.activations[0].module) if machine.activations else frozenset()
         seen = [one for one in every if one.scope.module.path in imported]
-        return containers.new_list(run, seen or every)
+        return containers.new_list(machine, seen or every)
 
     return PythonValue("__subclasses__", listed)
 

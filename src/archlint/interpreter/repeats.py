@@ -7,28 +7,27 @@ more times, and then its answer is unknown: that of another call never stands in
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from archlint.interpreter.heap import MISSING, Slot
 from archlint.interpreter.identity import Key, argument_key
+from archlint.interpreter.machine import Repeated
 from archlint.interpreter.values import (
     BoundMethod,
     EachValue,
+    ForeignValue,
     FunctionValue,
-    FutureValue,
     OneOf,
     Partial,
     PythonValue,
     Unknown,
     Value,
 )
-from archlint.libraries.interest import interesting
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterable, Mapping
 
-    from archlint.interpreter.machine import Run
+    from archlint.interpreter.machine import Machine
 
 REPEATS = 3
 """How often one root runs a function with the same arguments, whatever it does."""
@@ -38,56 +37,46 @@ RUNS = 150
 """How often one root runs a function with any arguments."""
 
 
-@dataclass(slots=True)
-class Repeated:
-    """What is known of the calls of one function with the same arguments."""
-
-    count: int = 0
-    value: Value | None = None
-    """What the last call gave; None while it runs."""
-    around: Mapping[Slot, object] | None = None
-    """What it read of the state, and what it left there; None where that was not watched."""
-
-
 def call_key(function: FunctionValue, args: Iterable[Value], keywords: Mapping[str, Value]) -> Key:
     """What tells one call from another: the function, what it closes over, and the arguments."""
     named = tuple((name, argument_key(value)) for name, value in sorted(keywords.items()))
     return (argument_key(function), tuple(map(argument_key, args)), named)
 
 
-def follow(run: Run, function: FunctionValue, key: Key, enter: Callable[[], Value]) -> Value:
+def follow(machine: Machine, function: FunctionValue, key: Key, enter: Callable[[], Value]) -> Value:
     """What a call gives: it is followed, by ``enter``, as long as it may give or do something new."""
-    known = run.repeats.setdefault(key, Repeated())
+    known = machine.repeats.setdefault(key, Repeated())
     if known.count >= REPEATS:
         if known.value is None:
             return Unknown(f"'{function.qualified}' calls itself")
-        if known.around is not None and _holds(run, known.around):
+        if known.around is not None and _holds(machine, known.around):
             return known.value
         if known.count >= AGAIN:
-            run.program.exhausted |= interesting(function.ir)
+            if machine.library.matters(function.ir):
+                machine.give_up()
             return Unknown(f"'{function.qualified}' is called too often to follow")
     else:
-        runs = run.runs.get(id(function.ir), 0)
+        runs = machine.runs.get(id(function.ir), 0)
         if runs >= RUNS:
-            run.program.exhausted = True
+            machine.give_up()
             return Unknown(f"'{function.qualified}' is called too often to follow")
-        run.runs[id(function.ir)] = runs + 1
+        machine.runs[id(function.ir)] = runs + 1
     known.count += 1
     known.value, known.around = None, None
     if known.count < REPEATS:
         known.value = enter()
         return known.value
-    before = run.store.new_key()
-    with run.store.watched() as around:
+    before = machine.store.new_key()
+    with machine.store.watched() as around:
         value = enter()
     known.value = value
     known.around = around if _is_old(value, before) else None
     return value
 
 
-def _holds(run: Run, around: Mapping[Slot, object]) -> bool:
+def _holds(machine: Machine, around: Mapping[Slot, object]) -> bool:
     """Whether the state is as it was, as far as these slots go."""
-    return all(_same(run.store.get(*at, MISSING), value) for at, value in around.items())
+    return all(_same(machine.store.get(*at, MISSING), value) for at, value in around.items())
 
 
 def _same(now: object, then: object) -> bool:
@@ -116,5 +105,7 @@ def _parts(value: Value) -> tuple[Value, ...]:
         return (value.function, value.self_value)
     if isinstance(value, EachValue):
         return (value.element,)
-    held = getattr(value, "result" if isinstance(value, FutureValue) else "self_value", None)
+    if isinstance(value, ForeignValue):
+        return value.parts()
+    held = getattr(value, "self_value", None)
     return (held,) if isinstance(held, Value) else ()

@@ -4,20 +4,20 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from archlint.interpreter.machine import Activation
+from archlint.interpreter.activation import Activation
 from archlint.interpreter.values import FunctionValue, Value
 
 if TYPE_CHECKING:
-    from archlint.interpreter.machine import Run
+    from archlint.interpreter.machine import Machine
     from archlint.interpreter.modules import Module
 
 
-def enter_root(run: Run, module: Module) -> None:
+def enter_root(machine: Machine, module: Module) -> None:
     """An activation at the root, so that what runs has a module and a scope."""
     scope = module.scope
     if scope is None:
-        scope = run.new_scope(None, module, "module", module.name)
-    run.activations.append(Activation(module.name, module, scope, [], run.store.depth))
+        scope = machine.new_scope(None, module, "module", module.name)
+    machine.activations.append(Activation(module.name, module, scope, [], machine.store.depth))
 
 
 def module_of(value: Value) -> Module | None:

@@ -1,4 +1,4 @@
-"""``isinstance``: whether a value is of a type of Python's own, of a followed class or of one of launch's."""
+"""``isinstance``: whether a value is of a type of Python's own, of a followed class or of a foreign one."""
 
 from __future__ import annotations
 
@@ -22,21 +22,19 @@ from archlint.interpreter.values import (
     ClassValue,
     DictValue,
     External,
+    ForeignValue,
     FunctionValue,
     Holed,
     Instance,
     Known,
     ListValue,
-    MessageValue,
     Unknown,
     Value,
     alternatives,
 )
-from archlint.launch import tables
-from archlint.libraries.rclpy import names as rclpy_names
 
 if TYPE_CHECKING:
-    from archlint.interpreter.machine import Run
+    from archlint.interpreter.machine import Machine
     from archlint.syntax import facts
 
 _LIBRARIES: dict[str, object] = {
@@ -62,66 +60,66 @@ _SAMPLES: dict[str, object] = {"list": [], "tuple": (), "generator": _nothing()}
 _ABSTRACT = frozenset({"abc.ABC", "typing.Protocol", "typing_extensions.Protocol"})
 """Bases of classes that may take others, which do not derive from them, for their own."""
 
-_SUBSTITUTION = "launch.Substitution"
 
-
-def isinstance_of(run: Run, args: list[Value], keywords: dict[str, Value], e: facts.Call | None) -> Value:
+def isinstance_of(machine: Machine, args: list[Value], keywords: dict[str, Value], e: facts.Call | None) -> Value:
     """``isinstance(value, classes)``; what is not known of the value or of a class leaves it open."""
     if len(args) != 2:
         return Unknown("isinstance() without a type")
-    classes = classes_of(run, args[1])
+    classes = classes_of(machine, args[1])
     if classes is None:
         return Unknown("isinstance() of a type that is not known")
-    verdicts = {is_any(value, classes) for value in alternatives(args[0])}
+    verdicts = {is_any(machine, value, classes) for value in alternatives(args[0])}
     if len(verdicts) == 1 and None not in verdicts:
         return TRUE if True in verdicts else FALSE
     return Unknown("the type of the value is not known")
 
 
-def classes_of(run: Run, given: Value) -> list[Value] | None:
+def classes_of(machine: Machine, given: Value) -> list[Value] | None:
     """The classes of a test, those in nested tuples too; None where not all of them are known."""
     from archlint.interpreter import containers
 
-    items = containers.iterate(run, given) if isinstance(given, ListValue) else Items((given,))
+    items = containers.iterate(machine, given) if isinstance(given, ListValue) else Items((given,))
     if items is None or items.open:
         return None
     found: list[Value] = []
     for item in items.values:
-        inner = classes_of(run, item) if isinstance(item, ListValue) else [item]
+        inner = classes_of(machine, item) if isinstance(item, ListValue) else [item]
         if inner is None:
             return None
         found += inner
     return found
 
 
-def is_any(value: Value, classes: list[Value]) -> bool | None:
+def is_any(machine: Machine, value: Value, classes: list[Value]) -> bool | None:
     """Whether a value is of one of some classes; None where that is not known."""
-    verdicts = [_is_a(value, cls) for cls in classes]
+    verdicts = [_is_a(machine, value, cls) for cls in classes]
     return True if True in verdicts else None if None in verdicts else False
 
 
-def _is_a(value: Value, cls: Value) -> bool | None:
+def _is_a(machine: Machine, value: Value, cls: Value) -> bool | None:
     python = _python_class(cls)
     if python is object:
         return True
     if isinstance(value, (Known, Holed, ListValue, DictValue)):
-        return _plain_is_a(value, cls, python)
-    if isinstance(value, MessageValue):
-        return False if python is not None and python.__module__ == "builtins" else _is_message(value, cls)
+        return _plain_is_a(machine, value, cls, python)
+    if isinstance(value, ForeignValue):
+        return machine.library.is_instance(value, cls, python)
     if isinstance(value, Instance):
-        return _object_is_a(value, cls, python)
+        return _object_is_a(machine, value, cls, python)
     if isinstance(value, (ClassValue, FunctionValue, BoundMethod)) and python in (str, int, float, bool, list, dict):
         return False
     return None
 
 
-def _plain_is_a(value: Known | Holed | ListValue | DictValue, cls: Value, python: type | None) -> bool | None:
+def _plain_is_a(
+    machine: Machine, value: Known | Holed | ListValue | DictValue, cls: Value, python: type | None
+) -> bool | None:
     """Of constants and collections of Python's own."""
     if python is not None:
         return _sample_is_a(value, python)
     if isinstance(cls, ClassValue):
         return None if _ABSTRACT & set(cls.external_bases()) else False
-    return False if isinstance(cls, External) and _is_ordinary(cls.path) else None
+    return False if isinstance(cls, External) and machine.library.is_ordinary_class(cls.path) else None
 
 
 def _sample_is_a(value: Known | Holed | ListValue | DictValue, python: type) -> bool | None:
@@ -152,9 +150,9 @@ _OF_EVERY_SET = frozenset(
 _OF_SOME_SETS = frozenset({set, frozenset, collections.abc.MutableSet, collections.abc.Hashable})
 
 
-def _object_is_a(value: Instance, cls: Value, python: type | None) -> bool | None:
+def _object_is_a(machine: Machine, value: Instance, cls: Value, python: type | None) -> bool | None:
     if isinstance(value.cls, External):
-        return _foreign_is_a(value.cls.path, cls)
+        return machine.library.is_subclass(value.cls.path, cls)
     mro = value.cls.mro
     if any(base is cls or base == cls for base in mro):
         return True
@@ -166,33 +164,6 @@ def _object_is_a(value: Instance, cls: Value, python: type | None) -> bool | Non
         # An abstract class of Python's asks what an object can do, not what it derives from.
         return None if foreign or python.__module__ != "builtins" else False
     return None if any(isinstance(base, (External, Unknown)) for base in mro) else False
-
-
-def _foreign_is_a(path: str, cls: Value) -> bool | None:
-    """Of an object of a class that is not here: only what launch's own names say."""
-    from archlint.launch.substitutions import SUBSTITUTIONS
-
-    row = tables.find(cls.path) if isinstance(cls, External) else None
-    wanted = "" if row is None else row.path
-    if wanted and wanted == path:
-        return True
-    if wanted == _SUBSTITUTION and path.removeprefix("launch.") in SUBSTITUTIONS:
-        return True
-    return None
-
-
-def _is_message(value: MessageValue, cls: Value) -> bool | None:
-    if isinstance(cls, ClassValue):
-        return False
-    interface, part = rclpy_names.interface_and_part(cls.path) if isinstance(cls, External) else (None, "")
-    return None if interface is None else (interface, part) == (value.type, value.part)
-
-
-def _is_ordinary(path: str) -> bool:
-    """Whether a class of another package is one that no constant or collection is ever an object of."""
-    if path.startswith("rclpy.") or tables.find(path) is not None:
-        return not path.rpartition(".")[2].startswith(("Some", "Allowable"))  # aliases for several types
-    return rclpy_names.interface_and_part(path)[0] is not None
 
 
 def _python_class(cls: Value) -> type | None:

@@ -26,25 +26,26 @@ from archlint.interpreter.values import (
 from archlint.syntax import facts
 
 if TYPE_CHECKING:
-    from archlint.interpreter.machine import Run
+    from archlint.interpreter.call_site import CallSite
+    from archlint.interpreter.machine import Machine
 
 Arguments = list[Value]
 Keywords = dict[str, Value]
 
 
-def update_entries(run: Run, entries: dict[Hashable, tuple[Value, Value]], source: Value) -> bool:
+def update_entries(machine: Machine, entries: dict[Hashable, tuple[Value, Value]], source: Value) -> bool:
     """Add the entries of a dict or of pairs; False where not all are known."""
     from archlint.interpreter import containers
 
     if isinstance(source, DictValue):
-        other = containers.entries_of(run, source)
+        other = containers.entries_of(machine, source)
         entries.update(other.entries)
         return not other.open
-    items = containers.iterate(run, source)
+    items = containers.iterate(machine, source)
     if items is None:
         return False
     for pair in items.values:
-        row = containers.iterate(run, pair)
+        row = containers.iterate(machine, pair)
         if row is None or row.open or len(row.values) != 2:
             return False
         at = containers.hashable(row.values[0])
@@ -103,21 +104,13 @@ _TEXT_METHODS = frozenset(
 )
 
 
-def call_method(
-    run: Run,
-    target: Value,
-    name: str,
-    args: Arguments,
-    keywords: Keywords,
-    expression: facts.Call | None,
-    open_arguments: bool,
-) -> Value:
+def call_method(machine: Machine, target: Value, name: str, site: CallSite) -> Value:
     if isinstance(target, Known) and isinstance(target.value, str):
-        return _text_method(run, target, name, args, keywords, expression)
+        return _text_method(machine, target, name, site.args, site.keywords, site.expression)
     if isinstance(target, Holed):
-        return _holed_method(run, target, name, args)
+        return _holed_method(machine, target, name, site.args)
     if isinstance(target, (ListValue, DictValue)):
-        return _method_of_container(run, target, name, args, keywords)
+        return _method_of_container(machine, target, name, site)
     return Unknown(f"{name}() of a value that is not followed")
 
 
@@ -125,31 +118,27 @@ _PUTS = frozenset({"append", "add", "extend", "insert", "update", "setdefault", 
 _ASKS = frozenset({"index", "count", "remove", "discard"})
 
 
-def _method_of_container(
-    run: Run, target: ListValue | DictValue, name: str, args: Arguments, keywords: Keywords
-) -> Value:
-    from archlint.libraries.rclpy import escapes
-
-    given = [*args, *keywords.values()]
+def _method_of_container(machine: Machine, target: ListValue | DictValue, name: str, site: CallSite) -> Value:
+    given = site.values
     if name in _PUTS:
-        escapes.kept(run, target.key, given)
+        machine.library.kept(target.key, given)
     method: Callable[..., Value] = _list_method if isinstance(target, ListValue) else _dict_method
-    found = method(run, target, name, args, keywords)
+    found = method(machine, target, name, site.args, site.keywords)
     if name in _ASKS:
         return found
     inside = () if name in _PUTS else (target,)
-    return escapes.lost(run, found, (*given, *inside), f"{name}() of a container has it")
+    return machine.library.lost(found, (*given, *inside), f"{name}() of a container has it")
 
 
 def _text_method(
-    run: Run, target: Known, name: str, args: Arguments, keywords: Keywords, e: facts.Call | None
+    machine: Machine, target: Known, name: str, args: Arguments, keywords: Keywords, e: facts.Call | None
 ) -> Value:
     from archlint.interpreter import containers, formatting
 
     text = target.value
     assert isinstance(text, str)
     if name == "format":
-        return _format(run, target, args, keywords, e)
+        return _format(machine, target, args, keywords, e)
     if name == "__str__" and not args:
         return constant(text, target.via, kind="other")
     if name in ("joinpath", "as_posix", "resolve", "absolute", "expanduser"):  # of a pathlib.Path
@@ -160,16 +149,16 @@ def _text_method(
             return constant(joined, target.via, kind, file_origin(target, *args))
         return Unknown(reason(*args))
     if target.kind == "path" and name in ("exists", "is_file"):
-        run.note_asked_file(text)
+        machine.library.asked_for_file(text)
         return Unknown("whether a file is there")
     if name == "join" and args:
-        items = containers.iterate(run, args[0])
+        items = containers.iterate(machine, args[0])
         if items is None or items.open:
             return Unknown(reason(args[0]))
         parts: list[Value] = []
         for number, item in enumerate(items.values):
             parts.extend(([target] if number else []) + [item])
-        return formatting.combine(run, parts, e.span if e is not None else None) if parts else Known("")
+        return formatting.combine(machine, parts, e.span if e is not None else None) if parts else Known("")
     if name in ("split", "rsplit", "splitlines", "partition", "rpartition"):
         plain = [arg.value for arg in args if isinstance(arg, Known)]
         named = {k: v.value for k, v in keywords.items() if isinstance(v, Known)}
@@ -180,7 +169,7 @@ def _text_method(
         except (TypeError, ValueError, OverflowError):
             return Unknown("an operation that fails")
         kind = "tuple" if name.endswith("partition") else "list"
-        return containers.new_list(run, [Known(piece, target.via) for piece in pieces], kind)
+        return containers.new_list(machine, [Known(piece, target.via) for piece in pieces], kind)
     if name in _TEXT_METHODS:
         if keywords:
             return Unknown(f"str.{name}() of arguments by name is not followed")
@@ -219,7 +208,7 @@ def _combinations(args: Arguments) -> list[Arguments]:
     return rows
 
 
-def _holed_method(run: Run, target: Holed, name: str, args: Arguments) -> Value:
+def _holed_method(machine: Machine, target: Holed, name: str, args: Arguments) -> Value:
     if name in ("lower", "upper", "casefold"):
         parts = tuple(None if part is None else getattr(part, name)() for part in target.parts)
         return Holed(parts, target.reason, target.via, target.origin)
@@ -235,7 +224,7 @@ def _holed_method(run: Run, target: Holed, name: str, args: Arguments) -> Value:
     return Unknown(target.reason)
 
 
-def _format(run: Run, template: Known, args: Arguments, keywords: Keywords, e: facts.Call | None) -> Value:
+def _format(machine: Machine, template: Known, args: Arguments, keywords: Keywords, e: facts.Call | None) -> Value:
     import string
 
     from archlint.interpreter import containers, formatting
@@ -263,13 +252,13 @@ def _format(run: Run, template: Known, args: Arguments, keywords: Keywords, e: f
             if step.startswith("["):
                 inside = step[1:-1]
                 index = Known(int(inside)) if _is_index(inside) else Known(inside)
-                value = containers.get_item(run, value, index)
+                value = containers.get_item(machine, value, index)
             else:
-                value = get_attribute(run, value, step)
+                value = get_attribute(machine, value, step)
         if spec or conversion in ("r", "a"):
             value = one_of(formatting.format_one(option, conversion, spec) for option in alternatives(value))
         parts.append(value)
-    return formatting.combine(run, parts, e.span if e is not None else None)
+    return formatting.combine(machine, parts, e.span if e is not None else None)
 
 
 def _is_index(text: str) -> bool:
@@ -277,15 +266,15 @@ def _is_index(text: str) -> bool:
     return text.isascii() and text.isdigit() and len(text) < 10
 
 
-def _list_method(run: Run, target: ListValue, name: str, args: Arguments, keywords: Keywords) -> Value:
+def _list_method(machine: Machine, target: ListValue, name: str, args: Arguments, keywords: Keywords) -> Value:
     from archlint.interpreter import containers
 
-    items = containers.items_of(run, target)
+    items = containers.items_of(machine, target)
 
     def put(values: tuple[Value, ...], open_: bool, whole: bool = False) -> None:
         full = len(values) > containers.ITEM_LIMIT
         kept = Items(values[: containers.ITEM_LIMIT], open_ or full, whole and not full)
-        run.store.set(target.key, "#items", kept)
+        machine.store.set(target.key, "#items", kept)
 
     if name in ("append", "add") and args:
         # What is not followed to its end anyway is left as it is: nothing to join, after the loops that fill it.
@@ -294,7 +283,7 @@ def _list_method(run: Run, target: ListValue, name: str, args: Arguments, keywor
             put((*items.values, args[0]), items.open, items.whole)
         return NONE
     if name in ("extend", "update") and args:
-        more = containers.iterate(run, args[0])
+        more = containers.iterate(machine, args[0])
         whole = items.whole and more is not None and more.whole
         joined = (*items.values, *(more.values if more else ()))
         joined = containers.distinct(joined) if target.kind == "set" else joined
@@ -307,7 +296,7 @@ def _list_method(run: Run, target: ListValue, name: str, args: Arguments, keywor
         put(tuple(values), items.open or at is None)
         return NONE
     if name in ("appendleft", "extendleft") and args:
-        more = Items((args[0],)) if name == "appendleft" else containers.iterate(run, args[0])
+        more = Items((args[0],)) if name == "appendleft" else containers.iterate(machine, args[0])
         before = tuple(reversed(more.values)) if more else ()
         put((*before, *items.values), items.open or more is None or more.open)
         return NONE
@@ -336,11 +325,11 @@ def _list_method(run: Run, target: ListValue, name: str, args: Arguments, keywor
         put(tuple(reversed(items.values)) if name == "reverse" else in_order(items.values, keywords), items.open)
         return NONE
     if name in ("copy",):
-        return containers.new_list(run, items.values, target.kind, items.open)
+        return containers.new_list(machine, items.values, target.kind, items.open)
     if name in ("union",):
-        more = containers.iterate(run, args[0]) if args else Items(())
+        more = containers.iterate(machine, args[0]) if args else Items(())
         joined = items.values + tuple(v for v in (more.values if more else ()) if v not in items.values)
-        return containers.new_list(run, joined, target.kind, items.open or more is None or more.open)
+        return containers.new_list(machine, joined, target.kind, items.open or more is None or more.open)
     return Unknown(f"{target.kind}.{name}() is not followed")
 
 
@@ -352,19 +341,21 @@ def _default(args: Arguments) -> Value:
     return args[1] if len(args) > 1 else NONE
 
 
-def _dict_method(run: Run, target: DictValue, name: str, args: Arguments, keywords: Keywords) -> Value:
+def _dict_method(machine: Machine, target: DictValue, name: str, args: Arguments, keywords: Keywords) -> Value:
     from archlint.interpreter import containers
 
-    entries = containers.entries_of(run, target)
+    entries = containers.entries_of(machine, target)
     if name == "items":
-        rows: list[Value] = [containers.new_list(run, [key, value], "tuple") for key, value in entries.entries.values()]
-        return containers.new_list(run, rows, "list", entries.open)
+        rows: list[Value] = [
+            containers.new_list(machine, [key, value], "tuple") for key, value in entries.entries.values()
+        ]
+        return containers.new_list(machine, rows, "list", entries.open)
     if name == "keys":
-        return containers.new_list(run, [key for key, _ in entries.entries.values()], "list", entries.open)
+        return containers.new_list(machine, [key for key, _ in entries.entries.values()], "list", entries.open)
     if name == "values":
-        return containers.new_list(run, [value for _, value in entries.entries.values()], "list", entries.open)
+        return containers.new_list(machine, [value for _, value in entries.entries.values()], "list", entries.open)
     if name == "get" and args:
-        return one_of(containers.get_entry(run, target, at, _default(args)) for at in alternatives(args[0]))
+        return one_of(containers.get_entry(machine, target, at, _default(args)) for at in alternatives(args[0]))
     if name == "setdefault" and args:
         at = containers.hashable(args[0])
         if at is not None and at in entries.entries:
@@ -372,28 +363,28 @@ def _dict_method(run: Run, target: DictValue, name: str, args: Arguments, keywor
         value = args[1] if len(args) > 1 else NONE
         if entries.open:
             value = one_of((value, Unknown("the dict has entries that are not known")))
-        containers.set_item(run, target, args[0], value)
+        containers.set_item(machine, target, args[0], value)
         return value
     if name == "update":
         updated = dict(entries.entries)
-        complete = all(update_entries(run, updated, arg) for arg in args)
+        complete = all(update_entries(machine, updated, arg) for arg in args)
         for key, value in keywords.items():
             at = containers.hashable(Known(key))
             assert at is not None
             updated[at] = (Known(key), value)
-        run.store.set(target.key, "#items", Entries(updated, entries.open or not complete))
+        machine.store.set(target.key, "#items", Entries(updated, entries.open or not complete))
         return NONE
     if name == "pop" and args:
         fallback = args[1] if len(args) > 1 else None
-        value = containers.get_entry(run, target, args[0], fallback)
-        containers.delete_item(run, target, args[0])
+        value = containers.get_entry(machine, target, args[0], fallback)
+        containers.delete_item(machine, target, args[0])
         return value
     if name == "popitem":
-        run.store.set(target.key, "#items", Entries(entries.entries, True))
+        machine.store.set(target.key, "#items", Entries(entries.entries, True))
         return Unknown("what popitem() takes")
     if name == "copy":
-        return containers.new_dict(run, dict(entries.entries), entries.open)
+        return containers.new_dict(machine, dict(entries.entries), entries.open)
     if name == "clear":
-        run.store.set(target.key, "#items", Entries({}))
+        machine.store.set(target.key, "#items", Entries({}))
         return NONE
     return Unknown(f"dict.{name}() is not followed")

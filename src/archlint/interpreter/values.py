@@ -6,15 +6,14 @@ an object.  A value that cannot be known is :class:`Unknown` and says why.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Hashable, Iterable, Sequence
 from dataclasses import dataclass, field, replace
 from itertools import groupby
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, ClassVar
 
 if TYPE_CHECKING:
     from archlint.finding import Place
-    from archlint.interpreter.modules import Module
-    from archlint.model import Blueprint, Creation, ExecutorUse
+    from archlint.interpreter.modules import Module, Scope
     from archlint.syntax import facts
 
 ALTERNATIVES = 12
@@ -113,23 +112,6 @@ class ModuleValue(Value):
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Scope:
-    """Where names live: one frame of a function, a class body or a module; ``key`` is its store identity.
-
-    ``locals`` are the names that the function binds; None for modules and class bodies.
-    """
-
-    key: int
-    parent: Scope | None
-    module: Module
-    kind: str
-    qualified: str
-    bound: frozenset[str] | None = None
-    outer: frozenset[str] = frozenset()
-    """Names declared ``nonlocal`` or ``global``."""
-
-
-@dataclass(frozen=True, slots=True, eq=False)
 class FunctionValue(Value):
     ir: facts.Function | facts.Lambda
     scope: Scope
@@ -211,40 +193,29 @@ class DictValue(Value):
     via: frozenset[str] = field(default=NO_PARAMETERS, compare=False)
 
 
-@dataclass(frozen=True, slots=True, eq=False)
-class EntityValue(Value):
-    """What a create call returned.  ``creations`` are several where the name has alternatives."""
+class ForeignValue(Value):
+    """What only a library makes, in a form of its own; the library says what its attributes are."""
 
-    creations: tuple[Creation, ...]
-    path: str
-    """Canonical class: ``rclpy.client.Client`` …"""
-    key: int
+    __slots__ = ()
 
+    is_hashable: ClassVar[bool] = False
+    """Whether the machine follows it as the key of a dict."""
+    is_object: ClassVar[bool] = True
+    """Whether it is certainly not None, and the same as itself alone."""
+    has_content: ClassVar[bool] = False
+    """Whether two of its class may be equal."""
 
-@dataclass(frozen=True, slots=True, eq=False)
-class NodeValue(Value):
-    """A node made without a class of the workspace: ``create_node``, ``Node('x')``, or one that a helper class
-    or function is handed by nobody we can see."""
+    def identity(self, key_of: Callable[[Value], Hashable]) -> tuple[Hashable, ...] | None:
+        """What tells it from others of its class, values in it by ``key_of``; None: its ``key``."""
+        return None
 
-    blueprint: Blueprint
-    key: int
+    def kind(self) -> Hashable | None:
+        """What is the same whenever the code that makes it runs; None: no more than its class."""
+        return None
 
-
-@dataclass(frozen=True, slots=True, eq=False)
-class ExecutorValue(Value):
-    use: ExecutorUse
-    path: str
-    key: int
-
-
-@dataclass(frozen=True, slots=True)
-class FutureValue(Value):
-    """The future of a pending answer, and the client it is awaited from."""
-
-    creations: tuple[Creation, ...]
-    api: str
-    place: Place | None = field(default=None, compare=False)
-    result: Value | None = field(default=None, compare=False)
+    def parts(self) -> tuple[Value, ...]:
+        """The values that it is made of."""
+        return ()
 
 
 @dataclass(frozen=True, slots=True)
@@ -266,17 +237,6 @@ class AttributesValue(Value):
 class SuperValue(Value):
     owner: ClassValue
     self_value: Value
-
-
-@dataclass(frozen=True, slots=True)
-class MessageValue(Value):
-    """An object of an interface class: ``type`` is ``package/msg/Name``, with ``_Request`` and the like kept in
-    ``part`` (``""``, ``Request``, ``Response``, ``Goal``, ``Result``, ``Feedback``; ``FeedbackMessage`` and
-    ``GetResultResponse``, which a client gets these in)."""
-
-    type: str
-    part: str = ""
-    key: int = 0
 
 
 @dataclass(frozen=True, slots=True)

@@ -6,13 +6,14 @@ import posixpath
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
+from archlint.interpreter import containers
 from archlint.interpreter.heap import Items
 from archlint.interpreter.values import (
     NONE,
+    ClassValue,
     External,
     Instance,
     Known,
-    ListValue,
     OneOf,
     Unknown,
     Value,
@@ -27,8 +28,9 @@ CONDITIONS = ("IfCondition", "UnlessCondition", "LaunchConfigurationEquals", "La
 
 if TYPE_CHECKING:
     from archlint.finding import Place
-    from archlint.interpreter.machine import Run
+    from archlint.interpreter.call_site import CallSite
     from archlint.libraries.rclpy.effects import ApiUse
+    from archlint.libraries.run import Run
 
 
 def launch_object(run: Run, call: ApiUse) -> Value:
@@ -72,8 +74,6 @@ def note_declaration(run: Run, made: Instance) -> None:
 
 
 def _items(run: Run, value: Value | None) -> Items:
-    from archlint.interpreter import containers
-
     if value is None or value == NONE:
         return Items(())
     if isinstance(value, OneOf):
@@ -196,7 +196,7 @@ def _same_path(run: Run, args: list[Value], keywords: dict[str, Value], e: facts
     return Unknown("a path of this machine")
 
 
-def open_file(run: Run, args: list[Value]) -> Value:
+def open_file(run: Run, args: list[Value], keywords: dict[str, Value], e: facts.Call | None) -> Value:
     """``open(path)`` in a launch file: the file, for whoever loads YAML from it."""
     from archlint.launch.run import LaunchRun
 
@@ -226,8 +226,6 @@ def _load_yaml(run: Run, args: list[Value], keywords: dict[str, Value], e: facts
 
 
 def _value_of(run: Run, value: object) -> Value:
-    from archlint.interpreter import containers
-
     if isinstance(value, dict):
         rows = {containers.hashable(Known(key)): (Known(key), _value_of(run, item)) for key, item in value.items()}
         return containers.new_dict(run, {key: row for key, row in rows.items() if key is not None})
@@ -243,6 +241,7 @@ def _nothing(run: Run, args: list[Value], keywords: dict[str, Value], e: facts.C
 
 PLAIN = {
     **dict.fromkeys(("os.remove", "os.unlink", "os.mkdir", "os.makedirs", "shutil.rmtree", "time.sleep"), _nothing),
+    "open": open_file,
     "yaml.safe_load": _load_yaml,
     "yaml.load": _load_yaml,
     "yaml.full_load": _load_yaml,
@@ -256,4 +255,36 @@ PLAIN = {
     "os.path.normpath": _same_path,
 }
 
-__all__ = ["METHODS", "PLAIN", "ListValue", "launch_object", "package_path"]
+
+def note_given(run: Run, made: Instance, cls: ClassValue, site: CallSite) -> None:
+    """Keep what the constructor of a class that derives from one of launch's is given, by name or position."""
+    if site.open or not any(path.startswith("launch") for path in cls.external_bases()):
+        return
+    named = sorted(site.keywords.items(), key=lambda row: row[0])
+    rows = [*((str(number), value) for number, value in enumerate(site.args)), *named]
+    run.store.set(made.key, GIVEN, tuple(rows))
+
+
+GIVEN = "#given"
+"""The slot of what :func:`note_given` keeps."""
+
+
+def _entities(run: Run, description: Instance) -> Value | None:
+    """``LaunchDescription.entities``."""
+    actions = run.store.get(description.key, "#entities")
+    return containers.new_list(run, actions.values, "list", actions.open) if isinstance(actions, Items) else None
+
+
+OBJECT_ATTRIBUTES = {"launch.LaunchDescription.entities": _entities}
+SUBCLASSES = {"launch.Substitution": frozenset(f"launch.{name}" for name in SUBSTITUTIONS)}
+
+__all__ = [
+    "GIVEN",
+    "METHODS",
+    "OBJECT_ATTRIBUTES",
+    "PLAIN",
+    "SUBCLASSES",
+    "launch_object",
+    "note_given",
+    "package_path",
+]

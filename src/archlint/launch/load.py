@@ -10,7 +10,6 @@ from typing import TYPE_CHECKING, Protocol
 
 from archlint.faults import Faults
 from archlint.finding import Place
-from archlint.interpreter import calls
 from archlint.interpreter.heap import Store
 from archlint.interpreter.modules import ModuleIndex
 from archlint.interpreter.values import FunctionValue, Instance, Known, ListValue, OneOf, Value, reason
@@ -357,7 +356,7 @@ class LaunchLoader:
                 run.result.is_launch_file = run.result.is_launch_file and len(run.stack) > 1
                 run.gap(f"{path} has no {GENERATE}()")
                 return
-            description = calls.call(run, function, [], {})
+            description = run.call(function)
         if not isinstance(description, (Instance, ListValue, OneOf)):
             why = "it returns nothing" if isinstance(description, Known) else reason(description)
             run.gap(f"{GENERATE}() of {path} returns no launch description that is known: {why}")

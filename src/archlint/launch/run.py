@@ -10,8 +10,9 @@ from typing import TYPE_CHECKING
 from archlint import model
 from archlint.finding import Place
 from archlint.interpreter import values
+from archlint.interpreter.call_site import CallSite
 from archlint.interpreter.heap import Store
-from archlint.interpreter.machine import FEW_STEPS, PROGRAM_STEPS, Run
+from archlint.interpreter.machine import FEW_STEPS, PROGRAM_STEPS
 from archlint.interpreter.modules import Module, ModuleIndex
 from archlint.interpreter.roots import enter_root, module_of
 from archlint.interpreter.values import DictValue, External, Instance, Known, OneOf, Unknown, Value
@@ -31,6 +32,8 @@ from archlint.launch.model import (
     merge,
     once_more,
 )
+from archlint.libraries.library import RosLibrary
+from archlint.libraries.run import Run
 
 if TYPE_CHECKING:
     from archlint.launch.load import LaunchLoader
@@ -46,7 +49,11 @@ class LaunchRun(Run):
     def __init__(self, index: ModuleIndex, store: Store, loader: LaunchLoader, file: str, result: Launched) -> None:
         place = Place(file, 1, 1, 1, 1)
         super().__init__(
-            index, store, model.Program(file, None, file), model.Callback("launch", file, place, None, file=file)
+            RosLibrary,
+            index,
+            store,
+            model.Program(file, None, file),
+            model.Callback("launch", file, place, None, file=file),
         )
         self.loader = loader
         self.distro = loader.distro
@@ -329,12 +336,10 @@ class LaunchRun(Run):
         return context, known
 
     def _call(self, function: Value, args: list[Value], keywords: dict[str, Value]) -> Value:
-        from archlint.interpreter import calls
-
         module = module_of(function)
         if module is None:
             return Unknown("a function that launch calls, and that is not followed")
         if self.activations:
-            return calls.call(self, function, args, keywords)
+            return self.call(function, CallSite(args, keywords))
         with self.root(module):
-            return calls.call(self, function, args, keywords)
+            return self.call(function, CallSite(args, keywords))

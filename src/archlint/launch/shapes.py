@@ -52,7 +52,7 @@ def _list(run: LaunchRun, value: ListValue, depth: int) -> str:
 
 def _object(run: LaunchRun, value: Instance, depth: int) -> str:
     """``Class(arguments)``, of launch's own, of another package or of this workspace."""
-    from archlint.interpreter.definitions import GIVEN
+    from archlint.launch.effects import GIVEN
 
     given: list[tuple[str, Value]] = list(value.arguments.items())
     rest = run.store.get(value.key, "#rest")

@@ -178,9 +178,8 @@ def _environment(run: LaunchRun, value: Instance) -> Value:
     name = perform(run, argument(value, "name"))
     if not isinstance(name, Known):
         return Unknown("the name of an environment variable is not known")
-    from archlint.interpreter.containers import environment_of
 
-    found = run.launch.environment.get(str(name.value)) or environment_of(run, name.value)
+    found = run.launch.environment.get(str(name.value)) or run.library.environment(name.value)
     if found is not None:
         return found
     unknown = Unknown(f"the environment variable {name.value!s}")

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from functools import lru_cache
 from typing import TYPE_CHECKING
 
@@ -14,17 +13,8 @@ from archlint.syntax import facts
 from archlint.syntax.parts import Itself, everything_in, names_in
 
 if TYPE_CHECKING:
-    from archlint.interpreter.machine import Run
     from archlint.interpreter.modules import Module
-
-
-@dataclass(frozen=True)
-class Root:
-    """How code gets at something: by a variable of a module, or by an attribute of one of its classes."""
-
-    module: Module
-    name: str
-    owner: str | None = None
+    from archlint.libraries.run import Root, Run
 
 
 def unseen_use(run: Run, root: Root) -> str | None:
@@ -113,4 +103,4 @@ def class_variables(ir: facts.Class) -> frozenset[str]:
     return _variables(Itself(ir))
 
 
-__all__ = ["Root", "bare", "class_variables", "unseen_use", "variables"]
+__all__ = ["bare", "class_variables", "unseen_use", "variables"]

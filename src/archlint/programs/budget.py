@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from archlint import model
-    from archlint.interpreter.machine import Run
+    from archlint.libraries.run import Run
 
 WORKSPACE_STEPS = 500_000
 """How many statements the programs run before the rest of them gets few.  Counted in statements, never in seconds:

@@ -18,7 +18,7 @@ from archlint.libraries.rclpy import nodes
 from archlint.programs.roots import NOT_PASSED
 
 if TYPE_CHECKING:
-    from archlint.interpreter.machine import Run
+    from archlint.libraries.run import Run
 
 Holders = dict[tuple[model.ClassKey, str], list[model.Blueprint]]
 """The nodes that objects of a class were seen to hold, by class and attribute."""

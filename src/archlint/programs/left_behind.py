@@ -11,24 +11,13 @@ from collections.abc import Iterable, Iterator, Sequence
 from typing import TYPE_CHECKING
 
 from archlint.interpreter.heap import Layer
-from archlint.interpreter.values import (
-    ClassValue,
-    EntityValue,
-    ExecutorValue,
-    Instance,
-    Known,
-    NodeValue,
-    OneOf,
-    Unknown,
-    Value,
-    alternatives,
-    one_of,
-)
+from archlint.interpreter.values import ClassValue, Instance, Known, OneOf, Unknown, Value, alternatives, one_of
+from archlint.libraries.rclpy.values import EntityValue, ExecutorValue, NodeValue
 from archlint.syntax import facts
 from archlint.syntax.parts import names_in
 
 if TYPE_CHECKING:
-    from archlint.interpreter.machine import Pending, Run
+    from archlint.libraries.run import Pending, Run
 
 Written = list[tuple[int, str, object, Value]]
 """Object, attribute, what it held before and what was left in it."""

@@ -14,16 +14,19 @@ from typing import TYPE_CHECKING
 from archlint import model
 from archlint.faults import Faults
 from archlint.finding import Place
-from archlint.interpreter import calls, definitions
+from archlint.interpreter.activation import Activation
 from archlint.interpreter.attributes import class_lookup
+from archlint.interpreter.call_site import CallSite
 from archlint.interpreter.heap import Store
-from archlint.interpreter.machine import TEST_STEPS, Activation, Run
+from archlint.interpreter.machine import TEST_STEPS
 from archlint.interpreter.modules import Module, ModuleIndex
 from archlint.interpreter.roots import enter_root
 from archlint.interpreter.values import ClassValue, FunctionValue, Value
 from archlint.libraries.interest import interesting
+from archlint.libraries.library import RosLibrary
 from archlint.libraries.python import command_line
 from archlint.libraries.rclpy import escapes, nodes
+from archlint.libraries.run import Run
 from archlint.programs.budget import Budget, cut_short
 from archlint.programs.helpers import Holders, helpers_in, note_holders, note_unfollowed, prune_uncalled, settle_helpers
 from archlint.programs.roots import finish, flags_of, run_callbacks, run_pending
@@ -176,7 +179,7 @@ class Linker:
         place = Place(module.path, 1, 1, 1, 1)
         program = model.Program(name, module.file.package, module.path)
         context = model.Callback(role, name, place, None, file=module.path)
-        run = Run(self.index, self.store, program, context, self.interfaces, overrides)
+        run = Run(RosLibrary, self.index, self.store, program, context, self.interfaces, overrides)
         run.at_spin = run_pending
         run.faults = self.faults
         self.budget.grant(run, TEST_STEPS if self.index.roles.is_test(module.path) else run.left)
@@ -207,7 +210,7 @@ class Linker:
                 if function is not None:
                     run.context.name = entry.function
                     root.place = _place_of(function) or root.place
-                    calls.call(run, function, [], {})
+                    run.call(function)
             elif _main_guard(module) is not None:
                 _run_block(run, module, _main_guard(module))
             elif ran_before:
@@ -284,7 +287,7 @@ class Linker:
         run.program.executable = False
         with _Program(self, run, module, _place_of(cls)):
             init, _ = class_lookup(run, cls, "__init__")
-            definitions.instantiate(run, cls, [], flags_of(init))
+            run.call(cls, CallSite(keywords=flags_of(init)))
 
     def _run_rest(self, modules: list[Module], classes: list[tuple[Module, ClassValue]], test: bool) -> None:
         candidates: list[tuple[Module, ClassValue | FunctionValue]] = [
@@ -310,7 +313,7 @@ class Linker:
                     run = self.new_run(value.qualified, module, "method")
                     run.program.executable = False
                     with _Program(self, run, module, _place_of(value)):
-                        made = calls.call(run, value, [], flags_of(value))
+                        made = run.call(value, CallSite(keywords=flags_of(value)))
                         escapes.escape(run, [made], f"{value.qualified}() returns it, and nothing here calls that")
 
 
@@ -411,7 +414,7 @@ def _make_handed_out(run: Run) -> None:
         return
     [cls] = run.handed_out.values()
     run.activations[-1].statement = None
-    made = definitions.instantiate(run, cls, [], {})
+    made = run.call(cls)
     escapes.escape(run, [made], "code that is not followed makes it")
 
 

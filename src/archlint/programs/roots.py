@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 from archlint import model
-from archlint.interpreter import calls, definitions
+from archlint.interpreter import definitions
+from archlint.interpreter.call_site import CallSite
 from archlint.interpreter.growing import open_up
-from archlint.interpreter.machine import EXTRA_STEPS, FEW_STEPS, ROOTS, SELF_STARTS, STEPS, Pending, Run
+from archlint.interpreter.machine import EXTRA_STEPS, FEW_STEPS, ROOTS, SELF_STARTS, STEPS
 from archlint.interpreter.roots import enter_root, module_of
 from archlint.interpreter.values import (
     NONE,
@@ -21,6 +22,7 @@ from archlint.interpreter.values import (
 from archlint.libraries.interest import interesting
 from archlint.libraries.rclpy import escapes, executors
 from archlint.libraries.rclpy.callbacks import describe
+from archlint.libraries.run import Pending, Run
 from archlint.libraries.uses import bare
 from archlint.programs import left_behind
 from archlint.programs.budget import LATE_STEPS
@@ -108,7 +110,7 @@ def run_root(
     depth = run.store.depth
     run.store.push()
     try:
-        given = calls.call(run, value, _fit(value, arguments), {})
+        given = run.call(value, CallSite(_fit(value, arguments)))
         if callback.role == "method" and not isinstance(value, BoundMethod):
             escapes.escape(run, [given], f"{callback.name}() gives it to whoever calls that")
     except Exception as error:

@@ -9,7 +9,7 @@ from archlint.syntax import facts
 from archlint.syntax.walk import called_name, statements_of
 
 if TYPE_CHECKING:
-    from archlint.interpreter.machine import Run
+    from archlint.libraries.run import Run
 
 _CLOCKS = frozenset({"time", "monotonic", "perf_counter"})
 """The functions of the module ``time`` that count seconds."""

@@ -11,6 +11,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
+from archlint.interpreter.call_site import CallSite
 from archlint.interpreter.values import (
     NONE,
     Builtin,
@@ -28,8 +29,8 @@ from archlint.interpreter.values import (
 from archlint.syntax import facts
 
 if TYPE_CHECKING:
-    from archlint.interpreter.machine import Run
     from archlint.libraries.rclpy.effects import ApiUse
+    from archlint.libraries.run import Run
 
 WORDS = 400
 """How many words of a command line are divided up."""
@@ -308,7 +309,7 @@ def _converted(run: Run, option: Option, word: Value) -> Value:
         except ValueError:
             return Unknown(f"'{word.value}' is no {kind.name}")
     if isinstance(kind, FunctionValue):
-        return run.call(kind, [word], {})
+        return run.call(kind, CallSite([word]))
     return Unknown("a word of the command line that code elsewhere converts")
 
 

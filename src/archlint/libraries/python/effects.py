@@ -8,12 +8,9 @@ from typing import TYPE_CHECKING
 from archlint.interpreter.builtin_functions import BUILTINS
 from archlint.interpreter.containers import ITEM_LIMIT
 from archlint.interpreter.values import (
-    EntityValue,
     External,
-    FutureValue,
     Instance,
     Known,
-    MessageValue,
     OneOf,
     Partial,
     PythonValue,
@@ -32,8 +29,8 @@ from archlint.libraries.setuptools import setup_run
 from archlint.syntax import facts
 
 if TYPE_CHECKING:
-    from archlint.interpreter.machine import Run
     from archlint.libraries.rclpy.effects import ApiUse
+    from archlint.libraries.run import Run
 
 
 def partial(run: Run, call: ApiUse) -> Value:
@@ -78,10 +75,8 @@ def asks_for_file(run: Run, call: ApiUse) -> Value:
 
 def environment(run: Run, call: ApiUse) -> Value:
     """``os.environ.get('X', default)``: the default, or what the environment says."""
-    from archlint.interpreter.containers import environment_of
-
     key = call.get("key")
-    known = environment_of(run, key.value) if isinstance(key, Known) else None
+    known = run.library.environment(key.value) if isinstance(key, Known) else None
     if known is not None:
         return known
     name = f"the environment variable {key.value!s}" if isinstance(key, Known) else "an environment variable"
@@ -256,4 +251,4 @@ def _path_part(args: list[Value], at: int) -> Value:
     return Unknown(reason(*args))
 
 
-__all__ = ["METHODS", "PLAIN", "EntityValue", "FutureValue", "MessageValue", "OneOf"]
+__all__ = ["METHODS", "PLAIN"]

@@ -10,7 +10,7 @@ from archlint.interpreter.values import BoundMethod, External, FunctionValue, Un
 from archlint.syntax import facts
 
 if TYPE_CHECKING:
-    from archlint.interpreter.machine import Run
+    from archlint.libraries.run import Run
 
 STARTERS = frozenset({"create_task", "ensure_future", "run_coroutine_threadsafe"})
 """Calls of asyncio, its loops and task groups that start a coroutine and return at once.  ``create_task`` of an

@@ -7,25 +7,23 @@ from typing import TYPE_CHECKING, Any
 
 from archlint import model
 from archlint.finding import Place
+from archlint.interpreter.call_site import CallSite
 from archlint.interpreter.identity import Key, kind_key
+from archlint.interpreter.modules import Scope
+from archlint.interpreter.python_classes import PLAIN_BASES
 from archlint.interpreter.values import (
     ApiMethod,
     BoundMethod,
     Builtin,
     ClassValue,
     DictValue,
-    EntityValue,
     External,
     FunctionValue,
-    FutureValue,
     Instance,
     Known,
     ListValue,
-    MessageValue,
-    NodeValue,
     OneOf,
     Partial,
-    Scope,
     Unknown,
     Value,
     alternatives,
@@ -33,11 +31,12 @@ from archlint.interpreter.values import (
 from archlint.libraries import tables
 from archlint.libraries.rclpy import messages
 from archlint.libraries.rclpy import names as rclpy_names
+from archlint.libraries.rclpy.values import EntityValue, FutureValue, MessageValue, NodeValue
 from archlint.syntax import facts
 
 if TYPE_CHECKING:
-    from archlint.interpreter.machine import Run
     from archlint.libraries.rclpy.effects import ApiUse
+    from archlint.libraries.run import Run
 
 WAYS = 16
 """For how many values one place hands the same callback over: the next ones are taken to be like these."""
@@ -91,7 +90,7 @@ def register(
         if node is not None:
             node.callbacks.append(callback)
         if callback.function is not None:
-            from archlint.interpreter.machine import Pending
+            from archlint.libraries.run import Pending
 
             given = arguments if arguments is not None else default_arguments(run, role, creation, call)
             if creation is not None and not _is_one_of_several(value, creation):
@@ -118,7 +117,7 @@ def _is_new(run: Run, key: tuple[Any, ...], callback: model.Callback, given: Ite
     ways = run.registered.setdefault(key, set())
     if ways and id(callback.function) in run.lineage:
         return False
-    way = tuple(kind_key(run, one) for one in given if one is not None)
+    way = tuple(kind_key(run.store, one) for one in given if one is not None)
     if way in ways or len(ways) >= WAYS:
         return False
     ways.add(way)
@@ -129,8 +128,8 @@ def hand_out(run: Run, values: Iterable[Value]) -> None:
     """Note functions that are given to code which we do not see (an event loop, a user interface): it may call
     them.  Methods of objects need a note only where a partial gives them something to work on, since all that can
     matter are run."""
-    from archlint.interpreter.machine import Pending
     from archlint.libraries.interest import interesting
+    from archlint.libraries.run import Pending
 
     for option in (option for value in values for option in alternatives(value)):
         function, given = _taken_apart(option)
@@ -215,7 +214,7 @@ def told_apart(run: Run, base: Key, call: ApiUse) -> Key:
     closely = call.api.effect == "timer"
     options = [option for value in given if value is not None for option in alternatives(value)]
     functions = options if closely else [_taken_apart(option)[0] for option in options]
-    apart = tuple(kind_key(run, function, closely=closely) for function in functions)
+    apart = tuple(kind_key(run.store, function, closely=closely) for function in functions)
     first = run.told_apart.setdefault(base, apart)
     return (*base, apart if run.met_again is None else first)
 
@@ -316,7 +315,7 @@ def _missing_method(value: ApiMethod | External) -> str | None:
     if not isinstance(cls, ClassValue) or base not in rclpy_names.NODE_CLASSES or special:
         return None
     foreign = [b for b in cls.mro if not isinstance(b, (ClassValue, External))] + [
-        b for b in cls.external_bases() if b not in rclpy_names.NODE_CLASSES | rclpy_names.PLAIN_BASES
+        b for b in cls.external_bases() if b not in rclpy_names.NODE_CLASSES | PLAIN_BASES
     ]
     public = rclpy_names.is_node_attribute(name) and not name.startswith(("on_", "__"))
     of_rclpy = public or name in rclpy_names.PRIVATE_NODE_METHODS
@@ -371,7 +370,7 @@ def _run_apart(run: Run, target: Value, name: str, arguments: Iterable[Value], e
     place = kept.place if expression is None else run.place(expression.span)
     run.context = model.Callback("thread", name, place, None, file=place.file)
     try:
-        run.call(target, list(arguments), {})
+        run.call(target, CallSite(list(arguments)))
     finally:
         run.context = kept
 

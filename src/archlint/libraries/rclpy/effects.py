@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 from archlint import model
@@ -12,28 +12,25 @@ from archlint.finding import Place
 from archlint.interpreter.values import (
     ApiMethod,
     ClassValue,
-    EntityValue,
-    ExecutorValue,
     External,
-    FutureValue,
     Instance,
     Known,
-    MessageValue,
-    NodeValue,
     OneOf,
     Unknown,
     Value,
     alternatives,
     one_of,
 )
-from archlint.libraries import tables
+from archlint.libraries import classes, tables
 from archlint.libraries.python import clocks
 from archlint.libraries.rclpy import guards, messages, names
+from archlint.libraries.rclpy.values import EntityValue, ExecutorValue, FutureValue, MessageValue
 from archlint.libraries.tables import Api
 from archlint.syntax import facts
 
 if TYPE_CHECKING:
-    from archlint.interpreter.machine import Run
+    from archlint.interpreter.call_site import CallSite
+    from archlint.libraries.run import Run
 
 
 @dataclass
@@ -84,34 +81,27 @@ def argument_places(run: Run, api: Api, e: facts.Call | None, skip: int = 0) -> 
     return found
 
 
-def call_external(
-    run: Run,
-    function: External,
-    args: list[Value],
-    keywords: dict[str, Value],
-    expression: facts.Call | None,
-    open_arguments: bool,
-) -> Value:
+def call_external(run: Run, function: External, site: CallSite) -> Value:
     """Call a foreign function or class by its dotted name."""
     path = names.canonical(function.path)
     interface, part = names.interface_and_part(path)
     if interface is not None:
-        return _make_message(run, interface, part, keywords, expression)
+        return _make_message(run, interface, part, site.keywords, site.expression)
     api = tables.find(path)
     if api is not None:
         receiver = None
-        if _is_method(path) and args and api.node is None and api.effect != "qos_preset":
-            receiver, args = args[0], args[1:]  # Node.__init__(self, …) and the like
-        return use(run, api, receiver, args, keywords, expression, open_arguments)
+        if _is_method(path) and site.args and api.node is None and api.effect != "qos_preset":
+            receiver, site = site.args[0], replace(site, args=site.args[1:])  # Node.__init__(self, …) and the like
+        return use(run, api, receiver, site)
     plain = effects.PLAIN.get(path)
     if plain is not None:
-        return plain(run, args, keywords, expression)
+        return plain(run, site.args, site.keywords, site.expression)
     if not escapes.is_own(path):
-        escapes.to_call(run, [*args, *keywords.values()], path, expression)
+        escapes.to_call(run, site.values, path, site.expression)
     name = path.rpartition(".")[2]
     if name[:1].isupper() or path in ("dataclasses.field",):
-        place = run.place(expression.span) if expression is not None and run.activations else None
-        arguments = {str(i): value for i, value in enumerate(args)} | keywords
+        place = run.place(site.expression.span) if site.expression is not None and run.activations else None
+        arguments = {str(i): value for i, value in enumerate(site.args)} | site.keywords
         return Instance(External(path), run.store.new_key(), place, arguments, path)
     return Unknown(f"{path}() is outside of this workspace")
 
@@ -121,14 +111,7 @@ def _is_method(path: str) -> bool:
     return owner[:1].isupper()
 
 
-def call_method(
-    run: Run,
-    function: ApiMethod,
-    args: list[Value],
-    keywords: dict[str, Value],
-    expression: facts.Call | None,
-    open_arguments: bool,
-) -> Value:
+def call_method(run: Run, function: ApiMethod, site: CallSite) -> Value:
     """Call a method of a foreign class, or one that a class of ours inherits from it."""
     path = function.path
     receiver = function.self_value
@@ -136,47 +119,56 @@ def call_method(
     if api is None and path.endswith(".__init__") and isinstance(receiver, Instance):
         api = tables.find(path.removesuffix(".__init__"))
         if api is not None and api.effect == "executor":
-            return executors.adopt_executor(run, api, receiver, args, keywords)
+            return executors.adopt_executor(run, api, receiver, site)
         if api is not None and api.effect in ("endpoint", "launch_object"):
             # A class of ours derived from, say, ActionServer.
-            return use(run, api, receiver, args, keywords, expression, open_arguments)
+            return use(run, api, receiver, site)
         nodes.name_by_foreign_base(run, receiver, path)
-        escapes.to_call(run, [*args, *keywords.values()], path, expression)
+        escapes.to_call(run, site.values, path, site.expression)
         return Unknown(f"{path} is outside of this workspace")
     if api is not None:
-        return use(run, api, receiver, args, keywords, expression, open_arguments)
+        return use(run, api, receiver, site)
     method = effects.METHODS.get(path)
     if method is not None:
-        return method(run, receiver, args, keywords, expression)
-    if not escapes.is_own(path) or _is_missing_method(path):
-        escapes.to_call(run, [*args, *keywords.values()], path.removeprefix("?."), expression)
+        return method(run, receiver, site.args, site.keywords, site.expression)
+    if not escapes.is_own(path) or names.is_missing_method(path):
+        escapes.to_call(run, site.values, path.removeprefix("?."), site.expression)
     return Unknown(f"{path.removeprefix('?.')}() is outside of this workspace")
 
 
-def _is_missing_method(path: str) -> bool:
-    """Whether a node is asked for an attribute that rclpy's does not have: something else put it there."""
-    owner, _, name = path.rpartition(".")
-    return owner in names.NODE_CLASSES and not names.is_node_attribute(name)
+def call_builtin(run: Run, name: str, site: CallSite) -> Value:
+    """``input()`` waits for a user; of ``open()`` only those who read files know what it gives."""
+    api = tables.find(f"builtins.{name}")
+    if api is not None and site.expression is not None:
+        record(run, api, None, {}, site.expression)
+    if name == "input":
+        return Unknown("what a user types")
+    return effects.PLAIN[name](run, site.args, site.keywords, site.expression)
 
 
-def use(
-    run: Run,
-    api: Api,
-    receiver: Value | None,
-    args: list[Value],
-    keywords: dict[str, Value],
-    expression: facts.Call | None,
-    open_arguments: bool,
-) -> Value:
+CONSTRUCTING: list[Callable[[Run, Instance, ClassValue, CallSite], None]] = []
+"""What watches the constructors of classes of ours: each library adds its own."""
+
+
+def constructing(run: Run, made: Instance, cls: ClassValue, site: CallSite) -> None:
+    for watcher in CONSTRUCTING:
+        watcher(run, made, cls, site)
+
+
+OBJECT_ATTRIBUTES: dict[str, Callable[[Run, Instance], Value | None]] = {}
+"""Attributes of objects of foreign classes that are values: each library adds its own."""
+
+
+def use(run: Run, api: Api, receiver: Value | None, site: CallSite) -> Value:
     if isinstance(receiver, OneOf):
         options = [option for option in receiver.values if not isinstance(option, Known)]
         if len(options) > 1:
-            return one_of(use(run, api, o, args, keywords, expression, open_arguments) for o in options)
+            return one_of(use(run, api, o, site) for o in options)
         receiver = options[0] if options else receiver
-    bound, rest = bind_api(api, args, keywords)
-    call = ApiUse(api, receiver, bound, expression, open_arguments, rest, keywords)
-    if api.watched and expression is not None:
-        record(run, api, receiver, bound, expression)
+    bound, rest = bind_api(api, site.args, site.keywords)
+    call = ApiUse(api, receiver, bound, site.expression, site.open, rest, site.keywords)
+    if api.watched and site.expression is not None:
+        record(run, api, receiver, bound, site.expression)
     return EFFECTS[api.effect](run, call)
 
 
@@ -372,9 +364,11 @@ from archlint.launch import effects as launch_effects
 from archlint.libraries.python import command_line, effects
 from archlint.libraries.rclpy import callbacks, entities, escapes, executors, nodes, parameters, profiles
 
-adopt = nodes.adopt
 effects.METHODS.update({**launch_effects.METHODS, **command_line.METHODS})
 effects.PLAIN.update({**launch_effects.PLAIN, **command_line.PLAIN})
+OBJECT_ATTRIBUTES.update(launch_effects.OBJECT_ATTRIBUTES)
+CONSTRUCTING.append(launch_effects.note_given)
+classes.SUBCLASSES.update(launch_effects.SUBCLASSES)
 
 EFFECTS: dict[str, Effect] = {
     "none": _none,
@@ -424,4 +418,4 @@ EFFECTS: dict[str, Effect] = {
     "package_path": launch_effects.package_path,
 }
 
-__all__ = ["EFFECTS", "ApiUse", "ClassValue", "ExecutorValue", "NodeValue", "adopt"]
+__all__ = ["CONSTRUCTING", "EFFECTS", "OBJECT_ATTRIBUTES", "ApiUse"]

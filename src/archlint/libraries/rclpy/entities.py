@@ -9,7 +9,6 @@ from archlint.finding import Place
 from archlint.interpreter.values import (
     NONE,
     ClassValue,
-    EntityValue,
     External,
     Instance,
     Known,
@@ -23,12 +22,13 @@ from archlint.libraries.rclpy import callbacks, messages, nodes, profiles
 from archlint.libraries.rclpy import names as rclpy_names
 from archlint.libraries.rclpy.effects import ApiUse, argument_places
 from archlint.libraries.rclpy.guards import guard_of, proven_of
+from archlint.libraries.rclpy.values import EntityValue
 from archlint.libraries.tables import Api
 from archlint.libraries.texts import text_of_value
 from archlint.syntax import facts
 
 if TYPE_CHECKING:
-    from archlint.interpreter.machine import Run
+    from archlint.libraries.run import Run
     from archlint.ros.qos import Qos
 
 COMBINATIONS = 32

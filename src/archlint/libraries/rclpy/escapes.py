@@ -11,7 +11,6 @@ escape by itself: only where a function that the program is not seen to call use
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from archlint.finding import Place
@@ -21,13 +20,11 @@ from archlint.interpreter.values import (
     BoundMethod,
     ClassValue,
     DictValue,
-    ExecutorValue,
     External,
     FunctionValue,
     Instance,
     ListValue,
     ModuleValue,
-    NodeValue,
     OneOf,
     Partial,
     Unknown,
@@ -35,13 +32,15 @@ from archlint.interpreter.values import (
 )
 from archlint.libraries.rclpy import callbacks, nodes
 from archlint.libraries.rclpy import names as rclpy_names
-from archlint.libraries.uses import Root, class_variables, unseen_use, variables
+from archlint.libraries.rclpy.values import ExecutorValue, NodeValue
+from archlint.libraries.run import Escape, Root, Shared
+from archlint.libraries.uses import class_variables, unseen_use, variables
 from archlint.syntax import facts
 
 if TYPE_CHECKING:
     from archlint import model
-    from archlint.interpreter.machine import Run
     from archlint.interpreter.modules import Module
+    from archlint.libraries.run import Run
 
 _CARRIERS = (
     Instance,
@@ -61,14 +60,6 @@ _OWN = ("rclpy.", "tf2_", "message_filters.", "logging.", "types.SimpleNamespace
 """Libraries that do nothing with a node which the tables do not say, and plain bags of attributes."""
 _LOGS = frozenset({"debug", "info", "warn", "warning", "error", "fatal", "critical", "exception", "log"})
 _HARMLESS_METHODS = ("destroy_", "get_name", "get_fully", "get_clock", "get_logger", "resolve_", "wait_for_")
-
-
-@dataclass(frozen=True)
-class Escape:
-    """Where something got out of sight, and how."""
-
-    place: Place
-    reason: str
 
 
 def carries(values: Iterable[Value]) -> list[Value]:
@@ -223,15 +214,6 @@ def _inside(run: Run, value: Value, key: int) -> Iterator[Value]:
 
 
 # ------------------------------------------------------------------------------------------- what is kept
-
-
-@dataclass(frozen=True)
-class Shared:
-    """Values that were put where all functions of a module can get at them."""
-
-    root: Root
-    values: tuple[Value, ...]
-    place: Place
 
 
 def kept(run: Run, key: int, values: Iterable[Value], name: str | None = None) -> None:

@@ -6,15 +6,17 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 from archlint import model
-from archlint.interpreter.values import ExecutorValue, FutureValue, Instance, Known, OneOf, Unknown, Value
+from archlint.interpreter.values import Instance, Known, OneOf, Unknown, Value
 from archlint.libraries.rclpy import nodes
+from archlint.libraries.rclpy.values import ExecutorValue, FutureValue
 from archlint.syntax import facts
 from archlint.syntax.walk import called_name, calls_in, has_literal_true, statements_of
 
 if TYPE_CHECKING:
     from archlint.finding import Place
-    from archlint.interpreter.machine import Run
+    from archlint.interpreter.call_site import CallSite
     from archlint.libraries.rclpy.effects import ApiUse
+    from archlint.libraries.run import Run
     from archlint.libraries.tables import Api
 
 _STARTED = ("init", "main", "module", "thread", "method")
@@ -26,9 +28,9 @@ def make_executor(run: Run, call: ApiUse) -> Value:
     return ExecutorValue(use, call.api.path, run.store.new_key())
 
 
-def adopt_executor(run: Run, api: Api, receiver: Instance, args: list[Value], keywords: dict[str, Value]) -> Value:
+def adopt_executor(run: Run, api: Api, receiver: Instance, site: CallSite) -> Value:
     """An executor class of ours: ``super().__init__()`` tells which kind it is."""
-    threads = keywords.get("num_threads", args[0] if args else None)
+    threads = site.keywords.get("num_threads", site.args[0] if site.args else None)
     run.store.set(receiver.key, "#executor", _new_use(run, api.kind, threads, None))
     return Known(None)
 

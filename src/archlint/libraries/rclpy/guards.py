@@ -11,7 +11,8 @@ from archlint.syntax.control_flow import always_raises
 from archlint.syntax.walk import blocks_in, called_name, calls_in, parts_of, statements_of
 
 if TYPE_CHECKING:
-    from archlint.interpreter.machine import Activation, Run
+    from archlint.interpreter.activation import Activation
+    from archlint.libraries.run import Run
 
 NOTHING = ""
 ARGUMENTS = "arguments"

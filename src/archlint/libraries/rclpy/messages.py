@@ -11,14 +11,16 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 from archlint import model
-from archlint.interpreter.values import EachValue, Known, MessageValue, OneOf, Unknown, Value
+from archlint.interpreter.values import EachValue, Known, OneOf, Unknown, Value
 from archlint.libraries.rclpy import names
 from archlint.libraries.rclpy.guards import guard_of
+from archlint.libraries.rclpy.values import MessageValue
 from archlint.model import FieldUse, Passed, UnknownInterface
 from archlint.syntax import facts
 
 if TYPE_CHECKING:
-    from archlint.interpreter.machine import Activation, Run
+    from archlint.interpreter.activation import Activation
+    from archlint.libraries.run import Run
     from archlint.ros.interfaces import InterfaceTable
     from archlint.syntax.facts import Span
 
@@ -238,6 +240,29 @@ def missing_interface(run: Run, path: str) -> Value | None:
     interface, _ = names.interface_and_part(path)
     package, _, name = path.split(".")[:3]
     return Unknown(f"{package} defines no '{name}'", name=f"{MISSING}{interface}")
+
+
+def has_field(run: Run, message: MessageValue, name: str) -> Value | None:
+    """``hasattr(message, name)``; None where the definitions of messages are not known."""
+    if run.interfaces is None:
+        return None
+    known = run.interfaces.has(message.type, message.part, name)
+    return Unknown("hasattr() of a message that is not known") if known is None else Known(known)
+
+
+def star_sources(run: Run, packages: Sequence[str], name: str) -> Sequence[str]:
+    """Those of some foreign packages that a star import may take a name from.
+
+    Interface packages hold class names only; where several could have it, the table of interfaces decides.
+    """
+    interfaces = [package for package in packages if package.endswith((".msg", ".srv", ".action"))]
+    candidates = [p for p in packages if p in interfaces] if name[:1].isupper() and interfaces else list(packages)
+    if len(candidates) > 1 and run.interfaces is not None:
+        defines = run.interfaces.defines
+        verdicts = {p: defines(p.partition(".")[0], p.partition(".")[2], name) for p in interfaces}
+        sure = [p for p in candidates if verdicts.get(p)]
+        candidates = sure or [p for p in candidates if verdicts.get(p) is not False]
+    return candidates
 
 
 def _certain(run: Run) -> bool:

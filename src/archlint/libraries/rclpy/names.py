@@ -20,29 +20,6 @@ FOREIGN_NODES = frozenset(
 )
 """Node classes of other packages whose name does not say so."""
 
-PLAIN_BASES = frozenset(
-    {
-        "abc.ABC",
-        "abc.ABCMeta",
-        "builtins.object",
-        "enum.Enum",
-        "enum.Flag",
-        "enum.IntEnum",
-        "enum.IntFlag",
-        "enum.StrEnum",
-        "object",
-        "str",
-        "int",
-        "typing.Generic",
-        "typing.NamedTuple",
-        "typing.Protocol",
-        "typing_extensions.Protocol",
-    }
-)
-"""Foreign bases that give their subclasses no attributes that matter here."""
-
-ENUM_BASES = frozenset({"enum.Enum", "enum.IntEnum", "enum.StrEnum", "enum.Flag", "enum.IntFlag"})
-
 _ALIASES = {
     "rclpy.Node": NODE,
     "rclpy.lifecycle.LifecycleNode": LIFECYCLE_NODE,
@@ -86,8 +63,6 @@ _ALIASES = {
 }
 
 PARAMETER_VALUES = frozenset({"rcl_interfaces.msg.ParameterValue"})
-
-CONSTANTS: dict[str, str] = {}
 
 NODE_METHODS = frozenset(tables.NODE_ROWS)
 
@@ -196,6 +171,12 @@ def is_node_attribute(name: str) -> bool:
     """Whether rclpy's Node (or LifecycleNode) may have an attribute of this name; private ones are not ours to
     know, but for those that code uses to store its own."""
     return name in NODE_METHODS or name in _OTHER_NODE_ATTRIBUTES or name.startswith("__") or name.startswith("on_")
+
+
+def is_missing_method(path: str) -> bool:
+    """Whether a node is asked for an attribute that rclpy's does not have: something else put it there."""
+    owner, _, name = path.rpartition(".")
+    return owner in NODE_CLASSES and not is_node_attribute(name)
 
 
 _PREFIX = re.compile(r"^(rclpy|tf2_ros|message_filters|rclpy_action)\b")

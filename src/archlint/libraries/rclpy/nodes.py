@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING
 
 from archlint import model
 from archlint.finding import Place
+from archlint.interpreter.python_classes import PLAIN_BASES
 from archlint.interpreter.values import (
     TRUE,
     AttributeOf,
@@ -16,7 +17,6 @@ from archlint.interpreter.values import (
     Instance,
     Known,
     ListValue,
-    NodeValue,
     OneOf,
     Unknown,
     Value,
@@ -24,11 +24,12 @@ from archlint.interpreter.values import (
     join_texts,
 )
 from archlint.libraries.rclpy import names, short_lived
+from archlint.libraries.rclpy.values import NodeValue
 from archlint.libraries.texts import text_of_value
 
 if TYPE_CHECKING:
-    from archlint.interpreter.machine import Run
     from archlint.libraries.rclpy.effects import ApiUse
+    from archlint.libraries.run import Run
 
 _ROOT = model.Text("/", "exact")
 
@@ -175,7 +176,7 @@ def nodes_of(run: Run, value: Value | None, *, plausible: bool = True) -> list[m
             return [known]
         if isinstance(value.cls, ClassValue):
             foreign = any(
-                isinstance(base, Unknown) or (isinstance(base, External) and base.path not in names.PLAIN_BASES)
+                isinstance(base, Unknown) or (isinstance(base, External) and base.path not in PLAIN_BASES)
                 for base in value.cls.mro
             )
             if foreign:
@@ -265,7 +266,7 @@ def create_node(run: Run, call: ApiUse) -> Value:
         _set_names(run, known, call)
         holder = short_lived.holder(run.activations, call.expression)
         if holder is not None:
-            holder.short_lived.append(known)
+            run.short_lived.setdefault(holder, []).append(known)
     elif known.until is not None and known.until < len(run.nodes):
         known.until = None  # made again, beside nodes that came later
     known.destroyed_at = None

@@ -17,7 +17,6 @@ from archlint.interpreter.values import (
     Instance,
     Known,
     ListValue,
-    MessageValue,
     Unknown,
     Value,
     alternatives,
@@ -25,12 +24,13 @@ from archlint.interpreter.values import (
     one_of,
 )
 from archlint.libraries.rclpy import nodes, profiles
+from archlint.libraries.rclpy.values import MessageValue
 from archlint.libraries.texts import text_of_value
 from archlint.syntax.parameter_files import NotKnown
 
 if TYPE_CHECKING:
-    from archlint.interpreter.machine import Run
     from archlint.libraries.rclpy.effects import ApiUse
+    from archlint.libraries.run import Run
 
 _PARAMETER = External("rclpy.parameter.Parameter")
 

@@ -14,8 +14,8 @@ from archlint.libraries.rclpy import names as rclpy_names
 from archlint.ros.qos import Qos
 
 if TYPE_CHECKING:
-    from archlint.interpreter.machine import Run
     from archlint.libraries.rclpy.effects import ApiUse
+    from archlint.libraries.run import Run
 
 PROFILE = "rclpy.qos.QoSProfile"
 
@@ -109,6 +109,11 @@ def _preset_key(path: str) -> str | None:
 
 _CHANGED = 0
 """The store's key for what a program has changed about the presets, which all its modules share."""
+
+
+def policy_by_name(path: str, name: object) -> External | None:
+    """``ReliabilityPolicy["RELIABLE"]``: a policy by its name; None of what is no enum of rclpy's."""
+    return External(f"{path}.{name.upper()}") if path.startswith("rclpy.qos.") and isinstance(name, str) else None
 
 
 def change_preset(run: Run, target: External, name: str, value: Value) -> None:

@@ -14,7 +14,7 @@ from archlint.syntax import facts
 from archlint.syntax.parts import everything_in, names_in
 
 if TYPE_CHECKING:
-    from archlint.interpreter.machine import Activation
+    from archlint.interpreter.activation import Activation
 
 
 def holder(activations: Sequence[Activation], made: facts.Call | None) -> Activation | None:

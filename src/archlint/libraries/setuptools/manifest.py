@@ -10,7 +10,7 @@ from archlint.interpreter import containers
 from archlint.interpreter.values import External, Holed, Instance, Known, PythonValue, Unknown, Value
 
 if TYPE_CHECKING:
-    from archlint.interpreter.machine import Run
+    from archlint.libraries.run import Run
     from archlint.syntax import facts
 
 MANIFEST = "package.xml"

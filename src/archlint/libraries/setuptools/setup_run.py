@@ -6,8 +6,8 @@ from collections.abc import Callable
 from typing import TYPE_CHECKING
 
 from archlint.interpreter import containers
-from archlint.interpreter.machine import Run
 from archlint.interpreter.values import Known, Unknown, Value
+from archlint.libraries.run import Run
 from archlint.libraries.setuptools import manifest
 
 if TYPE_CHECKING:

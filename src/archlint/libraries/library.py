@@ -1,0 +1,185 @@
+"""The libraries that the code of a workspace imports: what a run asks of them, and what they watch."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterable, Sequence
+from contextlib import AbstractContextManager
+from typing import TYPE_CHECKING
+
+from archlint.interpreter.library import Library
+from archlint.interpreter.values import ApiMethod, Builtin, ClassValue, External, ForeignValue, Instance, Known, Value
+from archlint.libraries import classes, interest
+from archlint.libraries.python import command_line, environment, tasks
+from archlint.libraries.rclpy import attributes, effects, escapes, messages, names, nodes, profiles, refusals
+from archlint.libraries.rclpy.values import FutureValue, MessageValue
+
+if TYPE_CHECKING:
+    from archlint.interpreter.activation import Activation
+    from archlint.interpreter.call_site import CallSite
+    from archlint.interpreter.modules import Module
+    from archlint.libraries.run import Run
+    from archlint.syntax import facts
+
+
+class RosLibrary(Library):
+    """What Python's own library, rclpy and its kin are known to do in a run."""
+
+    def __init__(self, run: Run) -> None:
+        self.run = run
+
+    # --------------------------------------------------------------------------------- functions and methods
+
+    def call_function(self, function: External, site: CallSite) -> Value:
+        return effects.call_external(self.run, function, site)
+
+    def call_method(self, method: ApiMethod, site: CallSite) -> Value:
+        return effects.call_method(self.run, method, site)
+
+    def call_builtin(self, function: Builtin, site: CallSite) -> Value:
+        return effects.call_builtin(self.run, function.name, site)
+
+    def refuses(self, method: ApiMethod, given: int, keywords: Collection[str]) -> bool:
+        return refusals.refuses(method, given, keywords)
+
+    def awaited(self, value: ForeignValue, expression: facts.Await) -> Value:
+        return effects.await_future(self.run, value, expression) if isinstance(value, FutureValue) else value
+
+    def around_call(self, function: Value, expression: facts.Call) -> AbstractContextManager[None]:
+        return tasks.apart(self.run, expression, function)
+
+    # ---------------------------------------------------------------------------------------- names, attributes
+
+    def canonical(self, path: str) -> str:
+        return names.canonical(path)
+
+    def is_module(self, path: str) -> bool:
+        return refusals.is_module(path)
+
+    def imported(self, path: str, span: facts.Span) -> Value:
+        messages.note_interface(self.run, path, span)
+        return messages.missing_interface(self.run, path) or External(path)
+
+    def star_sources(self, packages: Sequence[str], name: str) -> Sequence[str]:
+        return messages.star_sources(self.run, packages, name)
+
+    def attribute_of_external(self, value: External, name: str) -> Value:
+        path = f"{value.path}.{name}"
+        if path == "sys.argv":
+            return command_line.program_arguments(self.run)
+        constant = attributes.interface_constant(self.run, value.path, name)
+        return constant or messages.missing_interface(self.run, path) or External(path, value.via)
+
+    def attribute_of_value(self, value: ForeignValue, name: str) -> Value:
+        return attributes.of_value(self.run, value, name)
+
+    def attribute_of_object(self, value: Instance, cls: External, name: str) -> Value:
+        path = names.canonical(cls.path)
+        handler = effects.OBJECT_ATTRIBUTES.get(f"{path}.{name}")
+        found = None if handler is None else handler(self.run, value)
+        return attributes.of_object(self.run, value, path, name) if found is None else found
+
+    def inherited(self, value: Value, base: External, name: str) -> Value:
+        return attributes.inherited(self.run, value, names.canonical(base.path), name)
+
+    def method_of_unknown(self, value: Value, name: str) -> Value | None:
+        return attributes.of_unknown(value, name)
+
+    def method_mixed_in(self, value: Instance, name: str) -> Value | None:
+        return attributes.mixed_in(value, name)
+
+    def lacks(self, method: ApiMethod) -> bool:
+        return names.is_missing_method(method.path)
+
+    def has_attribute(self, value: ForeignValue, name: str) -> Value | None:
+        return messages.has_field(self.run, value, name) if isinstance(value, MessageValue) else None
+
+    def item_of_external(self, container: External, index: object) -> Value | None:
+        return profiles.policy_by_name(container.path, index)
+
+    def environment(self, name: object) -> Known | None:
+        return environment.variable(self.run, name)
+
+    # --------------------------------------------------------------------------------------------- classes
+
+    def class_of(self, value: ForeignValue) -> Value | None:
+        return classes.class_of(value)
+
+    def is_instance(self, value: ForeignValue, cls: Value, python: type | None) -> bool | None:
+        return classes.is_instance(value, cls, python)
+
+    def is_subclass(self, path: str, cls: Value) -> bool | None:
+        return classes.is_subclass(path, cls)
+
+    def is_ordinary_class(self, path: str) -> bool:
+        return classes.is_ordinary(path)
+
+    # -------------------------------------------------------------------------------------- what is certain
+
+    def matters(self, function: object) -> bool:
+        return interest.interesting(function)
+
+    def are_settled(self, parameters: frozenset[str]) -> bool:
+        return self.run.context.role in ("main", "init") and parameters <= self.run.overrides.settled
+
+    # ----------------------------------------------------------------------------- events: objects and names
+
+    def allocated(self, made: Instance) -> None:
+        nodes.adopt(self.run, made)
+
+    def constructing(self, made: Instance, cls: ClassValue, site: CallSite) -> None:
+        effects.constructing(self.run, made, cls, site)
+
+    def rebound(self, value: Instance, before: object) -> None:
+        nodes.note_replaced(self.run, value, before)
+
+    def module_variable(self, module: Module, name: str, value: Value) -> None:
+        escapes.named(self.run, module, name, value)
+
+    def module_done(self, module: Module) -> None:
+        escapes.share(self.run, module)
+
+    def function_left(self, activation: Activation) -> None:
+        for node in self.run.short_lived.pop(activation, ()):
+            node.until = len(self.run.nodes)
+
+    def coroutines_started(self, function: Value, expression: facts.Call) -> None:
+        tasks.note_started(self.run, expression, function)
+
+    def read(self, value: Value, name: str, span: facts.Span) -> None:
+        if isinstance(value, External):
+            if value.path.endswith((".msg", ".srv", ".action")):
+                messages.note_interface(self.run, f"{value.path}.{name}", span)
+            messages.note_constant(self.run, value.path, name, span)
+        else:
+            messages.note_use(self.run, value, name, span, "read")
+
+    def written(self, value: Value, name: str, span: facts.Span) -> None:
+        messages.note_use(self.run, value, name, span, "write")
+
+    def undecided(self, key: str, test: Value) -> None:
+        self.run.note_open_test(key, test)
+
+    def asked_for_file(self, path: str) -> None:
+        self.run.note_asked_file(path)
+
+    # ----------------------------------------------------------------------- events: what gets out of sight
+
+    def escaped(self, values: Iterable[Value], reason: str) -> None:
+        escapes.escape(self.run, values, reason)
+
+    def given_away(self, site: CallSite) -> None:
+        escapes.to_call(self.run, site.values, "", site.expression)
+
+    def lost(self, result: Value, values: Iterable[Value], how: str) -> Value:
+        return escapes.lost(self.run, result, values, how)
+
+    def kept(self, key: int, values: Iterable[Value], name: str | None = None) -> None:
+        escapes.kept(self.run, key, values, name)
+
+    def assigned(self, target: Value, name: str, value: Value) -> None:
+        escapes.assigned(self.run, target, name, value)
+        if isinstance(target, External):
+            profiles.change_preset(self.run, target, name, value)
+
+
+__all__ = ["RosLibrary"]
