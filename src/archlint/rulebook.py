@@ -12,7 +12,7 @@ from functools import cache
 from pathlib import Path
 
 from archlint.finding import Severity
-from archlint.suggestions import nearest
+from archlint.suggestions import distance, nearest
 
 ON = "on"
 OFF = "off"
@@ -151,7 +151,14 @@ def _nearest(selector: str) -> str | None:
         prefixes = sorted({code[:3] for code in rules()} | {"ALL"})
         return nearest(selector, prefixes)
     padded = f"{match[1]}{int(match[2][-9:]):03}"
-    return padded if padded in rules() else nearest(selector, rules())
+    if padded in rules():
+        return padded
+    return nearest(selector, rules()) or _one_digit_off(padded)
+
+
+def _one_digit_off(code: str) -> str | None:
+    """The first code that differs in one character: the digits of codes are no count, as those of names mostly are."""
+    return next((known for known in rules() if distance(code, known, 1) == 1), None)
 
 
 def _nearest_name(selector: str) -> str | None:
