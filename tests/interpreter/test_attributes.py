@@ -159,3 +159,42 @@ def test_an_attribute_of_one_of_several_objects():
 
 def test_the_folder_of_a_path():
     assert interpret("from pathlib import Path\nit = str(Path('/a/b').parent)").options("it") <= {"/a", ...}
+
+
+def test_what_python_says_of_classes_and_methods():
+    found = interpret(
+        f"{OUTSIDE}class Base:\n    def go(self):\n        return 'go'\n"
+        "    @classmethod\n    def made(cls):\n        return cls.__name__\n"
+        "class Robot(Base):\n    def go(self):\n        return super().go() + '!'\n"
+        "    @classmethod\n    def made(cls):\n        return super().made() + '!'\n"
+        "    def none(self):\n        return super().nothing\n"
+        "robot = Robot()\nfunction = robot.go.__func__\nit = function(robot)\nmade = Robot.made(), robot.made()\n"
+        "order = Robot.__mro__\nnone = robot.none()\nlength = len.__name__\nof_lambda = (lambda: 1).__name__\n"
+        "class Own(outside.Base):\n    def more(self):\n        return super().more()\n"
+        "more = Own().more()\nattr = Own.attr"
+    )
+    assert found.constant("it") == "go!"
+    assert found.constant("made") == ("Robot!", "Robot!")
+    for name in ("order", "none", "length", "of_lambda", "more", "attr"):
+        assert not found.is_known(name), name
+
+
+def test_attributes_that_are_set_on_what_is_not_an_object():
+    found = interpret(
+        f"{OUTSIDE}class Robot:\n    pass\ndef function():\n    pass\nRobot.name = 'a'\noutside.name = 'b'\n"
+        "function.name = 'c'\noutside.value().name = 'd'\nit = Robot().name\nother = outside.name"
+    )
+    assert found.constant("it") == "a"
+    assert not found.is_known("other")
+
+
+def test_bases_that_are_not_known():
+    found = interpret(
+        f"{OUTSIDE}class Robot(outside.make()):\n    name = 'a'\n"
+        "it = Robot.name\nother = Robot().other\nof_class = Robot.other\n"
+        "class Plain(object):\n    pass\nplain = getattr(Plain(), 'x', 'none')"
+    )
+    assert found.constant("it") == "a"
+    assert found.constant("plain") == "none"
+    assert not found.is_known("other")
+    assert not found.is_known("of_class")

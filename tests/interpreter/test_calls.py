@@ -202,3 +202,48 @@ def test_a_call_is_followed_a_few_times_and_then_known_or_unknown():
 
 def test_a_callback_of_ours_that_another_package_calls_is_not_its_result():
     assert not interpret("import outside\ndef f():\n    return 1\nit = outside.call(f)").is_known("it")
+
+
+def test_with_other_arguments_each_time_a_function_is_followed_often_and_not_for_ever():
+    found = interpret(
+        "def f(x):\n    return x\nresults = [f(number) for number in range(400)]\n"
+        "first, last = results[0], results[399]"
+    )
+    assert found.constant("first") == 0
+    assert found.reason("last") == "'f' is called too often to follow"
+
+
+@pytest.mark.parametrize(
+    "value",
+    [
+        "'text'",
+        "outside.which() and 'a' or 'b'",
+        "partial(g, 1, x=2)",
+        "thing.method",
+        "(lambda x=1: x)",
+        "g",
+        "thing",
+        "'a'.upper",
+        "[1]",
+        "outside.value()",
+        "len",
+        "outside.Thing",
+    ],
+)
+def test_the_same_call_again_gives_the_same(value: str):
+    found = interpret(
+        f"{OUTSIDE}from functools import partial\ndef g(*a, **k):\n    return 1\n"
+        "class Thing:\n    def method(self):\n        return 1\nthing = Thing()\n"
+        f"def f():\n    return {value}\nresults = [f() for _ in range(30)]\nfirst, last = results[0], results[5]\n"
+        "number = len(results)"
+    )
+    assert found.constant("number") == 30
+    assert type(found.value("last")) is type(found.value("first"))
+
+
+def test_a_change_in_what_it_reads_makes_it_run_again():
+    found = interpret(
+        "state = {'n': 0}\ndef read():\n    return state['n']\nresults = []\n"
+        "for number in range(8):\n    state['n'] = number\n    results.append(read())"
+    )
+    assert found.constant("results") == list(range(8))
