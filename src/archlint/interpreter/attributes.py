@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from archlint.interpreter import hints
+from archlint.interpreter import containers, hints, registries
 from archlint.interpreter.call_site import CallSite
-from archlint.interpreter.python_classes import PLAIN_BASES
+from archlint.interpreter.classes import class_lookup
 from archlint.interpreter.values import (
     NONE,
     TEXT_LIMIT,
@@ -86,32 +86,6 @@ def _type_name(value: Value) -> str:
     return "str"
 
 
-def class_lookup(
-    machine: Machine, cls: ClassValue, name: str, after: ClassValue | None = None
-) -> tuple[Value | None, Value]:
-    """A class attribute through the MRO: ``(value, class it was found on)``; value None where it is not found.
-
-    A foreign base that may define the name ends the search with that base.
-    """
-    started = after is None
-    for base in cls.mro:
-        if not started:
-            started = base is after
-            continue
-        if isinstance(base, ClassValue):
-            value = machine.store.get(base.key, name)
-            if isinstance(value, Value):
-                return value, base
-        elif isinstance(base, External):
-            if base.path in ("builtins.object", "object"):
-                continue
-            if base.path not in PLAIN_BASES:
-                return None, base
-        elif isinstance(base, Unknown):
-            return None, base
-    return None, cls
-
-
 def bind(machine: Machine, value: Value, instance: Value, cls: Value) -> Value:
     """What a class attribute is when it is read from an instance."""
     if isinstance(value, FunctionValue):
@@ -175,8 +149,6 @@ def _of_class(machine: Machine, value: ClassValue, name: str) -> Value:
     if name == "__name__":
         return Known(value.ir.name)
     if name == "__members__" and machine.store.get(value.key, "#members"):
-        from archlint.interpreter import containers
-
         names = machine.store.get(value.key, "#members")
         assert isinstance(names, tuple)
         entries = {
@@ -186,8 +158,6 @@ def _of_class(machine: Machine, value: ClassValue, name: str) -> Value:
     if name == "__mro__":
         return Unknown("the bases of a class")
     if name == "__subclasses__":
-        from archlint.interpreter import registries
-
         return registries.subclasses(machine, value)
     if isinstance(owner, External):
         return External(f"{owner.path}.{name}")
@@ -270,4 +240,4 @@ def _owner_key(machine: Machine, cls: ClassValue, name: str) -> int:
     return cls.key
 
 
-__all__ = ["bind", "class_lookup", "get_attribute", "set_attribute"]
+__all__ = ["bind", "get_attribute", "set_attribute"]

@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from archlint.interpreter import operators
+from archlint.interpreter.assignment import assign
 from archlint.interpreter.attributes import get_attribute
 from archlint.interpreter.call_site import CallSite
 from archlint.interpreter.machine import Phase
@@ -16,8 +17,6 @@ if TYPE_CHECKING:
 
 
 def augmented(machine: Machine, s: facts.Augmented) -> Status:
-    from archlint.interpreter.statements import assign
-
     # What counts up at run time has no one value: only a straight run of a function keeps it known.
     before = machine.evaluate(s.target)
     operand = machine.evaluate(s.value)

@@ -6,8 +6,11 @@ from collections.abc import Callable, Hashable
 from functools import partial
 from typing import TYPE_CHECKING, Any
 
+from archlint.interpreter import containers, decisions, formatting
+from archlint.interpreter.attributes import get_attribute, set_attribute
 from archlint.interpreter.call_site import CallSite
 from archlint.interpreter.constant_expressions import NotFollowed, evaluate
+from archlint.interpreter.definitions import allocate
 from archlint.interpreter.heap import Items
 from archlint.interpreter.machine import Phase
 from archlint.interpreter.type_tests import isinstance_of
@@ -92,8 +95,6 @@ def _of_the_world(machine: Machine, args: Arguments, keywords: Keywords, e: fact
 
 
 def _str(machine: Machine, args: Arguments, keywords: Keywords, e: object) -> Value:
-    from archlint.interpreter import formatting
-
     if not args:
         return Known("")
     found = []
@@ -148,8 +149,6 @@ def _eval(machine: Machine, args: Arguments, keywords: Keywords, e: object) -> V
 
 
 def _bool(machine: Machine, args: Arguments, keywords: Keywords, e: object) -> Value:
-    from archlint.interpreter import decisions
-
     if not args:
         return FALSE
     if isinstance(args[0], Known):
@@ -159,8 +158,6 @@ def _bool(machine: Machine, args: Arguments, keywords: Keywords, e: object) -> V
 
 
 def _len(machine: Machine, args: Arguments, keywords: Keywords, e: object) -> Value:
-    from archlint.interpreter import containers
-
     value = _first(args)
     if isinstance(value, Known) and isinstance(value.value, str):
         return Known(len(value.value), value.via)
@@ -179,8 +176,6 @@ def _len(machine: Machine, args: Arguments, keywords: Keywords, e: object) -> Va
 
 
 def _range(machine: Machine, args: Arguments, keywords: Keywords, e: object) -> Value:
-    from archlint.interpreter import containers
-
     numbers = [arg.value for arg in args if isinstance(arg, Known) and isinstance(arg.value, int)]
     if not args or len(numbers) != len(args):
         return Unknown(reason(*args), next(iter(sorted(via(*args))), None))
@@ -194,8 +189,6 @@ def _range(machine: Machine, args: Arguments, keywords: Keywords, e: object) -> 
 
 
 def _rows(row: list[Value], machine: Machine) -> Value:
-    from archlint.interpreter import containers
-
     return EachValue(containers.new_list(machine, row, "tuple"))
 
 
@@ -204,8 +197,6 @@ def _element(value: Value) -> Value:
 
 
 def _enumerate(machine: Machine, args: Arguments, keywords: Keywords, e: object) -> Value:
-    from archlint.interpreter import containers
-
     items = containers.iterate(machine, _first(args))
     start = args[1] if len(args) > 1 else keywords.get("start", Known(0))
     if isinstance(_first(args), EachValue):
@@ -220,8 +211,6 @@ def _enumerate(machine: Machine, args: Arguments, keywords: Keywords, e: object)
 
 
 def _zip(machine: Machine, args: Arguments, keywords: Keywords, e: object) -> Value:
-    from archlint.interpreter import containers
-
     if any(isinstance(arg, EachValue) for arg in args):
         return _rows([_element(arg) for arg in args], machine)
     columns = [containers.iterate(machine, arg) for arg in args]
@@ -237,8 +226,6 @@ def _zip(machine: Machine, args: Arguments, keywords: Keywords, e: object) -> Va
 
 def _collect(kind: str) -> Callable[..., Value]:
     def handler(machine: Machine, args: Arguments, keywords: Keywords, e: object) -> Value:
-        from archlint.interpreter import containers
-
         if not args:
             return containers.new_list(machine, [], kind)
         found: list[Value] = []
@@ -257,8 +244,6 @@ def _collect(kind: str) -> Callable[..., Value]:
 
 
 def _reversed(machine: Machine, args: Arguments, keywords: Keywords, e: object) -> Value:
-    from archlint.interpreter import containers
-
     if isinstance(_first(args), EachValue):
         return _first(args)
     items = containers.iterate(machine, _first(args))
@@ -268,8 +253,6 @@ def _reversed(machine: Machine, args: Arguments, keywords: Keywords, e: object) 
 
 
 def _sorted(machine: Machine, args: Arguments, keywords: Keywords, e: object) -> Value:
-    from archlint.interpreter import containers
-
     if isinstance(_first(args), EachValue):
         return _first(args)
     items = containers.iterate(machine, _first(args))
@@ -279,8 +262,6 @@ def _sorted(machine: Machine, args: Arguments, keywords: Keywords, e: object) ->
 
 
 def _dict(machine: Machine, args: Arguments, keywords: Keywords, e: object) -> Value:
-    from archlint.interpreter import containers
-
     entries: dict[Hashable, tuple[Value, Value]] = {}
     open_ = False
     if args:
@@ -293,8 +274,6 @@ def _dict(machine: Machine, args: Arguments, keywords: Keywords, e: object) -> V
 
 
 def _getattr(machine: Machine, args: Arguments, keywords: Keywords, e: object) -> Value:
-    from archlint.interpreter.attributes import get_attribute
-
     if len(args) < 2:
         return Unknown("getattr() without a name")
     found = []
@@ -320,8 +299,6 @@ def _is_missing(machine: Machine, value: Value) -> bool:
 
 
 def _setattr(machine: Machine, args: Arguments, keywords: Keywords, e: object) -> Value:
-    from archlint.interpreter.attributes import set_attribute
-
     if len(args) == 3 and isinstance(args[1], Known) and isinstance(args[1].value, str):
         set_attribute(machine, args[0], args[1].value, args[2])
     else:
@@ -330,8 +307,6 @@ def _setattr(machine: Machine, args: Arguments, keywords: Keywords, e: object) -
 
 
 def _hasattr(machine: Machine, args: Arguments, keywords: Keywords, e: object) -> Value:
-    from archlint.interpreter.attributes import get_attribute
-
     if len(args) != 2 or not isinstance(args[1], Known) or not isinstance(args[1].value, str):
         return Unknown("hasattr() of a name that is not known")
     known = machine.library.has_attribute(args[0], args[1].value) if isinstance(args[0], ForeignValue) else None
@@ -346,8 +321,6 @@ def _hasattr(machine: Machine, args: Arguments, keywords: Keywords, e: object) -
 
 
 def _map(machine: Machine, args: Arguments, keywords: Keywords, e: object) -> Value:
-    from archlint.interpreter import containers
-
     if len(args) != 2:
         return Unknown("map() over several collections")
     items = containers.iterate(machine, args[1])
@@ -359,8 +332,6 @@ def _map(machine: Machine, args: Arguments, keywords: Keywords, e: object) -> Va
 
 
 def _filter(machine: Machine, args: Arguments, keywords: Keywords, e: object) -> Value:
-    from archlint.interpreter import containers, decisions
-
     if len(args) == 2 and isinstance(args[1], EachValue):
         return args[1]
     items = containers.iterate(machine, args[1]) if len(args) == 2 else None
@@ -378,8 +349,6 @@ def _filter(machine: Machine, args: Arguments, keywords: Keywords, e: object) ->
 
 def _extreme(pick: Callable[..., Any]) -> Callable[..., Value]:
     def handler(machine: Machine, args: Arguments, keywords: Keywords, e: object) -> Value:
-        from archlint.interpreter import containers
-
         if len(args) == 1 and isinstance(args[0], EachValue):
             return args[0].element
         items = containers.iterate(machine, args[0]) if len(args) == 1 else Items(tuple(args))
@@ -398,8 +367,6 @@ def _extreme(pick: Callable[..., Any]) -> Callable[..., Value]:
 
 def _sum(machine: Machine, args: Arguments, keywords: Keywords, e: object) -> Value:
     """Of numbers the sum; of lists, ``sum(lists, [])``, one list with all that they hold."""
-    from archlint.interpreter import containers
-
     start = args[1] if len(args) == 2 else keywords.get("start")
     if not isinstance(start, ListValue) or start.kind != "list":
         return _extreme(sum)(machine, args, {}, e) if start is None else Unknown(reason(*args))
@@ -414,8 +381,6 @@ def _sum(machine: Machine, args: Arguments, keywords: Keywords, e: object) -> Va
 
 def _any_all(wanted: bool) -> Callable[..., Value]:
     def handler(machine: Machine, args: Arguments, keywords: Keywords, e: object) -> Value:
-        from archlint.interpreter import containers, decisions
-
         items = containers.iterate(machine, _first(args))
         if items is None:
             return Unknown(reason(*args))
@@ -443,8 +408,6 @@ def _callable(machine: Machine, args: Arguments, keywords: Keywords, e: object) 
 
 
 def _next(machine: Machine, args: Arguments, keywords: Keywords, e: object) -> Value:
-    from archlint.interpreter import containers
-
     first = _first(args)
     if isinstance(first, EachValue):
         return one_of((first.element, *args[1:]))
@@ -459,8 +422,6 @@ def _same(machine: Machine, args: Arguments, keywords: Keywords, e: object) -> V
 
 
 def _object_new(machine: Machine, args: Arguments, keywords: Keywords, e: object) -> Value:
-    from archlint.interpreter.definitions import allocate
-
     return allocate(machine, args[0]) if args and isinstance(args[0], ClassValue) else Unknown("an object")
 
 

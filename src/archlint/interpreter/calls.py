@@ -255,8 +255,6 @@ def _self_of(function: FunctionValue, bound: dict[str, Value]) -> Value | None:
 def _leave_function(
     machine: Machine, ir: facts.Function, activation: Activation, status: Status, layer: Layer
 ) -> Value:
-    from archlint.interpreter import containers
-
     captured = [kept for _, kept in activation.returns if kept is not None]
     activation.forget([*captured, layer])
     falls_through = status not in ("return", "raise")

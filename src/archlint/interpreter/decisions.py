@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import TYPE_CHECKING
 
-from archlint.interpreter.attributes import class_lookup, set_attribute
+from archlint.interpreter.attributes import set_attribute
+from archlint.interpreter.classes import class_lookup
 from archlint.interpreter.containers import entries_of, hashable, items_of, iterate
 from archlint.interpreter.operators import compare_values, is_object
 from archlint.interpreter.type_tests import classes_of, is_any

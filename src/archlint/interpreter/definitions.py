@@ -5,10 +5,11 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from archlint.interpreter import hints, refusals
+from archlint.interpreter import containers, hints, refusals, registries
 from archlint.interpreter.activation import Activation
-from archlint.interpreter.attributes import bind, class_lookup, get_attribute
+from archlint.interpreter.attributes import bind, get_attribute
 from archlint.interpreter.call_site import CallSite
+from archlint.interpreter.classes import class_lookup
 from archlint.interpreter.modules import Scope
 from archlint.interpreter.python_classes import ENUM_BASES
 from archlint.interpreter.values import (
@@ -94,8 +95,6 @@ def define_lambda(machine: Machine, e: facts.Lambda) -> Value:
 
 
 def define_class(machine: Machine, s: facts.Class) -> Value:
-    from archlint.interpreter import registries
-
     activation = machine.activation
     activation.closed_over = True
     bases: list[Value] = []
@@ -283,8 +282,6 @@ def _decorators(cls: ClassValue) -> set[str]:
 
 
 def _enum_member(machine: Machine, cls: ClassValue, args: list[Value]) -> Value:
-    from archlint.interpreter import containers
-
     members = containers.enum_members(machine, cls)
     if len(args) == 1 and isinstance(args[0], Known):
         for member in members:

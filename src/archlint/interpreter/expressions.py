@@ -7,21 +7,22 @@ from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
 from archlint.interpreter import calls, definitions
+from archlint.interpreter.assignment import assign
 from archlint.interpreter.attributes import get_attribute
 from archlint.interpreter.containers import (
     ITEM_LIMIT,
     entries_of,
-    get_item,
     hashable,
     items_of,
     iterate,
     new_dict,
     new_list,
-    slice_of,
     unknown_item,
 )
 from archlint.interpreter.decisions import narrow, truth
 from archlint.interpreter.formatting import CARTESIAN, combine, format_one
+from archlint.interpreter.items import get_item, slice_of
+from archlint.interpreter.machine import UNROLL
 from archlint.interpreter.operators import binary, compare_values
 from archlint.interpreter.values import (
     NO_PARAMETERS,
@@ -89,8 +90,6 @@ def _lambda(machine: Machine, e: facts.Lambda) -> Value:
 
 
 def _assigned(machine: Machine, e: facts.Assigned) -> Value:
-    from archlint.interpreter.statements import assign
-
     value = machine.evaluate(e.value)
     assign(machine, e.target, value)
     return value
@@ -148,9 +147,6 @@ def _mapping(machine: Machine, e: facts.Mapping) -> Value:
 
 
 def _comprehension(machine: Machine, e: facts.Comprehension) -> Value:
-    from archlint.interpreter.machine import UNROLL
-    from archlint.interpreter.statements import assign
-
     activation = machine.activation
     outermost = machine.evaluate(e.generators[0].iterable)  # in the scope around: a class body has names of its own
     scope = machine.new_scope(activation.scope, activation.module, "comprehension", activation.qualified)

@@ -7,7 +7,8 @@ from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING
 
 from archlint.interpreter.attributes import get_attribute
-from archlint.interpreter.containers import get_entry, items_of
+from archlint.interpreter.containers import items_of
+from archlint.interpreter.items import get_entry
 from archlint.interpreter.values import (
     TEXT_LIMIT,
     BoundMethod,

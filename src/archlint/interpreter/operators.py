@@ -7,7 +7,7 @@ import posixpath
 from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
-from archlint.interpreter.attributes import class_lookup
+from archlint.interpreter.classes import class_lookup
 from archlint.interpreter.containers import ITEM_LIMIT, PYTHON, entries_of, hashable, items_of, new_dict, new_list
 from archlint.interpreter.formatting import CARTESIAN, percent_format, plain_text
 from archlint.interpreter.values import (

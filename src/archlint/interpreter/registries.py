@@ -5,8 +5,8 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from archlint.interpreter import containers
-from archlint.interpreter.attributes import class_lookup
 from archlint.interpreter.call_site import CallSite
+from archlint.interpreter.classes import class_lookup
 from archlint.interpreter.values import BoundMethod, ClassValue, FunctionValue, Partial, PythonValue, Value
 from archlint.syntax import facts
 

@@ -6,65 +6,16 @@ from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
 from archlint.interpreter import calls, caught, containers, decisions, definitions, hints, refusals
-from archlint.interpreter.attributes import set_attribute
+from archlint.interpreter.assignment import assign
 from archlint.interpreter.augmented import augmented, forget_counters
 from archlint.interpreter.heap import Items, Layer
+from archlint.interpreter.items import delete_item
 from archlint.interpreter.machine import UNROLL, Machine, Status
-from archlint.interpreter.values import NONE, External, Unknown, Value, alternatives, one_of
+from archlint.interpreter.values import NONE, External, Unknown, Value, reason
 from archlint.syntax import facts
 
 if TYPE_CHECKING:
     from archlint.interpreter.modules import Module
-
-
-def assign(machine: Machine, target: facts.Expr, value: Value) -> None:
-    """Bind an assignment target."""
-    kind = target.__class__
-    if kind is facts.Name:
-        assert isinstance(target, facts.Name)
-        machine.assign_name(target.id, value)
-    elif kind is facts.Attribute:
-        assert isinstance(target, facts.Attribute)
-        set_attribute(machine, machine.evaluate(target.value), target.attr, value, target)
-    elif kind is facts.Subscript:
-        assert isinstance(target, facts.Subscript)
-        containers.set_item(machine, machine.evaluate(target.value), machine.evaluate(target.index), value)
-    elif kind is facts.Sequence:
-        assert isinstance(target, facts.Sequence)
-        _unpack(machine, target.elements, value)
-    elif kind is facts.Starred:
-        assert isinstance(target, facts.Starred)
-        assign(machine, target.value, value)
-
-
-def _unpack(machine: Machine, targets: list[facts.Expr], value: Value) -> None:
-    if isinstance(value, (Unknown,)):
-        for target in targets:
-            assign(machine, target, value)
-        return
-    rows = []
-    for alternative in alternatives(value):
-        items = containers.iterate(machine, alternative)
-        rows.append(None if items is None or items.open else list(items.values))
-    stars = [i for i, target in enumerate(targets) if isinstance(target, facts.Starred)]
-    if any(row is None for row in rows) or stars or any(len(row or ()) != len(targets) for row in rows):
-        if len(rows) == 1 and rows[0] is not None and len(stars) == 1 and len(rows[0]) >= len(targets) - 1:
-            row, at = rows[0], stars[0]
-            after = len(targets) - at - 1
-            middle = row[at : len(row) - after]
-            for target, item in zip(targets[:at], row[:at], strict=True):
-                assign(machine, target, item)
-            assign(machine, targets[at], containers.new_list(machine, middle))
-            for target, item in zip(targets[at + 1 :], row[len(row) - after :], strict=True):
-                assign(machine, target, item)
-            return
-        unknown = Unknown("the items of this value are not known")
-        machine.library.lost(unknown, (value,), "it is unpacked from a list")
-        for target in targets:
-            assign(machine, target, unknown)
-        return
-    for i, target in enumerate(targets):
-        assign(machine, target, one_of(row[i] for row in rows if row is not None))
 
 
 def _assign(machine: Machine, s: facts.Assign) -> Status:
@@ -164,8 +115,6 @@ def _loop_of_unknown(machine: Machine, s: facts.For, iterable: Value, items: Ite
             machine.store.merge([taken[0], {}])
         if items.whole or any(isinstance(item, Unknown) for item in items.values):
             return None
-    from archlint.interpreter.values import reason
-
     with machine.arm(key, 0) as taken:
         forget_counters(machine, s.body)
         why = reason(iterable)
@@ -362,7 +311,7 @@ def _class(machine: Machine, s: facts.Class) -> Status:
 def _delete(machine: Machine, s: facts.Delete) -> Status:
     for target in s.targets:
         if isinstance(target, facts.Subscript):
-            containers.delete_item(machine, machine.evaluate(target.value), machine.evaluate(target.index))
+            delete_item(machine, machine.evaluate(target.value), machine.evaluate(target.index))
     return None
 
 

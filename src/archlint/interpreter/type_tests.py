@@ -13,6 +13,7 @@ from collections.abc import Iterator
 from functools import lru_cache
 from typing import TYPE_CHECKING
 
+from archlint.interpreter import containers
 from archlint.interpreter.heap import Items
 from archlint.interpreter.values import (
     FALSE,
@@ -76,8 +77,6 @@ def isinstance_of(machine: Machine, args: list[Value], keywords: dict[str, Value
 
 def classes_of(machine: Machine, given: Value) -> list[Value] | None:
     """The classes of a test, those in nested tuples too; None where not all of them are known."""
-    from archlint.interpreter import containers
-
     items = containers.iterate(machine, given) if isinstance(given, ListValue) else Items((given,))
     if items is None or items.open:
         return None

@@ -5,7 +5,10 @@ from __future__ import annotations
 from collections.abc import Callable, Hashable, Sequence
 from typing import TYPE_CHECKING
 
+from archlint.interpreter import containers, formatting
+from archlint.interpreter.attributes import get_attribute
 from archlint.interpreter.heap import JOINED_LIMIT, Entries, Items
+from archlint.interpreter.items import delete_item, get_entry, get_item, set_item
 from archlint.interpreter.values import (
     FALSE,
     NONE,
@@ -35,8 +38,6 @@ Keywords = dict[str, Value]
 
 def update_entries(machine: Machine, entries: dict[Hashable, tuple[Value, Value]], source: Value) -> bool:
     """Add the entries of a dict or of pairs; False where not all are known."""
-    from archlint.interpreter import containers
-
     if isinstance(source, DictValue):
         other = containers.entries_of(machine, source)
         entries.update(other.entries)
@@ -133,8 +134,6 @@ def _method_of_container(machine: Machine, target: ListValue | DictValue, name: 
 def _text_method(
     machine: Machine, target: Known, name: str, args: Arguments, keywords: Keywords, e: facts.Call | None
 ) -> Value:
-    from archlint.interpreter import containers, formatting
-
     text = target.value
     assert isinstance(text, str)
     if name == "format":
@@ -227,9 +226,6 @@ def _holed_method(machine: Machine, target: Holed, name: str, args: Arguments) -
 def _format(machine: Machine, template: Known, args: Arguments, keywords: Keywords, e: facts.Call | None) -> Value:
     import string
 
-    from archlint.interpreter import containers, formatting
-    from archlint.interpreter.attributes import get_attribute
-
     parts: list[Value] = []
     automatic = 0
     try:
@@ -252,7 +248,7 @@ def _format(machine: Machine, template: Known, args: Arguments, keywords: Keywor
             if step.startswith("["):
                 inside = step[1:-1]
                 index = Known(int(inside)) if _is_index(inside) else Known(inside)
-                value = containers.get_item(machine, value, index)
+                value = get_item(machine, value, index)
             else:
                 value = get_attribute(machine, value, step)
         if spec or conversion in ("r", "a"):
@@ -267,8 +263,6 @@ def _is_index(text: str) -> bool:
 
 
 def _list_method(machine: Machine, target: ListValue, name: str, args: Arguments, keywords: Keywords) -> Value:
-    from archlint.interpreter import containers
-
     items = containers.items_of(machine, target)
 
     def put(values: tuple[Value, ...], open_: bool, whole: bool = False) -> None:
@@ -342,8 +336,6 @@ def _default(args: Arguments) -> Value:
 
 
 def _dict_method(machine: Machine, target: DictValue, name: str, args: Arguments, keywords: Keywords) -> Value:
-    from archlint.interpreter import containers
-
     entries = containers.entries_of(machine, target)
     if name == "items":
         rows: list[Value] = [
@@ -355,7 +347,7 @@ def _dict_method(machine: Machine, target: DictValue, name: str, args: Arguments
     if name == "values":
         return containers.new_list(machine, [value for _, value in entries.entries.values()], "list", entries.open)
     if name == "get" and args:
-        return one_of(containers.get_entry(machine, target, at, _default(args)) for at in alternatives(args[0]))
+        return one_of(get_entry(machine, target, at, _default(args)) for at in alternatives(args[0]))
     if name == "setdefault" and args:
         at = containers.hashable(args[0])
         if at is not None and at in entries.entries:
@@ -363,7 +355,7 @@ def _dict_method(machine: Machine, target: DictValue, name: str, args: Arguments
         value = args[1] if len(args) > 1 else NONE
         if entries.open:
             value = one_of((value, Unknown("the dict has entries that are not known")))
-        containers.set_item(machine, target, args[0], value)
+        set_item(machine, target, args[0], value)
         return value
     if name == "update":
         updated = dict(entries.entries)
@@ -376,8 +368,8 @@ def _dict_method(machine: Machine, target: DictValue, name: str, args: Arguments
         return NONE
     if name == "pop" and args:
         fallback = args[1] if len(args) > 1 else None
-        value = containers.get_entry(machine, target, args[0], fallback)
-        containers.delete_item(machine, target, args[0])
+        value = get_entry(machine, target, args[0], fallback)
+        delete_item(machine, target, args[0])
         return value
     if name == "popitem":
         machine.store.set(target.key, "#items", Entries(entries.entries, True))

@@ -15,8 +15,8 @@ from archlint import model
 from archlint.faults import Faults
 from archlint.finding import Place
 from archlint.interpreter.activation import Activation
-from archlint.interpreter.attributes import class_lookup
 from archlint.interpreter.call_site import CallSite
+from archlint.interpreter.classes import class_lookup
 from archlint.interpreter.heap import Store
 from archlint.interpreter.machine import TEST_STEPS
 from archlint.interpreter.modules import Module, ModuleIndex
