@@ -16,7 +16,7 @@ import pytest
 import archlint
 from archlint.cli import main
 from archlint.config.settings import Settings
-from archlint.engine import pipeline
+from archlint.engine import findings
 from archlint.engine.pipeline import Request, check
 
 ROOT = Path(__file__).parents[2]
@@ -98,7 +98,7 @@ def test_another_workspace_is_judged_in_between(tmp_path: Path, monkeypatch: pyt
         (tmp_path / folder).mkdir(parents=True)
         (tmp_path / folder / "robot.py").write_text(dedent(NODE).lstrip(), encoding="utf-8")
     monkeypatch.chdir(tmp_path)
-    judged, inside = pipeline._rules, []
+    judged, inside = findings._rules, []
 
     def rules(settings, systems):
         if not inside:
@@ -110,7 +110,7 @@ def test_another_workspace_is_judged_in_between(tmp_path: Path, monkeypatch: pyt
         report = check(Request((folder,), Settings(), cached=False, jobs=1))
         return [(one.code, one.place.file) for one in report.findings if one.code == "TMO001"]
 
-    monkeypatch.setattr(pipeline, "_rules", rules)
+    monkeypatch.setattr(findings, "_rules", rules)
     assert places("tests/robot") == [("TMO001", "tests/robot/robot.py")]
     assert inside == ["other", [("TMO001", "other/robot.py")]]
 

@@ -168,7 +168,7 @@ def _policy(value: Value) -> tuple[str | float, ...]:
         return tuple(values)
     for one in values or [None]:
         if one not in POLICIES[key]:
-            near = did_you_mean(str(one).lower(), POLICIES[key], quote="")
+            near = did_you_mean(str(one), POLICIES[key], quote="")
             raise value.error(f"`{'.'.join(value.path)}` must be {' or '.join(POLICIES[key])}{near}")
     return tuple(values)
 
