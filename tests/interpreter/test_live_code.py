@@ -191,3 +191,39 @@ def test_a_state_that_nothing_sets_is_not_reached(tmp_path, monkeypatch):
 def test_a_method_that_foreign_code_calls_runs_in_any_state(tmp_path, monkeypatch):
     later = "if self.items > 2:\n            self.create_publisher(String, 'said', 10)\n        self.items += 1"
     assert [name for name, _ in endpoints(tmp_path, monkeypatch, robot("pass", "0", later=later))] == ["/said"]
+
+
+ACTION = """\
+import rclpy
+from example_interfaces.action import Fibonacci
+from rclpy.action import ActionServer
+from rclpy.node import Node
+from std_msgs.msg import String
+
+class Robot(Node):
+    def __init__(self):
+        super().__init__('robot')
+        self.server = ActionServer(self, Fibonacci, 'go', self.execute)
+
+    def execute(self, goal_handle):
+        if {asked}:
+            goal_handle.canceled()
+            return Fibonacci.Result()
+        self.create_publisher(String, 'said', 10)
+        goal_handle.succeed()
+        return Fibonacci.Result()
+
+def main():
+    rclpy.init()
+    rclpy.spin(Robot())
+
+if __name__ == '__main__':
+    main()
+"""
+
+
+@pytest.mark.parametrize(
+    "asked", ["goal_handle.is_cancel_requested", "not goal_handle.is_active", "goal_handle.status == 5"]
+)
+def test_what_an_object_of_a_library_has_may_be_true_or_not(tmp_path, monkeypatch, asked):
+    assert [name for name, _ in endpoints(tmp_path, monkeypatch, ACTION.format(asked=asked))] == ["/said"]

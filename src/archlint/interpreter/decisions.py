@@ -11,6 +11,7 @@ from archlint.interpreter.containers import entries_of, hashable, items_of, iter
 from archlint.interpreter.operators import compare_values, is_object
 from archlint.interpreter.type_tests import classes_of, is_any
 from archlint.interpreter.values import (
+    ApiMethod,
     Builtin,
     ClassValue,
     DictValue,
@@ -54,6 +55,8 @@ def truth(machine: Machine, value: Value) -> bool | None:
         return True if any(value.parts) else None
     if isinstance(value, Instance) and isinstance(value.cls, ClassValue):
         return _object_truth(machine, value, value.cls)
+    if isinstance(value, ApiMethod):
+        return None  # what a library's object has may be a property: goal_handle.is_cancel_requested
     if is_object(value):
         return True
     return None
