@@ -18,7 +18,7 @@ from archlint.interpreter.containers import entries_of, items_of
 from archlint.interpreter.heap import Store
 from archlint.interpreter.modules import Module, ModuleIndex
 from archlint.interpreter.values import DictValue, Known, ListValue, OneOf, Unknown, Value
-from archlint.libraries.library import RosLibrary
+from archlint.launch.library import LaunchLibrary
 from archlint.libraries.run import Run
 from archlint.syntax.facts import Expression, Facts
 from archlint.syntax.python.deep_stack import call_with_deep_stack
@@ -121,7 +121,7 @@ def interpret(source: str, **others: str) -> Interpreted:
     index = ModuleIndex(files.values(), lambda file: compiled[file.path])
     place = Place("robot/it.py", 1, 1, 1, 1)
     program = model.Program("it", "robot", "robot/it.py")
-    run = Run(RosLibrary, index, Store(), program, model.Callback("main", "it", place, None))
+    run = Run(LaunchLibrary, index, Store(), program, model.Callback("main", "it", place, None))
     module = index.module(files["it"])
     assert module is not None
     call_with_deep_stack(lambda: run.import_module(module))

@@ -22,6 +22,7 @@ from archlint.interpreter.values import (
     reason,
 )
 from archlint.launch.substitutions import SUBSTITUTIONS, made_by_base, package_share, perform
+from archlint.libraries.api_use import argument_places
 from archlint.syntax import facts
 
 CONDITIONS = ("IfCondition", "UnlessCondition", "LaunchConfigurationEquals", "LaunchConfigurationNotEquals")
@@ -29,15 +30,13 @@ CONDITIONS = ("IfCondition", "UnlessCondition", "LaunchConfigurationEquals", "La
 if TYPE_CHECKING:
     from archlint.finding import Place
     from archlint.interpreter.call_site import CallSite
-    from archlint.libraries.rclpy.effects import ApiUse
+    from archlint.libraries.api_use import ApiUse
     from archlint.libraries.run import Run
 
 
 def launch_object(run: Run, call: ApiUse) -> Value:
     """An action, substitution, condition … with its arguments by name, where each is written, and the branches
     of the launch file's own code that it is made in."""
-    from archlint.libraries.rclpy.effects import argument_places
-
     place = run.place(call.expression.span) if call.expression is not None and run.activations else None
     made = Instance(External(call.api.path), run.store.new_key(), place, dict(call.arguments))
     note_made(run, call.api.kind, place)
@@ -269,22 +268,13 @@ GIVEN = "#given"
 """The slot of what :func:`note_given` keeps."""
 
 
-def _entities(run: Run, description: Instance) -> Value | None:
+def entities(run: Run, description: Instance) -> Value | None:
     """``LaunchDescription.entities``."""
     actions = run.store.get(description.key, "#entities")
     return containers.new_list(run, actions.values, "list", actions.open) if isinstance(actions, Items) else None
 
 
-OBJECT_ATTRIBUTES = {"launch.LaunchDescription.entities": _entities}
-SUBCLASSES = {"launch.Substitution": frozenset(f"launch.{name}" for name in SUBSTITUTIONS)}
+EFFECTS = {"launch_object": launch_object, "package_path": package_path}
+"""By the names that the rows of launch's table have."""
 
-__all__ = [
-    "GIVEN",
-    "METHODS",
-    "OBJECT_ATTRIBUTES",
-    "PLAIN",
-    "SUBCLASSES",
-    "launch_object",
-    "note_given",
-    "package_path",
-]
+__all__ = ["EFFECTS", "GIVEN", "METHODS", "PLAIN", "entities", "note_given"]

@@ -19,6 +19,7 @@ from archlint.interpreter.values import DictValue, External, Instance, Known, On
 from archlint.launch.argument_names import AGAIN, ArgumentNames
 from archlint.launch.conditions import Verdict
 from archlint.launch.context import Context
+from archlint.launch.library import LaunchLibrary
 from archlint.launch.model import (
     Arms,
     FileReference,
@@ -32,7 +33,6 @@ from archlint.launch.model import (
     merge,
     once_more,
 )
-from archlint.libraries.library import RosLibrary
 from archlint.libraries.run import Run
 
 if TYPE_CHECKING:
@@ -49,7 +49,7 @@ class LaunchRun(Run):
     def __init__(self, index: ModuleIndex, store: Store, loader: LaunchLoader, file: str, result: Launched) -> None:
         place = Place(file, 1, 1, 1, 1)
         super().__init__(
-            RosLibrary,
+            LaunchLibrary,
             index,
             store,
             model.Program(file, None, file),

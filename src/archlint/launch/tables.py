@@ -156,6 +156,8 @@ FUNCTIONS = {
 @lru_cache(maxsize=4096)
 def find(path: str) -> Api | None:
     """The row of a class of launch or launch_ros, by any name it is imported under."""
+    if not path.startswith(("launch", "ament_index_python.", "nav2_common.launch.")):
+        return None
     top, _, rest = path.partition(".")
     if path in FUNCTIONS:
         parameter, kind = FUNCTIONS[path]

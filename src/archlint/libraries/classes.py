@@ -3,14 +3,8 @@
 from __future__ import annotations
 
 from archlint.interpreter.values import ClassValue, External, ForeignValue, Value
-from archlint.libraries import tables
 from archlint.libraries.rclpy.names import interface_and_part
 from archlint.libraries.rclpy.values import MessageValue
-
-SUBCLASSES: dict[str, frozenset[str]] = {}
-"""The classes of libraries that derive from one of theirs, by its name: each library adds its own."""
-
-_OF_LAUNCH = ("launch_object", "package_path")
 
 
 def class_of(value: ForeignValue) -> Value | None:
@@ -32,20 +26,11 @@ def is_instance(value: ForeignValue, cls: Value, python: type | None) -> bool | 
     return None if interface is None else (interface, part) == (value.type, value.part)
 
 
-def is_subclass(path: str, cls: Value) -> bool | None:
-    """Whether a foreign class is the class ``cls`` or derives from it: True, or not known."""
-    row = tables.find(cls.path) if isinstance(cls, External) else None
-    if row is None or row.effect not in _OF_LAUNCH:
-        return None
-    return True if path == row.path or path in SUBCLASSES.get(row.path, ()) else None
-
-
 def is_ordinary(path: str) -> bool:
     """Whether a class of another package is one that no constant or collection is ever an object of."""
-    row = tables.find(path)
-    if path.startswith("rclpy.") or (row is not None and row.effect in _OF_LAUNCH):
+    if path.startswith("rclpy."):
         return not path.rpartition(".")[2].startswith(("Some", "Allowable"))  # aliases for several types
     return interface_and_part(path)[0] is not None
 
 
-__all__ = ["SUBCLASSES", "class_of", "is_instance", "is_ordinary", "is_subclass"]
+__all__ = ["class_of", "is_instance", "is_ordinary"]

@@ -7,7 +7,7 @@ from contextlib import AbstractContextManager
 from typing import TYPE_CHECKING
 
 from archlint.interpreter.library import Library
-from archlint.interpreter.values import ApiMethod, Builtin, ClassValue, External, ForeignValue, Instance, Known, Value
+from archlint.interpreter.values import ApiMethod, Builtin, External, ForeignValue, Instance, Known, Value
 from archlint.libraries import classes, interest
 from archlint.libraries.python import command_line, environment, tasks
 from archlint.libraries.rclpy import attributes, effects, escapes, messages, names, nodes, profiles, refusals
@@ -24,19 +24,21 @@ if TYPE_CHECKING:
 class RosLibrary(Library):
     """What Python's own library, rclpy and its kin are known to do in a run."""
 
+    offers = effects.OFFERS
+
     def __init__(self, run: Run) -> None:
         self.run = run
 
     # --------------------------------------------------------------------------------- functions and methods
 
     def call_function(self, function: External, site: CallSite) -> Value:
-        return effects.call_external(self.run, function, site)
+        return effects.call_external(self.run, self.offers, function, site)
 
     def call_method(self, method: ApiMethod, site: CallSite) -> Value:
-        return effects.call_method(self.run, method, site)
+        return effects.call_method(self.run, self.offers, method, site)
 
     def call_builtin(self, function: Builtin, site: CallSite) -> Value:
-        return effects.call_builtin(self.run, function.name, site)
+        return effects.call_builtin(self.run, self.offers, function.name, site)
 
     def refuses(self, method: ApiMethod, given: int, keywords: Collection[str]) -> bool:
         return refusals.refuses(method, given, keywords)
@@ -73,10 +75,7 @@ class RosLibrary(Library):
         return attributes.of_value(self.run, value, name)
 
     def attribute_of_object(self, value: Instance, cls: External, name: str) -> Value:
-        path = names.canonical(cls.path)
-        handler = effects.OBJECT_ATTRIBUTES.get(f"{path}.{name}")
-        found = None if handler is None else handler(self.run, value)
-        return attributes.of_object(self.run, value, path, name) if found is None else found
+        return attributes.of_object(self.run, value, names.canonical(cls.path), name)
 
     def inherited(self, value: Value, base: External, name: str) -> Value:
         return attributes.inherited(self.run, value, names.canonical(base.path), name)
@@ -107,9 +106,6 @@ class RosLibrary(Library):
     def is_instance(self, value: ForeignValue, cls: Value, python: type | None) -> bool | None:
         return classes.is_instance(value, cls, python)
 
-    def is_subclass(self, path: str, cls: Value) -> bool | None:
-        return classes.is_subclass(path, cls)
-
     def is_ordinary_class(self, path: str) -> bool:
         return classes.is_ordinary(path)
 
@@ -125,9 +121,6 @@ class RosLibrary(Library):
 
     def allocated(self, made: Instance) -> None:
         nodes.adopt(self.run, made)
-
-    def constructing(self, made: Instance, cls: ClassValue, site: CallSite) -> None:
-        effects.constructing(self.run, made, cls, site)
 
     def rebound(self, value: Instance, before: object) -> None:
         nodes.note_replaced(self.run, value, before)

@@ -578,8 +578,4 @@ def find(path: str) -> Api | None:
         return TABLE.get(f"threading.Event.{name}")
     if cls.startswith("rclpy.lifecycle.") and not name.startswith("__"):
         return TABLE.get(f"rclpy.node.Node.{name}")
-    if path.startswith(("launch", "ament_index_python.", "nav2_common.launch.")):
-        from archlint.launch import tables
-
-        return tables.find(path)
     return None

@@ -20,7 +20,7 @@ from archlint.interpreter import containers
 from archlint.interpreter.heap import Store
 from archlint.interpreter.modules import Module, ModuleIndex
 from archlint.interpreter.values import DictValue, Known, OneOf, Value
-from archlint.libraries.library import RosLibrary
+from archlint.launch.library import LaunchLibrary
 from archlint.libraries.setuptools.setup_run import SetupRun
 from archlint.programs.installs import console_script, read_cmake
 from archlint.programs.linker import EntryPoint
@@ -176,7 +176,7 @@ def _read_setup(installs: Installs, module: Module, index: ModuleIndex, tree: Tr
     installs.build_files.append(module.path)
     place = Place(module.path, 1, 1, 1, 1)
     program = model.Program("setup", module.file.package, module.path)
-    run = SetupRun(RosLibrary, index, Store(), program, model.Callback("module", "setup", place, None))
+    run = SetupRun(LaunchLibrary, index, Store(), program, model.Callback("module", "setup", place, None))
     run.faults = faults
     run.import_module(module)
     if run.program.exhausted:

@@ -22,8 +22,8 @@ from archlint.interpreter.machine import TEST_STEPS
 from archlint.interpreter.modules import Module, ModuleIndex
 from archlint.interpreter.roots import enter_root
 from archlint.interpreter.values import ClassValue, FunctionValue, Value
+from archlint.launch.library import LaunchLibrary
 from archlint.libraries.interest import interesting
-from archlint.libraries.library import RosLibrary
 from archlint.libraries.python import command_line
 from archlint.libraries.rclpy import escapes, nodes
 from archlint.libraries.run import Run
@@ -179,7 +179,7 @@ class Linker:
         place = Place(module.path, 1, 1, 1, 1)
         program = model.Program(name, module.file.package, module.path)
         context = model.Callback(role, name, place, None, file=module.path)
-        run = Run(RosLibrary, self.index, self.store, program, context, self.interfaces, overrides)
+        run = Run(LaunchLibrary, self.index, self.store, program, context, self.interfaces, overrides)
         run.at_spin = run_pending
         run.faults = self.faults
         self.budget.grant(run, TEST_STEPS if self.index.roles.is_test(module.path) else run.left)

@@ -29,7 +29,7 @@ from archlint.interpreter.values import (
 from archlint.syntax import facts
 
 if TYPE_CHECKING:
-    from archlint.libraries.rclpy.effects import ApiUse
+    from archlint.libraries.api_use import ApiUse
     from archlint.libraries.run import Run
 
 WORDS = 400

@@ -29,7 +29,7 @@ from archlint.libraries.setuptools import setup_run
 from archlint.syntax import facts
 
 if TYPE_CHECKING:
-    from archlint.libraries.rclpy.effects import ApiUse
+    from archlint.libraries.api_use import ApiUse
     from archlint.libraries.run import Run
 
 
@@ -83,10 +83,6 @@ def environment(run: Run, call: ApiUse) -> Value:
     default = call.get("default")
     return Unknown(name) if default is None else one_of((as_default(default), Unknown(name)))
 
-
-Method = Callable[["Run", Value, list[Value], dict[str, Value], "facts.Call | None"], Value]
-
-METHODS: dict[str, Method] = {}
 
 Plain = Callable[["Run", list[Value], dict[str, Value], "facts.Call | None"], Value]
 
@@ -251,4 +247,4 @@ def _path_part(args: list[Value], at: int) -> Value:
     return Unknown(reason(*args))
 
 
-__all__ = ["METHODS", "PLAIN"]
+__all__ = ["PLAIN"]

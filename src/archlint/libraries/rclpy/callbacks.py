@@ -35,7 +35,7 @@ from archlint.libraries.rclpy.values import EntityValue, FutureValue, MessageVal
 from archlint.syntax import facts
 
 if TYPE_CHECKING:
-    from archlint.libraries.rclpy.effects import ApiUse
+    from archlint.libraries.api_use import ApiUse
     from archlint.libraries.run import Run
 
 WAYS = 16

@@ -3,15 +3,12 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from archlint import model
-from archlint.finding import Place
 from archlint.interpreter.values import (
     ApiMethod,
-    ClassValue,
     External,
     Instance,
     Known,
@@ -21,9 +18,21 @@ from archlint.interpreter.values import (
     alternatives,
     one_of,
 )
-from archlint.libraries import classes, tables
-from archlint.libraries.python import clocks
-from archlint.libraries.rclpy import guards, messages, names
+from archlint.libraries import tables
+from archlint.libraries.api_use import ApiUse, Effect, Offers, argument_places, bind_api, creations_of
+from archlint.libraries.python import clocks, command_line, effects
+from archlint.libraries.rclpy import (
+    callbacks,
+    entities,
+    escapes,
+    executors,
+    guards,
+    messages,
+    names,
+    nodes,
+    parameters,
+    profiles,
+)
 from archlint.libraries.rclpy.values import EntityValue, ExecutorValue, FutureValue, MessageValue
 from archlint.libraries.tables import Api
 from archlint.syntax import facts
@@ -33,67 +42,19 @@ if TYPE_CHECKING:
     from archlint.libraries.run import Run
 
 
-@dataclass
-class ApiUse:
-    """One call of an API: what it was called on, and its arguments by the API's own parameter names."""
-
-    api: Api
-    receiver: Value | None
-    arguments: dict[str, Value]
-    expression: facts.Call | None
-    open: bool
-    """True where more arguments may follow than are known."""
-    rest: list[Value]
-    """Positional arguments beyond the signature."""
-    keywords: dict[str, Value]
-
-    def get(self, name: str | None) -> Value | None:
-        return None if name is None else self.arguments.get(name)
-
-
-Effect = Callable[["Run", ApiUse], Value]
-
-
-def bind_api(api: Api, args: list[Value], keywords: dict[str, Value]) -> tuple[dict[str, Value], list[Value]]:
-    bound = dict(zip(api.positional, args, strict=False))
-    for name, value in keywords.items():
-        bound.setdefault(name, value)
-    return bound, args[len(api.positional) :]
-
-
-def argument_places(run: Run, api: Api, e: facts.Call | None, skip: int = 0) -> dict[str, Place]:
-    """Where each argument of a call is written, by the API's parameter names."""
-    found: dict[str, Place] = {}
-    if e is None or not run.activations:
-        return found
-    position = -skip
-    for argument in e.args:
-        if argument.star:
-            break
-        span = getattr(argument.value, "span", None)
-        if argument.keyword is not None:
-            name: str | None = argument.keyword
-        else:
-            name = api.positional[position] if 0 <= position < len(api.positional) else None
-            position += 1
-        if name is not None and span is not None:
-            found[name] = run.place(span)
-    return found
-
-
-def call_external(run: Run, function: External, site: CallSite) -> Value:
+def call_external(run: Run, offers: Offers, function: External, site: CallSite) -> Value:
     """Call a foreign function or class by its dotted name."""
     path = names.canonical(function.path)
     interface, part = names.interface_and_part(path)
     if interface is not None:
         return _make_message(run, interface, part, site.keywords, site.expression)
-    api = tables.find(path)
+    api = offers.row(path)
     if api is not None:
         receiver = None
         if _is_method(path) and site.args and api.node is None and api.effect != "qos_preset":
             receiver, site = site.args[0], replace(site, args=site.args[1:])  # Node.__init__(self, …) and the like
-        return use(run, api, receiver, site)
-    plain = effects.PLAIN.get(path)
+        return use(run, offers, api, receiver, site)
+    plain = offers.plain.get(path)
     if plain is not None:
         return plain(run, site.args, site.keywords, site.expression)
     if not escapes.is_own(path):
@@ -111,24 +72,24 @@ def _is_method(path: str) -> bool:
     return owner[:1].isupper()
 
 
-def call_method(run: Run, function: ApiMethod, site: CallSite) -> Value:
+def call_method(run: Run, offers: Offers, function: ApiMethod, site: CallSite) -> Value:
     """Call a method of a foreign class, or one that a class of ours inherits from it."""
     path = function.path
     receiver = function.self_value
-    api = tables.find(path)
+    api = offers.row(path)
     if api is None and path.endswith(".__init__") and isinstance(receiver, Instance):
-        api = tables.find(path.removesuffix(".__init__"))
+        api = offers.row(path.removesuffix(".__init__"))
         if api is not None and api.effect == "executor":
             return executors.adopt_executor(run, api, receiver, site)
-        if api is not None and api.effect in ("endpoint", "launch_object"):
+        if api is not None and api.effect in offers.bases:
             # A class of ours derived from, say, ActionServer.
-            return use(run, api, receiver, site)
+            return use(run, offers, api, receiver, site)
         nodes.name_by_foreign_base(run, receiver, path)
         escapes.to_call(run, site.values, path, site.expression)
         return Unknown(f"{path} is outside of this workspace")
     if api is not None:
-        return use(run, api, receiver, site)
-    method = effects.METHODS.get(path)
+        return use(run, offers, api, receiver, site)
+    method = offers.methods.get(path)
     if method is not None:
         return method(run, receiver, site.args, site.keywords, site.expression)
     if not escapes.is_own(path) or names.is_missing_method(path):
@@ -136,46 +97,30 @@ def call_method(run: Run, function: ApiMethod, site: CallSite) -> Value:
     return Unknown(f"{path.removeprefix('?.')}() is outside of this workspace")
 
 
-def call_builtin(run: Run, name: str, site: CallSite) -> Value:
+def call_builtin(run: Run, offers: Offers, name: str, site: CallSite) -> Value:
     """``input()`` waits for a user; of ``open()`` only those who read files know what it gives."""
-    api = tables.find(f"builtins.{name}")
+    api = offers.row(f"builtins.{name}")
     if api is not None and site.expression is not None:
         record(run, api, None, {}, site.expression)
     if name == "input":
         return Unknown("what a user types")
-    return effects.PLAIN[name](run, site.args, site.keywords, site.expression)
+    plain = offers.plain.get(name)
+    if plain is None:
+        return Unknown(f"what {name}() gives")
+    return plain(run, site.args, site.keywords, site.expression)
 
 
-CONSTRUCTING: list[Callable[[Run, Instance, ClassValue, CallSite], None]] = []
-"""What watches the constructors of classes of ours: each library adds its own."""
-
-
-def constructing(run: Run, made: Instance, cls: ClassValue, site: CallSite) -> None:
-    for watcher in CONSTRUCTING:
-        watcher(run, made, cls, site)
-
-
-OBJECT_ATTRIBUTES: dict[str, Callable[[Run, Instance], Value | None]] = {}
-"""Attributes of objects of foreign classes that are values: each library adds its own."""
-
-
-def use(run: Run, api: Api, receiver: Value | None, site: CallSite) -> Value:
+def use(run: Run, offers: Offers, api: Api, receiver: Value | None, site: CallSite) -> Value:
     if isinstance(receiver, OneOf):
         options = [option for option in receiver.values if not isinstance(option, Known)]
         if len(options) > 1:
-            return one_of(use(run, api, o, site) for o in options)
+            return one_of(use(run, offers, api, o, site) for o in options)
         receiver = options[0] if options else receiver
     bound, rest = bind_api(api, site.args, site.keywords)
     call = ApiUse(api, receiver, bound, site.expression, site.open, rest, site.keywords)
     if api.watched and site.expression is not None:
         record(run, api, receiver, bound, site.expression)
-    return EFFECTS[api.effect](run, call)
-
-
-def creations_of(value: Value | None) -> tuple[model.Creation, ...]:
-    if isinstance(value, (EntityValue, FutureValue)):
-        return value.creations
-    return ()
+    return offers.effects[api.effect](run, call)
 
 
 def record(run: Run, api: Api, receiver: Value | None, bound: dict[str, Value], e: facts.Call) -> None:
@@ -360,16 +305,6 @@ def _get_interface(run: Run, call: ApiUse) -> Value:
     return one_of(found)
 
 
-from archlint.launch import effects as launch_effects
-from archlint.libraries.python import command_line, effects
-from archlint.libraries.rclpy import callbacks, entities, escapes, executors, nodes, parameters, profiles
-
-effects.METHODS.update({**launch_effects.METHODS, **command_line.METHODS})
-effects.PLAIN.update({**launch_effects.PLAIN, **command_line.PLAIN})
-OBJECT_ATTRIBUTES.update(launch_effects.OBJECT_ATTRIBUTES)
-CONSTRUCTING.append(launch_effects.note_given)
-classes.SUBCLASSES.update(launch_effects.SUBCLASSES)
-
 EFFECTS: dict[str, Effect] = {
     "none": _none,
     "create_node": nodes.create_node,
@@ -414,8 +349,15 @@ EFFECTS: dict[str, Effect] = {
     "asks_for_file": effects.asks_for_file,
     "environment": effects.environment,
     "argument_parser": command_line.argument_parser,
-    "launch_object": launch_effects.launch_object,
-    "package_path": launch_effects.package_path,
 }
 
-__all__ = ["CONSTRUCTING", "EFFECTS", "OBJECT_ATTRIBUTES", "ApiUse"]
+OFFERS = Offers(
+    tables.find,
+    EFFECTS,
+    command_line.METHODS,
+    {**effects.PLAIN, **command_line.PLAIN},
+    frozenset({"endpoint"}),
+)
+"""What Python's own library, rclpy and its kin offer."""
+
+__all__ = ["EFFECTS", "OFFERS", "call_builtin", "call_external", "call_method"]

@@ -18,9 +18,9 @@ from archlint.interpreter.values import (
     join_texts,
     via,
 )
+from archlint.libraries.api_use import ApiUse, argument_places
 from archlint.libraries.rclpy import callbacks, messages, nodes, profiles
 from archlint.libraries.rclpy import names as rclpy_names
-from archlint.libraries.rclpy.effects import ApiUse, argument_places
 from archlint.libraries.rclpy.guards import guard_of, proven_of
 from archlint.libraries.rclpy.values import EntityValue
 from archlint.libraries.tables import Api

@@ -15,7 +15,7 @@ from archlint.syntax.walk import called_name, calls_in, has_literal_true, statem
 if TYPE_CHECKING:
     from archlint.finding import Place
     from archlint.interpreter.call_site import CallSite
-    from archlint.libraries.rclpy.effects import ApiUse
+    from archlint.libraries.api_use import ApiUse
     from archlint.libraries.run import Run
     from archlint.libraries.tables import Api
 

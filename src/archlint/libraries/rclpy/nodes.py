@@ -28,7 +28,7 @@ from archlint.libraries.rclpy.values import NodeValue
 from archlint.libraries.texts import text_of_value
 
 if TYPE_CHECKING:
-    from archlint.libraries.rclpy.effects import ApiUse
+    from archlint.libraries.api_use import ApiUse
     from archlint.libraries.run import Run
 
 _ROOT = model.Text("/", "exact")

@@ -29,7 +29,7 @@ from archlint.libraries.texts import text_of_value
 from archlint.syntax.parameter_files import NotKnown
 
 if TYPE_CHECKING:
-    from archlint.libraries.rclpy.effects import ApiUse
+    from archlint.libraries.api_use import ApiUse
     from archlint.libraries.run import Run
 
 _PARAMETER = External("rclpy.parameter.Parameter")

@@ -14,7 +14,7 @@ from archlint.libraries.rclpy import names as rclpy_names
 from archlint.ros.qos import Qos
 
 if TYPE_CHECKING:
-    from archlint.libraries.rclpy.effects import ApiUse
+    from archlint.libraries.api_use import ApiUse
     from archlint.libraries.run import Run
 
 PROFILE = "rclpy.qos.QoSProfile"
