@@ -104,7 +104,7 @@ class _Source:
             (method, part)
             for method in self.methods
             for part in parts_of(method.body)
-            if isinstance(part, facts.Attribute) and part.attr == attribute and not made <= part.span[0] <= made
+            if isinstance(part, facts.Attribute) and part.attr == attribute and part.span[0] != made
         ]
         asked = [(method, self._on_the_way(method, part.span[0])) for method, part in uses]
         words = frozenset(word for _, some in asked for word in some)

@@ -295,47 +295,23 @@ ROWS = [
         returns="rclpy.parameter_event_handler.ParameterEventHandler",
     ),
     # ---- callbacks handed over elsewhere
-    _row(
-        "message_filters.TimeSynchronizer.registerCallback",
-        "callback",
-        effect="callbacks",
-        callbacks=(("callback", "filter"),),
+    *(
+        _row(
+            f"message_filters.{filter_}.registerCallback",
+            "callback",
+            effect="callbacks",
+            callbacks=(("callback", "filter"),),
+        )
+        for filter_ in ("TimeSynchronizer", "ApproximateTimeSynchronizer", "Subscriber", "Cache")
     ),
-    _row(
-        "message_filters.ApproximateTimeSynchronizer.registerCallback",
-        "callback",
-        effect="callbacks",
-        callbacks=(("callback", "filter"),),
-    ),
-    _row(
-        "message_filters.Subscriber.registerCallback",
-        "callback",
-        effect="callbacks",
-        callbacks=(("callback", "filter"),),
-    ),
-    _row(
-        "message_filters.Cache.registerCallback",
-        "callback",
-        effect="callbacks",
-        callbacks=(("callback", "filter"),),
-    ),
-    _row(
-        "rclpy.node.Node.add_on_set_parameters_callback",
-        "callback",
-        effect="callbacks",
-        callbacks=(("callback", "parameter"),),
-    ),
-    _row(
-        "rclpy.node.Node.add_post_set_parameters_callback",
-        "callback",
-        effect="callbacks",
-        callbacks=(("callback", "parameter"),),
-    ),
-    _row(
-        "rclpy.node.Node.add_pre_set_parameters_callback",
-        "callback",
-        effect="callbacks",
-        callbacks=(("callback", "parameter"),),
+    *(
+        _row(
+            f"rclpy.node.Node.add_{when}_set_parameters_callback",
+            "callback",
+            effect="callbacks",
+            callbacks=(("callback", "parameter"),),
+        )
+        for when in ("on", "post", "pre")
     ),
     _row(
         "rclpy.task.Future.add_done_callback",

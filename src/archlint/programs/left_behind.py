@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING
 
 from archlint.interpreter.heap import Layer
 from archlint.interpreter.values import ClassValue, Instance, Known, OneOf, Unknown, Value, alternatives, one_of
+from archlint.libraries.rclpy.callbacks import GOAL_HANDLE
 from archlint.libraries.rclpy.values import EntityValue, ExecutorValue, NodeValue
 from archlint.syntax import facts
 from archlint.syntax.parts import names_in
@@ -51,8 +52,6 @@ def _is_news(run: Run, before: object, value: Value) -> bool:
 
 
 def _is_entity(value: Value) -> bool:
-    from archlint.libraries.rclpy.callbacks import GOAL_HANDLE
-
     entity = isinstance(value, (EntityValue, NodeValue, ExecutorValue))
     return entity or (isinstance(value, Instance) and value.cls == GOAL_HANDLE)
 
