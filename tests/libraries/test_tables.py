@@ -7,14 +7,14 @@ import pytest
 from archlint.fixes.names import _KIND
 from archlint.libraries import screen, tables
 from archlint.libraries.interest import WORDS as INTERESTING
-from archlint.libraries.rclpy.effects import EFFECTS
+from archlint.libraries.offers import OFFERS
 from archlint.libraries.rclpy.names import NODE_METHODS
 from archlint.libraries.rclpy.signatures import refuses
 
 
 @pytest.mark.parametrize("row", tables.ROWS, ids=lambda row: row.path)
 def test_a_row_has_an_effect_or_is_one_that_rules_look_at(row):
-    assert row.effect in EFFECTS
+    assert row.effect in OFFERS.effects
     assert row.effect != "none" or row.watched, "a row without an effect must be `watched`: otherwise it does nothing"
 
 

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 from archlint.analysis.callback_roles import runs_in_executor
 from archlint.analysis.kept import once
 from archlint.analysis.reach import creations_of, judged_calls, same_expression
-from archlint.libraries.rclpy.values import FutureValue
+from archlint.libraries.values import FutureValue
 from archlint.syntax import facts
 from archlint.syntax.walk import blocks_of, called_name, calls_in, parts_of
 

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 from archlint.analysis.kept import once
 from archlint.finding import Finding, Related
 from archlint.interpreter.values import Known, Value, alternatives
-from archlint.libraries.rclpy.values import EntityValue, FutureValue
+from archlint.libraries.values import EntityValue, FutureValue
 from archlint.model import ACTION_CLIENT, ACTION_SERVER, Creation
 from archlint.syntax import facts
 

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 from archlint.analysis.callback_roles import runs_in_executor
 from archlint.analysis.reach import argument, judged_calls
 from archlint.interpreter.values import Instance, alternatives
-from archlint.libraries.rclpy.values import NodeValue
+from archlint.libraries.values import NodeValue
 
 if TYPE_CHECKING:
     from archlint.model import ApiCall, Blueprint, Program

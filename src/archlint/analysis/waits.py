@@ -16,7 +16,7 @@ from archlint.analysis.reach import (
     same_expression,
 )
 from archlint.interpreter.values import Instance, Known, alternatives
-from archlint.libraries.rclpy.values import FutureValue
+from archlint.libraries.values import FutureValue
 from archlint.syntax import facts
 from archlint.syntax.control_flow import always_left
 from archlint.syntax.parts import names_in

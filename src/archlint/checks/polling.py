@@ -18,7 +18,7 @@ from archlint.analysis.reach import (
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.finding import Finding
-from archlint.libraries.rclpy.values import MessageValue
+from archlint.libraries.values import MessageValue
 from archlint.syntax import facts
 from archlint.syntax.walk import blocks_in, called_name, calls_in, has_literal_true, statements_of
 

@@ -9,9 +9,8 @@ from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.finding import Finding, Place, Related
 from archlint.interpreter.values import DictValue, EachValue, External, Instance, Known, ListValue, Value
-from archlint.libraries.api_use import creations_of
 from archlint.libraries.rclpy.names import canonical, interface_and_part
-from archlint.libraries.rclpy.values import MessageValue
+from archlint.libraries.values import MessageValue, creations_of
 from archlint.syntax import facts
 
 if TYPE_CHECKING:

@@ -174,8 +174,8 @@ class Library:
 
     # ----------------------------------------------------------------------- events: what gets out of sight
 
-    def escaped(self, values: Iterable[Value], reason: str) -> None:
-        """Values get into the hands of code that is not followed."""
+    def escaped(self, values: Iterable[Value], reason: str, at: facts.Call | None = None) -> None:
+        """Values get into the hands of code that is not followed: ``at`` a call, else where the run is."""
 
     def given_away(self, site: CallSite) -> None:
         """What a call is given gets out of sight: nothing is known of what is called."""

@@ -6,10 +6,8 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from archlint import model
 from archlint.finding import Place
 from archlint.interpreter.values import Value
-from archlint.libraries.rclpy.values import EntityValue, FutureValue
 from archlint.libraries.tables import Api
 from archlint.syntax import facts
 
@@ -62,12 +60,6 @@ def argument_places(run: Run, api: Api, e: facts.Call | None, skip: int = 0) -> 
     return found
 
 
-def creations_of(value: Value | None) -> tuple[model.Creation, ...]:
-    if isinstance(value, (EntityValue, FutureValue)):
-        return value.creations
-    return ()
-
-
 Effect = Callable[["Run", ApiUse], Value]
 Method = Callable[["Run", Value, list[Value], dict[str, Value], "facts.Call | None"], Value]
 Plain = Callable[["Run", list[Value], dict[str, Value], "facts.Call | None"], Value]
@@ -89,4 +81,4 @@ class Offers:
     """The effects of the classes whose constructors do the same for a class of ours that derives from them."""
 
 
-__all__ = ["ApiUse", "Effect", "Method", "Offers", "Plain", "argument_places", "bind_api", "creations_of"]
+__all__ = ["ApiUse", "Effect", "Method", "Offers", "Plain", "argument_places", "bind_api"]

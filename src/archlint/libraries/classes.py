@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from archlint.interpreter.values import ClassValue, External, ForeignValue, Value
 from archlint.libraries.rclpy.names import interface_and_part
-from archlint.libraries.rclpy.values import MessageValue
+from archlint.libraries.values import MessageValue
 
 
 def class_of(value: ForeignValue) -> Value | None:

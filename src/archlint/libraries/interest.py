@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from archlint.libraries import tables
-from archlint.libraries.rclpy import names
 from archlint.syntax.parts import names_in
 
 _QUIET = frozenset(
@@ -16,7 +15,7 @@ WORDS = (
         for row in tables.ROWS
         if row.effect != "none" or (row.watched and row.kind != tables.OUTSIDE)
     )
-    | names.NODE_METHODS
+    | frozenset(tables.NODE_ROWS)
     | {"Node", "LifecycleNode", "sleep", "wait", "result", "call"}
 ) - {"__init__", "join", "get", "path", "set", "exists", "isfile"}
 """Names of the API tables, as they stand in source."""

@@ -8,10 +8,11 @@ from typing import TYPE_CHECKING
 
 from archlint.interpreter.library import Library
 from archlint.interpreter.values import ApiMethod, Builtin, External, ForeignValue, Instance, Known, Value
-from archlint.libraries import classes, interest
+from archlint.libraries import calls, classes, interest
+from archlint.libraries.offers import OFFERS
 from archlint.libraries.python import command_line, environment, tasks
-from archlint.libraries.rclpy import attributes, effects, escapes, messages, names, nodes, profiles, refusals
-from archlint.libraries.rclpy.values import FutureValue, MessageValue
+from archlint.libraries.rclpy import attributes, escapes, messages, names, nodes, profiles, refusals
+from archlint.libraries.values import FutureValue, MessageValue
 
 if TYPE_CHECKING:
     from archlint.interpreter.activation import Activation
@@ -24,7 +25,7 @@ if TYPE_CHECKING:
 class RosLibrary(Library):
     """What Python's own library, rclpy and its kin are known to do in a run."""
 
-    offers = effects.OFFERS
+    offers = OFFERS
 
     def __init__(self, run: Run) -> None:
         self.run = run
@@ -32,19 +33,19 @@ class RosLibrary(Library):
     # --------------------------------------------------------------------------------- functions and methods
 
     def call_function(self, function: External, site: CallSite) -> Value:
-        return effects.call_external(self.run, self.offers, function, site)
+        return calls.call_external(self.run, self.offers, function, site)
 
     def call_method(self, method: ApiMethod, site: CallSite) -> Value:
-        return effects.call_method(self.run, self.offers, method, site)
+        return calls.call_method(self.run, self.offers, method, site)
 
     def call_builtin(self, function: Builtin, site: CallSite) -> Value:
-        return effects.call_builtin(self.run, self.offers, function.name, site)
+        return calls.call_builtin(self.run, self.offers, function.name, site)
 
     def refuses(self, method: ApiMethod, given: int, keywords: Collection[str]) -> bool:
         return refusals.refuses(method, given, keywords)
 
     def awaited(self, value: ForeignValue, expression: facts.Await) -> Value:
-        return effects.await_future(self.run, value, expression) if isinstance(value, FutureValue) else value
+        return calls.await_future(self.run, value, expression) if isinstance(value, FutureValue) else value
 
     def around_call(self, function: Value, expression: facts.Call) -> AbstractContextManager[None]:
         return tasks.apart(self.run, expression, function)
@@ -157,8 +158,8 @@ class RosLibrary(Library):
 
     # ----------------------------------------------------------------------- events: what gets out of sight
 
-    def escaped(self, values: Iterable[Value], reason: str) -> None:
-        escapes.escape(self.run, values, reason)
+    def escaped(self, values: Iterable[Value], reason: str, at: facts.Call | None = None) -> None:
+        escapes.escape(self.run, values, reason, at)
 
     def given_away(self, site: CallSite) -> None:
         escapes.to_call(self.run, site.values, "", site.expression)

@@ -19,7 +19,7 @@ if TYPE_CHECKING:
     from archlint.interpreter.library import Library
     from archlint.interpreter.modules import Module, ModuleIndex
     from archlint.interpreter.values import ClassValue, EachValue, Value
-    from archlint.libraries.rclpy.values import MessageValue
+    from archlint.libraries.values import MessageValue
     from archlint.ros.interfaces import InterfaceTable
 
 

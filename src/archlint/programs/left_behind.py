@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING
 from archlint.interpreter.heap import Layer
 from archlint.interpreter.values import ClassValue, Instance, Known, OneOf, Unknown, Value, alternatives, one_of
 from archlint.libraries.rclpy.callbacks import GOAL_HANDLE
-from archlint.libraries.rclpy.values import EntityValue, ExecutorValue, NodeValue
+from archlint.libraries.values import EntityValue, ExecutorValue, NodeValue
 from archlint.syntax import facts
 from archlint.syntax.parts import names_in
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from archlint.libraries.rclpy.values import EntityValue
+from archlint.libraries.values import EntityValue
 from archlint.model import PUBLISHER
 
 if TYPE_CHECKING:

@@ -11,6 +11,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
+from archlint.interpreter import containers
 from archlint.interpreter.call_site import CallSite
 from archlint.interpreter.values import (
     NONE,
@@ -69,8 +70,6 @@ def program_arguments(run: Run) -> Value:
 
 def give_words(run: Run, words: Sequence[str | None]) -> None:
     """Start a run with the words after the program's name; None for those that are not known."""
-    from archlint.interpreter import containers
-
     values = [Unknown("the path of the program"), *(_value_of_word(word) for word in words)]
     run.argv = containers.new_list(run, values)
 
@@ -81,8 +80,6 @@ def _value_of_word(word: str | None) -> Value:
 
 def remove_ros_args(run: Run, args: list[Value], keywords: dict[str, Value], e: facts.Call | None) -> Value:
     """``rclpy.utilities.remove_ros_args(args)``: what is outside of ``--ros-args … --``."""
-    from archlint.interpreter import containers
-
     given = args[0] if args else keywords.get("args", NONE)
     words = _items(run, program_arguments(run) if given == NONE else given)
     if words is None:
@@ -103,8 +100,6 @@ def without_ros_arguments(words: Sequence[Value]) -> list[Value]:
 
 def _items(run: Run, value: Value) -> list[Value] | None:
     """The items of a list of which all are there; None for anything else."""
-    from archlint.interpreter import containers
-
     items = containers.items_of(run, value) if isinstance(value, ListValue) else None
     return None if items is None or items.open or len(items.values) > WORDS else list(items.values)
 
@@ -164,8 +159,6 @@ def parse_args(run: Run, receiver: Value, args: list[Value], keywords: dict[str,
 def parse_known_args(
     run: Run, receiver: Value, args: list[Value], keywords: dict[str, Value], e: facts.Call | None
 ) -> Value:
-    from archlint.interpreter import containers
-
     return containers.new_list(run, _parsed(run, receiver, args, keywords, True), "tuple")
 
 
@@ -173,8 +166,6 @@ def _parsed(
     run: Run, receiver: Value, args: list[Value], keywords: dict[str, Value], some: bool
 ) -> tuple[Value, Value]:
     """The namespace, and the words that no option takes where ``some`` may be left."""
-    from archlint.interpreter import containers
-
     made = Instance(External("argparse.Namespace"), run.store.new_key())
     rest: Value = Unknown("the rest of the command line")
     if not isinstance(receiver, Instance):
@@ -269,8 +260,6 @@ def _count(value: Value) -> Any:
 
 def _value(run: Run, option: Option, found: dict[str, Any], name: str, words: list[Value]) -> Value:
     """What an attribute of the namespace holds."""
-    from archlint.interpreter import containers
-
     if name not in found:
         default = option.keywords.get("default") or _default_of_action(option.keywords.get("action")) or NONE
         text = isinstance(default, Known) and isinstance(default.value, str)

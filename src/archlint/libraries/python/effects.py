@@ -2,15 +2,19 @@
 
 from __future__ import annotations
 
+import posixpath
 from collections.abc import Callable
 from typing import TYPE_CHECKING
 
+from archlint.interpreter import containers
 from archlint.interpreter.builtin_functions import BUILTINS
 from archlint.interpreter.containers import ITEM_LIMIT
 from archlint.interpreter.values import (
+    DictValue,
     External,
     Instance,
     Known,
+    ListValue,
     OneOf,
     Partial,
     PythonValue,
@@ -24,12 +28,12 @@ from archlint.interpreter.values import (
     reason,
     via,
 )
-from archlint.libraries.rclpy import escapes, profiles
-from archlint.libraries.setuptools import setup_run
+from archlint.libraries.python import command_line
+from archlint.libraries.rclpy import profiles
 from archlint.syntax import facts
 
 if TYPE_CHECKING:
-    from archlint.libraries.api_use import ApiUse
+    from archlint.libraries.api_use import ApiUse, Effect
     from archlint.libraries.run import Run
 
 
@@ -59,8 +63,6 @@ def path_join(run: Run, call: ApiUse) -> Value:
     texts = [part.value for part in parts if isinstance(part, Known) and isinstance(part.value, str)]
     if len(texts) != len(parts):
         return Unknown(reason(*(part for part in parts if part is not None)))
-    import posixpath
-
     there = [part for part in parts if part is not None]
     return constant(posixpath.join(*texts), via(*there), origin=file_origin(*there))
 
@@ -88,9 +90,6 @@ Plain = Callable[["Run", list[Value], dict[str, Value], "facts.Call | None"], Va
 
 
 def _copy(run: Run, args: list[Value], keywords: dict[str, Value], e: facts.Call | None) -> Value:
-    from archlint.interpreter import containers
-    from archlint.interpreter.values import DictValue, ListValue
-
     found: list[Value] = []
     for value in alternatives(args[0]) if args else ():
         if isinstance(value, ListValue):
@@ -110,9 +109,6 @@ def _deep_copy(run: Run, args: list[Value], keywords: dict[str, Value], e: facts
 
 def _copied_deep(run: Run, value: Value, copies: dict[int, Value]) -> Value:
     """A copy, the containers inside it copied as well; ``copies`` has those already made, by key."""
-    from archlint.interpreter import containers
-    from archlint.interpreter.values import DictValue, ListValue
-
     if isinstance(value, OneOf):
         return one_of(_copied_deep(run, option, copies) for option in value.values)
     if not isinstance(value, (ListValue, DictValue)):
@@ -147,7 +143,7 @@ def _decorator(run: Run, args: list[Value], keywords: dict[str, Value], e: facts
 def _namespace(run: Run, args: list[Value], keywords: dict[str, Value], e: facts.Call | None) -> Value:
     made = Instance(External("types.SimpleNamespace"), run.store.new_key())
     for name, value in keywords.items():
-        escapes.kept(run, made.key, (value,), name)
+        run.library.kept(made.key, (value,), name)
         run.store.set(made.key, name, value)
     return made
 
@@ -157,8 +153,6 @@ def _auto(run: Run, args: list[Value], keywords: dict[str, Value], e: facts.Call
 
 
 def _default_dict(run: Run, args: list[Value], keywords: dict[str, Value], e: facts.Call | None) -> Value:
-    from archlint.interpreter import containers
-
     made = containers.new_dict(run, {}, len(args) > 1)
     if args:
         run.store.set(made.key, "#factory", args[0])
@@ -167,8 +161,6 @@ def _default_dict(run: Run, args: list[Value], keywords: dict[str, Value], e: fa
 
 def _named_tuple(run: Run, args: list[Value], keywords: dict[str, Value], e: facts.Call | None) -> Value:
     """``namedtuple('Point', 'x y')``: a class whose objects have these fields."""
-    from archlint.interpreter import containers
-
     fields = args[1] if len(args) > 1 else keywords.get("field_names")
     if isinstance(fields, Known) and isinstance(fields.value, str):
         names: list[Value] = [Known(name) for name in fields.value.replace(",", " ").split()]
@@ -191,8 +183,6 @@ def _named_tuple(run: Run, args: list[Value], keywords: dict[str, Value], e: fac
 
 
 def _product(run: Run, args: list[Value], keywords: dict[str, Value], e: facts.Call | None) -> Value:
-    from archlint.interpreter import containers
-
     rows: list[list[Value]] = [[]]
     for arg in args:
         items = containers.iterate(run, arg)
@@ -203,7 +193,6 @@ def _product(run: Run, args: list[Value], keywords: dict[str, Value], e: facts.C
 
 
 PLAIN: dict[str, Plain] = {
-    **setup_run.PLAIN,
     "copy.copy": _copy,
     "copy.deepcopy": _deep_copy,
     "collections.OrderedDict": _builtin("dict"),
@@ -224,8 +213,6 @@ PLAIN: dict[str, Plain] = {
 
 
 def _chain(run: Run, args: list[Value]) -> Value:
-    from archlint.interpreter import containers
-
     values: list[Value] = []
     open_ = False
     for arg in args:
@@ -240,11 +227,18 @@ def _chain(run: Run, args: list[Value]) -> Value:
 
 
 def _path_part(args: list[Value], at: int) -> Value:
-    import posixpath
-
     if args and isinstance(args[0], Known) and isinstance(args[0].value, str):
         return Known(posixpath.split(args[0].value)[at], args[0].via)
     return Unknown(reason(*args))
 
 
-__all__ = ["PLAIN"]
+EFFECTS: dict[str, Effect] = {
+    "import_module": import_module,
+    "partial": partial,
+    "path_join": path_join,
+    "asks_for_file": asks_for_file,
+    "environment": environment,
+    "argument_parser": command_line.argument_parser,
+}
+
+__all__ = ["EFFECTS", "PLAIN"]

@@ -7,6 +7,7 @@ from contextlib import contextmanager
 from typing import TYPE_CHECKING
 
 from archlint.interpreter.values import BoundMethod, External, FunctionValue, Unknown, Value
+from archlint.libraries.rclpy import callbacks
 from archlint.syntax import facts
 
 if TYPE_CHECKING:
@@ -32,8 +33,6 @@ def apart(run: Run, e: facts.Call, function: Value) -> Iterator[None]:
     if id(e) not in run.coroutines or not (isinstance(inner, FunctionValue) and getattr(inner.ir, "is_async", False)):
         yield
         return
-    from archlint.libraries.rclpy import callbacks
-
     kept = run.context
     run.context = callbacks.describe(run, function)
     run.context.role = "thread"

@@ -15,7 +15,7 @@ from archlint.interpreter.values import (
     Value,
 )
 from archlint.libraries.rclpy import executors, messages, names
-from archlint.libraries.rclpy.values import EntityValue, ExecutorValue, FutureValue, MessageValue, NodeValue
+from archlint.libraries.values import EntityValue, ExecutorValue, FutureValue, MessageValue, NodeValue
 
 if TYPE_CHECKING:
     from archlint.libraries.run import Run

@@ -7,6 +7,9 @@ from typing import TYPE_CHECKING, Any
 
 from archlint import model
 from archlint.finding import Place
+from archlint.interpreter import containers
+from archlint.interpreter.attributes import get_attribute
+from archlint.interpreter.bindings import bound_names
 from archlint.interpreter.call_site import CallSite
 from archlint.interpreter.identity import Key, kind_key
 from archlint.interpreter.modules import Scope
@@ -29,10 +32,15 @@ from archlint.interpreter.values import (
     alternatives,
 )
 from archlint.libraries import tables
+from archlint.libraries.interest import interesting
 from archlint.libraries.rclpy import messages
 from archlint.libraries.rclpy import names as rclpy_names
-from archlint.libraries.rclpy.values import EntityValue, FutureValue, MessageValue, NodeValue
+from archlint.libraries.rclpy.interface_types import types_of
+from archlint.libraries.run import Pending
+from archlint.libraries.uses import bare
+from archlint.libraries.values import EntityValue, FutureValue, MessageValue, NodeValue
 from archlint.syntax import facts
+from archlint.syntax.parts import names_in
 
 if TYPE_CHECKING:
     from archlint.libraries.api_use import ApiUse
@@ -90,16 +98,12 @@ def register(
         if node is not None:
             node.callbacks.append(callback)
         if callback.function is not None:
-            from archlint.libraries.run import Pending
-
             given = arguments if arguments is not None else default_arguments(run, role, creation, call)
             if creation is not None and not _is_one_of_several(value, creation):
                 messages.deliver(run, given, creation)
             run.pending.append(Pending(callback, option, given, run.lineage))
         elif isinstance(option, (Partial, ApiMethod)):
-            from archlint.libraries.rclpy import escapes
-
-            escapes.escape(run, (option,), "a callback takes it along that is not followed", call.expression)
+            run.library.escaped((option,), "a callback takes it along that is not followed", call.expression)
         made = made or callback
     return made
 
@@ -128,9 +132,6 @@ def hand_out(run: Run, values: Iterable[Value]) -> None:
     """Note functions that are given to code which we do not see (an event loop, a user interface): it may call
     them.  Methods of objects need a note only where a partial gives them something to work on, since all that can
     matter are run."""
-    from archlint.libraries.interest import interesting
-    from archlint.libraries.run import Pending
-
     for option in (option for value in values for option in alternatives(value)):
         function, given = _taken_apart(option)
         method = isinstance(function, BoundMethod) and any(isinstance(value, _OBJECTS) for value in given)
@@ -164,8 +165,6 @@ def _taken_apart(value: Value) -> tuple[Value, list[Value]]:
 
 def _led_to(run: Run, function: FunctionValue) -> Iterator[FunctionValue]:
     """A function, and the functions that it names (so it may call them), and so on."""
-    from archlint.syntax.parts import names_in
-
     waiting = [function]
     seen: set[int] = set()
     while waiting:
@@ -184,10 +183,6 @@ def _led_to(run: Run, function: FunctionValue) -> Iterator[FunctionValue]:
 
 def _passes_on(run: Run, function: FunctionValue) -> bool:
     """Whether a function hands on an object that it closes over."""
-    from archlint.interpreter.bindings import bound_names
-    from archlint.libraries.uses import bare
-    from archlint.syntax.parts import names_in
-
     own = bound_names(function.ir)[0]
     closed_over: set[str] = {name for name, value in function.defaults if isinstance(value, _OBJECTS)}
     scope: Scope | None = function.scope
@@ -251,8 +246,6 @@ def default_arguments(run: Run, role: str, creation: model.Creation | None, call
 def _may_be_another_type(call: ApiUse) -> bool:
     """Whether the create call is given one of several types, not all of which are known: the callback may be for
     those alone."""
-    from archlint.libraries.rclpy.entities import types_of
-
     types = types_of(call)
     return len(types) > 1 and any(type_ is None for type_, _ in types)
 
@@ -286,8 +279,6 @@ def describe(run: Run, value: Value) -> model.Callback:
         callback.bound_keywords |= {name for name, _ in value.keywords}
         return callback
     if isinstance(value, Instance) and isinstance(value.cls, ClassValue):
-        from archlint.interpreter.attributes import get_attribute
-
         method = get_attribute(run, value, "__call__")
         if isinstance(method, BoundMethod):
             return describe(run, method)
@@ -326,8 +317,6 @@ def _missing_method(value: ApiMethod | External) -> str | None:
 
 def thread(run: Run, call: ApiUse) -> Value:
     """``threading.Thread(target=…, args=…)``."""
-    from archlint.interpreter import containers
-
     arguments: list[Value] = []
     given = call.get("args")
     if isinstance(given, ListValue):
@@ -345,9 +334,7 @@ def thread(run: Run, call: ApiUse) -> Value:
             value = Partial(value, (), pairs) if pairs else value
         register(run, value, role, None, None, None, call, tuple(arguments))
         if isinstance(value, (Unknown, OneOf)):
-            from archlint.libraries.rclpy import escapes
-
-            escapes.to_call(run, arguments, "", None)
+            run.library.given_away(CallSite(arguments))
         _run_foreign_target(run, value, arguments, call)
     place = run.place(call.expression.span) if call.expression is not None else None
     return Instance(External(call.api.path), run.store.new_key(), place)

@@ -6,9 +6,8 @@ from typing import TYPE_CHECKING
 
 from archlint import model
 from archlint.finding import Place
+from archlint.interpreter.formatting import plain_text
 from archlint.interpreter.values import (
-    NONE,
-    ClassValue,
     External,
     Instance,
     Known,
@@ -19,12 +18,13 @@ from archlint.interpreter.values import (
     via,
 )
 from archlint.libraries.api_use import ApiUse, argument_places
-from archlint.libraries.rclpy import callbacks, messages, nodes, profiles
+from archlint.libraries.rclpy import callbacks, nodes, profiles
 from archlint.libraries.rclpy import names as rclpy_names
 from archlint.libraries.rclpy.guards import guard_of, proven_of
-from archlint.libraries.rclpy.values import EntityValue
+from archlint.libraries.rclpy.interface_types import types_of
 from archlint.libraries.tables import Api
 from archlint.libraries.texts import text_of_value
+from archlint.libraries.values import EntityValue
 from archlint.syntax import facts
 
 if TYPE_CHECKING:
@@ -33,25 +33,6 @@ if TYPE_CHECKING:
 
 COMBINATIONS = 32
 """How many combinations of names and types one create call may stand for."""
-
-
-def type_of_value(value: Value | None) -> tuple[str | None, str | None]:
-    """The ROS type that a class stands for, or why it is not known."""
-    if value is None:
-        return None, "no type is given"
-    if isinstance(value, External):
-        interface, part = rclpy_names.interface_and_part(rclpy_names.canonical(value.path))
-        if interface is not None and not part:
-            return interface, None
-        return None, f"'{value.path}' is no interface"
-    if isinstance(value, ClassValue):
-        return None, f"'{value.qualified}' is a class of the workspace, not an interface"
-    if isinstance(value, Unknown):
-        written = value.name or ""
-        if written.startswith(messages.MISSING):
-            return written.removeprefix(messages.MISSING), None
-        return None, value.reason
-    return None, "the type is not an interface class"
 
 
 def _plausible(value: Value | None, receiver: Value | None) -> bool:
@@ -84,8 +65,6 @@ def endpoint(run: Run, call: ApiUse) -> Value:
 
 
 def _names(run: Run, call: ApiUse, missing: str) -> list[model.Text]:
-    from archlint.interpreter.formatting import plain_text
-
     api = call.api
     if api.fixed_name is not None:
         return [model.Text(api.fixed_name, "exact")]
@@ -93,20 +72,6 @@ def _names(run: Run, call: ApiUse, missing: str) -> list[model.Text]:
     if value is None:
         return [text_of_value(None, missing)]
     return [text_of_value(plain_text(run, option), missing) for option in alternatives(value)]
-
-
-def types_of(call: ApiUse) -> list[tuple[str | None, str | None]]:
-    api = call.api
-    if api.fixed_type is not None:
-        return [(api.fixed_type, None)]
-    value = call.get(api.type)
-    if value is None and call.open:
-        return [(None, "passed by * or **")]
-    options = [option for option in alternatives(value) if option != NONE] if value is not None else []
-    found = [type_of_value(option) for option in options or (value,)]
-    known = [row for row in found if row[0] is not None]
-    # What is not known is one more type: nothing that holds for the known ones is certain then.
-    return known + [row for row in found if row[0] is None][:1]
 
 
 def _create(

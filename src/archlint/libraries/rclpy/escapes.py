@@ -32,9 +32,9 @@ from archlint.interpreter.values import (
 )
 from archlint.libraries.rclpy import callbacks, nodes
 from archlint.libraries.rclpy import names as rclpy_names
-from archlint.libraries.rclpy.values import ExecutorValue, NodeValue
 from archlint.libraries.run import Escape, Root, Shared
 from archlint.libraries.uses import class_variables, unseen_use, variables
+from archlint.libraries.values import ExecutorValue, NodeValue
 from archlint.syntax import facts
 
 if TYPE_CHECKING:

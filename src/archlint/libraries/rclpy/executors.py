@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 from archlint import model
 from archlint.interpreter.values import Instance, Known, OneOf, Unknown, Value
 from archlint.libraries.rclpy import nodes
-from archlint.libraries.rclpy.values import ExecutorValue, FutureValue
+from archlint.libraries.values import ExecutorValue, FutureValue
 from archlint.syntax import facts
 from archlint.syntax.walk import called_name, calls_in, has_literal_true, statements_of
 

@@ -14,7 +14,7 @@ from archlint import model
 from archlint.interpreter.values import EachValue, Known, OneOf, Unknown, Value
 from archlint.libraries.rclpy import names
 from archlint.libraries.rclpy.guards import guard_of
-from archlint.libraries.rclpy.values import MessageValue
+from archlint.libraries.values import MessageValue
 from archlint.model import FieldUse, Passed, UnknownInterface
 from archlint.syntax import facts
 
@@ -190,6 +190,15 @@ def note_made(run: Run, message: MessageValue, expression: facts.Call | None) ->
         span = getattr(argument.value, "span", None)
         if argument.keyword is not None and not argument.star and span is not None:
             note_use(run, message, argument.keyword, span, "keyword")
+
+
+def make(run: Run, interface: str, part: str, keywords: dict[str, Value], expression: facts.Call | None) -> Value:
+    """An object of an interface class, as its constructor is called."""
+    made = MessageValue(interface, part, run.store.new_key())
+    note_made(run, made, expression)
+    for name, value in keywords.items():
+        run.store.set(made.key, name, value)
+    return made
 
 
 def note_interface(run: Run, path: str, span: Span) -> None:

@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING
 
 from archlint import model
 from archlint.finding import Place
+from archlint.interpreter import containers
 from archlint.interpreter.python_classes import PLAIN_BASES
 from archlint.interpreter.values import (
     TRUE,
@@ -24,8 +25,8 @@ from archlint.interpreter.values import (
     join_texts,
 )
 from archlint.libraries.rclpy import names, short_lived
-from archlint.libraries.rclpy.values import NodeValue
 from archlint.libraries.texts import text_of_value
+from archlint.libraries.values import NodeValue
 
 if TYPE_CHECKING:
     from archlint.libraries.api_use import ApiUse
@@ -320,8 +321,6 @@ def _set_names(run: Run, blueprint: model.Blueprint, call: ApiUse) -> None:
     _note_overrides(run, call)
     arguments = call.get("cli_args")
     if isinstance(arguments, ListValue):
-        from archlint.interpreter import containers
-
         items = containers.items_of(run, arguments)
         blueprint.cli_arguments = tuple(
             item.value for item in items.values if isinstance(item, Known) and isinstance(item.value, str)
@@ -330,8 +329,6 @@ def _set_names(run: Run, blueprint: model.Blueprint, call: ApiUse) -> None:
 
 def _note_overrides(run: Run, call: ApiUse) -> None:
     """``parameter_overrides=[Parameter(…)]``: the constructor wins over every default and the command line."""
-    from archlint.interpreter import containers
-
     given = call.get("parameter_overrides")
     items = containers.iterate(run, given) if given is not None else None
     key = call.receiver.key if isinstance(call.receiver, Instance) else None

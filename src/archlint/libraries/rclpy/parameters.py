@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 
 from archlint import model
 from archlint.finding import Place
+from archlint.interpreter import containers
 from archlint.interpreter.values import (
     FALSE,
     NONE,
@@ -24,8 +25,8 @@ from archlint.interpreter.values import (
     one_of,
 )
 from archlint.libraries.rclpy import nodes, profiles
-from archlint.libraries.rclpy.values import MessageValue
 from archlint.libraries.texts import text_of_value
+from archlint.libraries.values import MessageValue
 from archlint.syntax.parameter_files import NotKnown
 
 if TYPE_CHECKING:
@@ -72,8 +73,6 @@ def type_name(run: Run, value: Value | None) -> str | None:
     if isinstance(value, External) and ".Type." in value.path:
         return _TYPE_NAMES.get(value.path.rpartition(".")[2])
     if isinstance(value, ListValue):
-        from archlint.interpreter import containers
-
         items = containers.items_of(run, value)
         kinds = {type_name(run, item) for item in items.values}
         if len(kinds) == 1 and not items.open:
@@ -96,8 +95,6 @@ def from_parameter(run: Run, value: Value, name: str) -> Value:
     if isinstance(value, Holed):
         return Holed(value.parts, value.reason, value.via | {name}, value.origin)
     if isinstance(value, ListValue):
-        from archlint.interpreter import containers
-
         items = containers.items_of(run, value)
         # An empty default waits for somebody to fill it, unless a launch file is seen to leave it so.
         open_ = items.open or not (items.values or name in run.overrides.settled)
@@ -114,8 +111,6 @@ def from_parameter(run: Run, value: Value, name: str) -> Value:
 def value_from_python(run: Run, value: object) -> Value:
     """A value of a parameter file or launch file."""
     if isinstance(value, (list, tuple)):
-        from archlint.interpreter import containers
-
         return containers.new_list(run, [value_from_python(run, item) for item in value])
     if isinstance(value, (str, int, float, bool)):
         return Known(value)
@@ -209,8 +204,6 @@ def to_python(run: Run, value: Value | None) -> tuple[object, bool]:
     if isinstance(value, Known):
         return value.value, True
     if isinstance(value, ListValue):
-        from archlint.interpreter import containers
-
         items = containers.items_of(run, value)
         rows = [to_python(run, item) for item in items.values]
         if not items.open and all(known for _, known in rows):
@@ -230,8 +223,6 @@ def declare_parameter(run: Run, call: ApiUse) -> Value:
 
 
 def declare_parameters(run: Run, call: ApiUse) -> Value:
-    from archlint.interpreter import containers
-
     namespace = call.get("namespace")
     rows = containers.iterate(run, call.get("parameters") or Unknown("no parameters"))
     made: list[Value] = []
@@ -290,8 +281,6 @@ def get_parameter(run: Run, call: ApiUse) -> Value:
 
 
 def get_parameters(run: Run, call: ApiUse) -> Value:
-    from archlint.interpreter import containers
-
     names = containers.iterate(run, call.get("names") or Unknown("no names"))
     if names is None:
         return Unknown("the parameters that are read are not known")
@@ -312,8 +301,6 @@ def get_parameter_or(run: Run, call: ApiUse) -> Value:
 
 
 def get_parameters_by_prefix(run: Run, call: ApiUse) -> Value:
-    from archlint.interpreter import containers
-
     prefix = call.get("prefix")
     node = nodes.known_node(run, call.receiver)
     if not isinstance(prefix, Known) or node is None:
@@ -343,8 +330,6 @@ def has_parameter(run: Run, call: ApiUse) -> Value:
 
 
 def set_parameters(run: Run, call: ApiUse) -> Value:
-    from archlint.interpreter import containers
-
     rows = containers.iterate(run, call.get("parameter_list") or Unknown("no parameters"))
     key = nodes.node_key(run, call.receiver)
     for row in rows.values if rows is not None else ():

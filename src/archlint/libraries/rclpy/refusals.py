@@ -8,7 +8,7 @@ from archlint.interpreter.python_classes import PLAIN_BASES
 from archlint.interpreter.values import ApiMethod, ClassValue, External, Instance, Value
 from archlint.libraries import tables
 from archlint.libraries.rclpy import names, signatures
-from archlint.libraries.rclpy.values import NodeValue
+from archlint.libraries.values import NodeValue
 
 _MODULES = frozenset(
     ".".join(parts[:length])

@@ -88,4 +88,9 @@ class MessageValue(ForeignValue):
         return (self.type, self.part)
 
 
-__all__ = ["EntityValue", "ExecutorValue", "FutureValue", "MessageValue", "NodeValue"]
+def creations_of(value: Value | None) -> tuple[Creation, ...]:
+    """The create calls that an entity, or what is awaited from it, comes from."""
+    return value.creations if isinstance(value, (EntityValue, FutureValue)) else ()
+
+
+__all__ = ["EntityValue", "ExecutorValue", "FutureValue", "MessageValue", "NodeValue", "creations_of"]

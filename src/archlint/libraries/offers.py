@@ -1,0 +1,19 @@
+"""What Python's own library, rclpy and its kin offer, all together."""
+
+from __future__ import annotations
+
+from archlint.libraries import tables
+from archlint.libraries.api_use import Offers
+from archlint.libraries.python import command_line, effects
+from archlint.libraries.rclpy.effects import EFFECTS
+from archlint.libraries.setuptools import setup_run
+
+OFFERS = Offers(
+    tables.find,
+    {**EFFECTS, **effects.EFFECTS},
+    command_line.METHODS,
+    {**effects.PLAIN, **setup_run.PLAIN, **command_line.PLAIN},
+    frozenset({"endpoint"}),
+)
+
+__all__ = ["OFFERS"]
