@@ -15,227 +15,40 @@ from typing import Union
 
 import msgspec
 
+from archlint.syntax.expressions import (
+    Argument,
+    Assigned,
+    Attribute,
+    Await,
+    Base,
+    Binary,
+    Boolean,
+    Call,
+    Compare,
+    Comprehension,
+    Conditional,
+    Constant,
+    Expr,
+    Field,
+    FormatString,
+    Generator,
+    Lambda,
+    Literal,
+    Mapping,
+    Name,
+    Opaque,
+    Param,
+    Sequence,
+    Slice,
+    Span,
+    Starred,
+    Subscript,
+    Unary,
+    Yield,
+)
+
 FACTS_VERSION = 6
 """Raised whenever the shape or the meaning of the facts changes: old cache entries are then misses."""
-
-Span = tuple[int, int, int, int]
-Constant = Union[str, int, float, bool, None]
-
-
-class Base(msgspec.Struct, frozen=True, array_like=True, gc=False):
-    """Common options of every fact."""
-
-
-# --------------------------------------------------------------------------------------------- expressions
-
-
-class Literal(Base, frozen=True, tag="lit"):
-    """A string, number, boolean or None.  Bytes, Ellipsis, complex and huge numbers are :class:`Opaque`."""
-
-    value: Constant
-    span: Span
-
-
-class Name(Base, frozen=True, tag="name"):
-    id: str
-    span: Span
-
-
-class Attribute(Base, frozen=True, tag="attr"):
-    """``value.attr``; names inside classes are already mangled (``self.__x`` in ``C`` is ``_C__x``)."""
-
-    value: Expr
-    attr: str
-    span: Span
-
-
-class Argument(Base, frozen=True):
-    """One argument of a call.  ``star`` is ``""``, ``"*"`` or ``"**"``."""
-
-    value: Expr
-    keyword: str | None = None
-    star: str = ""
-
-
-class Call(Base, frozen=True, tag="call"):
-    func: Expr
-    args: list[Argument]
-    span: Span
-
-
-class Subscript(Base, frozen=True, tag="sub"):
-    value: Expr
-    index: Expr
-    span: Span
-
-
-class Slice(Base, frozen=True, tag="slice"):
-    lower: Expr | None
-    upper: Expr | None
-    step: Expr | None
-
-
-class Binary(Base, frozen=True, tag="bin"):
-    """``left op right`` with ``op`` as written: ``+ - * / // % ** @ << >> & | ^``."""
-
-    op: str
-    left: Expr
-    right: Expr
-    span: Span
-
-
-class Unary(Base, frozen=True, tag="un"):
-    """``op`` is ``not``, ``-``, ``+`` or ``~``."""
-
-    op: str
-    operand: Expr
-    span: Span
-
-
-class Boolean(Base, frozen=True, tag="bool"):
-    """``a and b and c``: ``op`` is ``and`` or ``or``, chains of one operator are flat."""
-
-    op: str
-    values: list[Expr]
-    span: Span
-
-
-class Compare(Base, frozen=True, tag="cmp"):
-    """``left op1 x op2 y``; operators as written: ``== != < <= > >= in``, ``not in``, ``is``, ``is not``."""
-
-    left: Expr
-    ops: list[str]
-    comparators: list[Expr]
-    span: Span
-
-
-class Conditional(Base, frozen=True, tag="ifexp"):
-    test: Expr
-    body: Expr
-    orelse: Expr
-    span: Span
-
-
-class Field(Base, frozen=True, tag="field"):
-    """``{value!r:spec}`` inside an f-string; ``spec`` is the literal text of the format specification."""
-
-    value: Expr
-    conversion: str | None = None
-    spec: str | None = None
-
-
-class FormatString(Base, frozen=True, tag="fstr"):
-    """An f-string; neighbouring literal parts are already joined."""
-
-    parts: list[Union[str, Field]]
-    span: Span
-
-
-class Sequence(Base, frozen=True, tag="seq"):
-    """A display; ``kind`` is ``tuple``, ``list`` or ``set``.  May hold :class:`Starred`."""
-
-    kind: str
-    elements: list[Expr]
-    span: Span
-
-
-class Mapping(Base, frozen=True, tag="dict"):
-    """A dict display; a ``None`` key stands for ``**value``."""
-
-    keys: list[Union[Expr, None]]
-    values: list[Expr]
-    span: Span
-
-
-class Starred(Base, frozen=True, tag="star"):
-    value: Expr
-
-
-class Generator(Base, frozen=True):
-    """One ``for target in iterable if …`` of a comprehension."""
-
-    target: Expr
-    iterable: Expr
-    conditions: list[Expr]
-
-
-class Comprehension(Base, frozen=True, tag="comp"):
-    """``kind`` is ``list``, ``set``, ``dict`` or ``generator``; ``value`` is set for dicts only."""
-
-    kind: str
-    element: Expr
-    value: Expr | None
-    generators: list[Generator]
-    span: Span
-
-
-class Lambda(Base, frozen=True, tag="lambda"):
-    params: list[Param]
-    body: Expr
-    span: Span
-
-
-class Assigned(Base, frozen=True, tag="walrus"):
-    """``(target := value)``."""
-
-    target: Expr
-    value: Expr
-    span: Span
-
-
-class Await(Base, frozen=True, tag="await"):
-    value: Expr
-    span: Span
-
-
-class Yield(Base, frozen=True, tag="yield"):
-    value: Expr | None
-    delegated: bool
-    span: Span
-
-
-class Opaque(Base, frozen=True, tag="opaque"):
-    """What the linker has no use for; ``what`` says it in a word for the reason of an unknown."""
-
-    what: str
-    span: Span
-
-
-Expr = Union[
-    Literal,
-    Name,
-    Attribute,
-    Call,
-    Subscript,
-    Slice,
-    Binary,
-    Unary,
-    Boolean,
-    Compare,
-    Conditional,
-    FormatString,
-    Sequence,
-    Mapping,
-    Starred,
-    Comprehension,
-    Lambda,
-    Assigned,
-    Await,
-    Yield,
-    Opaque,
-]
-
-
-class Param(Base, frozen=True):
-    """A parameter; ``kind`` is ``positional_only``, ``normal``, ``star``, ``keyword_only`` or ``double_star``."""
-
-    name: str
-    kind: str
-    default: Expr | None = None
-    annotation: Expr | None = None
-
-
-# ---------------------------------------------------------------------------------------------- statements
 
 
 class Assign(Base, frozen=True, tag="="):
@@ -342,7 +155,7 @@ class Pattern(Base, frozen=True):
     kind: str
     value: Expr | None = None
     name: str | None = None
-    parts: list[Pattern] = []
+    parts: list[Pattern] = msgspec.field(default_factory=list)
 
 
 class Case(Base, frozen=True):
@@ -483,9 +296,9 @@ class Facts(Base, frozen=True):
     """All that is kept of one Python file."""
 
     version: int
-    body: list[Stmt] = []
-    suppressions: list[Suppression] = []
-    problems: list[FileProblem] = []
+    body: list[Stmt] = msgspec.field(default_factory=list)
+    suppressions: list[Suppression] = msgspec.field(default_factory=list)
+    problems: list[FileProblem] = msgspec.field(default_factory=list)
     exports: list[str] | None = None
     """``__all__`` where it is a literal list."""
 
@@ -508,3 +321,67 @@ def decode(payload: bytes) -> Facts | None:
     except (msgspec.MsgspecError, ValueError, RecursionError):
         return None
     return facts if facts.version == FACTS_VERSION else None
+
+
+__all__ = [
+    "FACTS_VERSION",
+    "Annotated",
+    "Argument",
+    "Assert",
+    "Assign",
+    "Assigned",
+    "Attribute",
+    "Augmented",
+    "Await",
+    "Base",
+    "Binary",
+    "Boolean",
+    "Call",
+    "Case",
+    "Class",
+    "Compare",
+    "Comprehension",
+    "Conditional",
+    "Constant",
+    "Delete",
+    "Expr",
+    "Expression",
+    "Facts",
+    "Field",
+    "FileProblem",
+    "For",
+    "FormatString",
+    "Function",
+    "Generator",
+    "Global",
+    "Handler",
+    "If",
+    "Import",
+    "ImportFrom",
+    "Jump",
+    "Lambda",
+    "Literal",
+    "Mapping",
+    "Match",
+    "Name",
+    "Opaque",
+    "Param",
+    "Pattern",
+    "Raise",
+    "Return",
+    "Sequence",
+    "Slice",
+    "Span",
+    "Starred",
+    "Stmt",
+    "Subscript",
+    "Suppression",
+    "Try",
+    "Unary",
+    "While",
+    "With",
+    "WithItem",
+    "Yield",
+    "decode",
+    "encode",
+]

@@ -4,10 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from functools import lru_cache
-
-import msgspec
+from typing import TypeVar, overload
 
 from archlint.syntax import facts
+
+Kind = TypeVar("Kind", bound=facts.Base)
 
 
 class Itself:
@@ -25,15 +26,24 @@ class Itself:
         return isinstance(other, Itself) and other.fact is self.fact
 
 
-def everything_in(fact: object) -> Iterator[object]:
-    """Every fact inside another, in the order of the source."""
+@overload
+def everything_in(fact: object) -> Iterator[facts.Base]: ...
+
+
+@overload
+def everything_in(fact: object, kind: type[Kind]) -> Iterator[Kind]: ...
+
+
+def everything_in(fact: object, kind: type[facts.Base] = facts.Base) -> Iterator[facts.Base]:
+    """Every fact (of a kind) inside another, those of the functions inside it too, in the order of the source."""
     stack: list[object] = [fact]
     while stack:
         item = stack.pop()
         if isinstance(item, (list, tuple)):
             stack.extend(reversed(item))
-        elif isinstance(item, msgspec.Struct):
-            yield item
+        elif isinstance(item, facts.Base):
+            if isinstance(item, kind):
+                yield item
             stack.extend(getattr(item, name) for name in reversed(item.__struct_fields__))
 
 

@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from typing import TypeVar, overload
 
 from archlint.syntax import facts
 
 _OWN_SCOPE = (facts.Function, facts.Class, facts.Lambda)
+Kind = TypeVar("Kind", bound=facts.Base)
 
 
 def blocks_of(body: Sequence[facts.Stmt]) -> Iterator[Sequence[facts.Stmt]]:
@@ -30,37 +32,53 @@ def blocks_in(statement: facts.Stmt) -> list[list[facts.Stmt]]:
     return []
 
 
-def statements_of(body: Sequence[facts.Stmt]) -> Iterator[facts.Stmt]:
-    """Every statement of a body, those of its blocks included, in the order of the source."""
+@overload
+def statements_of(body: Sequence[facts.Stmt]) -> Iterator[facts.Stmt]: ...
+
+
+@overload
+def statements_of(body: Sequence[facts.Stmt], kind: type[Kind]) -> Iterator[Kind]: ...
+
+
+def statements_of(body: Sequence[facts.Stmt], kind: type[facts.Base] = facts.Base) -> Iterator[facts.Base]:
+    """Every statement of a body (of a kind), those of its blocks included, in the order of the source."""
     for statement in body:
-        yield statement
+        if isinstance(statement, kind):
+            yield statement
         for block in blocks_in(statement):
-            yield from statements_of(block)
+            yield from statements_of(block, kind)
 
 
-def parts_of(fact: object) -> Iterator[facts.Base]:
-    """Every fact inside another, that one first, outermost first."""
+@overload
+def parts_of(fact: object) -> Iterator[facts.Base]: ...
+
+
+@overload
+def parts_of(fact: object, kind: type[Kind]) -> Iterator[Kind]: ...
+
+
+def parts_of(fact: object, kind: type[facts.Base] = facts.Base) -> Iterator[facts.Base]:
+    """Every fact (of a kind) inside another, that one first, outermost first."""
     stack: list[object] = [fact]
     while stack:
         item = stack.pop()
         if isinstance(item, (list, tuple)):
             stack.extend(reversed(item))
         elif isinstance(item, facts.Base):
-            yield item
+            if isinstance(item, kind):
+                yield item
             if item is fact or not isinstance(item, _OWN_SCOPE):
                 stack.extend(getattr(item, name) for name in reversed(item.__struct_fields__))
 
 
 def calls_in(fact: object) -> Iterator[facts.Call]:
     """The calls inside a statement or expression."""
-    return (part for part in parts_of(fact) if isinstance(part, facts.Call))
+    return parts_of(fact, facts.Call)
 
 
 def called_name(call: facts.Call) -> str:
     """The last name of what is called: ``publish`` for ``self.pub.publish()``; empty where it has none."""
-    if isinstance(call.func, facts.Attribute):
-        return call.func.attr
-    return call.func.id if isinstance(call.func, facts.Name) else ""
+    return call.func.last_name
 
 
 def has_literal_true(test: facts.Expr) -> bool:
