@@ -126,6 +126,34 @@ install(TARGETS driver DESTINATION lib/${PROJECT_NAME})
     assert not installs.open_executables
 
 
+@pytest.mark.parametrize(
+    ("properties", "names"),
+    [
+        ("set_target_properties(${PROJECT_NAME}_node PROPERTIES OUTPUT_NAME teleop PREFIX \"\")", {"teleop"}),
+        ("set_target_properties(robot_node PROPERTIES CXX_STANDARD 17 OUTPUT_NAME teleop)", {"teleop"}),
+        ("set_target_properties(robot_node other PROPERTIES OUTPUT_NAME a RUNTIME_OUTPUT_NAME b)", {"b"}),
+        ("set_property(TARGET robot_node PROPERTY OUTPUT_NAME teleop)", {"teleop"}),
+        ("set_property(TARGET robot_node APPEND PROPERTY LINK_FLAGS -s)", {"robot_node"}),
+        ("set_property(TARGET robot_node PROPERTY SUFFIX .bin)", {"robot_node.bin"}),
+        ("set_target_properties(robot_node PROPERTIES OUTPUT_NAME a)\nset_property(TARGET robot_node PROPERTY"
+         " OUTPUT_NAME b)", {"b"}),
+        ("if(WIN32)\nset_target_properties(robot_node PROPERTIES OUTPUT_NAME a)\nendif()", {"a", "robot_node"}),
+        ("set_target_properties(robot_lib PROPERTIES OUTPUT_NAME teleop)", {"robot_node"}),
+    ],
+)  # fmt: skip
+def test_a_target_may_have_a_file_of_another_name(installs_of, properties, names):
+    build = f"project(robot)\nadd_executable(robot_node a.cpp)\n{properties}\n"
+    installs = installs_of(**{"CMakeLists.txt": build + "install(TARGETS robot_node DESTINATION lib/robot)\n"})
+    assert set(installs.executables) == names
+    assert not installs.open_executables
+
+
+def test_a_name_of_a_target_that_is_not_known(installs_of):
+    build = "project(robot)\nadd_executable(node a.cpp)\nset_target_properties(node PROPERTIES OUTPUT_NAME ${NAME})\n"
+    manifest = MANIFEST.replace("ament_python", "ament_cmake")
+    assert installs_of(**{"package.xml": manifest, "CMakeLists.txt": build}).open_executables
+
+
 def test_scripts_are_entry_points_of_their_file(installs_of):
     installs_of(
         **{

@@ -95,3 +95,33 @@ def test_one_line_of_megabytes_is_gone_through_once():
 def test_yaml_of_another_kind_is_nobodys_business():
     assert read_launch_yaml("image: map.pgm\nresolution: 0.05\n").root is None
     assert read_parameters("image: map.pgm\n").sections == ()
+
+
+def test_rcl_takes_a_tab_for_a_blank_where_it_indents_nothing():
+    read = read_parameters(
+        "/camera:\n  ros__parameters:\n    ip: 10.0.0.2\t# left\n    gains: [1,\n\t2]\n    rate:\t5 \t\n"
+    )
+    assert read.problems == ()
+    (section,) = read.sections
+    assert [(one.name, one.value, one.span) for one in section.entries] == [
+        ("ip", "10.0.0.2", (3, 5, 3, 7)),
+        ("gains", [1, 2], (4, 5, 4, 10)),
+        ("rate", 5, (6, 5, 6, 9)),
+    ]
+
+
+@pytest.mark.parametrize("text", ["\ta: 1\n", "a:\n\tb: 1\n", "a:\n  b: 1\n \tc: 2\n"])
+def test_no_tab_indents(text):
+    (problem,) = read_parameters(text).problems
+    assert problem.message.startswith("malformed YAML: found")
+
+
+def test_launch_reads_yaml_with_another_scanner_than_rcl():
+    (problem,) = read_launch_yaml("launch:\n- log:\n    message: up\t# all\n").problems
+    assert problem.line == 3
+
+
+@pytest.mark.parametrize("text", ["[" * 100_000, "- " * 20_000, "{a: " * 5_000])
+def test_what_is_nested_too_deeply_ends_no_process(text):
+    (problem,) = read_parameters(text).problems
+    assert problem.message == "nested too deeply"

@@ -107,7 +107,7 @@ def _parses(source: Source, text: str) -> bool:
         if source.file.endswith((".xml", ".launch")):
             expat.ParserCreate().Parse(text, True)
         elif source.file.endswith((".yaml", ".yml")):
-            YamlReader(text, several=True)
+            YamlReader(text, several=True, rcl=True)
         else:
             ast.parse(text)
     except (SyntaxError, ValueError, RecursionError, MemoryError, expat.ExpatError, YamlError):

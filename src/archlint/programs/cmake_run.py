@@ -43,6 +43,8 @@ class Step:
     command: Command
     file: str
     folder: str
+    conditional: bool = False
+    """Whether it stands in an ``if``."""
 
     def path(self, text: str) -> str:
         """The shown path that an argument means."""
@@ -154,7 +156,8 @@ class CMakeRun:
             return
         arguments = _expanded(command, scope)
         texts = [argument.text for argument in arguments]
-        step = Step(Command(command.name, tuple(arguments), command.line, command.column), file, scope.folder)
+        ran = Command(command.name, tuple(arguments), command.line, command.column)
+        step = Step(ran, file, scope.folder, self._conditions > 0)
         if command.name in self._functions:
             self._call(command, arguments, scope, depth)
         elif command.name == "add_subdirectory" and texts:

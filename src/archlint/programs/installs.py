@@ -8,6 +8,7 @@ from typing import Protocol
 
 from archlint.finding import Place
 from archlint.programs.cmake_run import CMakeRun, Step
+from archlint.programs.cmake_targets import TargetNames
 from archlint.syntax.entry_point_tables import ScriptEntry, entries_of_setup_cfg
 from archlint.workspace.cmake import Argument, Command
 from archlint.workspace.installed import Executable, InstalledFiles, Installs
@@ -76,17 +77,18 @@ def read_cmake(installs: Installs, path: str, tree: CMakeTree) -> None:
     installs.words |= frozenset(word for text in run.texts for word in re.findall(r"[\w.-]+", text))
     installs.open_executables |= run.open
     installs.open_files |= run.open
+    targets = TargetNames(run.steps)
     for step in run.steps:
-        _read_step(installs, step, tree)
+        _read_step(installs, step, tree, targets)
     installs.generates_nothing = not run.open and not installs.mentioned and _GENERATES not in installs.words
 
 
-def _read_step(installs: Installs, step: Step, tree: CMakeTree) -> None:
+def _read_step(installs: Installs, step: Step, tree: CMakeTree, targets: TargetNames) -> None:
     command, arguments, texts = step.command, step.command.arguments, step.command.texts
     if command.name in ("install", "catkin_install_python"):
         _install(installs, step, tree)
     elif "add_executable" in command.name and arguments:
-        _target(installs, arguments[0], step.file)
+        _target(installs, arguments[0], step.file, targets)
     elif command.name == "ament_auto_package":
         at = texts.index("INSTALL_TO_SHARE") if "INSTALL_TO_SHARE" in texts else len(texts)
         for name in texts[at + 1 :]:
@@ -99,7 +101,7 @@ def _read_step(installs: Installs, step: Step, tree: CMakeTree) -> None:
     elif command.name not in _NAMES_NO_EXECUTABLE and not command.name.startswith(_PREFIXES):
         installs.mentioned |= frozenset(texts)
     if "EXECUTABLE" in texts[:-1]:
-        _target(installs, arguments[texts.index("EXECUTABLE") + 1], step.file)
+        _target(installs, arguments[texts.index("EXECUTABLE") + 1], step.file, targets)
 
 
 def _console_scripts(installs: Installs, step: Step, tree: CMakeTree) -> None:
@@ -126,11 +128,13 @@ def console_script(entry: ScriptEntry, package: str, path: str) -> Executable:
     return Executable(entry.name, package, place, entry.module, entry.function, wrong=entry.wrong)
 
 
-def _target(installs: Installs, argument: Argument, path: str) -> None:
-    if argument.open:
+def _target(installs: Installs, argument: Argument, path: str, targets: TargetNames) -> None:
+    names = None if argument.open else targets.of(argument)
+    if names is None:
         installs.open_executables = True
         return
-    installs.add(Executable(argument.text, installs.package, _place(argument, path)))
+    for name in names:
+        installs.add(Executable(name.text, installs.package, _place(argument, path)))
 
 
 def _place(argument: Argument, path: str) -> Place:

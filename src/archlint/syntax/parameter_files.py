@@ -64,7 +64,7 @@ def read_parameters(text: str) -> ParameterFacts:
     found: list[ParameterSection] = []
     plain: list[ParameterEntry] = []
     try:
-        reader = YamlReader(text, several=True)  # rcl reads on where another document starts
+        reader = YamlReader(text, several=True, rcl=True)  # rcl reads on where another document starts
         for root in reader.roots:
             _sections(reader, root, [], None, found, 0)
         if len(reader.roots) == 1 and not found:

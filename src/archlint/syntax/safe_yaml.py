@@ -29,11 +29,12 @@ class YamlReader:
     """A document, composed but never constructed: no tag makes an object.
 
     A second document is an error, as it is to launch, unless there may be ``several``; they are ``roots`` then.
+    What ``rcl`` reads, it reads with another scanner than launch.
     """
 
-    def __init__(self, text: str, several: bool = False) -> None:
+    def __init__(self, text: str, several: bool = False, rcl: bool = False) -> None:
         self.left = NODES
-        self.roots = _compose(text, several)
+        self.roots = _compose(text, several, rcl)
         self.root = self.roots[0] if self.roots else None
 
     def spend(self, node: yaml.Node, depth: int) -> None:
@@ -69,13 +70,16 @@ class YamlReader:
         return {key: self.value(value, depth + 1) for key, _, value in self.pairs(node, depth)}
 
 
-def _compose(text: str, several: bool) -> list[yaml.Node]:
+def _compose(text: str, several: bool, rcl: bool) -> list[yaml.Node]:
     import yaml
 
+    from archlint.syntax.rcl_yaml import RclLoader
+
+    loader = RclLoader if rcl else yaml.SafeLoader
     try:
         if several:
-            return list(yaml.compose_all(text, Loader=yaml.SafeLoader))
-        root = yaml.compose(text, Loader=yaml.SafeLoader)
+            return list(yaml.compose_all(text, Loader=loader))
+        root = yaml.compose(text, Loader=loader)
         return [] if root is None else [root]
     except yaml.MarkedYAMLError as error:
         mark = error.problem_mark or error.context_mark
@@ -115,7 +119,7 @@ def scalar(node: yaml.ScalarNode) -> Scalar:
     """The value of a scalar.  Raises :class:`YamlError` for a tag that makes an object."""
     _refuse_tag(node)
     text: str = node.value
-    if node.style is not None or node.tag == "tag:yaml.org,2002:binary":
+    if node.style or node.tag == "tag:yaml.org,2002:binary":  # libyaml says "" of a plain one, PyYAML None
         return text
     if node.tag == "tag:yaml.org,2002:null":
         return None
