@@ -2,14 +2,18 @@
 
 from __future__ import annotations
 
+from typing import get_args
+
 import pytest
 
 from archlint.fixes.names import _KIND
+from archlint.launch.library import LaunchLibrary
 from archlint.libraries import screen, tables
 from archlint.libraries.interest import WORDS as INTERESTING
 from archlint.libraries.offers import OFFERS
 from archlint.libraries.rclpy.names import NODE_METHODS
 from archlint.libraries.rclpy.signatures import refuses
+from archlint.libraries.tables.api import EffectName
 
 
 @pytest.mark.parametrize("row", tables.ROWS, ids=lambda row: row.path)
@@ -27,6 +31,12 @@ def test_the_parts_that_a_row_names_are_parameters(row):
 
 def test_no_call_has_two_rows():
     assert len(tables.TABLE) == len(tables.ROWS)
+
+
+def test_each_effect_is_named_by_a_row():
+    """One that no row names would never run."""
+    assert set(LaunchLibrary.offers.effects) == set(get_args(EffectName))
+    assert set(OFFERS.effects) == {row.effect for row in tables.ROWS} | {"none"}
 
 
 @pytest.mark.parametrize("name", [name for name, row in tables.NODE_ROWS.items() if row.creates])

@@ -39,8 +39,8 @@ def launch_object(run: Run, call: ApiUse) -> Value:
     of the launch file's own code that it is made in."""
     place = run.place(call.expression.span) if call.expression is not None and run.activations else None
     made = Instance(External(call.api.path), run.store.new_key(), place, dict(call.arguments))
-    note_made(run, call.api.kind, place)
-    if call.api.kind == "DeclareLaunchArgument":
+    note_made(run, call.api.variant, place)
+    if call.api.variant == "DeclareLaunchArgument":
         note_declaration(run, made)
     if isinstance(call.receiver, Instance):
         run.store.set(call.receiver.key, "#action", made)  # super().__init__(…) of a class derived from an action
@@ -48,7 +48,7 @@ def launch_object(run: Run, call: ApiUse) -> Value:
     run.store.set(made.key, "#places", argument_places(run, call.api, call.expression))
     run.store.set(made.key, "#rest", tuple(call.rest))
     run.store.set(made.key, "#open", call.open)
-    if call.api.kind == "LaunchDescription":
+    if call.api.variant == "LaunchDescription":
         entities = call.arguments.get("initial_entities")
         run.store.set(made.key, "#entities", _items(run, entities))
     return made
@@ -85,7 +85,7 @@ def package_path(run: Run, call: ApiUse) -> Value:
     """``get_package_share_directory('pkg')``."""
     from archlint.launch.run import LaunchRun
 
-    if call.api.kind == "search paths":
+    if call.api.variant == "search paths":
         return Unknown("the environment variable AMENT_PREFIX_PATH")
     if not isinstance(run, LaunchRun):
         return Unknown("the path of an installed package")
@@ -94,7 +94,7 @@ def package_path(run: Run, call: ApiUse) -> Value:
         name = perform(run, option)
         if not isinstance(name, Known):
             rows.append(Unknown(reason(name)))
-        elif call.api.kind == "share":
+        elif call.api.variant == "share":
             share = package_share(str(name.value))
             rows.append(replace(share, kind="path") if call.api.path.endswith("_path") else share)
         else:

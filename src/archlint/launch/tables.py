@@ -161,7 +161,7 @@ def find(path: str) -> Api | None:
     top, _, rest = path.partition(".")
     if path in FUNCTIONS:
         parameter, kind = FUNCTIONS[path]
-        return Api(path, (parameter,), effect="package_path", kind=kind)
+        return Api(path, parameter, effect="package_path", variant=kind)
     if top not in _PACKAGES or not rest:
         return None
     name = rest.rpartition(".")[2]
@@ -169,4 +169,4 @@ def find(path: str) -> Api | None:
     signature = SIGNATURES.get(name)
     if signature is None:
         return None
-    return Api(f"launch.{name}", tuple(signature.split()), effect="launch_object", kind=name)
+    return Api(f"launch.{name}", signature, effect="launch_object", variant=name)

@@ -162,7 +162,7 @@ def record(run: Run, api: Api, receiver: Value | None, bound: dict[str, Value], 
 
 def await_future(run: Run, future: FutureValue, expression: facts.Await) -> Value:
     """``await future``: the answer; noted as a wait."""
-    api = Api(f"{future.api}.await", (), watched=True)
+    api = Api(f"{future.api}.await", watched=True)
     place_call = facts.Call(expression.value, [], expression.span)
     record(run, api, future, {}, place_call)
     return answer(run, future)

@@ -11,9 +11,7 @@ _QUIET = frozenset(
 
 WORDS = (
     frozenset(
-        row.path.rpartition(".")[2]
-        for row in tables.ROWS
-        if row.effect != "none" or (row.watched and row.kind != tables.OUTSIDE)
+        row.path.rpartition(".")[2] for row in tables.ROWS if row.effect != "none" or (row.watched and not row.outside)
     )
     | frozenset(tables.NODE_ROWS)
     | {"Node", "LifecycleNode", "sleep", "wait", "result", "call"}

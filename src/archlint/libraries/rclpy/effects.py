@@ -113,7 +113,7 @@ def _get_interface(run: Run, call: ApiUse) -> Value:
             found.append(Unknown("the interface is chosen by data"))
             continue
         package, kind, name = match.groups()
-        found.append(External(f"{package}.{kind or call.api.kind}.{name}"))
+        found.append(External(f"{package}.{kind or call.api.variant}.{name}"))
     return one_of(found)
 
 

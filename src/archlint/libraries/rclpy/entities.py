@@ -215,7 +215,7 @@ def rate(run: Run, call: ApiUse) -> Value:
 
 def transform_listener(run: Run, call: ApiUse) -> Value:
     """``TransformListener(buffer, node)`` subscribes to /tf and /tf_static in a reentrant group of its own."""
-    topics = [] if call.api.kind == "static" else [("tf_topic", "/tf", "qos", "tf")]
+    topics = [] if call.api.variant == "static" else [("tf_topic", "/tf", "qos", "tf")]
     topics.append(("tf_static_topic", "/tf_static", "static_qos", "tf_static_listener"))
     if call.get("static_only") == Known(True):
         topics = topics[-1:]
@@ -235,14 +235,14 @@ def transform_listener(run: Run, call: ApiUse) -> Value:
 
 
 def _subscription_of(path: str, qos: str, default: str) -> Api:
-    return Api(path, (), "endpoint", kind=model.SUBSCRIBER, qos=qos, default_qos=default)
+    return Api(path, "", "endpoint", kind=model.SUBSCRIBER, qos=qos, default_qos=default)
 
 
 def transform_buffer(run: Run, call: ApiUse) -> Value:
     """``Buffer(cache_time, node)`` offers the service ``tf2_frames`` on the node it is given."""
     node = call.get("node")
     if node is not None and not (isinstance(node, Known) and node.value is None):
-        row = Api(call.api.path, (), "endpoint", kind=model.SERVICE, default_qos="services_default")
+        row = Api(call.api.path, "", "endpoint", kind=model.SERVICE, default_qos="services_default")
         part = ApiUse(row, None, {}, call.expression, False, [], {})
         for blueprint in nodes.given_nodes(run, node):
             text = model.Text("tf2_frames", "exact")
@@ -262,7 +262,7 @@ _PARAMETER_SERVICES = (
 
 def parameter_client(run: Run, call: ApiUse) -> Value:
     """``AsyncParameterClient(node, 'other')``: a client for each of the six parameter services of the other."""
-    row = Api(call.api.path, (), "endpoint", kind=model.CLIENT, default_qos="services_default")
+    row = Api(call.api.path, "", "endpoint", kind=model.CLIENT, default_qos="services_default")
     made = []
     remote = call.get("remote_node_name") or Unknown("no name is given")
     for blueprint in nodes.given_nodes(run, call.get("node")):

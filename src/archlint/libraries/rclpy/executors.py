@@ -24,14 +24,14 @@ _STARTED = ("init", "main", "module", "thread", "method")
 
 
 def make_executor(run: Run, call: ApiUse) -> Value:
-    use = _new_use(run, call.api.kind, call.get("num_threads"), call)
+    use = _new_use(run, call.api.variant, call.get("num_threads"), call)
     return ExecutorValue(use, call.api.path, run.store.new_key())
 
 
 def adopt_executor(run: Run, api: Api, receiver: Instance, site: CallSite) -> Value:
     """An executor class of ours: ``super().__init__()`` tells which kind it is."""
     threads = site.keywords.get("num_threads", site.args[0] if site.args else None)
-    run.store.set(receiver.key, "#executor", _new_use(run, api.kind, threads, None))
+    run.store.set(receiver.key, "#executor", _new_use(run, api.variant, threads, None))
     return Known(None)
 
 

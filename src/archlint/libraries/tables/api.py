@@ -1,0 +1,119 @@
+"""What a row of the API tables says of one call."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Literal
+
+EffectName = Literal[
+    "none",
+    # nodes and what is created on them
+    "create_node",
+    "node_init",
+    "destroy_node",
+    "endpoint",
+    "timer",
+    "rate",
+    "transform_listener",
+    "transform_buffer",
+    "parameter_client",
+    "destroy",
+    # callbacks, answers and executors
+    "callbacks",
+    "thread",
+    "wait_answer",
+    "call_async",
+    "future_result",
+    "spin",
+    "executor",
+    "executor_spin",
+    "add_node",
+    # parameters and names
+    "declare_parameter",
+    "declare_parameters",
+    "get_parameter",
+    "get_parameters",
+    "get_parameter_or",
+    "get_parameters_by_prefix",
+    "has_parameter",
+    "set_parameters",
+    "parameter",
+    "get_name",
+    "get_namespace",
+    "get_fully_qualified_name",
+    "resolve_name",
+    # what create calls are given
+    "qos_profile",
+    "qos_preset",
+    "duration",
+    "get_interface",
+    # Python's own
+    "import_module",
+    "partial",
+    "path_join",
+    "asks_for_file",
+    "environment",
+    "argument_parser",
+    # launch's, whose tables and effects are its own
+    "launch_object",
+    "package_path",
+]
+"""What the run does with a call: each is a function, which :mod:`archlint.libraries.offers` puts together."""
+
+
+@dataclass(frozen=True)
+class Api:
+    """One callable.  ``effect`` names what the run does with a call; the other fields say which parameter
+    plays which part for that effect."""
+
+    path: str
+    """Where it is defined: ``rclpy.node.Node.create_timer``."""
+    signature: str = ""
+    """Its parameters, separated by spaces; ``*`` starts those that go by keyword alone, and a ``?`` ends one that may
+    be left out where the row is ``strict``."""
+    effect: EffectName = "none"
+    kind: str = ""
+    """The kind of endpoint that it creates."""
+    variant: str = ""
+    """Tells calls with the same effect from each other."""
+    node: str | None = None
+    """Parameter that is the node; None: the object the method is called on."""
+    type: str | None = None
+    name: str | None = None
+    qos: str | None = None
+    group: str | None = None
+    callbacks: tuple[tuple[str, str], ...] = ()
+    """``(parameter, role)``."""
+    default_qos: str = ""
+    fixed_name: str | None = None
+    fixed_type: str | None = None
+    returns: str | None = None
+    """Canonical class of what the call returns."""
+    watched: bool = False
+    """True where checks want to see each call."""
+    outside: bool = False
+    """True of what waits for the network, a process or a file: nothing of ROS."""
+    strict: bool = False
+    """True where all supported distributions take these positional arguments: Python refuses any other call."""
+
+    @property
+    def creates(self) -> bool:
+        """Whether a call makes an endpoint or a timer."""
+        return self.effect in ("endpoint", "timer")
+
+    @cached_property
+    def params(self) -> tuple[str, ...]:
+        return tuple(word.rstrip("?") for word in self.signature.split())
+
+    @cached_property
+    def positional(self) -> tuple[str, ...]:
+        return self.params[: self.params.index("*")] if "*" in self.params else self.params
+
+    @cached_property
+    def optional(self) -> frozenset[str]:
+        """Positional parameters that may be left out; only a strict row says which."""
+        return frozenset(word.rstrip("?") for word in self.signature.split() if word.endswith("?"))
+
+
+__all__ = ["Api", "EffectName"]

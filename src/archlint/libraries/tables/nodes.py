@@ -1,0 +1,59 @@
+"""Rows of nodes: how they are made, what they are called, how they and what they have made are destroyed."""
+
+from __future__ import annotations
+
+from archlint.libraries.tables.api import Api
+
+_NODE_OPTIONS = (
+    "* context cli_args namespace use_global_arguments enable_rosout rosout_qos_profile "
+    "start_parameter_services parameter_overrides allow_undeclared_parameters "
+    "automatically_declare_parameters_from_overrides enable_logger_service"
+)
+
+ROWS = (
+    # ---- nodes
+    Api("rclpy.create_node", f"node_name {_NODE_OPTIONS}", effect="create_node"),
+    Api("rclpy.node.Node", f"node_name {_NODE_OPTIONS}", effect="create_node"),
+    Api("rclpy.node.Node.__init__", f"node_name {_NODE_OPTIONS}", effect="node_init"),
+    Api(
+        "rclpy.lifecycle.node.LifecycleNode",
+        f"node_name {_NODE_OPTIONS} enable_communication_interface",
+        effect="create_node",
+        variant="lifecycle",
+    ),
+    Api(
+        "rclpy.lifecycle.node.LifecycleNode.__init__",
+        f"node_name {_NODE_OPTIONS} enable_communication_interface",
+        effect="node_init",
+        variant="lifecycle",
+    ),
+    Api("rclpy.experimental.async_node.AsyncNode", f"node_name {_NODE_OPTIONS}", effect="create_node"),
+    Api("rclpy.experimental.async_node.AsyncNode.__init__", f"node_name {_NODE_OPTIONS}", effect="node_init"),
+    # ---- names of nodes
+    Api("rclpy.node.Node.get_name", strict=True, effect="get_name"),
+    Api("rclpy.node.Node.get_namespace", strict=True, effect="get_namespace"),
+    Api("rclpy.node.Node.get_fully_qualified_name", strict=True, effect="get_fully_qualified_name"),
+    Api("rclpy.node.Node.resolve_topic_name", "topic * only_expand", effect="resolve_name"),
+    Api("rclpy.node.Node.resolve_service_name", "service * only_expand", effect="resolve_name"),
+    # ---- destroying
+    Api("rclpy.node.Node.destroy_node", effect="destroy_node"),
+    Api("rclpy.node.Node.destroy_publisher", "entity", effect="destroy", watched=True),
+    Api("rclpy.node.Node.destroy_subscription", "entity", effect="destroy", watched=True),
+    Api("rclpy.node.Node.destroy_client", "entity", effect="destroy", watched=True),
+    Api("rclpy.node.Node.destroy_service", "entity", effect="destroy", watched=True),
+    Api("rclpy.node.Node.destroy_timer", "entity", effect="destroy", watched=True),
+    Api("rclpy.timer.Timer.cancel", watched=True),
+    *(
+        Api(f"rclpy.{cls}.destroy", watched=True)
+        for cls in (
+            "timer.Timer",
+            "client.Client",
+            "publisher.Publisher",
+            "subscription.Subscription",
+            "service.Service",
+            "action.client.ActionClient",
+        )
+    ),
+)
+
+__all__ = ["ROWS"]
