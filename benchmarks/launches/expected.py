@@ -108,9 +108,11 @@ class Checkout:
         if any(isinstance(one, ParameterSetting) and one.name is None for one in started.parameters):
             why.append("a parameter whose name is not known")
         # Of an action that is met twice, the branches that lead to each visit say why.
-        branches = sorted({branch for branch, _ in started.arms if not branch.startswith("one visit of ")})
+        branches = sorted({branch for branch, _ in started.branch_arms if not branch.startswith("one visit of ")})
         by = [launched.why_open.get(branch, "") for branch in branches]
-        return Row(started.kind, fields, f"{started.place.file}:{started.place.line}", bool(started.arms), why, by)
+        return Row(
+            started.kind, fields, f"{started.place.file}:{started.place.line}", bool(started.branch_arms), why, by
+        )
 
     @staticmethod
     def _parameters(loader: LaunchLoader, started: Started, shown: _Shown) -> dict[tuple[str, str], object]:

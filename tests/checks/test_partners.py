@@ -271,7 +271,7 @@ def test_a_node_without_its_source_may_be_anybodys_partner():
 def test_a_library_may_do_what_it_likes_with_a_node_that_it_is_given():
     given = node("/a", subscriber("heard"))
     assert given.blueprint is not None
-    given.blueprint.handed_out = True
+    given.blueprint.escapes = True
     assert findings(system(given, closed=True), "TOP003") == []
 
 

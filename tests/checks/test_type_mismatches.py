@@ -110,8 +110,8 @@ def test_arms_of_one_branch_are_never_both_there():
     judged = system(
         node(
             "/a",
-            publisher("x", "p/msg/One", conditional=True, arms=frozenset({("a.py:9", 0)})),
-            publisher("x", "p/msg/Two", conditional=True, arms=frozenset({("a.py:9", 1)})),
+            publisher("x", "p/msg/One", conditional=True, branch_arms=frozenset({("a.py:9", 0)})),
+            publisher("x", "p/msg/Two", conditional=True, branch_arms=frozenset({("a.py:9", 1)})),
         )
     )
 
@@ -128,8 +128,8 @@ def test_a_branch_may_choose_the_type_that_fits():
     arms = [frozenset({("b.py:9", arm)}) for arm in (0, 1)]
     choice = node(
         "/b",
-        subscriber("x", "p/msg/Two", conditional=True, arms=arms[0]),
-        subscriber("x", "p/msg/One", conditional=True, arms=arms[1]),
+        subscriber("x", "p/msg/Two", conditional=True, branch_arms=arms[0]),
+        subscriber("x", "p/msg/One", conditional=True, branch_arms=arms[1]),
     )
 
     assert found(topic_type_mismatch, system(node("/a", publisher("x", "p/msg/One")), choice)) == []

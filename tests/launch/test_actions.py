@@ -137,8 +137,8 @@ def test_an_undecided_condition_gives_two_arms_that_exclude_each_other(launches)
         before="sim = 'sim'",
     )
     yes, no = launched.started
-    assert (yes.arms, no.arms) == ({("sim", 1)}, {("sim", 0)})
-    assert (launched.condition(yes.arms), launched.condition(no.arms)) == ("sim:=true", "sim:=false")
+    assert (yes.branch_arms, no.branch_arms) == ({("sim", 1)}, {("sim", 0)})
+    assert (launched.condition(yes.branch_arms), launched.condition(no.branch_arms)) == ("sim:=true", "sim:=false")
 
 
 def test_values_of_one_argument_exclude_each_other(launches):
@@ -153,7 +153,7 @@ def test_values_of_one_argument_exclude_each_other(launches):
         + "]",
         before='q = "\'"',
     )
-    one, other = (dict(started.arms) for started in launched.started)
+    one, other = (dict(started.branch_arms) for started in launched.started)
     assert one.keys() == other.keys() == {"mode"} and one != other
 
 
@@ -201,7 +201,7 @@ def test_no_expression_is_executed(launches, tmp_path):
     text = f"__import__(&apos;os&apos;).mkdir(&apos;{marker}&apos;)"
     launched = launches.xml(f"<node pkg='robot' exec='talker' name='n' if='$(eval \"{text}\")'/>")
     assert not marker.exists()
-    assert launched.started[0].arms
+    assert launched.started[0].branch_arms
 
 
 # ----------------------------------------------------------------------------------- code in a launch file
@@ -249,7 +249,7 @@ def test_a_branch_of_the_code_that_nothing_decides(launches):
             "else:\n    actions.append(" + node("b") + ")"
         ),
     )
-    one, other = (dict(started.arms) for started in launched.started)
+    one, other = (dict(started.branch_arms) for started in launched.started)
     assert one.keys() == other.keys() and one != other
 
 
@@ -408,7 +408,7 @@ def test_yaml_that_a_launch_file_loads_itself(launches):
     )
     assert names(launched) == ["quick"]
     assert parameters(launched.started[0]) == {"mode": "fast", "n": 2}
-    assert not launched.started[0].arms
+    assert not launched.started[0].branch_arms
 
 
 def test_the_share_directory_as_the_module_of_a_substitution_imports_it(launches):
@@ -554,7 +554,7 @@ class Talker(Node):
 """
     launched = launches.python("[Talker('left')]", before)
     assert names(launched) == ["left", "left_native"]
-    assert left_out(launched) == [] and all(started.arms for started in launched.started)
+    assert left_out(launched) == [] and all(started.branch_arms for started in launched.started)
 
 
 def test_a_launch_that_a_command_starts_has_a_context_of_its_own(launches):
@@ -675,12 +675,12 @@ def started_under(launches, first: str, second: str, default: str | None = None)
     given = "" if default is None else f", default_value={default!r}"
     actions = f"[DeclareLaunchArgument('x'{given}), {node('a', condition=first)}, {node('b', condition=second)}]"
     one, other = launches.python(actions, before=OWN).started
-    if not one.arms and not other.arms:
+    if not one.branch_arms and not other.branch_arms:
         running = [name for name, started in (("first", one), ("second", other)) if not started.dormant]
         return {0: "none", 1: running[0] if running else "", 2: "both"}[len(running)]
-    if one.arms == other.arms:
+    if one.branch_arms == other.branch_arms:
         return "alike"
-    (this,), (that,) = one.arms, other.arms
+    (this,), (that,) = one.branch_arms, other.branch_arms
     return "apart" if this[0] == that[0] else "either"
 
 
@@ -720,7 +720,7 @@ def test_one_condition_in_a_variable_excludes_its_opposite(launches):
             ("c", "UnlessCondition", "other"),
         ]
     ]
-    a, b, c = (dict(started.arms) for started in launches.python(f"[{', '.join(nodes)}]", before=before).started)
+    a, b, c = (dict(started.branch_arms) for started in launches.python(f"[{', '.join(nodes)}]", before=before).started)
     assert a.keys() == b.keys() and a != b
     assert a.keys() != c.keys()
 
@@ -731,7 +731,7 @@ def test_one_condition_in_a_variable_excludes_its_opposite(launches):
 )
 def test_the_truth_of_a_text_is_launchs(launches, text, runs):
     (started,) = launches.python(f"[{node('n', condition=f'IfCondition({text})')}]").started
-    assert (None if started.arms else not started.dormant) is runs
+    assert (None if started.branch_arms else not started.dormant) is runs
 
 
 @pytest.mark.parametrize(
@@ -750,7 +750,7 @@ def test_the_truth_of_a_text_is_launchs(launches, text, runs):
 )
 def test_the_truth_of_a_substitution_is_launchs(launches, test, runs):
     (started,) = launches.python(f"[{node('n', condition=f'IfCondition({test})')}]", before=OWN).started
-    assert (None if started.arms else not started.dormant) is runs
+    assert (None if started.branch_arms else not started.dormant) is runs
 
 
 def test_an_argument_set_anew_is_another_condition(launches):
@@ -758,7 +758,7 @@ def test_an_argument_set_anew_is_another_condition(launches):
         '<arg name="x"/><node pkg="robot" exec="talker" name="a" if="$(var x)"/>'
         '<let name="x" value="$(command \'id\')"/><node pkg="robot" exec="talker" name="b" unless="$(var x)"/>'
     )
-    first, second = (dict(started.arms) for started in launched.started)
+    first, second = (dict(started.branch_arms) for started in launched.started)
     assert first.keys() != second.keys()
     assert launched.undecided == {"x": ["true", "false"]}
 
@@ -772,7 +772,7 @@ def test_an_argument_keeps_its_condition_under_another_name(launches):
         '<arg name="x"/><node pkg="robot" exec="talker" name="a" if="$(var x)"/>'
         '<include file="$(find-pkg-share robot)/launch/inner.launch.xml"><arg name="sim" value="$(var x)"/></include>'
     )
-    assert [launched.condition(started.arms) for started in launched.started] == ["x:=true", "x:=false"]
+    assert [launched.condition(started.branch_arms) for started in launched.started] == ["x:=true", "x:=false"]
 
 
 # ------------------------------------------------------------------------------- one of several actions
@@ -792,13 +792,15 @@ ONE_OR_OTHER = f"one, other = {node('one')}, {node('other')}\nreal = os.path.exi
     ],
 )
 def test_one_of_two_actions_excludes_the_other(launches, actions, before):
-    one, other = (dict(started.arms) for started in launches.python(actions, before=ONE_OR_OTHER + before).started)
+    one, other = (
+        dict(started.branch_arms) for started in launches.python(actions, before=ONE_OR_OTHER + before).started
+    )
     assert one.keys() == other.keys() and one != other
 
 
 def test_what_is_in_both_lists_runs_always(launches):
     before = ONE_OR_OTHER + f"both = {node('both')}\nchosen = [both, one] if real else [both, other]"
-    conditional = {s.name.text: bool(s.arms) for s in launches.python("chosen", before=before).started}
+    conditional = {s.name.text: bool(s.branch_arms) for s in launches.python("chosen", before=before).started}
     assert conditional == {"both": False, "one": True, "other": True}
 
 
@@ -954,15 +956,15 @@ def test_why_nobody_knows_whether_a_node_is_started(launches, code, why):
     before = f"{imported}\ndescription = []\n{code.format(node('talker'))}"
     launched = launches.python("description", before)
     [started] = launched.started
-    assert launched.reasons(started.arms) == [why]
-    assert launched.condition(started.arms) == f"a condition ({why})"
+    assert launched.reasons(started.branch_arms) == [why]
+    assert launched.condition(started.branch_arms) == f"a condition ({why})"
 
 
 def test_why_a_condition_is_open(launches):
     condition = "IfCondition(EnvironmentVariable('ROBOT'))"
     launched = launches.python(f"[{node('talker', condition=condition)}]")
     [started] = launched.started
-    assert launched.reasons(started.arms) == ["the environment variable ROBOT"]
+    assert launched.reasons(started.branch_arms) == ["the environment variable ROBOT"]
 
 
 @pytest.mark.parametrize(("variable", "shown"), [("ROBOT", "spare"), ("USER", None)])

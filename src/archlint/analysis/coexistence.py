@@ -11,8 +11,12 @@ from itertools import combinations
 from typing import TYPE_CHECKING
 
 from archlint.analysis.completeness import called_names
+from archlint.branches import exclusive
 from archlint.model import PUBLISHER
-from archlint.systems.model import exclusive, key_of, runs_along
+from archlint.systems.model import (
+    key_of,
+    runs_along,
+)
 
 if TYPE_CHECKING:
     from archlint.systems.model import Connection, Endpoint, Node, System
@@ -97,7 +101,7 @@ def meet(system: System, one: Endpoint, other: Endpoint) -> bool:
         system.together(one.node, other.node)
         # Two nodes of one name are one node written twice, or a mistake of another kind.
         and one.node.name != other.node.name
-        and not exclusive(one.creation.arms, other.creation.arms)
+        and not exclusive(one.creation.branch_arms, other.creation.branch_arms)
         and _started_alike(one.node, other.node)
         and not (not seen_together(system, one.node, other.node) and _apart(system, one, other))
     )

@@ -186,7 +186,7 @@ def _is_started(node: Node) -> bool:
     """Whether nothing but its own failure keeps a node from running."""
     if node.condition is not None or node.alternatives or node.error is not None or node.unfollowed is not None:
         return False
-    return all(not one.arms and one.until is None and not one.held for one in node.blueprints)
+    return all(not one.branch_arms and one.until is None and not one.caller_unknown for one in node.blueprints)
 
 
 def _class_of(node: Node) -> tuple[tuple[Place, str], ...]:

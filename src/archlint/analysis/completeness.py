@@ -39,7 +39,7 @@ def is_whole(world: World | None, node: Node) -> bool:
     endpoints has a known name."""
     if world is None or node.blueprint is None or node.program is None or node.doubt is not None:
         return False
-    if node.program.exhausted or any(b.held or not in_sight(b) for b in node.blueprints):
+    if node.program.exhausted or any(b.caller_unknown or not in_sight(b) for b in node.blueprints):
         return False
     if any(endpoint.name is None or endpoint.resolution in ("partial", "unknown") for endpoint in node.endpoints):
         return False
@@ -48,12 +48,12 @@ def is_whole(world: World | None, node: Node) -> bool:
 
 def in_sight(blueprint: Blueprint) -> bool:
     """Whether all that is done with a node was followed: no code from elsewhere has it, and nothing was cut short."""
-    return blueprint.complete and not blueprint.gaps and not blueprint.handed_out
+    return blueprint.complete and not blueprint.gaps and not blueprint.escapes
 
 
 def declares_all(world: World | None, blueprint: Blueprint) -> bool:
     """Whether the class of a node derives from nothing but rclpy's nodes and classes of this workspace."""
-    if world is None or blueprint.held:
+    if world is None or blueprint.caller_unknown:
         return False
     file = blueprint.place.file
     classes = _classes(world, file)

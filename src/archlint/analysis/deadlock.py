@@ -110,7 +110,7 @@ def threads_of(node: Blueprint | None, program: Program) -> Threads:
         return ANY
     if node.executor == "none":
         # What nothing starts may be spun by whoever makes it elsewhere.
-        return NOBODY if program.executable and not node.held else ANY
+        return NOBODY if program.executable and not node.caller_unknown else ANY
     uses = [use for use in program.executors_of(node) if use.kind == "multi_threaded"]
     if node.executor == "multi_threaded":
         # Without a number there are as many threads as processors.

@@ -41,7 +41,7 @@ def is_dead(world: World | None, program: Program, call: ApiCall) -> bool:
     callback = call.context
     if world is None or world.loader is None or callback.role != "method" or not program.executable:
         return False
-    if callback.node is None or callback.node.handed_out:
+    if callback.node is None or callback.node.escapes:
         return False
     loader, file, function = world.loader, callback.place.file, callback.function
     uses = _uses(world, file)

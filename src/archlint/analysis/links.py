@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 from archlint.analysis.coexistence import in_source_order
 from archlint.architecture import ACTION, SERVICE, TOPIC, Contract, Globs, matches
-from archlint.systems.model import exclusive
+from archlint.branches import exclusive
 
 if TYPE_CHECKING:
     from archlint.systems.model import Connection, Endpoint, Node, System
@@ -64,7 +64,7 @@ def links(system: System, *groups: Globs) -> Iterator[Link]:
 def _meet(one: Endpoint, other: Endpoint) -> bool:
     return (
         not exclusive(one.node.alternatives, other.node.alternatives)
-        and not exclusive(one.creation.arms, other.creation.arms)
+        and not exclusive(one.creation.branch_arms, other.creation.branch_arms)
         and one.node.name != other.node.name
     )
 

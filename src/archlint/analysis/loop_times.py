@@ -35,7 +35,7 @@ def in_loops(call: ApiCall, stay: Stay, unknown: float = math.inf, world: World 
     seconds = stay.seconds
     for loop, limit in reversed(tuple(zip(call.loops, call.limits, strict=True))):
         seconds = seconds * _times(loop, unknown) if limit is None else max(seconds, limit)
-    for place in call.rounds[: max(0, len(call.rounds) - len(call.loops))]:
+    for place in call.enclosing_loops[: max(0, len(call.enclosing_loops) - len(call.loops))]:
         seconds *= _rounds_at(world, place)
     seconds = seconds if stay.seconds > 0 else 0.0
     if math.isinf(seconds) and stay.seconds <= TINY and not any(isinstance(loop, facts.While) for loop in call.loops):

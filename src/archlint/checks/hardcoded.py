@@ -10,13 +10,16 @@ from typing import TYPE_CHECKING
 from archlint.analysis.aside import is_not_installed
 from archlint.analysis.completeness import enclosing_class
 from archlint.analysis.fixed_names import is_of_a_model, must_be_absolute
+from archlint.branches import exclusive
 from archlint.checks.folding import folds
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.finding import Finding, Fix, Related, Severity
 from archlint.model import NAMED
 from archlint.ros.well_known import ABSOLUTE
-from archlint.systems.model import exclusive, key_of
+from archlint.systems.model import (
+    key_of,
+)
 
 if TYPE_CHECKING:
     from archlint.finding import Place
@@ -252,11 +255,11 @@ def _by_namespace(world: World | None, node: Node) -> _Reason:
 def _is_chosen(node: Node, endpoint: Endpoint) -> bool:
     """Whether another arm of the branch that takes this name makes the same endpoint under a name that something
     outside of the code decides, or that follows the namespace."""
-    arms = endpoint.creation.arms
+    arms = endpoint.creation.branch_arms
     return bool(arms) and any(
         other.kind == endpoint.kind
         and other.type == endpoint.type
-        and exclusive(arms, other.creation.arms)
+        and exclusive(arms, other.creation.branch_arms)
         and _may_be_meant(endpoint.written or "", other)
         for other in node.endpoints
     )

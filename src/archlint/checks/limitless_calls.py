@@ -57,7 +57,7 @@ def _waits_apart(system: System, program: Program, call: ApiCall) -> bool:
     callback, world = call.context, system.world
     made = callback.registered
     loader = None if world is None else world.loader
-    if callback.role != "thread" or call.chain or call.rounds or made is None or loader is None:
+    if callback.role != "thread" or call.chain or call.enclosing_loops or made is None or loader is None:
         return False
     found = loader.facts_at(made.file)
     return found is not None and _spinner(call, program) != _NOBODY and _is_daemon(found.body, made)
@@ -119,7 +119,7 @@ def _spinner(call: ApiCall, program: Program) -> str:
     if runs_in_executor(call.context):
         return _ANOTHER
     node = call.node if call.creation is None else call.creation.node
-    if node is None or node.held or node.handed_out or role not in ("init", "main", "module", "thread"):
+    if node is None or node.caller_unknown or node.escapes or role not in ("init", "main", "module", "thread"):
         return _UNKNOWN
     uses = program.executors_of(node)
     if any(use.in_thread for use in uses) or (uses and role == "thread"):

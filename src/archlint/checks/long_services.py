@@ -19,6 +19,7 @@ from archlint.syntax.parts import names_in
 from archlint.syntax.walk import statements_of
 
 if TYPE_CHECKING:
+    from archlint.branches import BranchArm
     from archlint.finding import Place
     from archlint.model import ApiCall, Program
     from archlint.systems.model import System
@@ -60,9 +61,9 @@ def _endless_first(sleep: _Sleep) -> tuple[bool, Place]:
 def _in_all(sleeps: Sequence[_Sleep]) -> float:
     """Seconds that a handler sleeps for certain, each way through its branches by itself; what nobody knows has no
     end."""
-    arms: dict[tuple[tuple[str, int], ...], dict[Place, float]] = {}
+    arms: dict[tuple[BranchArm, ...], dict[Place, float]] = {}
     for call, stay in sleeps:
-        arms.setdefault(call.arms, {})[call.place] = _seconds(call, stay)
+        arms.setdefault(call.branch_arms, {})[call.place] = _seconds(call, stay)
     always = sum(arms.pop((), {}).values())
     return always + max((sum(found.values()) for found in arms.values()), default=0.0)
 

@@ -114,7 +114,7 @@ def _is_one_of_several(endpoint: Endpoint) -> bool:
     """Whether the call has another name, too, that only data decides, or that goes on where this one ends: what ROS
     rejects may then be what stands there until somebody fills it in, or what is left where a file does not say."""
     creation, text = endpoint.creation, endpoint.written or ""
-    return bool(creation.arms or creation.conditional) and any(
+    return bool(creation.branch_arms or creation.conditional) and any(
         other is not endpoint and other.place == endpoint.place and _is_open(other, text)
         for other in endpoint.node.endpoints
     )

@@ -156,7 +156,7 @@ def _all_words(waits: list[Wait]) -> str:
 
 def _on_one_way(waits: list[Wait]) -> bool:
     """Whether one way through the branches comes to all of the waits."""
-    arms = sorted((wait.call.arms for wait in waits), key=len)
+    arms = sorted((wait.call.branch_arms for wait in waits), key=len)
     return all(longer[: len(shorter)] == shorter for shorter, longer in pairwise(arms))
 
 

@@ -7,10 +7,13 @@ from collections.abc import Iterator
 from itertools import combinations, groupby
 from typing import TYPE_CHECKING
 
+from archlint.branches import exclusive
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.finding import Finding, Related
-from archlint.systems.model import exclusive, runs_along
+from archlint.systems.model import (
+    runs_along,
+)
 
 if TYPE_CHECKING:
     from archlint.finding import Place
@@ -86,7 +89,7 @@ def _ends_by_itself(node: Node) -> bool:
 def _in_other_branches(one: Node, other: Node) -> bool:
     """Whether a process makes one of two nodes, and never both."""
     first, second = one.blueprint, other.blueprint
-    return first is not None and second is not None and exclusive(first.arms, second.arms)
+    return first is not None and second is not None and exclusive(first.branch_arms, second.branch_arms)
 
 
 def _gone_before(one: Node, other: Node) -> bool:

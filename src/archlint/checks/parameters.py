@@ -267,7 +267,12 @@ def _twice(world: World | None, node: Node, blueprint: Blueprint) -> Iterator[Fi
     first: dict[str, ParameterDeclaration] = {}
     for declaration in blueprint.parameters:
         name = declaration.name.text
-        if name is None or declaration.name.resolution != "exact" or declaration.conditional or blueprint.held:
+        if (
+            name is None
+            or declaration.name.resolution != "exact"
+            or declaration.conditional
+            or blueprint.caller_unknown
+        ):
             continue
         before = first.setdefault(name, declaration)
         related: Iterable[Related] = ()

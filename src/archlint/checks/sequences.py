@@ -98,11 +98,11 @@ def _runs(system: System) -> Iterator[list[_Step]]:
             continue  # SRV003 says of a handler that it waits, and for how many answers
         if wait.kind != AWAIT and any(_retries(loop) for loop in call.loops):
             continue
-        for way, rounds, clients in ((call.chain, call.rounds, ()), *call.ways):
+        for way, rounds, clients in ((call.chain, call.enclosing_loops, ()), *call.call_chains):
             # What is in the same arms of all branches runs together or not at all; a program that is no
             # callback has to go round all of it.
             round_ = rounds[:1] if not runs_in_executor(call.context) else ()
-            key = (id(wait.program), id(call.context), call.arms, round_)
+            key = (id(wait.program), id(call.context), call.branch_arms, round_)
             client = clients[0] if clients else wait.client
             by_run.setdefault(key, []).append(_Step(call.place, way, wait, client, call.body))
     for steps in by_run.values():

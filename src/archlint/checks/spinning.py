@@ -38,7 +38,7 @@ def _judged(system: System) -> Iterator[tuple[Program, Blueprint]]:
     """The nodes of programs that somebody starts, outside of test code."""
     for program in system.programs:
         if program.executable and not system.roles.is_test(program.file):
-            yield from ((program, node) for node in program.nodes if not node.test and not node.held)
+            yield from ((program, node) for node in program.nodes if not node.test and not node.caller_unknown)
 
 
 # --------------------------------------------------------------------------------------------------- EXE008
@@ -68,7 +68,7 @@ def node_never_spun(system: System, options: Options) -> Iterator[Finding]:
 
 def _all_is_seen(program: Program, node: Blueprint) -> bool:
     unknown = any(use.kind == "unknown" or use.astray or (use.spun and not use.nodes) for use in program.executors)
-    return not (program.exhausted or unknown or node.handed_out) and node.complete
+    return not (program.exhausted or unknown or node.escapes) and node.complete
 
 
 def _idle(program: Program, node: Blueprint) -> _Idle | None:

@@ -39,7 +39,7 @@ class Activation:
     yields: list[Value] = field(default_factory=list)
     scopes: list[int] = field(default_factory=list)
     """Scopes that end with it: its own, and those of its comprehensions."""
-    arms: int = 0
+    branch_arms: int = 0
     """How many undecided branches it was called in."""
     settled: int = -1
     """How many undecided branches there were when the statement that runs began: no more are left to chance in it."""

@@ -220,7 +220,7 @@ def enter_function(machine: Machine, function: FunctionValue, site: CallSite, se
         machine.callers.setdefault(id(ir), set()).add(call_place)
     depth = machine.store.depth
     activation = Activation(function.qualified, module, scope, body, depth, function, self_value, call_place)
-    activation.arms = len(machine.arms)
+    activation.branch_arms = len(machine.branch_arms)
     activation.scopes.append(scope.key)
     machine.store.push()
     for name, value in bound.items():

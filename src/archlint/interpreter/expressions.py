@@ -284,12 +284,12 @@ def _boolean(machine: Machine, e: facts.Boolean) -> Value:
                 # What follows runs only if this operand did not decide.
                 machine.store.push()
                 machine.library.undecided(f"{key}#{number}", value)
-                machine.arms.append((f"{key}#{number}", 0))
+                machine.branch_arms.append((f"{key}#{number}", 0))
                 narrow(machine, operand, not stop)
                 pushed += 1
     finally:
         for _ in range(pushed):
-            machine.arms.pop()
+            machine.branch_arms.pop()
         if pushed:
             machine.store.merge([machine.store.cut(depth), {}])
     return one_of(possible)

@@ -13,6 +13,7 @@ from contextlib import contextmanager
 from dataclasses import dataclass
 from enum import Enum
 
+from archlint.branches import BranchArm
 from archlint.faults import Faults
 from archlint.finding import Place
 from archlint.interpreter.activation import Activation
@@ -89,7 +90,7 @@ class Machine(ABC):
         self.faults = Faults()
         """Where archlint itself failed; a linker or loader gives all of its runs one."""
         self.activations: list[Activation] = []
-        self.arms: list[tuple[str, int]] = []
+        self.branch_arms: list[BranchArm] = []
         self.steps = 0
         self.allowed_steps = PROGRAM_STEPS
         self.left = PROGRAM_STEPS
@@ -138,7 +139,7 @@ class Machine(ABC):
     def place(self, span: facts.Span) -> Place:
         return Place(self.activation.module.path, *span)
 
-    def rounds(self) -> tuple[Place, ...]:
+    def enclosing_loops(self) -> tuple[Place, ...]:
         """The loops that go round what runs now, those of the callers first."""
         return tuple(one.place(loop.span) for one in self.activations for loop in self.loops_of(one))
 
@@ -207,8 +208,8 @@ class Machine(ABC):
         if module.state == "new":
             module.state = "running"
             module.scope = Scope(self.store.new_key(), None, module, "module", module.name)
-            kept = self.activations, self.arms
-            self.activations, self.arms = [], []
+            kept = self.activations, self.branch_arms
+            self.activations, self.branch_arms = [], []
             bounds = self.steps, self.allowed_steps
             if self.late:  # what is run for all programs is not cut short for the sake of the others
                 self.steps, self.allowed_steps = 0, STEPS
@@ -216,7 +217,7 @@ class Machine(ABC):
                 with self.importing(module):
                     self._run_top_level(module)
             finally:
-                self.activations, self.arms = kept
+                self.activations, self.branch_arms = kept
                 if self.late:
                     self.steps, self.allowed_steps = bounds
                 module.state = "done"
@@ -275,7 +276,7 @@ class Machine(ABC):
             # Joining large lists again and again takes longer than the statements that make it happen.
             self.steps += self.store.work // WORK_OF_A_STEP
             self.store.work = 0
-        depth, arms = self.store.depth, len(self.arms)
+        depth, arms = self.store.depth, len(self.branch_arms)
         for statement in block:
             self.steps += 1
             if self.steps > self.allowed_steps:
@@ -302,7 +303,7 @@ class Machine(ABC):
         span = (1, 1, 1, 1) if isinstance(statement, facts.Global) else statement.span
         self.note_fault("following this statement", error, activation.place(span))
         del self.activations[self.activations.index(activation) + 1 :]
-        del self.arms[arms:]
+        del self.branch_arms[arms:]
         if self.store.depth > depth:
             self.store.merge([self.store.cut(depth)])
         return None
@@ -323,12 +324,12 @@ class Machine(ABC):
         """What runs inside belongs to one arm of a branch; the list then holds what it wrote."""
         depth = self.store.depth
         self.store.push()
-        self.arms.append((key, arm))
+        self.branch_arms.append((key, arm))
         taken: list[Layer] = []
         try:
             yield taken
         finally:
-            self.arms.pop()
+            self.branch_arms.pop()
             taken.append(self.store.cut(depth))
 
     def join(self, results: list[tuple[Status, Layer]]) -> Status:

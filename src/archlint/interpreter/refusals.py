@@ -87,7 +87,7 @@ def refuses_to_iterate(machine: Machine, iterable: Value) -> bool:
 
 def _is_certain(machine: Machine) -> bool:
     activation = machine.activation
-    return activation.scope.kind != "comprehension" and activation.settled == len(machine.arms)
+    return activation.scope.kind != "comprehension" and activation.settled == len(machine.branch_arms)
 
 
 def _refuses(machine: Machine, function: Value, given: int, keywords: Mapping[str, Value]) -> bool:

@@ -44,7 +44,7 @@ def launch_object(run: Run, call: ApiUse) -> Value:
         note_declaration(run, made)
     if isinstance(call.receiver, Instance):
         run.store.set(call.receiver.key, "#action", made)  # super().__init__(…) of a class derived from an action
-    run.store.set(made.key, "#arms", frozenset(run.arms))
+    run.store.set(made.key, "#arms", frozenset(run.branch_arms))
     run.store.set(made.key, "#places", argument_places(run, call.api, call.expression))
     run.store.set(made.key, "#rest", tuple(call.rest))
     run.store.set(made.key, "#open", call.open)
@@ -116,10 +116,10 @@ def _add(run: Run, receiver: Value, args: list[Value], keywords: dict[str, Value
 
 def _in_branch(run: Run, value: Value) -> Value:
     """An action that is added in a branch of the code is conditional, wherever it was made."""
-    if not run.arms:
+    if not run.branch_arms:
         return value
     made = Instance(External("launch.Branch"), run.store.new_key(), None, {"action": value})
-    run.store.set(made.key, "#arms", frozenset(run.arms))
+    run.store.set(made.key, "#arms", frozenset(run.branch_arms))
     return made
 
 

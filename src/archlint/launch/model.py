@@ -4,11 +4,10 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 
+from archlint.branches import BranchArms
 from archlint.finding import Place
 from archlint.model import Text
 from archlint.syntax.parameter_files import NotKnown
-
-Arms = frozenset[tuple[str, int]]
 
 NOT_FOLLOWED = "("
 """What the branch of a condition starts with where it is not followed how the arguments decide it."""
@@ -142,7 +141,7 @@ class Started:
     ros_arguments: list[str | None] = field(default_factory=list)
     whole_arguments: bool = True
     bare: bool = False
-    arms: Arms = frozenset()
+    branch_arms: BranchArms = frozenset()
     dormant: bool = False
     lifecycle: bool = False
     places: dict[str, Place] = field(default_factory=dict)
@@ -166,11 +165,15 @@ def once_more(one: Started, other: Started) -> bool:
 def merge(one: Started, other: Started) -> bool:
     """Make one process of what is met twice and started alike, under what both visits have in common; False where
     it is not alike, or where no visit covers the other and they do not exclude each other."""
-    if not one.arms <= other.arms and not other.arms <= one.arms and not _opposite(one.arms, other.arms):
+    if (
+        not one.branch_arms <= other.branch_arms
+        and not other.branch_arms <= one.branch_arms
+        and not _opposite(one.branch_arms, other.branch_arms)
+    ):
         return False
     if any(getattr(one, name) != getattr(other, name) for name in _ALIKE):
         return False
-    one.arms &= other.arms
+    one.branch_arms &= other.branch_arms
     one.dormant = one.dormant and other.dormant
     return True
 
@@ -190,7 +193,7 @@ _ALIKE = (
 )
 
 
-def _opposite(one: Arms, other: Arms) -> bool:
+def _opposite(one: BranchArms, other: BranchArms) -> bool:
     """Whether two sets of branches are the two sides of one condition, and otherwise the same."""
     return [branch for branch, _ in one - other] == [branch for branch, _ in other - one] != []
 
@@ -324,13 +327,13 @@ class Launched:
         includes = [Gap(why, i.place, "include", i.dormant) for i in self.included if (why := _why_not_followed(i))]
         return [gap for gap in [*self.gaps, *includes] if not gap.dormant]
 
-    def condition(self, arms: Arms) -> str | None:
+    def condition(self, arms: BranchArms) -> str | None:
         """Under which arguments branches are taken, for people; None for no branch at all."""
         known = sorted(self.labels[arm] for arm in arms if arm in self.labels)
         if known or not arms:
             return " ".join(known) or None
         return " ".join(["a condition", *(f"({why})" for why in self.reasons(arms)[:1])])
 
-    def reasons(self, arms: Arms) -> list[str]:
+    def reasons(self, arms: BranchArms) -> list[str]:
         """Why nothing decides some branches, as far as that is known."""
         return sorted({self.why_open[branch] for branch, _ in arms if branch in self.why_open})

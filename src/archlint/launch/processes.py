@@ -55,7 +55,7 @@ def _started(run: LaunchRun, entity: Instance, kind: str) -> Started:
         run.file,
         None if name is None else _text_of(run, perform(run, name), "no name"),
         None if full is None else _text_of(run, full, "no namespace"),
-        arms=run.current_arms,
+        branch_arms=run.current_arms,
         dormant=run.is_dormant,
         places=run.places_of(entity),
     )
@@ -195,7 +195,7 @@ def process(run: LaunchRun, entity: Instance) -> None:
             Text(words[3], "exact"),
             run.place_now,
             run.file,
-            arms=run.current_arms,
+            branch_arms=run.current_arms,
             dormant=run.is_dormant,
             arguments=words[4:],
             whole_arguments=whole,
@@ -213,7 +213,7 @@ def process(run: LaunchRun, entity: Instance) -> None:
             name,
             run.place_now,
             run.file,
-            arms=run.current_arms,
+            branch_arms=run.current_arms,
             dormant=run.is_dormant,
             arguments=words[1:],
         )

@@ -8,6 +8,7 @@ from contextlib import contextmanager
 from typing import TYPE_CHECKING
 
 from archlint import model
+from archlint.branches import BranchArms
 from archlint.finding import Place
 from archlint.interpreter import values
 from archlint.interpreter.call_site import CallSite
@@ -21,7 +22,6 @@ from archlint.launch.conditions import Verdict
 from archlint.launch.context import Context
 from archlint.launch.library import LaunchLibrary
 from archlint.launch.model import (
-    Arms,
     FileReference,
     Gap,
     Launched,
@@ -64,8 +64,8 @@ class LaunchRun(Run):
         self.place_now = place
         self.visits = 0
         self.nesting = 0
-        self.current_arms: Arms = frozenset()
-        self.code_arms: Arms = frozenset()
+        self.current_arms: BranchArms = frozenset()
+        self.code_arms: BranchArms = frozenset()
         """Branches of the code that have already been taken note of."""
         self.dormant = 0
         self.undecided = 0
@@ -111,7 +111,7 @@ class LaunchRun(Run):
 
     @property
     def is_conditional(self) -> bool:
-        return self.dormant > 0 or self.undecided > 0 or bool(self.arms)
+        return self.dormant > 0 or self.undecided > 0 or bool(self.branch_arms)
 
     def gap(self, reason: str, kind: str = "launch", place: Place | None = None) -> None:
         gap = Gap(reason, place or self.place_now, kind, self.is_dormant)
@@ -140,7 +140,7 @@ class LaunchRun(Run):
             return
         for one in again:
             branch = f"one visit of {len(self.result.started)}"
-            one.arms, started.arms = one.arms | {(branch, 0)}, started.arms | {(branch, 1)}
+            one.branch_arms, started.branch_arms = one.branch_arms | {(branch, 0)}, started.branch_arms | {(branch, 1)}
         self._by_place[started.place].append(started)
         self.result.started.append(started)
 
@@ -241,7 +241,7 @@ class LaunchRun(Run):
         return values.index(value)
 
     @contextmanager
-    def under(self, own: Arms, verdict: Verdict, place: Place) -> Iterator[None]:
+    def under(self, own: BranchArms, verdict: Verdict, place: Place) -> Iterator[None]:
         """An action under a condition: one that does not hold leaves no trace in the context, one that is not
         decided leaves both."""
         if verdict.holds is True and not own:
@@ -283,10 +283,10 @@ class LaunchRun(Run):
     @contextmanager
     def root(self, module: Module) -> Iterator[None]:
         """Run code of a module, from a fresh chain of calls."""
-        kept, kept_arms = self.activations, self.arms
+        kept, kept_arms = self.activations, self.branch_arms
         self.steps, self.repeats, self.runs = 0, {}, {}
         self.allowed_steps = max(FEW_STEPS, min(PROGRAM_STEPS, self.left))
-        self.activations, self.arms = [], sorted(self.code_arms)
+        self.activations, self.branch_arms = [], sorted(self.code_arms)
         enter_root(self, module)
         depth = self.store.depth
         self.store.push()
@@ -295,7 +295,7 @@ class LaunchRun(Run):
         finally:
             layer = self.store.cut(depth)
             self.store.merge([layer])
-            self.activations, self.arms = kept, kept_arms
+            self.activations, self.branch_arms = kept, kept_arms
             self.left -= self.steps
 
     def call_handler(self, function: Value) -> Value:

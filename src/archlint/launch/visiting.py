@@ -6,10 +6,13 @@ from collections.abc import Callable, Iterator
 from itertools import combinations
 from typing import TYPE_CHECKING
 
+from archlint.branches import BranchArms
 from archlint.interpreter.heap import Items
 from archlint.interpreter.values import External, Instance, Known, ListValue, OneOf, Unknown, Value, reason
 from archlint.launch import conditions
-from archlint.launch.model import Arms, NotACondition
+from archlint.launch.model import (
+    NotACondition,
+)
 from archlint.launch.substitutions import argument, kind_of, made_by_base
 
 if TYPE_CHECKING:
@@ -83,7 +86,7 @@ def _are_apart(run: LaunchRun, entity: OneOf) -> bool:
     return all(any(one[key] != other.get(key, one[key]) for key in one) for one, other in combinations(every, 2))
 
 
-def _version(run: LaunchRun, entity: OneOf, number: int) -> Arms:
+def _version(run: LaunchRun, entity: OneOf, number: int) -> BranchArms:
     return frozenset({(f"one of {run.names.number(entity)}", number)})
 
 
@@ -94,7 +97,7 @@ def _visit_versions(run: LaunchRun, entity: OneOf) -> None:
     rows = [containers.items_of(run, option) for option in entity.values if isinstance(option, ListValue)]
     for value in dict.fromkeys(value for row in rows for value in row.values):
         holding = [number for number, row in enumerate(rows) if value in row.values]
-        own: Arms = frozenset()
+        own: BranchArms = frozenset()
         if len(holding) == 1:
             own = _version(run, entity, holding[0])
         elif len(holding) < len(rows):
@@ -117,7 +120,7 @@ def _note_open(run: LaunchRun, items: Items) -> None:
         run.gap("a list of actions that is not wholly known")
 
 
-def arms_of(run: LaunchRun, value: Value) -> Arms:
+def arms_of(run: LaunchRun, value: Value) -> BranchArms:
     """The branches of the launch file's own code that an object was made in."""
     made = made_by_base(run, value)
     arms = run.store.get(getattr(made or value, "key", 0), "#arms")

@@ -119,15 +119,15 @@ def record(run: Run, api: Api, receiver: Value | None, bound: dict[str, Value], 
     cleaning = guards.is_cleaning_up(run)
     if known is not None:
         if known.cleaning and not cleaning:
-            known.cleaning, known.chain, known.arms = False, run.chain(), tuple(run.arms)
+            known.cleaning, known.chain, known.branch_arms = False, run.chain(), tuple(run.branch_arms)
         if known.creation is None and len(on) == 1:
             known.creation = on[0]
-        known.conditional = known.conditional and bool(run.arms)
-        chain, rounds = run.chain(), run.rounds()
-        known.rounds = known.rounds or rounds
-        is_new = chain != known.chain and all((chain, rounds) != way[:2] for way in known.ways)
-        if is_new and tuple(run.arms) == known.arms:
-            known.ways.append((chain, rounds, on or creations_of(bound.get("future"))))
+        known.conditional = known.conditional and bool(run.branch_arms)
+        chain, enclosing_loops = run.chain(), run.enclosing_loops()
+        known.enclosing_loops = known.enclosing_loops or enclosing_loops
+        is_new = chain != known.chain and all((chain, enclosing_loops) != other[:2] for other in known.call_chains)
+        if is_new and tuple(run.branch_arms) == known.branch_arms:
+            known.call_chains.append((chain, enclosing_loops, on or creations_of(bound.get("future"))))
         return
     first = on[0] if len(on) == 1 else None
     node = first.node if first is not None else nodes.known_node(run, receiver)
@@ -148,11 +148,11 @@ def record(run: Run, api: Api, receiver: Value | None, bound: dict[str, Value], 
         activation.statement,
         tuple(loops),
         activation.body,
-        bool(run.arms),
+        bool(run.branch_arms),
         False,
         any(one.tries for one in run.activations),
-        run.rounds(),
-        tuple(run.arms),
+        run.enclosing_loops(),
+        tuple(run.branch_arms),
         tuple(clocks.limit_of(run, loop) for loop in loops),
         cleaning,
     )

@@ -92,7 +92,7 @@ class Run(Interpreter):
         """Objects that code has which is not followed, by key."""
         self.shared: list[Shared] = []
         """Nodes, or what may hold some, that were put where all functions of a module can get at them."""
-        self.handed_out: dict[int, ClassValue] = {}
+        self.escaping_classes: dict[int, ClassValue] = {}
         """Node classes that the entry point gives to code that is not here."""
         self.roots = 0
         """How many callbacks and methods have run."""

@@ -6,6 +6,7 @@ from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
+    from archlint.branches import BranchArm
     from archlint.finding import Place
     from archlint.model.nodes import Blueprint, Callback, Creation, Frame
     from archlint.syntax import facts
@@ -42,18 +43,18 @@ class ApiCall:
     awaited: bool = False
     in_try: bool = False
     """Whether a ``try`` is around it, here or in a caller."""
-    rounds: tuple[Place, ...] = ()
+    enclosing_loops: tuple[Place, ...] = ()
     """The loops that go round it, also those of its callers, outermost first."""
-    arms: tuple[tuple[str, int], ...] = ()
+    branch_arms: tuple[BranchArm, ...] = ()
     """The arms of undecided branches that lead to it, outermost first."""
     limits: tuple[float | None, ...] = ()
     """For each of ``loops`` the seconds after which it ends, where it watches the clock for a known time."""
     cleaning: bool = False
     """Whether it is reached only where something has failed, and the callback ends with it."""
-    ways: list[tuple[tuple[Frame, ...], tuple[Place, ...], tuple[Creation, ...]]] = field(default_factory=list)
+    call_chains: list[tuple[tuple[Frame, ...], tuple[Place, ...], tuple[Creation, ...]]] = field(default_factory=list)
     """Other chains (the loops on them, the endpoints it is for) from the same context, through the same arms."""
 
     @property
     def looped(self) -> bool:
         """Whether a loop, be it in a caller, goes round it."""
-        return bool(self.rounds)
+        return bool(self.enclosing_loops)

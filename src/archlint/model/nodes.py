@@ -7,6 +7,7 @@ from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
+    from archlint.branches import BranchArms
     from archlint.finding import Place
     from archlint.model.texts import Text
     from archlint.ros.qos import Qos
@@ -94,8 +95,8 @@ class Callback:
 class Creation:
     """One create call of one node: a publisher, subscription, service, client, action, timer …
 
-    ``conditional`` is set where only a branch that could not be decided creates it; ``arms`` names those
-    branches as ``(branch, arm)``: two creations with one branch and different arms exclude each other.
+    ``conditional`` is set where only a branch that could not be decided creates it; ``branch_arms`` says
+    which: two creations in different arms of one branch exclude each other.
     """
 
     kind: str
@@ -113,7 +114,7 @@ class Creation:
     """By role; a subscription has ``subscription``, an action server ``execute``, ``goal`` …"""
     group: Group = field(default_factory=Group)
     conditional: bool = False
-    arms: frozenset[tuple[str, int]] = frozenset()
+    branch_arms: BranchArms = frozenset()
     chain: tuple[Frame, ...] = ()
     """The calls that lead from the start of the run to the create call."""
     context: Callback | None = None
@@ -169,9 +170,9 @@ class Blueprint:
     """A node as one program makes it, before a launch file renames or remaps anything.
 
     ``name`` and ``namespace`` are the constructor's; ``class_name`` the class (or function, for
-    ``create_node``).  With ``held`` it is no node: what a class or function creates on a node that nothing here
-    is seen to hand it, and what a class with a base from elsewhere creates on itself while nothing shows that
-    the base is a node.
+    ``create_node``).  With ``caller_unknown`` it is no node: what a class or function creates on a node that
+    no caller in sight passes to it, and what a class with a base from elsewhere creates on itself while nothing
+    shows that the base is a node.
     """
 
     class_name: str
@@ -180,7 +181,7 @@ class Blueprint:
     place: Place
     package: str | None
     lifecycle: bool = False
-    held: bool = False
+    caller_unknown: bool = False
     classes: tuple[ClassKey, ...] = ()
     """Its class and the bases of that which are of this workspace."""
     annotated: tuple[ClassKey, str] | None = None
@@ -202,13 +203,13 @@ class Blueprint:
     automatically_declare_parameters: bool = False
     made_at: Place | None = None
     """The call that makes it, where one does."""
-    arms: frozenset[tuple[str, int]] = frozenset()
-    """The branches that make it, as ``Creation.arms``."""
+    branch_arms: BranchArms = frozenset()
+    """The branches that make it, as ``Creation.branch_arms``."""
     instead_of: Blueprint | None = None
     """The node of the same class and name that it took the place of in a variable."""
     served_apart: bool = False
     """True where an executor was given it, and not one of several nodes."""
-    handed_out: bool = False
+    escapes: bool = False
     """True where code that is not in this workspace is given the node: that may spin it."""
     number: int = 0
     """How many nodes the program had made before this one."""

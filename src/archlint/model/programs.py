@@ -50,6 +50,6 @@ class Program:
         moment says nothing of who spins the node later.
         """
         uses = [use for use in self.executors if use.spun and node in use.nodes]
-        least = FOR_A_WHILE if node.held or not self.executable else FOR_A_MOMENT
+        least = FOR_A_WHILE if node.caller_unknown or not self.executable else FOR_A_MOMENT
         longest = max((use.lasts_for(node) for use in uses), default=least)
         return [use for use in uses if use.lasts_for(node) == longest >= least]

@@ -43,10 +43,10 @@ def settle_helpers(programs: Sequence[model.Program], holders: Holders) -> None:
     """Drop what helpers create on nodes that are not known, where a known node has it; give the rest to the node that
     annotations name; then drop the empty ones."""
     every = [node for program in programs for node in program.nodes]
-    owned = _names_by_place(creation for node in every if not node.held for creation in node.creations)
-    declared = _names_by_place(parameter for node in every if not node.held for parameter in node.parameters)
+    owned = _names_by_place(creation for node in every if not node.caller_unknown for creation in node.creations)
+    declared = _names_by_place(parameter for node in every if not node.caller_unknown for parameter in node.parameters)
     for node in every:
-        if node.held:
+        if node.caller_unknown:
             node.creations = [one for one in node.creations if not _is_known(one, owned)]
             node.parameters = [one for one in node.parameters if not _is_known(one, declared)]
             _give_away(node, _meant(node, every, holders))
@@ -56,7 +56,7 @@ def settle_helpers(programs: Sequence[model.Program], holders: Holders) -> None:
 
 def helpers_in(programs: Sequence[model.Program]) -> list[model.Blueprint]:
     """What works on a node that is not known, outside of tests."""
-    return [node for program in programs for node in program.nodes if node.held and not node.test]
+    return [node for program in programs for node in program.nodes if node.caller_unknown and not node.test]
 
 
 def note_unfollowed(
@@ -72,7 +72,7 @@ def note_unfollowed(
         gap = (helper.place, f"the node that {helper.class_name} works on is not known")
         for program in programs:
             for node in program.nodes:
-                if node.held or gap in node.gaps:
+                if node.caller_unknown or gap in node.gaps:
                     continue
                 if program is home or name in names_in_file(node.place.file):
                     node.complete = False
@@ -98,7 +98,7 @@ def _meant(helper: model.Blueprint, every: Sequence[model.Blueprint], holders: H
         return []
     cls, attribute = helper.annotated
     found = holders.get(helper.annotated, []) if attribute else [node for node in every if cls in node.classes]
-    found = [node for node in found if not node.held and node.test <= helper.test]
+    found = [node for node in found if not node.caller_unknown and node.test <= helper.test]
     one = len({(node.place, node.class_name, node.name.text) for node in found}) == 1
     return list({id(node): node for node in found}.values()) if one else []
 
@@ -123,7 +123,7 @@ def _is_nothing(node: model.Blueprint, program: model.Program) -> bool:
     """Whether there is nothing to say of it: no endpoint or parameter, of a helper or of an object that runs its
     own constructor and never that of its base, rclpy's Node."""
     unmade = node.name.reason == model.NEVER_CONSTRUCTED and not program.exhausted and node.complete
-    return (node.held or unmade) and not node.creations and not node.parameters
+    return (node.caller_unknown or unmade) and not node.creations and not node.parameters
 
 
 def prune_uncalled(programs: list[model.Program]) -> None:
@@ -137,7 +137,7 @@ def prune_uncalled(programs: list[model.Program]) -> None:
     seen: set[int] = set()
     for program in programs:
         for node in program.nodes:
-            if program.executable and node.complete and not node.held:
+            if program.executable and node.complete and not node.caller_unknown:
                 seen.update(id(creation) for creation in node.creations)
             for creation in node.creations:
                 sites.setdefault(creation.place, []).append(creation)

@@ -359,7 +359,7 @@ class _Program:
         run = self.run
         run.note_fault(self._what, error, self.place)
         run.activations.clear()
-        run.arms.clear()
+        run.branch_arms.clear()
         run.store.merge([run.store.cut(self.depth + 1)])
         enter_root(run, self.module)
 
@@ -410,9 +410,9 @@ def _run_block(run: Run, module: Module, block: facts.If | facts.Facts | None) -
 def _make_handed_out(run: Run) -> None:
     """An entry point that makes no node itself, and gives one node class to code that is not here, has that make
     the node."""
-    if run.program.nodes or len(run.handed_out) != 1:
+    if run.program.nodes or len(run.escaping_classes) != 1:
         return
-    [cls] = run.handed_out.values()
+    [cls] = run.escaping_classes.values()
     run.activations[-1].statement = None
     made = run.call(cls)
     escapes.escape(run, [made], "code that is not followed makes it")

@@ -94,7 +94,7 @@ def run_root(
         return
     run.roots += 1
     kept_context, kept_activations, kept_lineage = run.context, run.activations, run.lineage
-    kept_bounds = run.steps, run.repeats, run.runs, run.arms
+    kept_bounds = run.steps, run.repeats, run.runs, run.branch_arms
     kept_allowed = run.allowed_steps
     run.left -= run.steps
     run.allowed_steps = max(FEW_STEPS, min(STEPS, run.left))
@@ -103,7 +103,7 @@ def run_root(
     run.steps = 0
     run.repeats = {}
     run.runs = {}
-    run.arms = []
+    run.branch_arms = []
     module = module_of(value) or kept_activations[0].module
     run.activations = []
     enter_root(run, module)
@@ -119,7 +119,7 @@ def run_root(
         layer = run.store.cut(depth)
         run.context, run.activations, run.lineage = kept_context, kept_activations, kept_lineage
         run.left -= run.steps
-        _, run.repeats, run.runs, run.arms = kept_bounds
+        _, run.repeats, run.runs, run.branch_arms = kept_bounds
         run.steps, run.allowed_steps = 0, max(FEW_STEPS, kept_allowed - kept_bounds[0])
     written = left_behind.written(run, layer)
     if run.store.merge([layer] if certain else [layer, {}]) or certain:

@@ -71,7 +71,7 @@ def instantiate(
     executables = tuple(sorted(set(blueprint.executables)))
     node = Node(
         # Whoever uses a helper may be any node of the process.
-        name=None if blueprint.held else own.full,
+        name=None if blueprint.caller_unknown else own.full,
         blueprint=blueprint,
         package=blueprint.package,
         executable=executables[0] if executables else None,
@@ -170,7 +170,14 @@ def _node_of_twins(twins: list[Twin], distro: str | None) -> Node:
 
 def _twin_order(twin: Twin) -> tuple[object, ...]:
     blueprint, program = twin
-    return (blueprint.test, blueprint.held, not program.executable, program.package or "", program.name, program.file)
+    return (
+        blueprint.test,
+        blueprint.caller_unknown,
+        not program.executable,
+        program.package or "",
+        program.name,
+        program.file,
+    )
 
 
 def _common_executor(executors: Iterable[str]) -> str:

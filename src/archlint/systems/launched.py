@@ -56,7 +56,7 @@ class LaunchSystems:
                 made = self.nodes(started, launched.file)
                 self._note_doubt(started, made)
                 for node in made:
-                    node.condition = launched.condition(started.arms)
+                    node.condition = launched.condition(started.branch_arms)
                 nodes.extend(made)
         programs = list({id(node.program): node.program for node in nodes if node.program is not None}.values())
         return System(
@@ -119,7 +119,7 @@ class LaunchSystems:
             node.overrides = overrides_of(started, known_name(node), self.parameters_of)
         node.launch_place = started.place
         node.started = started
-        node.alternatives = started.arms
+        node.alternatives = started.branch_arms
         node.package = started.package.text or node.package
         node.executable = started.executable.text or node.executable
         _forget_unknown_remaps(node, started)
@@ -251,7 +251,7 @@ def _external(started: Started, launch_file: str, unfollowed: str | None) -> Nod
         launched_by=launch_file,
         external=True,
         unfollowed=unfollowed,
-        alternatives=started.arms,
+        alternatives=started.branch_arms,
         started=started,
         launch_place=started.place,
         resolution="exact" if full is not None else "unknown",

@@ -7,6 +7,7 @@ from functools import cached_property
 from typing import TYPE_CHECKING, TypeVar
 
 from archlint import model as program
+from archlint.branches import exclusive
 from archlint.faults import Faults
 from archlint.launch.model import NOT_FOLLOWED
 from archlint.workspace.test_code import FileRoles
@@ -14,6 +15,7 @@ from archlint.workspace.test_code import FileRoles
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 
+    from archlint.branches import BranchArms
     from archlint.finding import Place
     from archlint.launch.load import LaunchLoader
     from archlint.launch.model import Launched, Started
@@ -95,8 +97,8 @@ class Node:
     doubt: str | None = None
     """Why what was found of its code is perhaps not all: the launch file names much that is not in it."""
     endpoints: list[Endpoint] = field(default_factory=list)
-    alternatives: frozenset[tuple[str, int]] = frozenset()
-    """Branches of launch files that this node depends on (as ``Creation.arms``)."""
+    alternatives: BranchArms = frozenset()
+    """Branches of launch files that this node depends on (as ``Creation.branch_arms``)."""
     condition: str | None = None
     """What the launch file says of when it starts this node (``use_sim:=true``), where no argument decides that;
     None for always."""
@@ -127,7 +129,7 @@ class Node:
     @property
     def is_node(self) -> bool:
         """False for what only stands for a node that is not known: a helper that nothing here hands one."""
-        return self.blueprint is None or not all(blueprint.held for blueprint in self.blueprints)
+        return self.blueprint is None or not all(blueprint.caller_unknown for blueprint in self.blueprints)
 
     def of_kind(self, *kinds: str) -> Iterator[Endpoint]:
         return (endpoint for endpoint in self.endpoints if endpoint.kind in kinds)
@@ -357,13 +359,7 @@ def _once_for_each_place(items: Iterable[_Placed]) -> list[_Placed]:
     return [found[key] for key in sorted(found)]
 
 
-def exclusive(one: frozenset[tuple[str, int]], other: frozenset[tuple[str, int]]) -> bool:
-    """Whether two sets of ``(branch, arm)`` name different arms of one branch."""
-    arms = dict(one)
-    return any(branch in arms and arms[branch] != arm for branch, arm in other)
-
-
-def runs_along(one: frozenset[tuple[str, int]], other: frozenset[tuple[str, int]]) -> bool:
+def runs_along(one: BranchArms, other: BranchArms) -> bool:
     """Whether, of two nodes in these branches, one runs whenever the other does, and the other may.
 
     A condition that is not followed may never hold: a node under it is held only against one under the same.

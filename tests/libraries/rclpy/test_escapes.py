@@ -173,7 +173,7 @@ STAYS = {
 @pytest.mark.parametrize("body", STAYS.values(), ids=STAYS.keys())
 def test_what_does_not(tmp_path, body):
     node = robot(tmp_path, body)
-    assert node.gaps == [] and node.complete and not node.handed_out
+    assert node.gaps == [] and node.complete and not node.escapes
 
 
 def test_a_method_that_nothing_calls_may_give_the_node_away(tmp_path):

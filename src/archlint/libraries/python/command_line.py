@@ -121,7 +121,7 @@ def add_argument(
         return NONE
     names = tuple(arg.value for arg in args if isinstance(arg, Known) and isinstance(arg.value, str))
     name = _destination(names, keywords.get("dest"))
-    if name is None or len(names) != len(args) or (e is not None and any(a.star for a in e.args)) or run.arms:
+    if name is None or len(names) != len(args) or (e is not None and any(a.star for a in e.args)) or run.branch_arms:
         run.store.set(receiver.key, "#open", True)
     if name is not None:
         what = Unknown(f"the command-line argument '{name}'")

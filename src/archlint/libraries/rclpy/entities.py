@@ -85,7 +85,7 @@ def _create(
     alternative: int | None,
 ) -> model.Creation:
     place = run.place(call.expression.span) if call.expression is not None else Place("", 1, 1, 1, 1)
-    arms = frozenset(run.arms)
+    arms = frozenset(run.branch_arms)
     if alternative is not None:
         arms |= {(f"{place.file}:{place.line}:{place.column}|", alternative)}
     policies = (qos.history, qos.depth, qos.reliability, qos.durability)
@@ -94,9 +94,9 @@ def _create(
     known = run.creations.get(key)
     if known is not None:
         if not arms:
-            known.conditional, known.arms = False, frozenset()
+            known.conditional, known.branch_arms = False, frozenset()
         else:
-            known.arms &= arms
+            known.branch_arms &= arms
         known.proven = known.proven if known.proven == proven_of(run) else ()
         return known
     places = argument_places(run, call.api, call.expression)
@@ -181,8 +181,8 @@ def timer(run: Run, call: ApiUse) -> Value:
                 model.Text(None, "exact"),
                 None,
                 group=group_of(run, call.get("callback_group")),
-                conditional=bool(run.arms),
-                arms=frozenset(run.arms),
+                conditional=bool(run.branch_arms),
+                branch_arms=frozenset(run.branch_arms),
                 chain=run.chain(),
                 context=run.context,
                 period=period,
@@ -195,8 +195,8 @@ def timer(run: Run, call: ApiUse) -> Value:
             run.creations[key] = creation
             blueprint.creations.append(creation)
             creation.callbacks = callbacks.register_row(run, call, blueprint, creation, creation.group)
-        elif not run.arms:
-            creation.conditional, creation.arms = False, frozenset()
+        elif not run.branch_arms:
+            creation.conditional, creation.branch_arms = False, frozenset()
         made.append(creation)
     return EntityValue(tuple(made), "rclpy.timer.Timer", run.store.new_key())
 

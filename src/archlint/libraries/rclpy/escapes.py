@@ -135,9 +135,9 @@ def _spread(run: Run, values: Iterable[Value], how: Escape) -> None:
 
 def mark(node: model.Blueprint, how: Escape) -> None:
     """Note that a node has escaped; the first place says it."""
-    if node.handed_out:
+    if node.escapes:
         return
-    node.handed_out = True
+    node.escapes = True
     node.complete = False
     node.gaps.append((how.place, f"the node escapes: {how.reason}"))
 
@@ -294,7 +294,7 @@ def settle(run: Run) -> None:
     verdicts: dict[Root, str | None] = {}
     for shared in run.shared if run.nodes else ():
         found = (nodes.known_node(run, value) for value in _reached(run, shared.values, None))
-        for node in [node for node in found if node is not None and not node.handed_out]:
+        for node in [node for node in found if node is not None and not node.escapes]:
             if shared.root not in verdicts:
                 verdicts[shared.root] = unseen_use(run, shared.root)
             how = verdicts[shared.root]

@@ -79,7 +79,7 @@ def settle(program: model.Program) -> None:
     for node in program.nodes:
         kinds = {"single_threaded" if use.kind == "events" else use.kind for use in program.executors_of(node)}
         if not kinds:
-            node.executor = "unknown" if astray or node.handed_out else "none"
+            node.executor = "unknown" if astray or node.escapes else "none"
         elif len(kinds) == 1:
             node.executor = kinds.pop()
         else:

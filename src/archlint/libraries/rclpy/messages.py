@@ -91,7 +91,7 @@ def note_use(run: Run, value: Value, name: str, span: Span, access: str) -> None
             delivered,
             inside=run.interfaces.inside(message.type, message.part, name) if known is False else None,
             passed=passed,
-            certain=known is False and bool(passed) and not run.arms and not guard_of(run),
+            certain=known is False and bool(passed) and not run.branch_arms and not guard_of(run),
         )
     )
 
@@ -135,7 +135,7 @@ def deliver(run: Run, arguments: Sequence[Value], creation: model.Creation) -> N
 def _delivered(run: Run, message: MessageValue) -> model.Creation | None:
     """What calls with a message, if nothing stands in front of this use of it that may have asked for its type."""
     creation = run.delivered.get(message.key)
-    return None if creation is None or run.arms or guard_of(run) else creation
+    return None if creation is None or run.branch_arms or guard_of(run) else creation
 
 
 def note_constant(run: Run, path: str, name: str, span: Span) -> None:
@@ -178,8 +178,8 @@ def _may_be_told_apart(run: Run, message: MessageValue) -> bool:
     """Whether a helper that is handed messages of several types is in a branch that may be for another type."""
     activation = run.activation
     handed_over = len(run.activations) > _CALLBACK and run.made_in.get(message.key) is not activation
-    chosen = any(branch.endswith("?") for branch, _ in run.arms)  # one of several functions was called with it
-    return handed_over and (chosen or len(run.arms) > activation.arms)
+    chosen = any(branch.endswith("?") for branch, _ in run.branch_arms)  # one of several functions was called with it
+    return handed_over and (chosen or len(run.branch_arms) > activation.branch_arms)
 
 
 def note_made(run: Run, message: MessageValue, expression: facts.Call | None) -> None:
@@ -204,7 +204,7 @@ def make(run: Run, interface: str, part: str, keywords: dict[str, Value], expres
 def note_interface(run: Run, path: str, span: Span) -> None:
     """Note an interface that the code takes from a package which does not define it.  ``path`` is dotted."""
     interface, part = names.interface_and_part(path)
-    if run.interfaces is None or interface is None or part or not _imported_for_sure(run) or run.arms:
+    if run.interfaces is None or interface is None or part or not _imported_for_sure(run) or run.branch_arms:
         return
     package, kind, name = interface.split("/")
     if not is_missing(run, path):

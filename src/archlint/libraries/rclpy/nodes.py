@@ -45,7 +45,7 @@ def new_blueprint(run: Run, class_name: str, place: Place, key: str, package: st
         test=run.index.roles.is_test(place.file),
         key=key,
         number=len(run.nodes),
-        arms=frozenset(run.arms),
+        branch_arms=frozenset(run.branch_arms),
         made_by=run.context,
     )
     run.nodes[key] = blueprint
@@ -83,7 +83,7 @@ def blueprint_of_instance(run: Run, instance: Instance) -> model.Blueprint:
     blueprint = new_blueprint(run, cls.qualified, place, key, cls.scope.module.file.package)
     blueprint.made_at = instance.place
     blueprint.lifecycle = is_lifecycle_class(cls)
-    blueprint.held = not _may_be_node_class(cls)
+    blueprint.caller_unknown = not _may_be_node_class(cls)
     blueprint.classes = class_keys(cls)
     run.blueprints[instance.key] = blueprint
     return blueprint
@@ -133,7 +133,7 @@ def note_replaced(run: Run, made: Instance, before: object) -> None:
 def hand_out_class(run: Run, value: ClassValue) -> None:
     """Note that the class of a node is given to code that we do not see."""
     if run.context.role == "main" and _may_be_node_class(value):
-        run.handed_out.setdefault(id(value), value)
+        run.escaping_classes.setdefault(id(value), value)
 
 
 def _may_be_node_class(cls: ClassValue) -> bool:
@@ -156,7 +156,7 @@ def given_nodes(run: Run, value: Value | None, *, plausible: bool = True) -> lis
     for option in alternatives(value) if value is not None else ():
         node = known_node(run, option)
         if node is not None:
-            node.held = False
+            node.caller_unknown = False
     return found
 
 
@@ -235,7 +235,7 @@ def held_blueprint(
     if known is not None:
         return known
     blueprint = new_blueprint(run, name, place, key, package)
-    blueprint.held = True
+    blueprint.caller_unknown = True
     blueprint.annotated = annotated
     blueprint.name = model.Text(None, "unknown", reason="nothing in the workspace hands a node in")
     # Like every node that no launch file puts elsewhere, it is in the root namespace.
@@ -286,7 +286,7 @@ def node_init(run: Run, call: ApiUse) -> Value:
 def destroy_node(run: Run, call: ApiUse) -> Value:
     """``node.destroy_node()``: from here on there is no such node, if no branch leaves it alive."""
     node = known_node(run, call.receiver)
-    if node is not None and node.made_by is run.context and node.arms.issuperset(run.arms):
+    if node is not None and node.made_by is run.context and node.branch_arms.issuperset(run.branch_arms):
         node.destroyed_at = len(run.nodes)
     return Known(None)
 

@@ -177,7 +177,7 @@ def _note(
 ) -> None:
     for known in blueprint.parameters:
         if known.place == place and known.name.text == name.text:
-            known.conditional = known.conditional and bool(run.arms)
+            known.conditional = known.conditional and bool(run.branch_arms)
             return
     python, is_known = to_python(run, default)
     in_code, in_code_known = to_python(run, given)
@@ -189,7 +189,7 @@ def _note(
             is_known,
             place,
             blueprint,
-            bool(run.arms),
+            bool(run.branch_arms),
             ignore_override,
             dynamic,
             chain=run.chain(),
@@ -324,7 +324,7 @@ def has_parameter(run: Run, call: ApiUse) -> Value:
         value = run.store.get(nodes.node_key(run, call.receiver), ("#parameter", name.value))
         if isinstance(value, Value):
             return TRUE
-        if run.context.role == "init" and not run.arms and run.overrides == model.Overrides():
+        if run.context.role == "init" and not run.branch_arms and run.overrides == model.Overrides():
             return FALSE
     return Unknown("whether the parameter is declared")
 

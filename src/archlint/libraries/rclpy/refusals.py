@@ -36,7 +36,7 @@ def refuses(method: ApiMethod, given: int, keywords: Collection[str]) -> bool:
 def _is_node(value: Value) -> bool:
     """Whether a value is a node for certain, whose methods are rclpy's own where the workspace defines none."""
     if isinstance(value, NodeValue):
-        return not value.blueprint.held
+        return not value.blueprint.caller_unknown
     if not isinstance(value, Instance) or not isinstance(value.cls, ClassValue):
         return False
     known = names.NODE_CLASSES | PLAIN_BASES
