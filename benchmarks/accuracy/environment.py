@@ -14,7 +14,7 @@ from .oracle.processes import PLAIN, Python
 def real_python(environment: Environment, prefixes: list[Path]) -> Python:
     """What runs under a distribution's rclpy are executed with.
 
-    The middleware looks for nobody: each run is alone in its world, as under the stand-in.
+    The middleware looks for nobody: each run is alone in its workspace, as under the stand-in.
     """
     variables = environment.variables(prefixes, 0, Path(tempfile.gettempdir()))
     variables |= PLAIN | {"ROS_DISTRO": environment.distro, "ROS_AUTOMATIC_DISCOVERY_RANGE": "OFF"}

@@ -122,7 +122,7 @@ def measure(root: Path) -> tuple[Counter[str], Counter[str], list[str]]:
     kinds: Counter[str] = Counter()
     told: list[str] = []
     unfollowed: set[str] = set()
-    loader = systems[0].world.loader if systems and systems[0].world is not None else None
+    loader = systems[0].workspace.loader if systems and systems[0].workspace is not None else None
     if loader is None:
         return files, kinds, told
     for system in systems:

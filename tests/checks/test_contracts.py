@@ -15,7 +15,7 @@ from archlint.config.settings import ConfigurationError, load
 from archlint.engine.judging import judge
 from archlint.finding import Finding
 from archlint.ros.qos import Qos
-from archlint.systems.model import Node, System, World
+from archlint.systems.model import Node, System, WorkspaceIndex
 from systems.builders import client, node, publisher, service, subscriber, system, unknown
 
 
@@ -348,8 +348,8 @@ def launched(*nodes: Node, closed: bool = False) -> tuple[System, System]:
     """The system of all nodes of ``ROBOT``, and one of a launch file that starts these."""
     opened = system(*ROBOT.nodes)
     started = system(*nodes, name="robot.launch.py", closed=closed)
-    world = World(systems=[opened, started])
-    opened.world = started.world = world
+    workspace = WorkspaceIndex(systems=[opened, started])
+    opened.workspace = started.workspace = workspace
     return opened, started
 
 

@@ -1317,7 +1317,7 @@ def test_a_node_that_no_launch_file_speaks_of(findings, name: str, text: str, to
     assert bool(findings("GRF002", **{name: text})) is told
 
 
-# --------------------------------------------------------------------------------------- the world is closed
+# --------------------------------------------------------------------------------------- the workspace is closed
 
 LONELY = """
 import rclpy

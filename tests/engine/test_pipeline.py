@@ -187,7 +187,7 @@ def test_a_workspace_of_packages_without_python_is_judged(add: Add):
     @add
     @rule("PKG003", scope=Scope.WORKSPACE)
     def each_package(system, options):
-        for name in system.world.packages:
+        for name in system.workspace.packages:
             yield finding("PKG003", Place(f"{name}/package.xml", 1, 1, 1, 1), name)
 
     write("arm/package.xml", PACKAGE.format(name="arm"))
@@ -482,9 +482,9 @@ LAUNCH = """\
 
 
 def missing_files(system, options: Options):
-    for launched in system.world.launched:
+    for launched in system.workspace.launched:
         for one in launched.references:
-            rows = system.world.parameters_of(one.source).sections if one.source else ()
+            rows = system.workspace.parameters_of(one.source).sections if one.source else ()
             yield finding("LCH004", one.place, f"{one.written}: {one.status}, {rows}")
 
 

@@ -139,7 +139,7 @@ ROOMS = (
 
 
 def test_nothing_of_a_workspace_is_kept_in_a_module():
-    """A cache lives on what it is of: a ``System`` or a ``World`` (:mod:`archlint.analysis.kept`)."""
+    """A cache lives on what it is of: a ``System`` or a ``WorkspaceIndex`` (:mod:`archlint.analysis.kept`)."""
     source = Path(archlint.__file__).parent
     files = [source / "rulebook.py", *(file for room in ROOMS for file in sorted((source / room).rglob("*.py")))]
     kept: dict[str, set[str]] = {}

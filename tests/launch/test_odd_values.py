@@ -45,8 +45,8 @@ def launched(line: str, functions: int = 0) -> list[str | None]:
     Path("launch/odd.launch.py").write_text(source)
     request = pipeline.Request((".",), Settings(), cached=False, jobs=1, launch="launch/odd.launch.py")
     system = pipeline.graph(request)
-    assert system.world is not None
-    assert system.world.faults.found() == []
+    assert system.workspace is not None
+    assert system.workspace.faults.found() == []
     return [node.name for node in system.nodes]
 
 

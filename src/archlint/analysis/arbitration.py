@@ -65,11 +65,11 @@ def _publishes(system: System) -> dict[Place, list[ApiCall]]:
 
 def _asks(system: System, owner: Endpoint) -> frozenset[_Word]:
     """The words that a publisher asks; none where it publishes anything without asking, or where that is not seen."""
-    told, world, file = _told(owner.node), system.world, owner.place.file
-    found = facts_at(world, file) if told and world is not None else None
-    if found is None or world is None:
+    told, workspace, file = _told(owner.node), system.workspace, owner.place.file
+    found = facts_at(workspace, file) if told and workspace is not None else None
+    if found is None or workspace is None:
         return frozenset()
-    kept = kept_calls(world, file).get((owner.place.line, owner.place.column))
+    kept = kept_calls(workspace, file).get((owner.place.line, owner.place.column))
     cls = _class_around(found, owner.place)
     if kept is None or cls is None:
         return frozenset()
@@ -80,7 +80,7 @@ def _asks(system: System, owner: Endpoint) -> frozenset[_Word]:
         if isinstance(callback.function, facts.Function) and end.name is not None
     }
     here = {name: words for (file, name), words in told.items() if file == owner.place.file}
-    idle = idle_methods(world, file)
+    idle = idle_methods(workspace, file)
     called = [item for item in cls.body if isinstance(item, facts.Function) and item.name not in idle]
     return _Source(called, here, answers).before(kept, owner.place.line)
 

@@ -14,50 +14,50 @@ from archlint.workspace.test_code import FileRoles
 
 if TYPE_CHECKING:
     from archlint.launch.load import LaunchLoader
-    from archlint.systems.model import World
+    from archlint.systems.model import WorkspaceIndex
     from archlint.workspace.installed import Installs
 
 
-def is_aside(world: World | None, file: str) -> bool:
+def is_aside(workspace: WorkspaceIndex | None, file: str) -> bool:
     """Whether a file is a trial, or put aside and no launch file of what is in use starts a node of it."""
-    roles = FileRoles() if world is None else world.roles
+    roles = FileRoles() if workspace is None else workspace.roles
     if roles.is_trial(file):
         return True
-    return roles.is_put_aside(file) and (world is None or file not in _in_use(world))
+    return roles.is_put_aside(file) and (workspace is None or file not in _in_use(workspace))
 
 
 @once
-def _in_use(world: World) -> frozenset[str]:
+def _in_use(workspace: WorkspaceIndex) -> frozenset[str]:
     """The files of the nodes that launch files start which are not put aside themselves."""
     return frozenset(
         blueprint.place.file
-        for system in world.systems
-        if system.name is not None and not world.roles.is_put_aside(system.name)
+        for system in workspace.systems
+        if system.name is not None and not workspace.roles.is_put_aside(system.name)
         for node in system.nodes
         for blueprint in node.blueprints
     )
 
 
-def is_not_installed(world: World | None, file: str) -> bool:
+def is_not_installed(workspace: WorkspaceIndex | None, file: str) -> bool:
     """Whether a script is in a package that installs programs, but is none of them, and none of them imports it: only
     who knows where it lies can start it.  So it is with scripts beside the packages of a workspace, and what they
     import."""
-    if world is None or world.loader is None or file in _in_use(world):
+    if workspace is None or workspace.loader is None or file in _in_use(workspace):
         return False
-    package = world.loader.package_of(file)
-    if package is None and world.manifests:
-        return file in _stray(world) and file not in _reached(world)
-    installs = None if package is None else world.installs.get(package)
+    package = workspace.loader.package_of(file)
+    if package is None and workspace.manifests:
+        return file in _stray(workspace) and file not in _reached(workspace)
+    installs = None if package is None else workspace.installs.get(package)
     if installs is None or installs.open_executables or not installs.executables:
         return False
     if not file.startswith(f"{installs.folder}/") and installs.folder not in ("", "."):
         return False  # another package of that name
-    return _is_script(world, file) and not _is_named(world, installs, file) and file not in _reached(world)
+    return _is_script(workspace, file) and not _is_named(workspace, installs, file) and file not in _reached(workspace)
 
 
-def import_that_fails(world: World | None, file: str) -> str | None:
+def import_that_fails(workspace: WorkspaceIndex | None, file: str) -> str | None:
     """The first module of a file's own package that it imports as it starts, and that is not there."""
-    loader = None if world is None else world.loader
+    loader = None if workspace is None else workspace.loader
     package = None if loader is None else loader.package_of(file)
     found = None if loader is None else loader.facts_at(file)
     if loader is None or package is None or found is None or package not in loader.top_modules:
@@ -76,16 +76,16 @@ _GENERATED = frozenset({"msg", "srv", "action"})
 
 
 @once
-def _stray(world: World) -> frozenset[str]:
+def _stray(workspace: WorkspaceIndex) -> frozenset[str]:
     """The scripts that lie beside the packages, and all that they import."""
-    loader = world.loader
+    loader = workspace.loader
     assert loader is not None
     beside = [file.relative for file, _ in loader.python_facts() if file.kind == "python" and file.package is None]
-    return loader.reached_from(path for path in beside if _is_script(world, path))
+    return loader.reached_from(path for path in beside if _is_script(workspace, path))
 
 
-def _is_script(world: World, file: str) -> bool:
-    found = None if world.loader is None else world.loader.facts_at(file)
+def _is_script(workspace: WorkspaceIndex, file: str) -> bool:
+    found = None if workspace.loader is None else workspace.loader.facts_at(file)
     return found is not None and any(
         isinstance(one, facts.If)
         and isinstance(one.test, facts.Compare)
@@ -95,9 +95,9 @@ def _is_script(world: World, file: str) -> bool:
     )
 
 
-def _is_named(world: World, installs: Installs, file: str) -> bool:
+def _is_named(workspace: WorkspaceIndex, installs: Installs, file: str) -> bool:
     """Whether the files that build the package mention a script, or a launch file does so as a file or a module."""
-    loader = world.loader
+    loader = workspace.loader
     assert loader is not None
     stem = file.rpartition("/")[2].removesuffix(".py")
     same = installs.executables.get(stem)
@@ -119,9 +119,9 @@ def _mentions_file(loader: LaunchLoader, path: str, stem: str) -> bool:
 
 
 @once
-def _reached(world: World) -> frozenset[str]:
+def _reached(workspace: WorkspaceIndex) -> frozenset[str]:
     """The files that installed programs and launch files are, and all that these import."""
-    return frozenset() if world.loader is None else world.loader.in_use()
+    return frozenset() if workspace.loader is None else workspace.loader.in_use()
 
 
 __all__ = ["import_that_fails", "is_aside", "is_not_installed"]

@@ -116,10 +116,10 @@ def _under_one_name(system: System, one: Endpoint, other: Endpoint) -> bool:
 
 
 def _names_when_launched(system: System, end: Endpoint) -> frozenset[str | None]:
-    blueprint, world = end.node.blueprint, system.world
-    if blueprint is None or world is None:
+    blueprint, workspace = end.node.blueprint, system.workspace
+    if blueprint is None or workspace is None:
         return frozenset([end.name])
-    given = world.launched_names.get((key_of(blueprint), end.kind, end.place))
+    given = workspace.launched_names.get((key_of(blueprint), end.kind, end.place))
     return given - {None} if given is not None else frozenset([end.name])
 
 
@@ -134,7 +134,7 @@ def seen_together(system: System, one: Node, other: Node) -> bool:
     if system.name is not None:
         return True
     made_in = {node.program.file for node in (one, other) if node.program is not None}
-    if system.world is not None and len(made_in) == 2 and len(one.executables) == len(other.executables) == 1:
+    if system.workspace is not None and len(made_in) == 2 and len(one.executables) == len(other.executables) == 1:
         return False
     return not _starters(one).isdisjoint(_starters(other))
 
@@ -142,9 +142,9 @@ def seen_together(system: System, one: Node, other: Node) -> bool:
 def launched_apart(system: System, one: Node, other: Node) -> bool:
     """Whether launch files start both nodes, but none starts both of them: then they are alternatives, or at
     least nothing proves that they are not."""
-    if system.name is not None or system.world is None:
+    if system.name is not None or system.workspace is None:
         return False
-    mine, yours = (_launches(system.world.systems, node) for node in (one, other))
+    mine, yours = (_launches(system.workspace.systems, node) for node in (one, other))
     return bool(mine) and bool(yours) and mine.isdisjoint(yours)
 
 
@@ -163,7 +163,7 @@ def _launches(systems: Iterable[System], node: Node) -> set[str | None]:
 
 def has_launch_files(system: System) -> bool:
     """Whether launch files say what runs together: what none of them starts together are mostly alternatives."""
-    systems = system.world.systems if system.world is not None else []
+    systems = system.workspace.systems if system.workspace is not None else []
     return any(other.launched is not None and bool(other.launched.started) for other in systems)
 
 
@@ -193,9 +193,13 @@ def _apart(system: System, one: Endpoint, other: Endpoint) -> bool:
 
 def _starts_others(system: System, node: Node) -> bool:
     """Whether a script that no launch file starts starts processes of its own: it chooses what runs along with it."""
-    if system.world is None or node.blueprint is None or key_of(node.blueprint) in system.world.started_by_launch:
+    if (
+        system.workspace is None
+        or node.blueprint is None
+        or key_of(node.blueprint) in system.workspace.started_by_launch
+    ):
         return False
-    called = called_names(system.world, node.blueprint.place.file)
+    called = called_names(system.workspace, node.blueprint.place.file)
     return called is not None and not _STARTERS.isdisjoint(called)
 
 

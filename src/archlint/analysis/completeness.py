@@ -13,7 +13,7 @@ from archlint.syntax import facts
 
 if TYPE_CHECKING:
     from archlint.model import Blueprint
-    from archlint.systems.model import Node, World
+    from archlint.systems.model import Node, WorkspaceIndex
 
 _NODE_BASES = frozenset({"Node", "LifecycleNode", "object", "ABC", "Generic", "Protocol"})
 
@@ -30,20 +30,20 @@ def walk(item: object) -> Iterator[object]:
             stack.extend(one)
 
 
-def facts_at(world: World, file: str) -> facts.Facts | None:
-    return world.facts_at(file)
+def facts_at(workspace: WorkspaceIndex, file: str) -> facts.Facts | None:
+    return workspace.facts_at(file)
 
 
-def is_whole(world: World | None, node: Node) -> bool:
+def is_whole(workspace: WorkspaceIndex | None, node: Node) -> bool:
     """True where nothing outside of this workspace is handed the node or is its base class, and each of its
     endpoints has a known name."""
-    if world is None or node.blueprint is None or node.program is None or node.doubt is not None:
+    if workspace is None or node.blueprint is None or node.program is None or node.doubt is not None:
         return False
     if node.program.exhausted or any(b.caller_unknown or not in_sight(b) for b in node.blueprints):
         return False
     if any(endpoint.name is None or endpoint.resolution in ("partial", "unknown") for endpoint in node.endpoints):
         return False
-    return declares_all(world, node.blueprint)
+    return declares_all(workspace, node.blueprint)
 
 
 def in_sight(blueprint: Blueprint) -> bool:
@@ -51,15 +51,15 @@ def in_sight(blueprint: Blueprint) -> bool:
     return blueprint.complete and not blueprint.gaps and not blueprint.escapes
 
 
-def declares_all(world: World | None, blueprint: Blueprint) -> bool:
+def declares_all(workspace: WorkspaceIndex | None, blueprint: Blueprint) -> bool:
     """Whether the class of a node derives from nothing but rclpy's nodes and classes of this workspace."""
-    if world is None or blueprint.caller_unknown:
+    if workspace is None or blueprint.caller_unknown:
         return False
     file = blueprint.place.file
-    classes = _classes(world, file)
+    classes = _classes(workspace, file)
     if classes is None:
         return False
-    local = _ours(world, file)
+    local = _ours(workspace, file)
     waiting = [blueprint.class_name.rpartition(".")[2]]
     for name in waiting:
         cls = classes.get(name)
@@ -90,10 +90,10 @@ def _defined_and_imported(found: facts.Facts) -> tuple[frozenset[str], tuple[fac
     return names, tuple(item for item in items if isinstance(item, facts.ImportFrom))
 
 
-def _ours(world: World, file: str) -> set[str]:
+def _ours(workspace: WorkspaceIndex, file: str) -> set[str]:
     """Names of a file that mean something of this workspace."""
-    tops = world.loader.top_modules if world.loader is not None else frozenset()
-    defined, imports = _defined_and_imported(world, file) or (frozenset(), ())
+    tops = workspace.loader.top_modules if workspace.loader is not None else frozenset()
+    defined, imports = _defined_and_imported(workspace, file) or (frozenset(), ())
     names = set(defined)
     for item in imports:
         if item.level or item.module.partition(".")[0] in tops:
@@ -108,9 +108,9 @@ def called_names(found: facts.Facts) -> frozenset[str]:
     return frozenset(name for name in map(_last, calls) if name is not None)
 
 
-def enclosing_function(world: World, place: Place) -> facts.Function | None:
+def enclosing_function(workspace: WorkspaceIndex, place: Place) -> facts.Function | None:
     """The innermost function that a place is in."""
-    found = facts_at(world, place.file)
+    found = facts_at(workspace, place.file)
     inner: facts.Function | None = None
     for item in walk(found.body) if found is not None else ():
         around = isinstance(item, facts.Function) and item.span[0] <= place.line <= item.span[2]
@@ -119,9 +119,9 @@ def enclosing_function(world: World, place: Place) -> facts.Function | None:
     return inner
 
 
-def enclosing_class(world: World | None, place: Place) -> str | None:
+def enclosing_class(workspace: WorkspaceIndex | None, place: Place) -> str | None:
     """The name of the innermost class that a place is in."""
-    classes = None if world is None else _every_class(world, place.file)
+    classes = None if workspace is None else _every_class(workspace, place.file)
     around = [one for one in classes or () if one.span[0] <= place.line <= one.span[2]]
     return max(around, key=lambda one: one.span[0]).name if around else None
 

@@ -13,7 +13,7 @@ from archlint.syntax.parts import everything_in
 from archlint.syntax.walk import called_name, calls_in, parts_of, statements_of
 
 if TYPE_CHECKING:
-    from archlint.systems.model import Endpoint, World
+    from archlint.systems.model import Endpoint, WorkspaceIndex
 
 _MODELS = (".sdf", ".world", ".urdf", ".xacro")
 _TOPIC = re.compile(r"<(?:topic|topic_name|odom_topic|service)>\s*(/[^<\s/]+/[^<\s]+)\s*</")
@@ -21,24 +21,24 @@ _TOPIC = re.compile(r"<(?:topic|topic_name|odom_topic|service)>\s*(/[^<\s/]+/[^<
 _BRIDGED = re.compile(r"[\"'](/[^\"'@\s]+)@[\w/]+[\[\]@]")
 
 
-def must_be_absolute(world: World | None, endpoint: Endpoint) -> bool:
+def must_be_absolute(workspace: WorkspaceIndex | None, endpoint: Endpoint) -> bool:
     """Whether a function that the name goes through on its way to the create call raises where it is not absolute."""
     creation = endpoint.creation
-    if world is None or creation.name.origin is None or creation.name.origin == creation.name_place:
+    if workspace is None or creation.name.origin is None or creation.name.origin == creation.name_place:
         return False
-    made_in = enclosing_function(world, endpoint.place)
+    made_in = enclosing_function(workspace, endpoint.place)
     bodies: list[tuple[str, Sequence[facts.Stmt]]] = [(endpoint.place.file, [] if made_in is None else made_in.body)]
     bodies += [(frame.place.file, frame.body) for frame in creation.chain]
-    bodies += [(endpoint.place.file, one) for one in _kept_by(world, endpoint.place.file, bodies[0][1])]
-    return any(_demands(body) or any(_demands(one) for one in _called(world, file, body)) for file, body in bodies)
+    bodies += [(endpoint.place.file, one) for one in _kept_by(workspace, endpoint.place.file, bodies[0][1])]
+    return any(_demands(body) or any(_demands(one) for one in _called(workspace, file, body)) for file, body in bodies)
 
 
-def _kept_by(world: World, file: str, body: Sequence[facts.Stmt]) -> Iterator[Sequence[facts.Stmt]]:
+def _kept_by(workspace: WorkspaceIndex, file: str, body: Sequence[facts.Stmt]) -> Iterator[Sequence[facts.Stmt]]:
     """The statements of a file that set what a body loops over: ``self.topics = checked(topics)`` for
     ``for topic in self.topics``."""
     loops = (one.iterable for one in statements_of(body) if isinstance(one, facts.For))
     kept = {one.attr for one in loops if isinstance(one, facts.Attribute)}
-    found = None if world.loader is None else world.loader.facts_at(file)
+    found = None if workspace.loader is None else workspace.loader.facts_at(file)
     for one in everything_in([] if found is None or not kept else found.body):
         targets = one.targets if isinstance(one, facts.Assign) and isinstance(one.value, facts.Call) else []
         if any(isinstance(target, facts.Attribute) and target.attr in kept for target in targets):
@@ -64,37 +64,39 @@ def _is_relative(test: object) -> bool:
     return slash and called_name(test.operand) == "startswith"
 
 
-def _called(world: World, file: str, body: Sequence[facts.Stmt]) -> Iterator[Sequence[facts.Stmt]]:
+def _called(workspace: WorkspaceIndex, file: str, body: Sequence[facts.Stmt]) -> Iterator[Sequence[facts.Stmt]]:
     """The bodies of the functions that a body gives something to, be they of the same file or imported from one of the
     workspace."""
     given = {called_name(one) for one in calls_in(list(body)) if one.args and isinstance(one.func, facts.Name)}
-    found = None if world.loader is None else world.loader.facts_at(file)
-    if world.loader is None or found is None:
+    found = None if workspace.loader is None else workspace.loader.facts_at(file)
+    if workspace.loader is None or found is None:
         return
     sources = [(name, name, found) for name in sorted(given)]
     for one in (part for part in found.body if isinstance(part, facts.ImportFrom)):
-        other = world.loader.imported(file, one.module, one.level)
+        other = workspace.loader.imported(file, one.module, one.level)
         if other is not None:
             sources += [(bound, name, other) for name, bound in one.names if bound in given]
     for _, name, where in sources:
         yield from (one.body for one in where.body if isinstance(one, facts.Function) and one.name == name)
 
 
-def is_of_a_model(world: World | None, name: str) -> bool:
+def is_of_a_model(workspace: WorkspaceIndex | None, name: str) -> bool:
     """Whether a model of the workspace gives a plugin this topic and a launch file bridges it under the same name."""
-    return world is not None and name in _topics_of_models(world)
+    return workspace is not None and name in _topics_of_models(workspace)
 
 
 @once
-def _topics_of_models(world: World) -> frozenset[str]:
-    loader = world.loader
+def _topics_of_models(workspace: WorkspaceIndex) -> frozenset[str]:
+    loader = workspace.loader
     if loader is None:
         return frozenset()
     texts = [loader.tree.text(path) or "" for path in loader.launch_files()]
     bridged = {found[1] for text in texts for found in _BRIDGED.finditer(text)}
     if not bridged:
         return frozenset()
-    models = {path for folder in world.manifests for path in loader.tree.files_below(folder) if path.endswith(_MODELS)}
+    models = {
+        path for folder in workspace.manifests for path in loader.tree.files_below(folder) if path.endswith(_MODELS)
+    }
     named = {found[1] for path in sorted(models) for found in _TOPIC.finditer(loader.tree.text(path) or "")}
     return frozenset(bridged & named)
 

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from archlint.launch.load import LaunchLoader
-    from archlint.systems.model import World
+    from archlint.systems.model import WorkspaceIndex
 
 _TEMPLATES = (".in", ".j2", ".jinja", ".jinja2", ".em", ".erb", ".mako", ".template", ".tmpl", ".xacro")
 
@@ -16,27 +16,29 @@ _OPENED = r"""\bopen\([^#]{{0,200}}?(?<![\w.-]){name}["'][\s)]*,\s*(?:mode\s*=\s
 _WRITTEN = r"""(?<![\w.-]){name}["'][\s)]*\)\.write_(?:text|bytes)\("""
 
 
-def is_generated(world: World | None, package: str, path: str) -> bool:
+def is_generated(workspace: WorkspaceIndex | None, package: str, path: str) -> bool:
     """Whether a missing file of a package is evidently made later: its folder is not in the source either, and a
     script of the workspace opens a file of its name to write, or a template of that name lies in the package.
 
     ``path`` starts at the package's share folder.
     """
-    loader = None if world is None else world.loader
+    loader = None if workspace is None else workspace.loader
     installs = None if loader is None else loader.installs.get(package)
-    if world is None or loader is None or installs is None:
+    if workspace is None or loader is None or installs is None:
         return False
     folder, name = posixpath.split(posixpath.normpath(posixpath.join(installs.folder, path)))
     if not name or loader.tree.is_folder(folder):
         return False
     files = loader.tree.files_below(installs.folder)
     made_of = {f"{stem}{ending}" for stem in (name, posixpath.splitext(name)[0]) for ending in _TEMPLATES}
-    return any(posixpath.basename(file) in made_of for file in files) or _is_written(world, loader, name)
+    return any(posixpath.basename(file) in made_of for file in files) or _is_written(workspace, loader, name)
 
 
-def _is_written(world: World, loader: LaunchLoader, name: str) -> bool:
+def _is_written(workspace: WorkspaceIndex, loader: LaunchLoader, name: str) -> bool:
     quoted = re.escape(name)
     writes = re.compile("|".join(form.format(name=quoted) for form in (_OPENED, _WRITTEN)))
-    scripts = {path for folder in world.manifests for path in loader.tree.files_below(folder) if path.endswith(".py")}
+    scripts = {
+        path for folder in workspace.manifests for path in loader.tree.files_below(folder) if path.endswith(".py")
+    }
     texts = (loader.tree.text(path) for path in sorted(scripts))
     return any(text is not None and name in text and writes.search(text) for text in texts)

@@ -10,13 +10,13 @@ from archlint.syntax import facts
 
 
 class Keeps(Protocol):
-    """What keeps the results of analyses, by the analysis: a ``System`` or a ``World``."""
+    """What keeps the results of analyses, by the analysis: a ``System`` or a ``WorkspaceIndex``."""
 
     kept: dict[object, object]
 
 
 class HasFiles(Keeps, Protocol):
-    """A ``World``: it also has the facts of files."""
+    """A ``WorkspaceIndex``: it also has the facts of files."""
 
     def facts_at(self, file: str) -> facts.Facts | None: ...
 
@@ -41,13 +41,13 @@ def once_for_each_file(analysis: Callable[[facts.Facts], _Result]) -> Callable[[
     """As :func:`once`, of the facts of each file; None for a file that has none."""
 
     @wraps(analysis)
-    def of(world: HasFiles, file: str) -> _Result | None:
-        found = world.facts_at(file)
+    def of(workspace: HasFiles, file: str) -> _Result | None:
+        found = workspace.facts_at(file)
         if found is None:
             return None
         key = (analysis, file)
-        if key not in world.kept:
-            world.kept[key] = analysis(found)
-        return cast("_Result", world.kept[key])
+        if key not in workspace.kept:
+            workspace.kept[key] = analysis(found)
+        return cast("_Result", workspace.kept[key])
 
     return of

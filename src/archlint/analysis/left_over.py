@@ -12,62 +12,62 @@ from archlint.syntax import facts
 if TYPE_CHECKING:
     from archlint.finding import Place
     from archlint.model import ApiCall, Program
-    from archlint.systems.model import Endpoint, World
+    from archlint.systems.model import Endpoint, WorkspaceIndex
 
 _BY_NAME = frozenset({"getattr", "vars", "__dict__"})
 """With one of these an attribute may be used that is not written out, unless ``getattr`` is given a literal."""
 
 
-def is_left_over(world: World | None, endpoint: Endpoint) -> bool:
+def is_left_over(workspace: WorkspaceIndex | None, endpoint: Endpoint) -> bool:
     """Whether a publisher is kept in an attribute of ``self`` that its file names again at most in methods that nothing
     calls, and no other file of the package that does not set an attribute of that name itself: it says nothing on its
     topic."""
-    if world is None or world.loader is None or endpoint.kind != PUBLISHER:
+    if workspace is None or workspace.loader is None or endpoint.kind != PUBLISHER:
         return False
-    loader, file, package = world.loader, endpoint.place.file, endpoint.node.package
-    kept = _kept_as(world, endpoint.place)
+    loader, file, package = workspace.loader, endpoint.place.file, endpoint.node.package
+    kept = _kept_as(workspace, endpoint.place)
     if kept is None or package is None:
         return False
     name, methods = kept
     others = [other for other in loader.python_files_of(package) if other != file]
     if any(loader.mentions(other, method) for other in others for method in methods):
         return False
-    return not any(loader.mentions(other, name) and not _sets_itself(world, other, name) for other in others)
+    return not any(loader.mentions(other, name) and not _sets_itself(workspace, other, name) for other in others)
 
 
-def is_dead(world: World | None, program: Program, call: ApiCall) -> bool:
+def is_dead(workspace: WorkspaceIndex | None, program: Program, call: ApiCall) -> bool:
     """Whether a call is in a method of a program that no Python file here names: that code does not run.  What a
     library offers is for programs that are not here."""
     callback = call.context
-    if world is None or world.loader is None or callback.role != "method" or not program.executable:
+    if workspace is None or workspace.loader is None or callback.role != "method" or not program.executable:
         return False
     if callback.node is None or callback.node.escapes:
         return False
-    loader, file, function = world.loader, callback.place.file, callback.function
-    uses = _uses(world, file)
+    loader, file, function = workspace.loader, callback.place.file, callback.function
+    uses = _uses(workspace, file)
     package = loader.package_of(file)
     if uses is None or package is None or not isinstance(function, facts.Function):
         return False
     name = function.name
-    others = [other for one in world.packages for other in loader.python_files_of(one) if other != file]
+    others = [other for one in workspace.packages for other in loader.python_files_of(one) if other != file]
     return not uses.by_name and name in uses.idle and not any(loader.mentions(other, name) for other in others)
 
 
-def is_never_made(world: World | None, call: ApiCall) -> bool:
+def is_never_made(workspace: WorkspaceIndex | None, call: ApiCall) -> bool:
     """Whether a call is in a method of a class, no node itself, that no Python file here names but to define it: no
     object of it is ever made, whatever its annotations say of the node that it would be handed."""
     owner, _, method = call.function.rpartition(".")
     node, name = call.context.node, owner.rpartition(".")[2]
-    if world is None or world.loader is None or not name.isidentifier() or not method.isidentifier():
+    if workspace is None or workspace.loader is None or not name.isidentifier() or not method.isidentifier():
         return False
-    loader, file = world.loader, call.file
-    found, uses = world.facts_at(file), _uses(world, file)
+    loader, file = workspace.loader, call.file
+    found, uses = workspace.facts_at(file), _uses(workspace, file)
     package = loader.package_of(file)
     if found is None or uses is None or package is None or (node is not None and node.class_name == owner):
         return False
     if uses.by_name or name in uses.names or name in uses.count or not _defines(found, name):
         return False
-    others = [other for one in world.packages for other in loader.python_files_of(one) if other != file]
+    others = [other for one in workspace.packages for other in loader.python_files_of(one) if other != file]
     return not any(loader.mentions(other, name) for other in others)
 
 
@@ -77,15 +77,15 @@ def _defines(found: facts.Facts, name: str) -> bool:
     return len(classes) == 1 and not classes[0].decorators and not classes[0].bases
 
 
-def _sets_itself(world: World, file: str, name: str) -> bool:
-    uses = _uses(world, file)
+def _sets_itself(workspace: WorkspaceIndex, file: str, name: str) -> bool:
+    uses = _uses(workspace, file)
     return uses is not None and name in uses.kept.values()
 
 
-def _kept_as(world: World, place: Place) -> tuple[str, frozenset[str]] | None:
+def _kept_as(workspace: WorkspaceIndex, place: Place) -> tuple[str, frozenset[str]] | None:
     """The attribute of ``self`` that the call at a place is assigned to, if nothing else in the file uses it but
     methods that the file does not name: these too."""
-    uses = _uses(world, place.file)
+    uses = _uses(workspace, place.file)
     if uses is None:
         return None
     name = uses.kept.get((place.line, place.column))
@@ -95,15 +95,15 @@ def _kept_as(world: World, place: Place) -> tuple[str, frozenset[str]] | None:
     return (name, frozenset(idle)) if uses.count[name] == 1 + sum(idle.values()) else None
 
 
-def kept_calls(world: World, file: str) -> dict[tuple[int, int], str]:
+def kept_calls(workspace: WorkspaceIndex, file: str) -> dict[tuple[int, int], str]:
     """The attributes of ``self`` that calls of a file are kept in, by the line and column of the call."""
-    uses = _uses(world, file)
+    uses = _uses(workspace, file)
     return {} if uses is None else uses.kept
 
 
-def idle_methods(world: World, file: str) -> frozenset[str]:
+def idle_methods(workspace: WorkspaceIndex, file: str) -> frozenset[str]:
     """The methods that a file defines and does not name again."""
-    uses = _uses(world, file)
+    uses = _uses(workspace, file)
     return frozenset() if uses is None else frozenset(uses.idle)
 
 

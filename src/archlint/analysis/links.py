@@ -109,7 +109,7 @@ def _has_two(system: System, groups: Iterable[Globs]) -> bool:
 
 def launched(system: System) -> list[System]:
     """The systems of launch files that are judged beside this one."""
-    return [] if system.world is None else [one for one in system.world.systems if one.name is not None]
+    return [] if system.workspace is None else [one for one in system.workspace.systems if one.name is not None]
 
 
 def by_source(found: Iterable[Link]) -> list[list[Link]]:

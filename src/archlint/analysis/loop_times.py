@@ -14,7 +14,7 @@ from archlint.syntax.walk import called_name, calls_in, statements_of
 if TYPE_CHECKING:
     from archlint.analysis.sleeps import Stay
     from archlint.model import ApiCall
-    from archlint.systems.model import World
+    from archlint.systems.model import WorkspaceIndex
 
 TINY = 0.01
 """Seconds of a pause between the items of something."""
@@ -24,11 +24,11 @@ _RUNS_EMPTY = frozenset({"in_waiting", "inWaiting", "out_waiting", "empty", "qsi
 _CLOCKS = frozenset({"time", "monotonic", "perf_counter", "now", "time_ns"})
 
 
-def in_loops(call: ApiCall, stay: Stay, unknown: float = math.inf, world: World | None = None) -> float:
+def in_loops(call: ApiCall, stay: Stay, unknown: float = math.inf, workspace: WorkspaceIndex | None = None) -> float:
     """How many seconds a sleep takes with the loops around it; what nobody knows has no end.
 
-    Of the loops of callers only those are known that a ``world`` has the files of.  ``unknown`` is how often a ``for``
-    is taken to go round over what is not known: it has an end, other than a ``while``.
+    Of the loops of callers only those are known that a ``workspace`` has the files of.  ``unknown`` is how often a
+    ``for`` over what is not known is taken to iterate: it has an end, other than a ``while``.
     """
     if stay.seconds is None:
         return math.inf
@@ -36,16 +36,16 @@ def in_loops(call: ApiCall, stay: Stay, unknown: float = math.inf, world: World 
     for loop, limit in reversed(tuple(zip(call.loops, call.limits, strict=True))):
         seconds = seconds * _times(loop, unknown) if limit is None else max(seconds, limit)
     for place in call.enclosing_loops[: max(0, len(call.enclosing_loops) - len(call.loops))]:
-        seconds *= _rounds_at(world, place)
+        seconds *= _rounds_at(workspace, place)
     seconds = seconds if stay.seconds > 0 else 0.0
     if math.isinf(seconds) and stay.seconds <= TINY and not any(isinstance(loop, facts.While) for loop in call.loops):
         return stay.seconds  # a pause between the bytes or lines of something: it takes many to make it long
     return seconds
 
 
-def _rounds_at(world: World | None, place: Place) -> float:
+def _rounds_at(workspace: WorkspaceIndex | None, place: Place) -> float:
     """How often the ``for`` of a caller goes round; for all that is not known, without end."""
-    found = None if world is None else facts_at(world, place.file)
+    found = None if workspace is None else facts_at(workspace, place.file)
     loops = (one for one in walk([] if found is None else found.body) if isinstance(one, facts.For))
     loop = next((one for one in loops if Place.of(place.file, one.span) == place), None)
     return math.inf if loop is None else _times(loop, math.inf)

@@ -10,14 +10,14 @@ from archlint.syntax import facts
 
 if TYPE_CHECKING:
     from archlint.model import Blueprint
-    from archlint.systems.model import World
+    from archlint.systems.model import WorkspaceIndex
 
 
-def read_off(world: World | None, node: Blueprint) -> list[str]:
+def read_off(workspace: WorkspaceIndex | None, node: Blueprint) -> list[str]:
     """The attributes that the file which makes a node reads, sorted, where it does nothing else with the node:
     ``self.detector = Detector()``, and then only ``self.detector.model``."""
-    found = None if world is None or node.made_at is None else facts_at(world, node.made_at.file)
-    if world is None or found is None or node.made_at is None:
+    found = None if workspace is None or node.made_at is None else facts_at(workspace, node.made_at.file)
+    if workspace is None or found is None or node.made_at is None:
         return []
     items = list(walk(found.body))
     kept = [one.targets for one in items if isinstance(one, facts.Assign) and _makes(one.value, node.made_at)]
@@ -30,7 +30,7 @@ def read_off(world: World | None, node: Blueprint) -> list[str]:
     stored += [[one.target] for one in items if isinstance(one, (facts.Augmented, facts.Annotated, facts.For))]
     changed = any(one in reads for targets in stored for part in targets for one in walk(part))
     read = {one.attr for one in reads}
-    if changed or not read or len(reads) < len(uses) or not all(_is_attribute(world, node, name) for name in read):
+    if changed or not read or len(reads) < len(uses) or not all(_is_attribute(workspace, node, name) for name in read):
         return []
     return sorted(read)
 
@@ -43,10 +43,10 @@ def _is_use(value: facts.Expr, name: str) -> bool:
     return isinstance(value, facts.Attribute) and value.attr == name
 
 
-def _is_attribute(world: World, node: Blueprint, name: str) -> bool:
+def _is_attribute(workspace: WorkspaceIndex, node: Blueprint, name: str) -> bool:
     """Whether the node's class sets an attribute of this name on itself: a method is not one."""
     for place, qualified in node.classes:
-        found = facts_at(world, place.file)
+        found = facts_at(workspace, place.file)
         classes = (one for one in walk([] if found is None else found.body) if isinstance(one, facts.Class))
         for cls in (one for one in classes if one.name == qualified.rpartition(".")[2]):
             targets = (target for one in walk(cls) if isinstance(one, facts.Assign) for target in one.targets)

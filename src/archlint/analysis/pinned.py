@@ -12,7 +12,7 @@ if TYPE_CHECKING:
     from collections.abc import Iterator
 
     from archlint.launch.load import Tree
-    from archlint.systems.model import World
+    from archlint.systems.model import WorkspaceIndex
 
 _COMPOSE = tuple(f"{name}.{end}" for name in ("docker-compose", "compose") for end in ("yml", "yaml"))
 _FILES = (".gitlab-ci.yml", "Dockerfile", "dockerfile", *_COMPOSE)
@@ -26,19 +26,19 @@ _OF_ROS = re.compile(
 """What stands in front of a distribution: ``ros:jazzy``, ``ros-jazzy-desktop``, ``ROS_DISTRO=jazzy``."""
 
 
-def pinned_distro(world: World | None) -> tuple[str, str] | None:
+def pinned_distro(workspace: WorkspaceIndex | None) -> tuple[str, str] | None:
     """The distribution, and the file that names it, where the files of CI and containers at the top of a workspace name
     just one; a README is no evidence, for nothing runs it."""
-    return None if world is None else _pinned(world)
+    return None if workspace is None else _pinned(workspace)
 
 
 @once
-def _pinned(world: World) -> tuple[str, str] | None:
-    if world.loader is None:
+def _pinned(workspace: WorkspaceIndex) -> tuple[str, str] | None:
+    if workspace.loader is None:
         return None
     named: dict[str, str] = {}
     certain = False
-    for path, text in _texts(world.loader.tree):
+    for path, text in _texts(workspace.loader.tree):
         for found in _NAMED.finditer(text):
             named.setdefault(found[1].lower(), path)
             certain = certain or _OF_ROS.search(text[max(0, found.start() - 60) : found.start()]) is not None

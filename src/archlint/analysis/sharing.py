@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
-    from archlint.systems.model import Connection, Endpoint, World
+    from archlint.systems.model import Connection, Endpoint, WorkspaceIndex
 
 _COMMANDS = frozenset(
     {
@@ -64,7 +64,7 @@ def is_state(topic: str) -> bool:
     return not _STATES.isdisjoint(_last_words(topic))
 
 
-def is_bus(world: World | None, connection: Connection, owners: Sequence[Endpoint]) -> bool:
+def is_bus(workspace: WorkspaceIndex | None, connection: Connection, owners: Sequence[Endpoint]) -> bool:
     """Whether so many nodes publish a topic, or different ones with the help of one class, or just those that listen to
     it, too, that it is evidently there for all of them; or its messages say whose they are, or it is there for people
     to look at.  Of commands that is never so."""
@@ -73,17 +73,17 @@ def is_bus(world: World | None, connection: Connection, owners: Sequence[Endpoin
     listening = {id(user.node) for user in connection.users}
     if all(id(end.node) in listening for end in owners) or not _TO_LOOK_AT.isdisjoint(connection.name.split("/")):
         return True
-    if not _are_commands(connection, owners) and all(_says_whose(world, end.type) for end in owners):
+    if not _are_commands(connection, owners) and all(_says_whose(workspace, end.type) for end in owners):
         return True
     classes = {end.node.blueprint.class_name for end in owners if end.node.blueprint is not None}
     helped = len({end.place for end in owners}) == 1 and len(classes) > 1
     return helped or len({end.node.name for end in owners}) >= _MANY
 
 
-def _says_whose(world: World | None, type_: str | None) -> bool:
-    if world is None or world.interfaces is None or type_ is None:
+def _says_whose(workspace: WorkspaceIndex | None, type_: str | None) -> bool:
+    if workspace is None or workspace.interfaces is None or type_ is None:
         return False
-    return any(world.interfaces.has(type_, "", field) for field in _SENDERS)
+    return any(workspace.interfaces.has(type_, "", field) for field in _SENDERS)
 
 
 def _last_words(topic: str) -> list[str]:

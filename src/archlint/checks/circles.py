@@ -7,7 +7,7 @@ from dataclasses import replace
 from itertools import pairwise
 from typing import TYPE_CHECKING
 
-from archlint.checks.packages import world_of
+from archlint.checks.packages import workspace_of
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.checks.undeclared import Use, uses_by_package
@@ -15,7 +15,7 @@ from archlint.finding import Finding, Place, Related, Severity
 from archlint.workspace.manifest import condition_verdict
 
 if TYPE_CHECKING:
-    from archlint.systems.model import System, World
+    from archlint.systems.model import System, WorkspaceIndex
     from archlint.workspace.model import Package
 
 _BUILD = frozenset({"depend", "build", "build_export", "buildtool", "buildtool_export", "exec", "run"})
@@ -27,10 +27,10 @@ Needs = Mapping[str, Mapping[str, Place]]
 @rule("PKG003", scope=Scope.WORKSPACE)
 def circular_dependency(system: System, options: Options) -> Iterator[Finding]:
     """Packages that need each other: by what they declare, and by what their files use without declaring it."""
-    world = world_of(system)
-    if world is None:
+    workspace = workspace_of(system)
+    if workspace is None:
         return
-    declared = {name: _declared(package, world.packages) for name, package in sorted(world.packages.items())}
+    declared = {name: _declared(package, workspace.packages) for name, package in sorted(workspace.packages.items())}
     told: set[str] = set()
     for circle in _circles(declared, told):
         yield finding(
@@ -40,7 +40,7 @@ def circular_dependency(system: System, options: Options) -> Iterator[Finding]:
             help="colcon cannot order them; move what both need into a package of its own",
             identity=tuple(sorted(circle[:-1])),
         )
-    used = _used(world, options)
+    used = _used(workspace, options)
     needs = {name: {**used.get(name, {}), **declared[name]} for name in declared}
     for circle in _circles(needs, told):
         yield _undeclared(circle, needs, used)
@@ -72,20 +72,20 @@ def _declared(package: Package, packages: Mapping[str, Package]) -> dict[str, Pl
     }
 
 
-def _used(world: World, options: Options) -> dict[str, dict[str, Place]]:
+def _used(workspace: WorkspaceIndex, options: Options) -> dict[str, dict[str, Place]]:
     """The packages of this workspace that each one uses and does not declare, with the first place."""
     found: dict[str, dict[str, Place]] = {}
-    if world.loader is None:
+    if workspace.loader is None:
         return found
-    for folder, uses in uses_by_package(world, options).items():
-        package = world.manifests[folder]
-        if world.packages.get(package.name) is package:  # of two of one name, the other one is not spoken of
-            found[package.name] = _first(uses, world)
+    for folder, uses in uses_by_package(workspace, options).items():
+        package = workspace.manifests[folder]
+        if workspace.packages.get(package.name) is package:  # of two of one name, the other one is not spoken of
+            found[package.name] = _first(uses, workspace)
     return found
 
 
-def _first(uses: list[Use], world: World) -> dict[str, Place]:
-    return {use.needed: use.place for use in reversed(uses) if use.needed in world.packages}
+def _first(uses: list[Use], workspace: WorkspaceIndex) -> dict[str, Place]:
+    return {use.needed: use.place for use in reversed(uses) if use.needed in workspace.packages}
 
 
 def _circles(needs: Needs, told: set[str]) -> Iterator[list[str]]:

@@ -113,7 +113,7 @@ def _unknown_field(system: System, use: FieldUse) -> Finding:
     of = f"the {_WRAPPERS.get(use.part, use.part.lower())} of {use.type}" if use.part else use.type
     what = "constant" if use.access == "constant" else "field"
     meant, near = _meant(use)
-    owner = enclosing_class(system.world, use.place) or ""
+    owner = enclosing_class(system.workspace, use.place) or ""
     return finding(
         "MSG001",
         use.place,

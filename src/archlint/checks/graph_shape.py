@@ -37,7 +37,7 @@ def isolated_node(system: System, options: Options) -> Iterator[Finding]:
 
 def _runs(system: System) -> bool:
     """Whether the nodes run as one system: where there are launch files, what one of them starts."""
-    others = [] if system.world is None else system.world.systems
+    others = [] if system.workspace is None else system.workspace.systems
     return system.launched is not None or all(other.launched is None for other in others)
 
 

@@ -23,7 +23,7 @@ from archlint.systems.model import (
 
 if TYPE_CHECKING:
     from archlint.finding import Place
-    from archlint.systems.model import Endpoint, Node, System, World
+    from archlint.systems.model import Endpoint, Node, System, WorkspaceIndex
 
 FIXED_BY_OTHERS = {
     "/fmu/": "PX4",
@@ -182,7 +182,7 @@ def _hardcoded(system: System, endpoint: Endpoint, users: Mapping[str, set[str]]
     given = creation.name_place or endpoint.place
     place = creation.name.origin or given
     home = _home(system, place, endpoint.place)
-    reason = _reason(system.world, endpoint, len(users.get(place.file, ())))
+    reason = _reason(system.workspace, endpoint, len(users.get(place.file, ())))
     made = finding(
         "NME001",
         place,
@@ -196,7 +196,7 @@ def _hardcoded(system: System, endpoint: Endpoint, users: Mapping[str, set[str]]
     return made if reason.severity is None else replace(made, severity=reason.severity)
 
 
-def _reason(world: World | None, endpoint: Endpoint, users: int) -> _Reason:
+def _reason(workspace: WorkspaceIndex | None, endpoint: Endpoint, users: int) -> _Reason:
     """Why a name is as it is; ``users`` is the number of other files that take names from the file it is in."""
     node, name = endpoint.node, endpoint.written or ""
     if not name.startswith("/"):
@@ -204,19 +204,19 @@ def _reason(world: World | None, endpoint: Endpoint, users: int) -> _Reason:
     owner = _owner(name, endpoint.type or "")
     if owner is not None:
         return _of_others(owner)
-    if is_of_a_model(world, name):
+    if is_of_a_model(workspace, name):
         return _of_others("Gazebo")
-    if must_be_absolute(world, endpoint):
+    if must_be_absolute(workspace, endpoint):
         return _DEMANDED
-    if _private_to_foreign_node(world, name):
+    if _private_to_foreign_node(workspace, name):
         return _PRIVATE
     if _is_chosen(node, endpoint):
         return _CHOSEN
     if users > 1:
         return _shared_by(users)
-    if is_not_installed(world, endpoint.place.file):
+    if is_not_installed(workspace, endpoint.place.file):
         return _NOT_INSTALLED
-    return _by_namespace(world, node)
+    return _by_namespace(workspace, node)
 
 
 def _owner(name: str, type_: str) -> str | None:
@@ -226,19 +226,19 @@ def _owner(name: str, type_: str) -> str | None:
     return next(iter((*by_name, *by_type)), None)
 
 
-def _private_to_foreign_node(world: World | None, name: str) -> bool:
+def _private_to_foreign_node(workspace: WorkspaceIndex | None, name: str) -> bool:
     """Whether a name lies below that of a node (``/lidar_node/scan`` is its ``~/scan``) which no code of the workspace
     makes and no launch file starts."""
     owner, _, rest = name[1:].partition("/")
-    if not owner.endswith("_node") or not rest or world is None:
+    if not owner.endswith("_node") or not rest or workspace is None:
         return False
-    return not any(owner in (node.name or "").split("/") for system in world.systems for node in system.nodes)
+    return not any(owner in (node.name or "").split("/") for system in workspace.systems for node in system.nodes)
 
 
-def _by_namespace(world: World | None, node: Node) -> _Reason:
+def _by_namespace(workspace: WorkspaceIndex | None, node: Node) -> _Reason:
     """What to do about absolute names: where launch files start the node in a namespace that one of them begins with,
     they would have it twice without their '/'."""
-    given = None if world is None or node.blueprint is None else world.namespaces.get(key_of(node.blueprint))
+    given = None if workspace is None or node.blueprint is None else workspace.namespaces.get(key_of(node.blueprint))
     written = [endpoint.written or "" for endpoint in node.endpoints]
     repeated = [one for one in given or () if one and any(name.startswith(f"{one}/") for name in written)]
     if not repeated:
@@ -292,9 +292,9 @@ def _help(name: str, reason: _Reason) -> str:
 def _home(system: System, literal: Place, call: Place) -> tuple[str, str]:
     """The file and the class that fix a name: those that the literal is in.  A constant of the module belongs to the
     class that uses it, if that is in the same file; the class is empty where there is none."""
-    home = enclosing_class(system.world, literal)
+    home = enclosing_class(system.workspace, literal)
     if home is None and literal.file == call.file:
-        home = enclosing_class(system.world, call)
+        home = enclosing_class(system.workspace, call)
     return literal.file, home or ""
 
 

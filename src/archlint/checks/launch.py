@@ -25,7 +25,7 @@ from archlint.systems.instances import instantiate
 if TYPE_CHECKING:
     from archlint.finding import Place
     from archlint.launch.model import FileReference, Remap, Started, UnknownAttribute
-    from archlint.systems.model import Node, System, World
+    from archlint.systems.model import Node, System, WorkspaceIndex
     from archlint.workspace.installed import Executable, Installs
 
 
@@ -35,20 +35,20 @@ if TYPE_CHECKING:
 @rule("LCH001", scope=Scope.LAUNCH_FILE)
 def unknown_executable(system: System, options: Options) -> Iterator[Finding]:
     """Started executables that their package does not install."""
-    if system.launched is None or system.world is None:
+    if system.launched is None or system.workspace is None:
         return
     for started in system.launched.started:
-        installs = system.world.installs.get(started.package.text or "")
+        installs = system.workspace.installs.get(started.package.text or "")
         name = started.executable.text
         if installs is None or name is None or started.kind not in ("node", "container"):
             continue
         if started.executable.resolution != "exact" or name in installs.executables:
             continue
-        package = system.world.packages.get(installs.package)
+        package = system.workspace.packages.get(installs.package)
         unread = package is None or package.build_type not in ("ament_python", "ament_cmake")
         if unread or installs.open_executables or not installs.build_files or name in installs.mentioned:
             continue
-        hint, help = _instead(installs, name, system.world)
+        hint, help = _instead(installs, name, system.workspace)
         yield finding(
             "LCH001",
             started.places.get("executable", started.place),
@@ -58,7 +58,7 @@ def unknown_executable(system: System, options: Options) -> Iterator[Finding]:
         )
 
 
-def _instead(installs: Installs, name: str, world: World) -> tuple[str, str]:
+def _instead(installs: Installs, name: str, workspace: WorkspaceIndex) -> tuple[str, str]:
     """What to start or to install instead of an executable that is not there: a hint and a line of help."""
     known = sorted(installs.executables)
     same = [one for one in known if _stem(installs.executables[one]) == name.removesuffix(".py")]
@@ -68,11 +68,11 @@ def _instead(installs: Installs, name: str, world: World) -> tuple[str, str]:
     if name in installs.too_deep:
         where = installs.too_deep[name]
         return f": it comes to {where}", "launch looks in the folder itself: install(DIRECTORY …/ …), with a slash"
-    owners = [one.package for one in world.installs.values() if name in one.executables]
+    owners = [one.package for one in workspace.installs.values() if name in one.executables]
     if len(owners) == 1:
         return f"; package '{owners[0]}' installs it", f"start it from package '{owners[0]}'"
-    build = _build_file(installs, world)
-    files = [] if world.loader is None else world.loader.python_files_of(installs.package)
+    build = _build_file(installs, workspace)
+    files = [] if workspace.loader is None else workspace.loader.python_files_of(installs.package)
     there = [file for file in files if posixpath.basename(file) == name]
     if len(there) == 1:
         return did_you_mean(name, known), f"{there[0]} is there: install it in {build}"
@@ -86,9 +86,9 @@ def _stem(executable: Executable) -> str:
     return (executable.module or "").rpartition(".")[2]
 
 
-def _build_file(installs: Installs, world: World) -> str:
+def _build_file(installs: Installs, workspace: WorkspaceIndex) -> str:
     """The file in which a package names its executables."""
-    package = world.packages.get(installs.package)
+    package = workspace.packages.get(installs.package)
     wanted = "setup.py" if package is not None and package.build_type == "ament_python" else "CMakeLists.txt"
     names = [posixpath.basename(file) for file in installs.build_files]
     return wanted if wanted in names else names[0]
@@ -103,7 +103,7 @@ def dead_remapping(system: System, options: Options) -> Iterator[Finding]:
     if system.launched is None:
         return
     for started, nodes in _by_started(system):
-        if all(is_whole(system.world, node) for node in nodes):
+        if all(is_whole(system.workspace, node) for node in nodes):
             for remap in started.remaps:
                 found = [] if remap.group else list(_dead(remap, nodes, started))
                 if found and not _live_elsewhere(system, remap):
@@ -121,13 +121,13 @@ def _by_started(system: System) -> list[tuple[Started, list[Node]]]:
 
 def _live_elsewhere(system: System, remap: Remap) -> bool:
     """Whether the same line may do something where another launch file includes this one, say in a namespace."""
-    others = system.world.systems if system.world is not None else []
+    others = system.workspace.systems if system.workspace is not None else []
     for other in others:
         if other is system or other.launched is None:
             continue
         for started, nodes in _by_started(other):
             same = [one for one in started.remaps if one.place == remap.place]
-            if not all(is_whole(system.world, node) for node in nodes) and same:
+            if not all(is_whole(system.workspace, node) for node in nodes) and same:
                 return True
             if any(not list(_dead(one, nodes, started)) for one in same):
                 return True
@@ -227,15 +227,15 @@ def missing_launch_file(system: System, options: Options) -> Iterator[Finding]:
             uses.setdefault((_decided_at(reference), reference.written), []).append(reference)
     for (place, written), [reference, *others] in uses.items():
         files = {place.file, reference.place.file, *(other.place.file for other in others)}
-        if reference.status == MISSING and any(_writes_files(system.world, file) for file in files):
+        if reference.status == MISSING and any(_writes_files(system.workspace, file) for file in files):
             continue
         what = _WHAT.get(reference.kind, "file")
         shown = re.sub(r"^\$\((?:find-pkg-share [\w.-]+|workspace)\)/?", "", written or "")
-        if reference.status == MISSING and is_generated(system.world, reference.package or "", shown):
+        if reference.status == MISSING and is_generated(system.workspace, reference.package or "", shown):
             continue
         if reference.status == MISSING:
             message = f"package '{reference.package}' has no {what} '{shown}'"
-            message += _did_you_mean_file(system.world, reference.package or "", shown)
+            message += _did_you_mean_file(system.workspace, reference.package or "", shown)
             help = "check the path; it starts at the package's share folder, where the build installs it"
         else:
             message = f"package '{reference.package}' does not install the {what} '{shown}'"
@@ -264,9 +264,9 @@ def _decided_at(reference: FileReference) -> Place:
 _WRITERS = frozenset({"write_text", "write_bytes", "copy", "copy2", "copyfile"})
 
 
-def _writes_files(world: World | None, file: str) -> bool:
+def _writes_files(workspace: WorkspaceIndex | None, file: str) -> bool:
     """Whether a launch file may make the files that it names: it opens one to write, or copies one."""
-    found = None if world is None or world.loader is None else world.loader.facts_at(file)
+    found = None if workspace is None or workspace.loader is None else workspace.loader.facts_at(file)
     for item in walk([] if found is None else found.body):
         if not isinstance(item, facts.Call):
             continue
@@ -277,9 +277,9 @@ def _writes_files(world: World | None, file: str) -> bool:
     return False
 
 
-def _did_you_mean_file(world: World | None, package: str, shown: str) -> str:
+def _did_you_mean_file(workspace: WorkspaceIndex | None, package: str, shown: str) -> str:
     """The file beside a missing one whose name is nearest to its name."""
-    loader = None if world is None else world.loader
+    loader = None if workspace is None else workspace.loader
     installs = None if loader is None else loader.installs.get(package)
     if loader is None or installs is None:
         return ""
@@ -308,7 +308,7 @@ _RENAMED = {
 @rule("LCH005", scope=Scope.LAUNCH_FILE)
 def unknown_launch_attribute(system: System, options: Options) -> Iterator[Finding]:
     """Keywords and attributes that an action does not have."""
-    loader = None if system.world is None else system.world.loader
+    loader = None if system.workspace is None else system.workspace.loader
     for wrong in system.launched.unknown_attributes if system.launched is not None else ():
         if loader is not None and loader.mentions(wrong.place.file, "ROS_DISTRO"):
             continue  # what one distribution of ROS refuses, another wants
@@ -348,22 +348,22 @@ def _of_one_file(several: Sequence[Finding]) -> Finding:
 @rule("GRF002", scope=Scope.CODE)
 def node_not_launched(system: System, options: Options) -> Iterator[Finding]:
     """Nodes that an executable starts and no launch file does."""
-    world = system.world
-    if system.launched is not None or world is None or not world.launched:
+    workspace = system.workspace
+    if system.launched is not None or workspace is None or not workspace.launched:
         return
-    started = {(s.package.text, s.executable.text) for one in world.launched for s in one.started}
-    spoken = _words_of_launch_code(world)
+    started = {(s.package.text, s.executable.text) for one in workspace.launched for s in one.started}
+    spoken = _words_of_launch_code(workspace)
     for node in system.nodes:
         blueprint = node.blueprint
         if blueprint is None or node.test or not node.executables:
             continue
         runs = {(run_package(node), name) for name in node.executables}
-        installed = world.installs.get(run_package(node) or "")
+        installed = workspace.installs.get(run_package(node) or "")
         runs = {run for run in runs if installed is not None and run[1] in installed.executables}
         if not runs or not runs.isdisjoint(started):
             continue
         if any(_spoken_of(words, *run) for run in runs for words in spoken) or any(
-            _offered(world, *run) for run in runs
+            _offered(workspace, *run) for run in runs
         ):
             continue
         shown = node.name or blueprint.class_name
@@ -377,9 +377,9 @@ def node_not_launched(system: System, options: Options) -> Iterator[Finding]:
         )
 
 
-def _words_of_launch_code(world: World) -> list[frozenset[str]]:
+def _words_of_launch_code(workspace: WorkspaceIndex) -> list[frozenset[str]]:
     """The texts in each launch file in Python: other arguments, or an event, may start what its defaults do not."""
-    files = world.loader.python_facts() if world.loader is not None else []
+    files = workspace.loader.python_facts() if workspace.loader is not None else []
     return [
         frozenset(str(item.value) for item in walk(found.body) if isinstance(item, facts.Literal))
         for file, found in files
@@ -394,9 +394,9 @@ def _spoken_of(words: frozenset[str], package: str | None, executable: str) -> b
     return any(f"ros2 run {package} {executable}" in word for word in words)
 
 
-def _offered(world: World, package: str | None, executable: str) -> bool:
+def _offered(workspace: WorkspaceIndex, package: str | None, executable: str) -> bool:
     """Whether a module of the package has an action for it that launch files can use."""
-    loader = world.loader
+    loader = workspace.loader
     return loader is None or any(
         loader.mentions(path, executable) and loader.mentions(path, "launch_ros")
         for path in loader.python_files_of(package or "")

@@ -30,11 +30,11 @@ if TYPE_CHECKING:
 def undeclared_launch_argument(system: System, options: Options) -> Iterator[Finding]:
     """Launch configurations that are read and never set, and arguments that an include does not take."""
     launched = system.launched
-    if launched is None or system.world is None:
+    if launched is None or system.workspace is None:
         return
     if not launched.gaps and not _meant_to_be_included(launched):
         yield from _of_one_call(_undeclared_uses(system, launched))
-    loader = system.world.loader
+    loader = system.workspace.loader
     if loader is None:
         return
     # One include may be of one of several files, or of all of them: an argument is for the one that takes it.

@@ -64,10 +64,10 @@ def is_given_by_launch(node: Node) -> bool:
 
 def is_renamed(system: System, node: Node) -> bool:
     """Whether launch files start a node of the open system: their systems have its final names."""
-    world = system.world
-    if system.launched is not None or world is None or node.blueprint is None:
+    workspace = system.workspace
+    if system.launched is not None or workspace is None or node.blueprint is None:
         return False
-    return key_of(node.blueprint) in world.started_by_launch
+    return key_of(node.blueprint) in workspace.started_by_launch
 
 
 def _wrong_of(started: Started) -> Iterator[tuple[names.InvalidName, str]]:

@@ -54,9 +54,9 @@ def call_without_timeout(system: System, options: Options) -> Iterator[Finding]:
 def _waits_apart(system: System, program: Program, call: ApiCall) -> bool:
     """Whether a call is what a daemon thread was made for: it waits once, nobody waits for it, and it is gone when
     the program ends."""
-    callback, world = call.context, system.world
+    callback, workspace = call.context, system.workspace
     made = callback.registered
-    loader = None if world is None else world.loader
+    loader = None if workspace is None else workspace.loader
     if callback.role != "thread" or call.chain or call.enclosing_loops or made is None or loader is None:
         return False
     found = loader.facts_at(made.file)

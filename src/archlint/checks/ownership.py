@@ -50,7 +50,7 @@ def multiple_publishers(system: System, options: Options) -> Iterator[Finding]:
 
 def _is_meant(system: System, connection: Connection, owners: list[Endpoint]) -> bool:
     """Whether several nodes are there to publish a topic, or do not do so at once."""
-    if is_bus(system.world, connection, owners) or tell_what_happened(system, owners) or are_requests(connection):
+    if is_bus(system.workspace, connection, owners) or tell_what_happened(system, owners) or are_requests(connection):
         return True
     if not _is_proven(system, owners) and (has_launch_files(system) or _says_what_happens(connection.name)):
         return True
@@ -128,8 +128,8 @@ def _several_owners(system: System, connection: Connection) -> Iterator[list[End
 
 def _owns(system: System, end: Endpoint) -> bool:
     """Whether a publisher or server says something of its own, in code that is in use."""
-    idle = named_by_library(end) or is_left_over(system.world, end) or speaks_once(system, end)
-    return not idle and (system.name is not None or not is_aside(system.world, end.place.file))
+    idle = named_by_library(end) or is_left_over(system.workspace, end) or speaks_once(system, end)
+    return not idle and (system.name is not None or not is_aside(system.workspace, end.place.file))
 
 
 def _left_out(one: Node, other: Node) -> bool:

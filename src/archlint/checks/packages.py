@@ -15,14 +15,14 @@ from archlint.syntax import facts
 
 if TYPE_CHECKING:
     from archlint.launch.load import LaunchLoader
-    from archlint.systems.model import System, World
+    from archlint.systems.model import System, WorkspaceIndex
     from archlint.workspace.installed import Executable
 
 
-def world_of(system: System) -> World | None:
+def workspace_of(system: System) -> WorkspaceIndex | None:
     """Packages are judged once: with the open system, or with the only one there is."""
-    world = system.world
-    return world if world is not None and (system.launched is None or world.explicit) else None
+    workspace = system.workspace
+    return workspace if workspace is not None and (system.launched is None or workspace.explicit) else None
 
 
 # ------------------------------------------------------------------------------------------------- PKG002
@@ -31,20 +31,20 @@ def world_of(system: System) -> World | None:
 @rule("PKG002", scope=Scope.WORKSPACE)
 def broken_entry_point(system: System, options: Options) -> Iterator[Finding]:
     """Console scripts whose module or function is not there."""
-    world = world_of(system)
-    if world is None or world.loader is None:
+    workspace = workspace_of(system)
+    if workspace is None or workspace.loader is None:
         return
-    for name in sorted(world.installs):
-        for executable in world.installs[name].executables.values():
+    for name in sorted(workspace.installs):
+        for executable in workspace.installs[name].executables.values():
             if executable.wrong:
                 yield _wrong(executable)
-            elif executable.module is not None and not _never_run(world, executable):
-                yield from _broken(world, executable)
+            elif executable.module is not None and not _never_run(workspace, executable):
+                yield from _broken(workspace, executable)
 
 
-def _never_run(world: World, executable: Executable) -> bool:
+def _never_run(workspace: WorkspaceIndex, executable: Executable) -> bool:
     """Whether a setup.py names it in a package that CMake builds: nobody reads that."""
-    package = world.packages.get(executable.package)
+    package = workspace.packages.get(executable.package)
     cmake = package is not None and package.build_type == "ament_cmake"
     return cmake and posixpath.basename(executable.place.file) == "setup.py"
 
@@ -68,26 +68,26 @@ def _is_on_disk(loader: LaunchLoader, package: str, module: str) -> bool:
     return any(f"/{file}".endswith((f"{path}.py", f"{path}/__init__.py")) for file in files)
 
 
-def _broken(world: World, executable: Executable) -> Iterator[Finding]:
-    assert world.loader is not None and executable.module is not None
-    modules = world.loader.modules_of(executable.package)
+def _broken(workspace: WorkspaceIndex, executable: Executable) -> Iterator[Finding]:
+    assert workspace.loader is not None and executable.module is not None
+    modules = workspace.loader.modules_of(executable.package)
     if not modules:
         return
     module, function = executable.module, executable.function
     paths = [path for name, path in modules.items() if name == module]
-    paths = paths or world.loader.files_named(executable.package, module)
+    paths = paths or workspace.loader.files_named(executable.package, module)
     if not paths:
         top = module.partition(".")[0]
         ours = {name.partition(".")[0] for name in modules}
         if top not in ours and nearest(top, ours) is None:
             return  # a module of another distribution
-        if _is_on_disk(world.loader, executable.package, module):
+        if _is_on_disk(workspace.loader, executable.package, module):
             return
         parent, _, last = module.rpartition(".")
         meant = f"; did you mean '{parent}:{last}'?" if function is None and parent in modules else ""
         yield _entry_finding(executable, f"module '{module}' is not there{meant or _near_module(module, modules)}")
         return
-    found = world.loader.facts_at(paths[0])
+    found = workspace.loader.facts_at(paths[0])
     if found is None or found.problems:
         return
     if function is None:

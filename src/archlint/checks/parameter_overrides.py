@@ -38,7 +38,7 @@ def unknown_parameter_override(system: System, options: Options) -> Iterator[Fin
     for node, settings in set_nodes(system):
         declared = declared_by(node)
         assert node.blueprint is not None
-        if declared is None or not declares_all(system.world, node.blueprint) or not followed(node):
+        if declared is None or not declares_all(system.workspace, node.blueprint) or not followed(node):
             continue
         siblings = [other for other in system.entries if other.started is node.started and other is not node]
         others = [declared_by(other) for other in siblings]
@@ -77,7 +77,7 @@ class _Bundles:
 
     def __init__(self, system: System) -> None:
         self._given: dict[str, list[tuple[Node, Place, bool]]] = {}
-        parameters_of = None if system.world is None else system.world.parameters_of
+        parameters_of = None if system.workspace is None else system.workspace.parameters_of
         if parameters_of is None:
             return
         for node in system.nodes:
@@ -212,12 +212,12 @@ def _for_another_choice(
 def _every_declared(system: System, file: str, key: str) -> set[str] | None:
     """The names that any node declares which a section of a parameter file is for, in all systems that load the
     file; None where some node's source is not here, or others may share what is for all."""
-    world = system.world
+    workspace = system.workspace
     shared = "*" in key
-    if world is None or (shared and others_are_not_run(world)):
+    if workspace is None or (shared and others_are_not_run(workspace)):
         return None
     found: set[str] = set()
-    for other in world.systems:
+    for other in workspace.systems:
         if other is not system and (other.launched is None or file not in files_of(other)):
             continue
         for node in other.nodes:

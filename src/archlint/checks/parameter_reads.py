@@ -17,7 +17,7 @@ from archlint.syntax import facts
 
 if TYPE_CHECKING:
     from archlint.model import ApiCall, ParameterDeclaration
-    from archlint.systems.model import Node, System, World
+    from archlint.systems.model import Node, System, WorkspaceIndex
 
 
 # ------------------------------------------------------------------------------------------------- PRM003
@@ -30,23 +30,23 @@ def undeclared_parameter(system: System, options: Options) -> Iterator[Finding]:
         declared = declared_by(node)
         if node.blueprint is None or declared is None or node.program is None or node.program.exhausted:
             continue
-        if not declares_all(system.world, node.blueprint) or not followed(node):
+        if not declares_all(system.workspace, node.blueprint) or not followed(node):
             continue
         calls = [call for call in node.program.calls if call.node is node.blueprint]
         guarded = {_name_of(call) for call in calls if call.api.endswith(".has_parameter")}
         for call in calls:
-            for name, place in _reads(system.world, call):
+            for name, place in _reads(system.workspace, call):
                 if always_declared(name) or name in declared or name in guarded or call.in_try:
                     continue
                 yield _undeclared(node, call, name, place, declared)
 
 
-def _reads(world: World | None, call: ApiCall) -> Iterator[tuple[str, Place]]:
+def _reads(workspace: WorkspaceIndex | None, call: ApiCall) -> Iterator[tuple[str, Place]]:
     """The names that a call reads and that cannot be others, each with where the code says it."""
     if call.api == "rclpy.node.Node.get_parameter":
         name = _name_of(call)
         if name is not None:
-            yield name, _where_named(world, call)
+            yield name, _where_named(workspace, call)
     elif call.api == "rclpy.node.Node.get_parameters" and call.expression is not None and call.expression.args:
         names = call.expression.args[0].value
         for item in names.elements if isinstance(names, facts.Sequence) else ():
@@ -69,7 +69,7 @@ def _undeclared(
     )
 
 
-def _where_named(world: World | None, call: ApiCall) -> Place:
+def _where_named(workspace: WorkspaceIndex | None, call: ApiCall) -> Place:
     """The read itself, or the call of the helper that does it, whichever says the name."""
     value = call.arguments.get("name")
     origin = value.origin if isinstance(value, Known) else None
@@ -77,12 +77,12 @@ def _where_named(world: World | None, call: ApiCall) -> Place:
         for frame in reversed(call.chain):
             if _encloses(frame.place, origin):
                 return frame.place
-    return call.chain[-1].place if call.chain and _is_passed_on(world, call) else call.place
+    return call.chain[-1].place if call.chain and _is_passed_on(workspace, call) else call.place
 
 
-def _is_passed_on(world: World | None, call: ApiCall) -> bool:
+def _is_passed_on(workspace: WorkspaceIndex | None, call: ApiCall) -> bool:
     """Whether the name that is read is a parameter of the function that reads it."""
-    function = None if world is None else enclosing_function(world, call.place)
+    function = None if workspace is None else enclosing_function(workspace, call.place)
     given = call.expression.args[0].value if call.expression is not None and call.expression.args else None
     if function is None or not isinstance(given, facts.Name):
         return False
@@ -107,7 +107,7 @@ def _name_of(call: ApiCall) -> str | None:
 @rule("PRM006", scope=Scope.CODE)
 def unused_parameter(system: System, options: Options) -> Iterator[Finding]:
     """Parameters that are declared and never read."""
-    if system.launched is not None or system.world is None:
+    if system.launched is not None or system.workspace is None:
         return
     for node in system.nodes:
         blueprint = node.blueprint
@@ -123,7 +123,7 @@ def unused_parameter(system: System, options: Options) -> Iterator[Finding]:
             name = declaration.name.text
             if name is None or declaration.name.resolution != "exact" or name in reads:
                 continue
-            if _mentioned(system.world, declaration, name) or _elsewhere(system.world, node, declaration, name):
+            if _mentioned(system.workspace, declaration, name) or _elsewhere(system.workspace, node, declaration, name):
                 continue
             yield finding(
                 "PRM006",
@@ -135,9 +135,9 @@ def unused_parameter(system: System, options: Options) -> Iterator[Finding]:
             )
 
 
-def _mentioned(world: World, declaration: ParameterDeclaration, name: str) -> bool:
+def _mentioned(workspace: WorkspaceIndex, declaration: ParameterDeclaration, name: str) -> bool:
     """Whether the name stands anywhere else in the file, or the declaration's own result is used."""
-    found = facts_at(world, declaration.place.file)
+    found = facts_at(workspace, declaration.place.file)
     if found is None:
         return True
     texts: list[object] = []
@@ -182,10 +182,10 @@ def _of_the_running_node(value: facts.Expr) -> bool:
     return isinstance(value, facts.Name)
 
 
-def _elsewhere(world: World, node: Node, declaration: ParameterDeclaration, name: str) -> bool:
+def _elsewhere(workspace: WorkspaceIndex, node: Node, declaration: ParameterDeclaration, name: str) -> bool:
     """Whether a file that knows this one, or that this one knows, speaks of the parameter: a subclass or a
     helper may read it."""
-    loader = world.loader
+    loader = workspace.loader
     if loader is None or node.package is None:
         return loader is None
     here = declaration.place.file

@@ -19,7 +19,7 @@ from archlint.systems.overrides import Setting, applied, key_matches
 if TYPE_CHECKING:
     from archlint.launch.model import Included
     from archlint.model import Blueprint, ParameterDeclaration
-    from archlint.systems.model import Node, System, World
+    from archlint.systems.model import Node, System, WorkspaceIndex
 
 _ALWAYS = frozenset({"use_sim_time", "start_type_description_service"})
 """Parameters that rclpy declares for every node."""
@@ -73,7 +73,7 @@ def _type_of(value: object) -> str | None:
 def parameter_type_mismatch(system: System, options: Options) -> Iterator[Finding]:
     """Values from outside whose type is not the declared one."""
     for node, settings in set_nodes(system):
-        if _dynamic(system.world, node):
+        if _dynamic(system.workspace, node):
             continue
         declared: dict[str | None, list[ParameterDeclaration]] = {}
         for blueprint in node.blueprints:
@@ -98,10 +98,10 @@ def parameter_type_mismatch(system: System, options: Options) -> Iterator[Findin
             )
 
 
-def _dynamic(world: World | None, node: Node) -> bool:
+def _dynamic(workspace: WorkspaceIndex | None, node: Node) -> bool:
     """Whether a file of the node speaks of dynamic typing: then no type is certain."""
     files = {declaration.place.file for declaration in node.parameters}
-    loader = None if world is None else world.loader
+    loader = None if workspace is None else workspace.loader
     return loader is None or any(loader.mentions(file, "dynamic_typing") for file in files)
 
 
@@ -127,34 +127,34 @@ def called(node: Node) -> str:
 
 def set_nodes(system: System) -> Iterator[tuple[Node, list[Setting]]]:
     """The nodes of a launched system whose source is here, with what is set on each."""
-    world = system.world
-    if system.launched is None or world is None or world.parameters_of is None:
+    workspace = system.workspace
+    if system.launched is None or workspace is None or workspace.parameters_of is None:
         return
     for node in system.nodes:
         if node.started is not None and node.blueprint is not None:
             full = node.name if node.resolution in ("exact", "parameter") else None
-            yield node, applied(node.started, full, world.parameters_of)
+            yield node, applied(node.started, full, workspace.parameters_of)
 
 
 # ------------------------------------------------------------------------------------------------- PRM005
 
 
-def others_are_not_run(world: World) -> bool:
+def others_are_not_run(workspace: WorkspaceIndex) -> bool:
     """Whether only one of several launch files was asked for: the others may load the same files."""
-    return world.explicit and world.loader is not None and len(world.loader.launch_files()) > 1
+    return workspace.explicit and workspace.loader is not None and len(workspace.loader.launch_files()) > 1
 
 
 @rule("PRM005", scope=Scope.SYSTEM)
 def parameters_for_unknown_node(system: System, options: Options) -> Iterator[Finding]:
     """Sections of parameter files for nodes that no launch file which loads them starts."""
-    world = system.world
-    if system.launched is None or world is None or world.parameters_of is None:
+    workspace = system.workspace
+    if system.launched is None or workspace is None or workspace.parameters_of is None:
         return
     for file in files_of(system):
-        started = _names_of_nodes(world, file)
-        if started is None or _is_rewritten(world, file):
+        started = _names_of_nodes(workspace, file)
+        if started is None or _is_rewritten(workspace, file):
             continue
-        for section in world.parameters_of(file).sections:
+        for section in workspace.parameters_of(file).sections:
             if "*" in section.key or "$(" in section.key or any(key_matches(section.key, name) for name in started):
                 continue
             last = section.key.rpartition("/")[2]
@@ -164,21 +164,21 @@ def parameters_for_unknown_node(system: System, options: Options) -> Iterator[Fi
             if right:
                 message += f"; did you mean '{right[0]}'?"
                 help = f"a key is the full name: write '{right[0]}:', or '/**/{last}:' for any namespace"
-            elif others_are_not_run(world):
+            elif others_are_not_run(workspace):
                 continue
             else:
                 meant = did_you_mean(section.key, started)
-                if not meant and (_may_hold_more_nodes(world, file) or _is_of_a_cpp_node(world, file, last)):
+                if not meant and (_may_hold_more_nodes(workspace, file) or _is_of_a_cpp_node(workspace, file, last)):
                     continue
                 message += meant
             yield finding("PRM005", Place(file, *section.span), message, help=help, identity=(file, section.key))
 
 
-def _is_rewritten(world: World, file: str) -> bool:
+def _is_rewritten(workspace: WorkspaceIndex, file: str) -> bool:
     """Whether a launch makes another file of this one, in which the keys may be others."""
     return any(
         isinstance(use, ParameterFileUse) and use.changes and use.reference.source == file
-        for system in world.systems
+        for system in workspace.systems
         for started in (system.launched.started if system.launched is not None else ())
         for use in started.parameters
     )
@@ -191,12 +191,12 @@ def files_of(system: System) -> list[str]:
     return list(files)
 
 
-def _may_hold_more_nodes(world: World, file: str) -> bool:
+def _may_hold_more_nodes(workspace: WorkspaceIndex, file: str) -> bool:
     """Whether a process gets the file whose source is not here, or whose nodes are in other hands: nav2's servers
     make the nodes of their costmaps."""
     return any(
         (node.external or not followed(node)) and node.started is not None and file in _files_of_process(node.started)
-        for system in world.systems
+        for system in workspace.systems
         for node in system.nodes
     )
 
@@ -204,11 +204,11 @@ def _may_hold_more_nodes(world: World, file: str) -> bool:
 _CPP = (".cpp", ".cc", ".cxx", ".hpp")
 
 
-def _is_of_a_cpp_node(world: World, file: str, name: str) -> bool:
+def _is_of_a_cpp_node(workspace: WorkspaceIndex, file: str, name: str) -> bool:
     """Whether a C++ source of the package that a parameter file lies in names a node so: one file may serve several
     programs, of which a launch file starts one."""
-    loader = world.loader
-    installs = None if loader is None else world.installs.get(loader.package_of(file) or "")
+    loader = workspace.loader
+    installs = None if loader is None else workspace.installs.get(loader.package_of(file) or "")
     if loader is None or installs is None:
         return False
     node = re.compile(rf'"{re.escape(name)}"')
@@ -235,10 +235,10 @@ def _is_folder(text: str) -> bool:
     return text.startswith("$(") and "." not in posixpath.basename(text)
 
 
-def _names_of_nodes(world: World, file: str) -> set[str] | None:
+def _names_of_nodes(workspace: WorkspaceIndex, file: str) -> set[str] | None:
     """The names of all nodes of the launches that load a file; None where one of them is not known."""
     found: set[str] = set()
-    for system in world.systems:
+    for system in workspace.systems:
         if system.launched is None or file not in files_of(system):
             continue
         if system.launched.gaps or any(started.dormant for started in system.launched.started):
@@ -260,10 +260,10 @@ def parameter_declared_twice(system: System, options: Options) -> Iterator[Findi
     """Parameters that one run of a node declares twice."""
     for node in system.nodes:
         for blueprint in node.blueprints:
-            yield from _twice(system.world, node, blueprint)
+            yield from _twice(system.workspace, node, blueprint)
 
 
-def _twice(world: World | None, node: Node, blueprint: Blueprint) -> Iterator[Finding]:
+def _twice(workspace: WorkspaceIndex | None, node: Node, blueprint: Blueprint) -> Iterator[Finding]:
     first: dict[str, ParameterDeclaration] = {}
     for declaration in blueprint.parameters:
         name = declaration.name.text
@@ -277,11 +277,11 @@ def _twice(world: World | None, node: Node, blueprint: Blueprint) -> Iterator[Fi
         before = first.setdefault(name, declaration)
         related: Iterable[Related] = ()
         if before is not declaration:
-            if world is None or not _one_path(world, before, declaration):
+            if workspace is None or not _one_path(workspace, before, declaration):
                 continue
             message = f"parameter '{name}' is declared twice: the second time raises an exception"
             related = [Related(before.place, "it is declared here first")]
-        elif name == "use_sim_time" and not _guarded(world, declaration):
+        elif name == "use_sim_time" and not _guarded(workspace, declaration):
             message = "rclpy declares 'use_sim_time' for every node: declaring it again raises an exception"
         else:
             continue
@@ -296,23 +296,23 @@ def _twice(world: World | None, node: Node, blueprint: Blueprint) -> Iterator[Fi
         )
 
 
-def _one_path(world: World, one: ParameterDeclaration, other: ParameterDeclaration) -> bool:
+def _one_path(workspace: WorkspaceIndex, one: ParameterDeclaration, other: ParameterDeclaration) -> bool:
     """Whether the constructor surely runs both."""
-    if _guarded(world, one) or _guarded(world, other):
+    if _guarded(workspace, one) or _guarded(workspace, other):
         return False
-    return _from_constructor(world, one) and _from_constructor(world, other)
+    return _from_constructor(workspace, one) and _from_constructor(workspace, other)
 
 
-def _from_constructor(world: World, declaration: ParameterDeclaration) -> bool:
+def _from_constructor(workspace: WorkspaceIndex, declaration: ParameterDeclaration) -> bool:
     if any(frame.caller.rpartition(".")[2] == "__init__" for frame in declaration.chain):
         return True
-    function = enclosing_function(world, declaration.place)
+    function = enclosing_function(workspace, declaration.place)
     return function is not None and function.name == "__init__"
 
 
-def _guarded(world: World | None, declaration: ParameterDeclaration) -> bool:
+def _guarded(workspace: WorkspaceIndex | None, declaration: ParameterDeclaration) -> bool:
     """Whether the function asks ``has_parameter``, or catches what a second declaration raises."""
-    function = None if world is None else enclosing_function(world, declaration.place)
+    function = None if workspace is None else enclosing_function(workspace, declaration.place)
     for item in walk(function.body) if function is not None else ():
         if isinstance(item, facts.Attribute) and item.attr in ("has_parameter", "undeclare_parameter"):
             return True

@@ -140,7 +140,7 @@ def _misfit(system: System, first: _Wrong, others: Sequence[_Wrong], distros: Se
 
 def _settled(system: System, found: Finding, wrong_in: Sequence[str]) -> Finding:
     """What is wrong in some distributions is a warning; information where the workspace is evidently for another."""
-    pinned = pinned_distro(system.world)
+    pinned = pinned_distro(system.workspace)
     if pinned is None or pinned[0] in wrong_in:
         return replace(found, severity=Severity.WARNING)
     distro, file = pinned
@@ -217,7 +217,7 @@ def _wants_timer_info(function: facts.Function | facts.Lambda) -> bool:
 
 def _annotations_are_texts(system: System, callback: Callback) -> bool:
     """Whether a callback is in a file with ``from __future__ import annotations``."""
-    found = None if system.world is None else facts_at(system.world, callback.place.file)
+    found = None if system.workspace is None else facts_at(system.workspace, callback.place.file)
     imports = [one for one in ([] if found is None else found.body) if isinstance(one, facts.ImportFrom)]
     return any(one.module == "__future__" and ("annotations", "annotations") in one.names for one in imports)
 

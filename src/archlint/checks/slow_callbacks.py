@@ -92,7 +92,7 @@ def _is_long(system: System, call: ApiCall, stay: Stay) -> bool:
         return False
     if stay.kind not in ("sleep", "process") or stay.seconds is None:
         return True
-    period, seconds = _period(call.context), in_loops(call, stay, world=system.world)
+    period, seconds = _period(call.context), in_loops(call, stay, workspace=system.workspace)
     known = call.looped or stay.kind == "process"
     return seconds > MOMENT or (seconds == MOMENT and not known) or (period is not None and seconds > period)
 

@@ -137,7 +137,7 @@ def _never_spun(system: System, node: Blueprint, idle: _Idle) -> Finding:
         message = f"nothing spins this node before ROS is shut down, so its {what} never {runs} a callback"
         help_ = "add both nodes to one executor: executor.add_node(…) for each, then executor.spin()"
         related.append(Related(idle.behind, "this spin does not return before, so the next one comes too late"))
-    attributes = read_off(system.world, node) if idle.spin is idle.behind is None else []
+    attributes = read_off(system.workspace, node) if idle.spin is idle.behind is None else []
     if attributes:
         names = " and ".join(f"'{name}'" for name in attributes)
         help_ = f"make no node for this: take {names} out of the class, so that both can make it without the other"
@@ -151,7 +151,7 @@ def _never_spun(system: System, node: Blueprint, idle: _Idle) -> Finding:
         identity=(node.class_name,),
     )
     file = found.place.file
-    fails = import_that_fails(system.world, file) if is_not_installed(system.world, file) else None
+    fails = import_that_fails(system.workspace, file) if is_not_installed(system.workspace, file) else None
     if fails is None:
         return found
     unused = f"no package installs this file, and its import of '{fails}' fails"
@@ -226,7 +226,7 @@ def _only_excludes(program: Program, node: Blueprint) -> bool:
 def _spins_if_asked(system: System, program: Program, node: Blueprint, group: Place) -> bool:
     """Whether the function that makes a group would give the node an executor of its own, too, and did not here: it
     has an option for that, as ``TransformListener(…, spin_thread=True)``, and the group is for those who choose it."""
-    made_by = None if system.world is None else enclosing_function(system.world, group)
+    made_by = None if system.workspace is None else enclosing_function(system.workspace, group)
     if made_by is None or not any(
         isinstance(one, facts.Call) and called_name(one) == "add_node" for one in walk(made_by.body)
     ):

@@ -62,7 +62,7 @@ def wait_without_timeout(system: System, options: Options) -> Iterator[Finding]:
         if not (call.context.role == "method" and call.place in called)
         # Below zero a client does not wait at all; wait_for_message() then waits for ever.
         and waits_for_ever(call, _LIMIT[call.api], negative=call.api == WAIT_FOR_MESSAGE)
-        and not is_never_made(system.world, call)
+        and not is_never_made(system.workspace, call)
     )
 
 
@@ -127,7 +127,7 @@ def spin_without_timeout(system: System, options: Options) -> Iterator[Finding]:
         _limitless_spin(system, call)
         for program, call in calls_of(system, (_SPIN, _EXECUTOR_SPIN))
         if waits_for_ever(call, "timeout_sec") and call.place not in told
-        if not is_dead(system.world, program, call) and not is_never_made(system.world, call)
+        if not is_dead(system.workspace, program, call) and not is_never_made(system.workspace, call)
         if not _own_future(call) or _waits_for_a_message(system, call)
         if call.context.role != "method" or creations_of(argument(call, "future"))
     )
@@ -226,7 +226,7 @@ def ignored_wait_result(system: System, options: Options) -> Iterator[Finding]:
         _ignored(system, call)
         for _, call in calls_of(system, (WAIT_FOR_SERVICE, WAIT_FOR_SERVER))
         if _thrown_away(call)
-        and not is_never_made(system.world, call)
+        and not is_never_made(system.workspace, call)
         and has_limit(call, "timeout_sec")
         and asked.isdisjoint(creation.place for creation in creations_of(call.receiver))
     )

@@ -9,7 +9,7 @@ from collections.abc import Set as AbstractSet
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
-from archlint.checks.packages import world_of
+from archlint.checks.packages import workspace_of
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.finding import Edit, Finding, Fix, Place, Related
@@ -23,7 +23,7 @@ from archlint.workspace.manifest import condition_holds
 if TYPE_CHECKING:
     from archlint.launch.load import LaunchLoader
     from archlint.launch.model import Started
-    from archlint.systems.model import System, World
+    from archlint.systems.model import System, WorkspaceIndex
     from archlint.workspace.model import Package
 
 
@@ -41,27 +41,27 @@ class Use:
 @rule("PKG001", scope=Scope.WORKSPACE)
 def undeclared_dependency(system: System, options: Options) -> Iterator[Finding]:
     """ROS packages that are imported or launched and that package.xml does not name: one finding a package."""
-    world = world_of(system)
-    if world is None or world.loader is None:
+    workspace = workspace_of(system)
+    if workspace is None or workspace.loader is None:
         return
-    suppressed = _suppressed(world.loader)
-    by_package = uses_by_package(world, options)
+    suppressed = _suppressed(workspace.loader)
+    by_package = uses_by_package(workspace, options)
     used: dict[str, set[str]] = {}
     for folder, uses in by_package.items():
-        used.setdefault(world.manifests[folder].name, set()).update(use.needed for use in uses)
+        used.setdefault(workspace.manifests[folder].name, set()).update(use.needed for use in uses)
     for folder, uses in sorted(by_package.items()):
         hidden = [use for use in uses if _is_hidden(use, suppressed.get(use.place.file, ()))]
         # What a comment allows is a finding of its own, for the comment to hide.
-        shown = [use for use in uses if use not in hidden and not _closes_circle(use, world, folder, used)]
+        shown = [use for use in uses if use not in hidden and not _closes_circle(use, workspace, folder, used)]
         for group in (shown, *([use] for use in hidden)):
             if group:
-                yield _undeclared(world, world.manifests[folder], group)
+                yield _undeclared(workspace, workspace.manifests[folder], group)
 
 
-def _closes_circle(use: Use, world: World, folder: str, used: Mapping[str, AbstractSet[str]]) -> bool:
+def _closes_circle(use: Use, workspace: WorkspaceIndex, folder: str, used: Mapping[str, AbstractSet[str]]) -> bool:
     """Whether to declare it would close a circle of packages, which colcon refuses: PKG003 tells the circle.  ``used``
     is what each package uses and does not declare: if all follow the advice, they declare it."""
-    return world.manifests[folder].name in _reachable(use.needed, world, used)
+    return workspace.manifests[folder].name in _reachable(use.needed, workspace, used)
 
 
 def _suppressed(loader: LaunchLoader) -> dict[str, list[facts.Suppression]]:
@@ -75,15 +75,15 @@ def _is_hidden(use: Use, suppressions: Sequence[facts.Suppression]) -> bool:
     return any(one.covers(use.place.line) and any(word.upper() in names for word in one.codes) for one in suppressions)
 
 
-def uses_by_package(world: World, options: Options) -> dict[str, list[Use]]:
+def uses_by_package(workspace: WorkspaceIndex, options: Options) -> dict[str, list[Use]]:
     """What each package (by its folder) uses and does not declare, in the order of the files."""
     found: dict[str, list[Use]] = {}
-    known = _Known(world, options)
-    for use in sorted({*_imported(world), *_launched(world)}):
+    known = _Known(workspace, options)
+    for use in sorted({*_imported(workspace), *_launched(workspace)}):
         package = known.home(use.place.file)
         if package is None or package.build_type == "catkin" or options.is_ignored_in(use.place.file):
             continue
-        if _installs_nothing(world, package):
+        if _installs_nothing(workspace, package):
             continue
         if any(known.declares(file, use.needed) for file in (use.place.file, *use.also)):
             continue
@@ -94,10 +94,10 @@ def uses_by_package(world: World, options: Options) -> dict[str, list[Use]]:
     return found
 
 
-def _installs_nothing(world: World, package: Package) -> bool:
+def _installs_nothing(workspace: WorkspaceIndex, package: Package) -> bool:
     """Whether a package is a folder of loose scripts, as far as its CMakeLists.txt goes: nothing of it is built, so
     that nothing of it can be started with ROS."""
-    installs = world.installs.get(package.name)
+    installs = workspace.installs.get(package.name)
     if installs is None or installs.folder != package.relative or not installs.build_files:
         return False
     some = installs.executables or installs.files or installs.open_executables or installs.open_files
@@ -109,8 +109,8 @@ def _installs_nothing(world: World, package: Package) -> bool:
 class _Known:
     """What the packages around files declare, worked out once for each."""
 
-    def __init__(self, world: World, options: Options) -> None:
-        self._world = world
+    def __init__(self, workspace: WorkspaceIndex, options: Options) -> None:
+        self._workspace = workspace
         self._external = options.external
         self._there: dict[str, frozenset[str]] = {}
         self._homes: dict[str, Package | None] = {}
@@ -118,7 +118,7 @@ class _Known:
     def home(self, file: str) -> Package | None:
         folder = posixpath.dirname(file) or "."
         if folder not in self._homes:
-            self._homes[folder] = _package_around(self._world, folder)
+            self._homes[folder] = _package_around(self._workspace, folder)
         return self._homes[folder]
 
     def declares(self, file: str, needed: str) -> bool:
@@ -127,7 +127,7 @@ class _Known:
         if package is None:
             return False
         if package.relative not in self._there:
-            self._there[package.relative] = _there(self._world, package)
+            self._there[package.relative] = _there(self._workspace, package)
         there = self._there[package.relative]
         return bool({needed, _ALSO.get(needed)} & there) or needed in self._external or self._of_family(needed, there)
 
@@ -135,16 +135,16 @@ class _Known:
         """Whether a package of which nobody knows what it brings has the name that those of its repository begin with:
         ``arm`` is the metapackage of ``arm_msgs``, or depends on it."""
         first = (needed[:at] for at, letter in enumerate(needed) if letter == "_")
-        unread = (one for one in first if one not in self._world.packages)
+        unread = (one for one in first if one not in self._workspace.packages)
         return any(one in there and one not in packages.table().brings for one in unread)
 
 
-def _package_around(world: World, folder: str) -> Package | None:
+def _package_around(workspace: WorkspaceIndex, folder: str) -> Package | None:
     """The package whose package.xml is the nearest one upwards from a folder; None where that one makes no package."""
-    assert world.loader is not None
+    assert workspace.loader is not None
     for _ in range(_LEVELS):
-        if world.loader.tree.is_file(posixpath.normpath(posixpath.join(folder, "package.xml"))):
-            return world.manifests.get(folder)
+        if workspace.loader.tree.is_file(posixpath.normpath(posixpath.join(folder, "package.xml"))):
+            return workspace.manifests.get(folder)
         folder = posixpath.normpath(posixpath.join(folder, ".."))
     return None
 
@@ -163,14 +163,14 @@ _ALSO = {"tf2_ros": "tf2_ros_py", "tf2_ros_py": "tf2_ros", "launch": "launch_ros
 """The same thing as far as a manifest is concerned: the tutorials declare either one."""
 
 
-def _there(world: World, package: Package) -> frozenset[str]:
+def _there(workspace: WorkspaceIndex, package: Package) -> frozenset[str]:
     """The package itself, what it declares, what these need when they run, what that needs …: all installed."""
     declared = [d for d in package.dependencies if d.kind not in _FOR_OTHERS and condition_holds(d.condition)]
-    return closure([package.name, *(d.name for d in declared)], lambda name: _brought_by(name, world))
+    return closure([package.name, *(d.name for d in declared)], lambda name: _brought_by(name, workspace))
 
 
-def _brought_by(name: str, world: World) -> set[str]:
-    package = world.packages.get(name)
+def _brought_by(name: str, workspace: WorkspaceIndex) -> set[str]:
+    package = workspace.packages.get(name)
     if package is None:
         return set(packages.table().brings.get(name, ()))
     return {d.name for d in package.dependencies if d.kind in _AT_RUN_TIME and condition_holds(d.condition)}
@@ -182,12 +182,12 @@ _OF_ROS2_LAUNCH = frozenset({"launch", "launch_ros", "launch_xml", "launch_yaml"
 """What is there wherever a launch file is launched."""
 
 
-def _imported(world: World) -> Iterator[Use]:
-    loader = world.loader
+def _imported(workspace: WorkspaceIndex) -> Iterator[Use]:
+    loader = workspace.loader
     assert loader is not None
 
     def has_module(package: str) -> bool:
-        return package in world.packages and any(
+        return package in workspace.packages and any(
             module == package or module.startswith(f"{package}.") for module in loader.modules_of(package)
         )
 
@@ -221,8 +221,8 @@ def _unguarded(body: list[facts.Stmt]) -> Iterator[facts.Import | facts.ImportFr
             yield statement
 
 
-def _launched(world: World) -> Iterator[Use]:
-    for launched in world.launched:
+def _launched(workspace: WorkspaceIndex) -> Iterator[Use]:
+    for launched in workspace.launched:
         for started in launched.started:
             place = _named_at(started)
             exact = started.package.resolution == "exact" and not started.dormant
@@ -251,7 +251,7 @@ _NAMED = 12
 """How many packages a message lists."""
 
 
-def _undeclared(world: World, package: Package, uses: Sequence[Use]) -> Finding:
+def _undeclared(workspace: WorkspaceIndex, package: Package, uses: Sequence[Use]) -> Finding:
     """The finding for a package."""
     by_needed: dict[str, list[Use]] = {}
     for use in uses:
@@ -260,21 +260,21 @@ def _undeclared(world: World, package: Package, uses: Sequence[Use]) -> Finding:
     found = finding(
         "PKG001",
         uses[0].place,
-        _message(world, package, uses[0], needed),
+        _message(workspace, package, uses[0], needed),
         help=_help(package, needed),
         related=[one for one in _related(by_needed) if one.place != uses[0].place],
         identity=(package.name, *needed),
     )
-    return replace(found, fix=_fix(world, package, needed))
+    return replace(found, fix=_fix(workspace, package, needed))
 
 
-def _message(world: World, package: Package, first: Use, needed: Sequence[str]) -> str:
+def _message(workspace: WorkspaceIndex, package: Package, first: Use, needed: Sequence[str]) -> str:
     declared = {d.name for d in package.dependencies if d.kind == "test" and condition_holds(d.condition)}
     for_tests = [name for name in needed if name in declared]
     if len(needed) == 1:
         verb = "declares for tests only" if for_tests else "does not declare"
         what = f"package '{package.name}' {first.how} '{first.needed}', which its package.xml {verb}"
-        return what + _hint(world, package, first)
+        return what + _hint(workspace, package, first)
     more = f" and {len(needed) - _NAMED} more" if len(needed) > _NAMED else ""
     listed = ", ".join(needed[:_NAMED]) + more
     tests = f" ({', '.join(for_tests[:_NAMED])}: for tests only)" if for_tests else ""
@@ -282,9 +282,9 @@ def _message(world: World, package: Package, first: Use, needed: Sequence[str]) 
     return f"{what}: {listed}{tests}"
 
 
-def _hint(world: World, package: Package, use: Use) -> str:
+def _hint(workspace: WorkspaceIndex, package: Package, use: Use) -> str:
     """The declared name that was meant, if no package is called so."""
-    there = packages.table().names | world.packages.keys()
+    there = packages.table().names | workspace.packages.keys()
     declared = {d.name for d in package.dependencies} - there - {use.needed}
     near = nearest(use.needed, declared)
     meant = near is not None and distance(use.needed, near, 2) <= 2
@@ -307,14 +307,14 @@ def _related(by_needed: Mapping[str, Sequence[Use]]) -> Iterator[Related]:
 # ------------------------------------------------------------------------------------------------------ the fix
 
 
-def _reachable(name: str, world: World, used: Mapping[str, AbstractSet[str]]) -> frozenset[str]:
+def _reachable(name: str, workspace: WorkspaceIndex, used: Mapping[str, AbstractSet[str]]) -> frozenset[str]:
     """The packages of this workspace that one of them may need, directly or not, itself included."""
 
     def needs(one: str) -> set[str]:
-        package = world.packages.get(one)
+        package = workspace.packages.get(one)
         declared = [] if package is None else [d for d in package.dependencies if d.kind not in _FOR_OTHERS]
         named = {d.name for d in declared if condition_holds(d.condition)} | used.get(one, set())
-        return named & world.packages.keys()
+        return named & workspace.packages.keys()
 
     return closure([name], needs)
 
@@ -324,15 +324,15 @@ def _tag(package: Package) -> str:
     return "run_depend" if package.format == 1 else "exec_depend"
 
 
-def _fix(world: World, package: Package, needed: Sequence[str]) -> Fix | None:
+def _fix(workspace: WorkspaceIndex, package: Package, needed: Sequence[str]) -> Fix | None:
     """Lines for the manifest, after the last of their kind, or where the first would stand.
 
     Only packages that are known: those of this workspace and those of rosdistro.  Format 1 refuses one that is
     declared for tests, too."""
     taken = {d.name for d in package.dependencies if package.format == 1}
-    known = world.packages.keys() | packages.table().names
+    known = workspace.packages.keys() | packages.table().names
     names = [name for name in needed if name in known and name not in taken]
-    text = None if world.loader is None else world.loader.tree.text(package.manifest.relative)
+    text = None if workspace.loader is None else workspace.loader.tree.text(package.manifest.relative)
     lines = [] if text is None else text.splitlines()
     in_force = _COMMENT.sub(lambda found: "\n" * found[0].count("\n"), "\n".join(lines)).split("\n")
     after = [number for number, line in enumerate(in_force, start=1) if _DEPEND.match(line)]

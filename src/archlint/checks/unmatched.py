@@ -18,7 +18,7 @@ from archlint.ros.well_known import FOR_TOOLS, TYPES_OF_MANY_PUBLISHERS
 from archlint.systems.implicit import implicit_names
 
 if TYPE_CHECKING:
-    from archlint.systems.model import Connection, Endpoint, Node, System, World
+    from archlint.systems.model import Connection, Endpoint, Node, System, WorkspaceIndex
 
 _PARTNER = {
     PUBLISHER: SUBSCRIBER,
@@ -105,7 +105,7 @@ def whole(system: System) -> bool:
     """Whether the system is closed, all of it is in sight, and it is no part of another one."""
     if not system.closed or not in_sight(system):
         return False
-    others = [] if system.world is None else [one for one in system.world.systems if one.launched is not None]
+    others = [] if system.workspace is None else [one for one in system.workspace.systems if one.launched is not None]
     if system.launched is None:
         return not others  # what runs is what the launch files start
     included = {i.reference.source for one in others if one.launched is not None for i in one.launched.included}
@@ -116,7 +116,7 @@ def in_sight(system: System) -> bool:
     """Whether the source of everything that runs is here, so that nobody unseen publishes, listens or serves: no
     node and no included launch file of another workspace, no plain process (``ros2 topic pub``, a simulator), no
     node in the hands of a library, and no helper of a node that is not known."""
-    if system.unowned or any(node.external or not _seen(node, system.world) for node in system.nodes):
+    if system.unowned or any(node.external or not _seen(node, system.workspace) for node in system.nodes):
         return False
     launched = system.launched
     if launched is None:
@@ -126,14 +126,14 @@ def in_sight(system: System) -> bool:
     return not (processes or elsewhere or launched.gaps)
 
 
-def _seen(node: Node, world: World | None) -> bool:
+def _seen(node: Node, workspace: WorkspaceIndex | None) -> bool:
     """Whether a node's endpoints are those that its own code creates, and all of that code was followed: no base
     class from elsewhere, no library that is given the node."""
     if node.doubt is not None or (node.program is not None and node.program.exhausted):
         return False
     if not all(followed(blueprint) for blueprint in node.blueprints):
         return False
-    return world is None or all(declares_all(world, blueprint) for blueprint in node.blueprints)
+    return workspace is None or all(declares_all(workspace, blueprint) for blueprint in node.blueprints)
 
 
 def _may_meet(end: Endpoint, other: Endpoint) -> bool:

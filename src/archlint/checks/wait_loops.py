@@ -42,7 +42,7 @@ def endless_wait_loop(system: System, options: Options) -> Iterator[Finding]:
     for program, call in calls_of(system, (WAIT_FOR_SERVICE, WAIT_FOR_SERVER, *READY)):
         if not (call.api in READY or has_limit(call, "timeout_sec")) or not _only_the_server_ends(call):
             continue
-        if is_dead(system.world, program, call) or is_never_made(system.world, call):
+        if is_dead(system.workspace, program, call) or is_never_made(system.workspace, call):
             continue
         if any(Place.of(call.file, one.span) in program.refused for one in calls_in(call.loops[-1].body)):
             continue  # an error ends the loop

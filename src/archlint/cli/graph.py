@@ -92,7 +92,7 @@ def _tell_comparison(compared: Comparison) -> None:
 
 def _told_faults(system: System) -> int:
     """The exit status, after a line for each part of the drawing that is missing by a fault of archlint's."""
-    faults = system.world.faults.found() if system.world is not None else []
+    faults = system.workspace.faults.found() if system.workspace is not None else []
     for fault in faults:
         place = fault.place
         console.note(f"archlint: {place.file}:{place.line}:{place.column}: {fault.what} failed with {fault.message}")

@@ -71,8 +71,8 @@ def _joined(judged: Sequence[Judged]) -> Judged:
 def _judged(request: Request, workspace: Workspace, facts: FactsOfFiles, tree: SourceTree) -> Judged:
     known = known_files(request, workspace, facts)
     systems = systems_of(request, workspace, facts, tree)
-    loader = systems[0].world.loader if systems[0].world is not None else None
-    faults = systems[0].world.faults if systems[0].world is not None else Faults()
+    loader = systems[0].workspace.loader if systems[0].workspace is not None else None
+    faults = systems[0].workspace.faults if systems[0].workspace is not None else Faults()
     imported = [f for f in python_files(workspace) if f not in known and facts.was_read(f) and not facts.is_ros1(f)]
     found = [*_problems(workspace, [*known, *imported], facts), *merged(_rules(request.settings, systems))]
     found.extend(_of_interfaces(workspace, systems, faults))
@@ -101,7 +101,7 @@ def _judged(request: Request, workspace: Workspace, facts: FactsOfFiles, tree: S
         notices.extend(argument_notices(systems[0]))
     notices.extend(comparison_notices(systems[0].compared))
     notices.extend(without_start(systems, {file.relative for file in workspace.files if file.context}))
-    notices.extend(followed_in_part(systems[0].world.cut_short() if systems[0].world is not None else []))
+    notices.extend(followed_in_part(systems[0].workspace.cut_short() if systems[0].workspace is not None else []))
     remarks = [*comparison_words(systems[0].compared)]
     return Judged(findings, summary, [*refused, *notices, *_idle(request.settings, systems)], remarks)
 
@@ -176,7 +176,7 @@ def _problems(workspace: Workspace, files: Sequence[SourceFile], facts: FactsOfF
 
 def _of_interfaces(workspace: Workspace, systems: Sequence[System], faults: Faults) -> Iterator[Finding]:
     """One LNT002 for an interface file that rosidl would refuse."""
-    table = systems[0].world.interfaces if systems[0].world is not None else None
+    table = systems[0].workspace.interfaces if systems[0].workspace is not None else None
     old = {package.name for package in workspace.packages if package.ros1}
     for file in workspace.files:
         if file.kind == "interface" and not file.context and file.package not in old:

@@ -27,7 +27,7 @@ def judge(system: System, selected: Mapping[str, Options]) -> Iterator[Finding]:
         except Exception as error:
             yield failure(Fault.of(f"the rule {rules()[code].title}", error, _place_of(system)))
         else:
-            kept = [one for one in found if not (check.taste and is_aside(system.world, one.place.file))]
+            kept = [one for one in found if not (check.taste and is_aside(system.workspace, one.place.file))]
             yield from (replace(one, system=system.name) for one in kept)
 
 

@@ -18,7 +18,7 @@ from archlint.programs.linker import Linker
 from archlint.ros.interfaces import InterfaceTable
 from archlint.systems.instances import assemble
 from archlint.systems.launches import launch_systems
-from archlint.systems.model import System, World
+from archlint.systems.model import System, WorkspaceIndex
 from archlint.systems.shown import only
 
 if TYPE_CHECKING:
@@ -50,7 +50,7 @@ def systems_of(request: Request, workspace: Workspace, facts: FactsOfFiles, tree
         linker,
         entries,
         loader,
-        World(
+        WorkspaceIndex(
             installs,
             {package.name: package for package in workspace.packages},
             {package.relative: package for package in workspace.packages},

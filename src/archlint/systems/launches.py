@@ -10,7 +10,7 @@ from archlint.launch.load import LaunchLoader
 from archlint.launch.model import UNKNOWN, Launched
 from archlint.model import Blueprint, Program
 from archlint.systems.launched import LaunchSystems, started_pairs
-from archlint.systems.model import System, World
+from archlint.systems.model import System, WorkspaceIndex
 from archlint.systems.variants import undecided_arguments
 
 if TYPE_CHECKING:
@@ -23,7 +23,7 @@ def launch_systems(
     linker: Linker,
     entries: Sequence[EntryPoint],
     loader: LaunchLoader,
-    world: World,
+    workspace: WorkspaceIndex,
     *,
     closed: bool,
     chosen: str | None = None,
@@ -34,14 +34,14 @@ def launch_systems(
     """The open system and one for each launch file (of those that are configured); only the chosen one, where
     one is named.
 
-    All of them share ``world``, which is filled here.
+    All of them share ``workspace``, which is filled here.
     """
 
     def work() -> list[System]:
         launched = launches(loader, chosen, arguments)
-        world.launched = launched
-        world.parameters_of = loader.parameters
-        world.explicit = chosen is not None
+        workspace.launched = launched
+        workspace.parameters_of = loader.parameters
+        workspace.explicit = chosen is not None
         maker = LaunchSystems(linker, entries, loader.parameters, loader.installs, distro)
         dependencies = opened.package_dependencies
         parts = _parts(launched)
@@ -65,11 +65,11 @@ def launch_systems(
 
     systems = work()
     found = systems if chosen is not None else [opened, *systems]
-    world.systems = found
+    workspace.systems = found
     for system in found:
-        system.world = world
+        system.workspace = workspace
         for _, other in system.alternatives:
-            other.world = world
+            other.workspace = workspace
     return found
 
 

@@ -186,7 +186,7 @@ class System:
     """The launch that starts this system."""
     alternatives: list[tuple[dict[str, str], System]] = field(default_factory=list)
     """The systems that it may be, with the launch arguments that make them, where nothing decides some."""
-    world: World | None = None
+    workspace: WorkspaceIndex | None = None
     neighbours: list[Node] = field(default_factory=list)
     """For drawing: the nodes at the other end of what ``nodes`` have, that were not asked for, with these ends only."""
     apart: frozenset[frozenset[object]] = frozenset()
@@ -206,7 +206,7 @@ class System:
     @property
     def roles(self) -> FileRoles:
         """Which files are test code, or put aside."""
-        return FileRoles() if self.world is None else self.world.roles
+        return FileRoles() if self.workspace is None else self.workspace.roles
 
     @property
     def entries(self) -> list[Node]:
@@ -281,8 +281,8 @@ class System:
 
 
 @dataclass(eq=False)
-class World:
-    """What rules about launch files and packages may ask, the same for all systems of a run."""
+class WorkspaceIndex:
+    """What is known of the whole workspace, the same for all systems of a run."""
 
     installs: Mapping[str, Installs] = field(default_factory=dict)
     packages: Mapping[str, Package] = field(default_factory=dict)
