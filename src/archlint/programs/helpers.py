@@ -14,7 +14,7 @@ from archlint import model
 from archlint.finding import Place
 from archlint.interpreter.heap import Slot
 from archlint.interpreter.values import ClassValue, Value, alternatives
-from archlint.libraries.rclpy import nodes
+from archlint.libraries.rclpy import node_classes, nodes
 from archlint.programs.roots import NOT_PASSED
 
 if TYPE_CHECKING:
@@ -35,7 +35,7 @@ def note_holders(holders: Holders, run: Run, layer: Mapping[Slot, object]) -> No
         for option in alternatives(value) if isinstance(value, Value) else ():
             node = nodes.known_node(run, option)
             if node is not None:
-                for cls in nodes.class_keys(holder.cls):
+                for cls in node_classes.keys(holder.cls):
                     holders.setdefault((cls, slot), []).append(node)
 
 

@@ -25,7 +25,7 @@ from archlint.interpreter.values import ClassValue, FunctionValue, Value
 from archlint.launch.library import LaunchLibrary
 from archlint.libraries.interest import interesting
 from archlint.libraries.python import command_line
-from archlint.libraries.rclpy import escapes, nodes
+from archlint.libraries.rclpy import escapes, node_classes
 from archlint.libraries.run import Run
 from archlint.programs.budget import Budget, cut_short
 from archlint.programs.helpers import Holders, helpers_in, note_holders, note_unfollowed, prune_uncalled, settle_helpers
@@ -254,8 +254,8 @@ class Linker:
         classes: list[tuple[Module, ClassValue]] = []
         for module in modules:
             classes.extend((module, cls) for cls in self._classes(module))
-        self._run_classes([row for row in classes if nodes.is_node_class(row[1])])
-        self._run_rest(modules, [row for row in classes if not nodes.is_node_class(row[1])], test)
+        self._run_classes([row for row in classes if node_classes.is_node(row[1])])
+        self._run_rest(modules, [row for row in classes if not node_classes.is_node(row[1])], test)
 
     def _scope_values(self, module: Module) -> list[Value]:
         run = self.new_run(module.name, module, "module")

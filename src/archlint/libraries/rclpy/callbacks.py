@@ -13,7 +13,6 @@ from archlint.interpreter.bindings import bound_names
 from archlint.interpreter.call_site import CallSite
 from archlint.interpreter.identity import Key, kind_key
 from archlint.interpreter.modules import Scope
-from archlint.interpreter.python_classes import PLAIN_BASES
 from archlint.interpreter.values import (
     ApiMethod,
     BoundMethod,
@@ -33,7 +32,7 @@ from archlint.interpreter.values import (
 )
 from archlint.libraries import tables
 from archlint.libraries.interest import interesting
-from archlint.libraries.rclpy import messages
+from archlint.libraries.rclpy import messages, node_classes
 from archlint.libraries.rclpy import names as rclpy_names
 from archlint.libraries.rclpy.interface_types import types_of
 from archlint.libraries.run import Pending
@@ -305,14 +304,11 @@ def _missing_method(value: ApiMethod | External) -> str | None:
     special = name.startswith("__") and name.endswith("__")
     if not isinstance(cls, ClassValue) or base not in rclpy_names.NODE_CLASSES or special:
         return None
-    foreign = [b for b in cls.mro if not isinstance(b, (ClassValue, External))] + [
-        b for b in cls.external_bases() if b not in rclpy_names.NODE_CLASSES | PLAIN_BASES
-    ]
     public = rclpy_names.is_node_attribute(name) and not name.startswith(("on_", "__"))
     of_rclpy = public or name in rclpy_names.PRIVATE_NODE_METHODS
-    if rclpy_names.LIFECYCLE_NODE in cls.external_bases():
+    if node_classes.is_lifecycle(cls):
         of_rclpy = of_rclpy or name in rclpy_names.LIFECYCLE_METHODS
-    return None if foreign or of_rclpy else name
+    return None if of_rclpy or not node_classes.has_only(cls) else name
 
 
 def thread(run: Run, call: ApiUse) -> Value:

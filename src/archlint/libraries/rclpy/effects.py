@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 from archlint import model
 from archlint.interpreter.values import External, Known, Unknown, Value, alternatives, one_of
 from archlint.libraries.api_use import ApiUse, Effect
-from archlint.libraries.rclpy import callbacks, entities, executors, nodes, parameters, profiles
+from archlint.libraries.rclpy import callbacks, entities, executors, node_names, nodes, parameters, profiles
 from archlint.libraries.values import EntityValue, ExecutorValue, FutureValue, MessageValue, creations_of
 
 if TYPE_CHECKING:
@@ -147,10 +147,10 @@ EFFECTS: dict[str, Effect] = {
     "has_parameter": parameters.has_parameter,
     "set_parameters": parameters.set_parameters,
     "parameter": parameters.make_parameter,
-    "get_name": nodes.get_name,
-    "get_namespace": nodes.get_namespace,
-    "get_fully_qualified_name": nodes.get_fully_qualified_name,
-    "resolve_name": nodes.resolve_name,
+    "get_name": node_names.get_name,
+    "get_namespace": node_names.get_namespace,
+    "get_fully_qualified_name": node_names.get_fully_qualified_name,
+    "resolve_name": node_names.resolve_name,
     "qos_profile": profiles.make_profile,
     "qos_preset": profiles.preset_by_key,
     "duration": profiles.make_duration,

@@ -7,14 +7,12 @@ from typing import TYPE_CHECKING
 from archlint import model
 from archlint.finding import Place
 from archlint.interpreter import containers
-from archlint.interpreter.python_classes import PLAIN_BASES
 from archlint.interpreter.values import (
     TRUE,
     AttributeOf,
     ClassValue,
     External,
     FunctionValue,
-    Holed,
     Instance,
     Known,
     ListValue,
@@ -22,9 +20,8 @@ from archlint.interpreter.values import (
     Unknown,
     Value,
     alternatives,
-    join_texts,
 )
-from archlint.libraries.rclpy import names, short_lived
+from archlint.libraries.rclpy import node_classes, short_lived
 from archlint.libraries.texts import text_of_value
 from archlint.libraries.values import NodeValue
 
@@ -53,18 +50,9 @@ def new_blueprint(run: Run, class_name: str, place: Place, key: str, package: st
     return blueprint
 
 
-def is_node_class(cls: ClassValue) -> bool:
-    """Whether a class of ours derives from rclpy's Node."""
-    return any(path in names.NODE_CLASSES for path in cls.external_bases())
-
-
-def is_lifecycle_class(cls: ClassValue) -> bool:
-    return names.LIFECYCLE_NODE in cls.external_bases()
-
-
 def adopt(run: Run, instance: Instance) -> None:
     """Give an object its blueprint if its class is a node."""
-    if isinstance(instance.cls, ClassValue) and is_node_class(instance.cls):
+    if isinstance(instance.cls, ClassValue) and node_classes.is_node(instance.cls):
         blueprint_of_instance(run, instance)
 
 
@@ -82,20 +70,11 @@ def blueprint_of_instance(run: Run, instance: Instance) -> model.Blueprint:
     key = f"{place.file}:{place.line}#{instance.key}"
     blueprint = new_blueprint(run, cls.qualified, place, key, cls.scope.module.file.package)
     blueprint.made_at = instance.place
-    blueprint.lifecycle = is_lifecycle_class(cls)
-    blueprint.caller_unknown = not _may_be_node_class(cls)
-    blueprint.classes = class_keys(cls)
+    blueprint.lifecycle = node_classes.is_lifecycle(cls)
+    blueprint.caller_unknown = not node_classes.may_be_node(cls)
+    blueprint.classes = node_classes.keys(cls)
     run.blueprints[instance.key] = blueprint
     return blueprint
-
-
-def class_keys(cls: ClassValue) -> tuple[model.ClassKey, ...]:
-    """A class and the bases of it that are of this workspace."""
-    return tuple(
-        (Place(base.scope.module.path, *base.ir.name_span), base.qualified)
-        for base in cls.mro
-        if isinstance(base, ClassValue)
-    )
 
 
 def _met_again(run: Run, same: tuple[Place, Place | None, str]) -> model.Blueprint | None:
@@ -132,15 +111,8 @@ def note_replaced(run: Run, made: Instance, before: object) -> None:
 
 def hand_out_class(run: Run, value: ClassValue) -> None:
     """Note that the class of a node is given to code that we do not see."""
-    if run.context.role == "main" and _may_be_node_class(value):
+    if run.context.role == "main" and node_classes.may_be_node(value):
         run.escaping_classes.setdefault(id(value), value)
-
-
-def _may_be_node_class(cls: ClassValue) -> bool:
-    """Whether a class derives from rclpy's Node, or from something elsewhere that is called or known as one."""
-    return is_node_class(cls) or any(
-        path.endswith("Node") or path in names.FOREIGN_NODES for path in cls.external_bases()
-    )
 
 
 def node_key(run: Run, value: Value | None) -> int:
@@ -176,11 +148,7 @@ def nodes_of(run: Run, value: Value | None, *, plausible: bool = True) -> list[m
         if known is not None:
             return [known]
         if isinstance(value.cls, ClassValue):
-            foreign = any(
-                isinstance(base, Unknown) or (isinstance(base, External) and base.path not in PLAIN_BASES)
-                for base in value.cls.mro
-            )
-            if foreign:
+            if node_classes.may_inherit(value.cls):
                 return [blueprint_of_instance(run, value)]
             if plausible:
                 return [held_blueprint(run, value)]  # a mixin: whoever inherits it is the node
@@ -195,8 +163,8 @@ def nodes_of(run: Run, value: Value | None, *, plausible: bool = True) -> list[m
 def _annotated(value: Value) -> tuple[model.ClassKey, str] | None:
     meant = value.annotation if isinstance(value, Unknown) else None
     if isinstance(meant, AttributeOf):
-        return class_keys(meant.cls)[0], meant.name
-    return (class_keys(meant)[0], "") if isinstance(meant, ClassValue) else None
+        return node_classes.keys(meant.cls)[0], meant.name
+    return (node_classes.keys(meant)[0], "") if isinstance(meant, ClassValue) else None
 
 
 def _holder(run: Run, instance: Instance | None = None) -> tuple[str, Place, str | None]:
@@ -337,62 +305,3 @@ def _note_overrides(run: Run, call: ApiUse) -> None:
             name, value = run.store.get(item.key, "name"), run.store.get(item.key, "value")
             if isinstance(name, Known) and isinstance(value, Value):
                 run.store.set(key, ("#override", name.value), value)
-
-
-def _as_value(text: model.Text) -> Value:
-    if text.text is None:
-        return Unknown(text.reason or "the name is not known")
-    if text.resolution == "exact":
-        return Known(text.text, kind="node_name")
-    if text.resolution == "parameter":
-        return Known(text.text, frozenset((text.parameter or "").split(",")), kind="node_name")
-    parts: list[str | None] = []
-    for number, piece in enumerate(text.text.split("*")):
-        if number:
-            parts.append(None)
-        if piece:
-            parts.append(piece)
-    return Holed(tuple(parts), text.reason or "")
-
-
-def get_name(run: Run, call: ApiUse) -> Value:
-    node = known_node(run, call.receiver)
-    if node is None:
-        return Unknown("the name of a node that is not known")
-    return _as_value(_final_names(run, node)[0])
-
-
-def _final_names(run: Run, node: model.Blueprint) -> tuple[model.Text, model.Text]:
-    """The name and the namespace that a node has in this process."""
-    run.program.reads_node_names = True
-    return run.overrides.names.get(model.node_key(node), (node.name, node.namespace))
-
-
-def get_namespace(run: Run, call: ApiUse) -> Value:
-    node = known_node(run, call.receiver)
-    if node is None:
-        return Unknown("the namespace of a node that is not known")
-    value = _as_value(_final_names(run, node)[1])
-    if isinstance(value, Known) and isinstance(value.value, str) and not value.value.startswith("/"):
-        return Known("/" + value.value, value.via, kind="node_name")
-    return value
-
-
-def get_fully_qualified_name(run: Run, call: ApiUse) -> Value:
-    namespace, name = get_namespace(run, call), get_name(run, call)
-    if isinstance(namespace, Known) and namespace.value == "/":
-        return join_texts((Known("/"), name))
-    return join_texts((namespace, Known("/"), name))
-
-
-def resolve_name(run: Run, call: ApiUse) -> Value:
-    """``resolve_topic_name``: without remaps, rcl's expansion."""
-    value = call.get("topic") or call.get("service")
-    if isinstance(value, Known) and isinstance(value.value, str) and not value.value.startswith("/"):
-        namespace = get_namespace(run, call)
-        if value.value.startswith("~"):
-            return join_texts((get_fully_qualified_name(run, call), Known(value.value[1:])))
-        if isinstance(namespace, Known) and namespace.value == "/":
-            return join_texts((Known("/"), value))
-        return join_texts((namespace, Known("/"), value))
-    return value if value is not None else Unknown("no name to resolve")

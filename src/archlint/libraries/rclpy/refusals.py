@@ -4,10 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Collection
 
-from archlint.interpreter.python_classes import PLAIN_BASES
-from archlint.interpreter.values import ApiMethod, ClassValue, External, Instance, Value
+from archlint.interpreter.values import ApiMethod, ClassValue, Instance, Value
 from archlint.libraries import tables
-from archlint.libraries.rclpy import names, signatures
+from archlint.libraries.rclpy import names, node_classes, signatures
 from archlint.libraries.values import NodeValue
 
 _MODULES = frozenset(
@@ -37,13 +36,8 @@ def _is_node(value: Value) -> bool:
     """Whether a value is a node for certain, whose methods are rclpy's own where the workspace defines none."""
     if isinstance(value, NodeValue):
         return not value.blueprint.caller_unknown
-    if not isinstance(value, Instance) or not isinstance(value.cls, ClassValue):
-        return False
-    known = names.NODE_CLASSES | PLAIN_BASES
-    return all(
-        isinstance(base, ClassValue) or (isinstance(base, External) and names.canonical(base.path) in known)
-        for base in value.cls.mro
-    )
+    cls = value.cls if isinstance(value, Instance) else None
+    return isinstance(cls, ClassValue) and node_classes.has_only(cls)
 
 
 __all__ = ["is_module", "refuses"]

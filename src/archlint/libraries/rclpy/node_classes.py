@@ -1,0 +1,50 @@
+"""Which classes of the workspace are nodes: this is decided here, and nowhere else."""
+
+from __future__ import annotations
+
+from archlint import model
+from archlint.finding import Place
+from archlint.interpreter.python_classes import PLAIN_BASES
+from archlint.interpreter.values import ClassValue, External, Unknown
+from archlint.libraries.rclpy import names
+
+
+def is_node(cls: ClassValue) -> bool:
+    """Whether a class derives from rclpy's Node."""
+    return any(path in names.NODE_CLASSES for path in cls.external_bases())
+
+
+def is_lifecycle(cls: ClassValue) -> bool:
+    """Whether a class derives from rclpy's LifecycleNode."""
+    return names.LIFECYCLE_NODE in cls.external_bases()
+
+
+def may_be_node(cls: ClassValue) -> bool:
+    """Whether a class derives from rclpy's Node, or from something elsewhere that is called or known as a node."""
+    return is_node(cls) or any(path.endswith("Node") or path in names.FOREIGN_NODES for path in cls.external_bases())
+
+
+def may_inherit(cls: ClassValue) -> bool:
+    """Whether a class has a base outside of the workspace that may give it attributes."""
+    return any(
+        isinstance(base, Unknown) or (isinstance(base, External) and base.path not in PLAIN_BASES) for base in cls.mro
+    )
+
+
+def has_only(cls: ClassValue) -> bool:
+    """Whether a class has nothing but what the workspace and, where it is a node, rclpy's Node give it: no base is
+    unknown or of another package."""
+    known = names.NODE_CLASSES | PLAIN_BASES
+    return all(isinstance(base, ClassValue) or (isinstance(base, External) and base.path in known) for base in cls.mro)
+
+
+def keys(cls: ClassValue) -> tuple[model.ClassKey, ...]:
+    """What names a class, and the bases of it that are of this workspace, in all programs."""
+    return tuple(
+        (Place(base.scope.module.path, *base.ir.name_span), base.qualified)
+        for base in cls.mro
+        if isinstance(base, ClassValue)
+    )
+
+
+__all__ = ["has_only", "is_lifecycle", "is_node", "keys", "may_be_node", "may_inherit"]

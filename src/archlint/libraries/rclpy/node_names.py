@@ -1,0 +1,75 @@
+"""What a node says of its own name, and what it makes of others: ``get_name``, ``resolve_topic_name``."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from archlint import model
+from archlint.interpreter.values import Holed, Known, Unknown, Value, join_texts
+from archlint.libraries.rclpy.nodes import known_node
+
+if TYPE_CHECKING:
+    from archlint.libraries.api_use import ApiUse
+    from archlint.libraries.run import Run
+
+
+def _as_value(text: model.Text) -> Value:
+    if text.text is None:
+        return Unknown(text.reason or "the name is not known")
+    if text.resolution == "exact":
+        return Known(text.text, kind="node_name")
+    if text.resolution == "parameter":
+        return Known(text.text, frozenset((text.parameter or "").split(",")), kind="node_name")
+    parts: list[str | None] = []
+    for number, piece in enumerate(text.text.split("*")):
+        if number:
+            parts.append(None)
+        if piece:
+            parts.append(piece)
+    return Holed(tuple(parts), text.reason or "")
+
+
+def get_name(run: Run, call: ApiUse) -> Value:
+    node = known_node(run, call.receiver)
+    if node is None:
+        return Unknown("the name of a node that is not known")
+    return _as_value(_final_names(run, node)[0])
+
+
+def _final_names(run: Run, node: model.Blueprint) -> tuple[model.Text, model.Text]:
+    """The name and the namespace that a node has in this process."""
+    run.program.reads_node_names = True
+    return run.overrides.names.get(model.node_key(node), (node.name, node.namespace))
+
+
+def get_namespace(run: Run, call: ApiUse) -> Value:
+    node = known_node(run, call.receiver)
+    if node is None:
+        return Unknown("the namespace of a node that is not known")
+    value = _as_value(_final_names(run, node)[1])
+    if isinstance(value, Known) and isinstance(value.value, str) and not value.value.startswith("/"):
+        return Known("/" + value.value, value.via, kind="node_name")
+    return value
+
+
+def get_fully_qualified_name(run: Run, call: ApiUse) -> Value:
+    namespace, name = get_namespace(run, call), get_name(run, call)
+    if isinstance(namespace, Known) and namespace.value == "/":
+        return join_texts((Known("/"), name))
+    return join_texts((namespace, Known("/"), name))
+
+
+def resolve_name(run: Run, call: ApiUse) -> Value:
+    """``resolve_topic_name``: without remaps, rcl's expansion."""
+    value = call.get("topic") or call.get("service")
+    if isinstance(value, Known) and isinstance(value.value, str) and not value.value.startswith("/"):
+        namespace = get_namespace(run, call)
+        if value.value.startswith("~"):
+            return join_texts((get_fully_qualified_name(run, call), Known(value.value[1:])))
+        if isinstance(namespace, Known) and namespace.value == "/":
+            return join_texts((Known("/"), value))
+        return join_texts((namespace, Known("/"), value))
+    return value if value is not None else Unknown("no name to resolve")
+
+
+__all__ = ["get_fully_qualified_name", "get_name", "get_namespace", "resolve_name"]
