@@ -82,7 +82,7 @@ class Checkout:
         for loader in self.loaders:
             if loader.is_launch_file(file):
                 launched = loader.launch(file, arguments)
-                apart = {include.place for include in launched.included if include.apart}
+                apart = {include.place for include in launched.included if include.own_process}
                 started = [
                     one
                     for one in launched.started

@@ -49,7 +49,7 @@ class Faults:
         return [self._found[key] for key in sorted(self._found)]
 
     @contextmanager
-    def apart(self, what: str, place: Place) -> Iterator[None]:
+    def contained(self, what: str, place: Place) -> Iterator[None]:
         """What is raised inside is noted, and what stands after the block goes on."""
         try:
             yield

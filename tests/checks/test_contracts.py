@@ -384,7 +384,7 @@ def test_each_robot_of_a_launch_file_is_held_to_a_contract(findings):
 
 def test_names_that_only_the_nodes_have_before_they_are_launched(findings):
     opened, _ = launched(*TWO_ROBOTS)
-    opened.apart = frozenset(
+    opened.launched_pairs = frozenset(
         frozenset((one.blueprint.place, one.blueprint.class_name) for one in pair if one.blueprint)
         for pair in (opened.nodes[:2],)
     )

@@ -1021,9 +1021,11 @@ def test_lists_that_are_summed_up(launches):
 def test_ros2_launch_is_an_include_with_a_process_of_its_own(launches):
     launches.file("robot/launch/inner.launch.xml", '<launch><node pkg="p" exec="inner"/></launch>')
     launched = launches.python("[ExecuteProcess(cmd=['ros2', 'launch', 'robot', 'inner.launch.xml'])]")
-    assert [(one.reference.source, one.apart) for one in launched.included] == [("robot/launch/inner.launch.xml", True)]
+    assert [(one.reference.source, one.own_process) for one in launched.included] == [
+        ("robot/launch/inner.launch.xml", True)
+    ]
     plain = launches.xml('<include file="$(find-pkg-share robot)/launch/inner.launch.xml"/>')
-    assert [one.apart for one in plain.included] == [False]
+    assert [one.own_process for one in plain.included] == [False]
 
 
 def test_the_entities_of_a_description_are_actions(launches):

@@ -62,14 +62,14 @@ def in_source_order(endpoints: Iterable[Endpoint]) -> list[Endpoint]:
     return sorted(endpoints, key=lambda e: (e.place, e.node.name or "", e.type or ""))
 
 
-def meeting(system: System, endpoints: Iterable[Endpoint]) -> Iterator[tuple[Endpoint, Endpoint]]:
+def coexisting_pairs(system: System, endpoints: Iterable[Endpoint]) -> Iterator[tuple[Endpoint, Endpoint]]:
     """Pairs of certain endpoints that run together; in each, the second comes later in the source."""
     for one, other in combinations(in_source_order(e for e in endpoints if certain(e)), 2):
-        if meet(system, one, other) and _under_one_name(system, one, other):
+        if coexist(system, one, other) and _under_one_name(system, one, other):
             yield one, other
 
 
-def clashing(
+def conflicting_pairs(
     system: System, endpoints: Iterable[Endpoint], agree: Callable[[Endpoint, Endpoint], bool]
 ) -> Iterator[tuple[Endpoint, Endpoint]]:
     """Pairs of endpoints that run together and do not agree whenever both exist.
@@ -87,30 +87,30 @@ def clashing(
             continue
         fixed, chosen = (one, other) if id(one) in sure else (other, one)
         choices = [] if id(chosen) in sure else of_node[id(chosen.node), chosen.kind]
-        if any(agree(fixed, end) for end in choices) or not meet(system, one, other):
+        if any(agree(fixed, end) for end in choices) or not coexist(system, one, other):
             continue
         if _under_one_name(system, one, other):
             yield one, other
 
 
-def meet(system: System, one: Endpoint, other: Endpoint) -> bool:
+def coexist(system: System, one: Endpoint, other: Endpoint) -> bool:
     """Whether two endpoints are seen to exist at the same time."""
     if one.node is other.node:
         return True
     return (
-        system.together(one.node, other.node)
+        system.may_coexist(one.node, other.node)
         # Two nodes of one name are one node written twice, or a mistake of another kind.
         and one.node.name != other.node.name
         and not exclusive(one.creation.branch_arms, other.creation.branch_arms)
         and _started_alike(one.node, other.node)
-        and not (not seen_together(system, one.node, other.node) and _apart(system, one, other))
+        and not (not known_to_coexist(system, one.node, other.node) and _unlikely_to_coexist(system, one, other))
     )
 
 
 def _under_one_name(system: System, one: Endpoint, other: Endpoint) -> bool:
     """False where launch files start the nodes of two endpoints under other names each time: what the code calls
     them by default then proves nothing."""
-    if one.node is other.node or seen_together(system, one.node, other.node):
+    if one.node is other.node or known_to_coexist(system, one.node, other.node):
         return True
     return not _names_when_launched(system, one).isdisjoint(_names_when_launched(system, other))
 
@@ -128,7 +128,7 @@ def _started_alike(one: Node, other: Node) -> bool:
     return runs_along(one.alternatives, other.alternatives)
 
 
-def seen_together(system: System, one: Node, other: Node) -> bool:
+def known_to_coexist(system: System, one: Node, other: Node) -> bool:
     """Whether a launch file or one executable is seen to start both nodes.  A script that is not installed may have
     the name of an executable that is another file."""
     if system.name is not None:
@@ -139,7 +139,7 @@ def seen_together(system: System, one: Node, other: Node) -> bool:
     return not _starters(one).isdisjoint(_starters(other))
 
 
-def launched_apart(system: System, one: Node, other: Node) -> bool:
+def launched_separately(system: System, one: Node, other: Node) -> bool:
     """Whether launch files start both nodes, but none starts both of them: then they are alternatives, or at
     least nothing proves that they are not."""
     if system.name is not None or system.workspace is None:
@@ -173,7 +173,7 @@ def _starters(node: Node) -> set[tuple[str | None, str]]:
 
 def are_alternatives(system: System, one: Node, other: Node) -> bool:
     """Whether two nodes that nothing is seen to start together publish one topic: each does the other's work."""
-    if seen_together(system, one, other):
+    if known_to_coexist(system, one, other):
         return False
     return not _publishes(one).isdisjoint(_publishes(other) - _EVERYBODYS)
 
@@ -185,7 +185,7 @@ def _publishes(node: Node) -> set[str]:
     return {end.name for end in node.of_kind(PUBLISHER) if end.resolved and end.name is not None}
 
 
-def _apart(system: System, one: Endpoint, other: Endpoint) -> bool:
+def _unlikely_to_coexist(system: System, one: Endpoint, other: Endpoint) -> bool:
     """Whether two nodes of different executables are probably never started together."""
     alone = any(_tries_out(end.node) or _starts_others(system, end.node) for end in (one, other))
     return alone or _variants(one, other)

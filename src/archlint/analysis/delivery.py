@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from archlint.analysis.coexistence import are_alternatives, certain, in_source_order, launched_apart, meet
+from archlint.analysis.coexistence import are_alternatives, certain, coexist, in_source_order, launched_separately
 from archlint.ros.qos import Verdict, compatible
 
 if TYPE_CHECKING:
@@ -42,13 +42,13 @@ def undelivered_on(system: System, topic: Connection) -> Iterator[Undelivered]:
     for request in in_source_order(end for end in topic.users if _judged(end)):
         for offer in offers:
             errors = tuple(_errors(offer, request))
-            if errors and meet(system, offer, request) and not _never_both(system, offer.node, request.node):
+            if errors and coexist(system, offer, request) and not _never_both(system, offer.node, request.node):
                 yield Undelivered(offer, request, errors)
 
 
 def _never_both(system: System, one: Node, other: Node) -> bool:
     """Whether two nodes are only seen as alternatives: by what they publish, or by the launch files that start them."""
-    return one is not other and (launched_apart(system, one, other) or are_alternatives(system, one, other))
+    return one is not other and (launched_separately(system, one, other) or are_alternatives(system, one, other))
 
 
 def fitting(system: System, request: Endpoint) -> list[Endpoint]:
@@ -57,7 +57,7 @@ def fitting(system: System, request: Endpoint) -> list[Endpoint]:
     return [
         offer
         for offer in in_source_order(end for end in (topic.providers if topic is not None else ()) if _judged(end))
-        if meet(system, offer, request) and not _errors(offer, request)
+        if coexist(system, offer, request) and not _errors(offer, request)
     ]
 
 

@@ -48,7 +48,7 @@ def links(system: System, *groups: Globs) -> Iterator[Link]:
     ``groups`` are the nodes that are asked about.  In the system of all nodes, two that some launch file starts
     together count there, under their final names, and not here; unless no launch file has nodes of two groups.
     """
-    apart = system.name is None and any(_has_two(one, groups) for one in launched(system))
+    separately = system.name is None and any(_has_two(one, groups) for one in launched(system))
     for connection in connections(system):
         topic = connection.kind == TOPIC
         sources = connection.providers if topic else connection.users
@@ -57,7 +57,7 @@ def links(system: System, *groups: Globs) -> Iterator[Link]:
             for target in in_source_order(end for end in targets if counts(end)):
                 if source.node is target.node or not _meet(source, target):
                     continue
-                if not apart or not _started_together(system, source.node, target.node):
+                if not separately or not _launched_together(system, source.node, target.node):
                     yield Link(connection, source, target)
 
 
@@ -69,11 +69,11 @@ def _meet(one: Endpoint, other: Endpoint) -> bool:
     )
 
 
-def _started_together(system: System, one: Node, other: Node) -> bool:
+def _launched_together(system: System, one: Node, other: Node) -> bool:
     """Whether some launch file starts nodes of these two classes."""
     if one.blueprint is None or other.blueprint is None:
         return False
-    return frozenset((b.place, b.class_name) for b in (one.blueprint, other.blueprint)) in system.apart
+    return frozenset((b.place, b.class_name) for b in (one.blueprint, other.blueprint)) in system.launched_pairs
 
 
 def connections(system: System) -> tuple[Connection, ...]:

@@ -40,7 +40,9 @@ def unknown_field(system: System, options: Options) -> Iterator[Finding]:
             callers.setdefault(function, set()).update(calls)
     told: set[Place] = set()
     for place in sorted(uses):
-        missing = sorted((use for use in uses[place] if use.exists is False), key=lambda use: (use.type, use.part))
+        missing = sorted(
+            (use for use in uses[place] if use.exists is False), key=lambda use: (use.type, use.section_name)
+        )
         wrong = _wrongly_passed(uses[place], missing, callers)
         if wrong:
             yield from (_passed_to(system, use, hop) for use, hop in wrong if use.certain and hop.call not in told)
@@ -110,7 +112,11 @@ def _of_one_type(system: System, use: FieldUse, others: Sequence[FieldUse]) -> F
 
 
 def _unknown_field(system: System, use: FieldUse) -> Finding:
-    of = f"the {_WRAPPERS.get(use.part, use.part.lower())} of {use.type}" if use.part else use.type
+    of = (
+        f"the {_WRAPPERS.get(use.section_name, use.section_name.lower())} of {use.type}"
+        if use.section_name
+        else use.type
+    )
     what = "constant" if use.access == "constant" else "field"
     meant, near = _meant(use)
     owner = enclosing_class(system.workspace, use.place) or ""
@@ -120,7 +126,7 @@ def _unknown_field(system: System, use: FieldUse) -> Finding:
         f"{of} has no {what} '{use.name}'{_instead(meant, near, [use.name])}",
         help=f"this line raises {_raised([use.access])} when it runs; the {what}s are {_listed(use.fields)}",
         node=None if use.node is None else use.node.name.text,
-        identity=(use.type, use.part, use.name, use.access),
+        identity=(use.type, use.section_name, use.name, use.access),
         group=(use.place.file, owner, of, what, meant, _listed(use.fields)),
     )
 

@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 def idle_patterns(systems: Sequence[System], options: Options) -> Iterator[str]:
     """A sentence for each pattern under ``[[contracts]]``, ``[layers]`` and ``[owners]`` that no node, topic,
     service or action of any system has; nothing where only a part of the workspace was looked at."""
-    if any(system.workspace is not None and system.workspace.partial for system in systems):
+    if any(system.workspace is not None and system.workspace.is_subset for system in systems):
         return
     known = _Known(systems, options)
     for contract in options.contracts:

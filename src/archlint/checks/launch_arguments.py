@@ -52,7 +52,7 @@ def _undeclared_uses(system: System, launched: Launched) -> Iterator[Finding]:
     declared = sorted({argument.name for argument in launched.declared})
     for use in launched.undeclared:
         alone = use.file == launched.file
-        if use.conditional or (alone and system.part) or use.name in told:
+        if use.conditional or (alone and system.is_included) or use.name in told:
             continue  # whoever includes it may pass it: that system tells
         told.add(use.name)
         if use.unseen is not None:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from archlint.analysis.coexistence import certain, in_source_order, meet, named_by_library, seen_together
+from archlint.analysis.coexistence import certain, coexist, in_source_order, known_to_coexist, named_by_library
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.finding import Finding, Related
@@ -58,7 +58,7 @@ def _misses(system: System, publisher: Endpoint, user: Endpoint) -> bool:
     return (
         publisher.node is not user.node
         and (nearly_equal(publisher.name or "", user.name or "") or _namespace_slip(system, publisher, user))
-        and meet(system, publisher, user)
+        and coexist(system, publisher, user)
     )
 
 
@@ -68,14 +68,14 @@ def _namespace_slip(system: System, publisher: Endpoint, user: Endpoint) -> bool
     Only nodes that are seen to start together tell that, by a launch file that no other includes: that one may
     yet add the namespace.
     """
-    if system.part:
+    if system.is_included:
         return False
     inner, outer = sorted((publisher, user), key=lambda end: len(end.name or ""), reverse=True)
     long, short = (inner.name or "").split("/"), (outer.name or "").split("/")
     namespaces = (inner.node.name or "").split("/")[1:-1]
     return any(
         long[:at] + long[at + 1 :] == short and long[1 : at + 1] == namespaces[:at] for at in range(1, len(long) - 1)
-    ) and seen_together(system, publisher.node, user.node)
+    ) and known_to_coexist(system, publisher.node, user.node)
 
 
 def nearly_equal(one: str, other: str) -> bool:

@@ -10,12 +10,12 @@ from typing import TYPE_CHECKING
 from archlint.analysis.arbitration import speaks_once, take_turns
 from archlint.analysis.aside import is_aside
 from archlint.analysis.coexistence import (
+    coexisting_pairs,
     has_launch_files,
     in_source_order,
-    launched_apart,
-    meeting,
+    known_to_coexist,
+    launched_separately,
     named_by_library,
-    seen_together,
 )
 from archlint.analysis.happenings import are_requests, tell_what_happened
 from archlint.analysis.left_over import is_left_over
@@ -114,8 +114,12 @@ def _several_owners(system: System, connection: Connection) -> Iterator[list[End
     """Groups of endpoints of different nodes that meet; the last one in the source comes last."""
     groups: list[list[Endpoint]] = []
     own = [end for end in connection.providers if _owns(system, end)]
-    for one, other in meeting(system, own):
-        if one.node is other.node or launched_apart(system, one.node, other.node) or _left_out(one.node, other.node):
+    for one, other in coexisting_pairs(system, own):
+        if (
+            one.node is other.node
+            or launched_separately(system, one.node, other.node)
+            or _left_out(one.node, other.node)
+        ):
             continue
         group = next((group for group in groups if one in group or other in group), None)
         if group is None:
@@ -194,7 +198,7 @@ def _topics(names: Sequence[str]) -> str:
 
 def _is_proven(system: System, owners: list[Endpoint]) -> bool:
     """Whether something is seen to start two of them together."""
-    return system.closed or any(seen_together(system, a.node, b.node) for a, b in combinations(owners, 2))
+    return system.closed or any(known_to_coexist(system, a.node, b.node) for a, b in combinations(owners, 2))
 
 
 def _nodes(owners: Iterable[Endpoint]) -> str:

@@ -9,7 +9,7 @@ from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.finding import Finding, Place, Related
 from archlint.interpreter.values import DictValue, EachValue, External, Instance, Known, ListValue, Value
-from archlint.libraries.rclpy.names import canonical, interface_and_part
+from archlint.libraries.rclpy.names import canonical, interface_and_section
 from archlint.libraries.values import MessageValue, creations_of
 from archlint.syntax import facts
 
@@ -28,7 +28,7 @@ _SENDS = {
     "rclpy.action.server.ServerGoalHandle.abort": ("response", "Result"),
     "rclpy.action.server.ServerGoalHandle.canceled": ("response", "Result"),
 }
-"""By API: the argument that is sent, and which part of the endpoint's interface it must be."""
+"""By API: the argument that is sent, and which section of the endpoint's interface it must be."""
 
 
 @rule("TOP005", scope=Scope.CODE)
@@ -46,15 +46,15 @@ def published_type_mismatch(system: System, options: Options) -> Iterator[Findin
 
 
 def _judge(call: ApiCall) -> Finding | None:
-    argument, part = _SENDS[call.api]
+    argument, section_name = _SENDS[call.api]
     creation = _sender(call)
     given = call.arguments.get(argument)
     if creation is None or creation.type is None or not isinstance(given, Value):
         return None
-    if isinstance(given, Known) and given.value is None and (part == "Result" or not _literal(call)):
+    if isinstance(given, Known) and given.value is None and (section_name == "Result" or not _literal(call)):
         return None  # no result given, or an attribute that is None until some other callback has set it
-    wrong = _wrong(given, creation.type, part)
-    return None if wrong is None else _finding(call, creation, argument, part, wrong)
+    wrong = _wrong(given, creation.type, section_name)
+    return None if wrong is None else _finding(call, creation, argument, section_name, wrong)
 
 
 def _sender(call: ApiCall) -> Creation | None:
@@ -72,24 +72,28 @@ def _literal(call: ApiCall) -> bool:
     return len(arguments) == 1 and isinstance(arguments[0].value, facts.Literal)
 
 
-def _wrong(given: Value, type_: str, part: str) -> str | None:
+def _wrong(given: Value, type_: str, section_name: str) -> str | None:
     """What is given, in words, if it is certainly not what is wanted."""
     if isinstance(given, MessageValue):
-        return None if (given.type, given.part) == (type_, part) else _words(given.type, given.part)
+        return (
+            None
+            if (given.type, given.section_name) == (type_, section_name)
+            else _words(given.type, given.section_name)
+        )
     if isinstance(given, External):
-        interface, of = interface_and_part(canonical(given.path))
+        interface, of = interface_and_section(canonical(given.path))
         return None if interface is None else f"the class {_words(interface, of)} itself"
     if isinstance(given, Known):
-        bytes_pass = isinstance(given.value, bytes) and not part
+        bytes_pass = isinstance(given.value, bytes) and not section_name
         return None if bytes_pass else repr(given.value) if given.value is not None else "None"
     if isinstance(given, (ListValue, EachValue)):
         return "a list" if isinstance(given, EachValue) else f"a {given.kind}"
     return "a dict" if isinstance(given, DictValue) else None
 
 
-def _finding(call: ApiCall, creation: Creation, argument: str, part: str, given: str) -> Finding:
+def _finding(call: ApiCall, creation: Creation, argument: str, section_name: str, given: str) -> Finding:
     method = call.api.rpartition(".")[2]
-    wanted = _words(creation.type or "", part)
+    wanted = _words(creation.type or "", section_name)
     return finding(
         "TOP005",
         call.argument_places.get(argument, call.place),
@@ -101,5 +105,5 @@ def _finding(call: ApiCall, creation: Creation, argument: str, part: str, given:
     )
 
 
-def _words(type_: str, part: str) -> str:
-    return f"{type_}.{part}" if part else type_
+def _words(type_: str, section_name: str) -> str:
+    return f"{type_}.{section_name}" if section_name else type_

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
-from archlint.analysis.coexistence import has_launch_files, seen_together
+from archlint.analysis.coexistence import has_launch_files, known_to_coexist
 from archlint.analysis.delivery import Undelivered, fitting, policy_words, undelivered
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
@@ -81,7 +81,7 @@ def _is_proven(system: System, pair: Undelivered) -> bool:
     one is left out."""
     if system.closed or not has_launch_files(system):
         return True
-    return pair.offer.node is pair.request.node or seen_together(system, pair.offer.node, pair.request.node)
+    return pair.offer.node is pair.request.node or known_to_coexist(system, pair.offer.node, pair.request.node)
 
 
 _ADVICE = {

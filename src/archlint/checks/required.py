@@ -61,7 +61,7 @@ def is_concerned(system: System, contract: Contract) -> bool:
     a closed one, which is all there is, as soon as it has one of them.  The system of all nodes is asked where no
     launch file is, and must have them too where it is only a part of what the configuration is for.
     """
-    if system.name is not None or (system.workspace is not None and system.workspace.partial):
+    if system.name is not None or (system.workspace is not None and system.workspace.is_subset):
         return _has_nodes(system, contract)
     return not any(_has_nodes(other, contract) for other in launched(system))
 

@@ -47,7 +47,7 @@ def waits_behind(system: System, wait: Wait) -> list[Edge]:
 
 
 def _meet(system: System, one: Node, other: Node) -> bool:
-    return system.together(one, other) or system.started_together(one, other)
+    return system.may_coexist(one, other) or system.launched_together(one, other)
 
 
 @rule("SRV006", scope=Scope.SYSTEM)
@@ -95,7 +95,7 @@ def _circles(start: _Key, edges: dict[_Key, list[Edge]], system: System) -> Iter
             continue
         for edge in edges.get(target, ()):
             nodes = {edge.server.node, *(one.server.node for one in path)}
-            if all(one is other or system.together(one, other) for one in nodes for other in nodes):
+            if all(one is other or system.may_coexist(one, other) for one in nodes for other in nodes):
                 waiting.append([*path, edge])
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from typing import TYPE_CHECKING
 
-from archlint.analysis.coexistence import all_endpoints, clashing, in_source_order, seen_together
+from archlint.analysis.coexistence import all_endpoints, conflicting_pairs, in_source_order, known_to_coexist
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.finding import Finding, Related
@@ -49,8 +49,8 @@ def _mismatches(code: str, system: System, connections: Mapping[str, Connection]
             continue
         pairs: dict[tuple[str, str], list[tuple[Endpoint, Endpoint]]] = {}
         there = [end for end in all_endpoints(connection) if end.type not in missing]
-        for one, other in clashing(system, there, _one_type):
-            if one.kind == other.kind and not seen_together(system, one.node, other.node):
+        for one, other in conflicting_pairs(system, there, _one_type):
+            if one.kind == other.kind and not known_to_coexist(system, one.node, other.node):
                 continue  # of two that do the same job, one runs: nothing is lost between them
             first, second = sorted((one.type or "", other.type or ""))
             pairs.setdefault((first, second), []).append((one, other))

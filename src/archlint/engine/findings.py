@@ -180,7 +180,7 @@ def _of_interfaces(workspace: Workspace, systems: Sequence[System], faults: Faul
     old = {package.name for package in workspace.packages if package.ros1}
     for file in workspace.files:
         if file.kind == "interface" and not file.context and file.package not in old:
-            with faults.apart("reading this interface", Place(file.relative, 1, 1, 1, 1)):
+            with faults.contained("reading this interface", Place(file.relative, 1, 1, 1, 1)):
                 problems = interface_problems(file.path)
                 if problems:
                     yield unreadable_interface(file.relative, problems, table is None or table.is_built(file))

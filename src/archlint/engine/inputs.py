@@ -47,7 +47,7 @@ def python_files(workspace: Workspace) -> list[SourceFile]:
     return [file for file in workspace.files if file.kind in PYTHON]
 
 
-def is_partial(request: Request, workspace: Workspace) -> bool:
+def is_subset(request: Request, workspace: Workspace) -> bool:
     """Whether less is known than the folder that the configuration is for holds."""
     if request.settings.file is None:
         return False

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 
 from archlint.analysis.comparison import compare
 from archlint.config.options import options_for
-from archlint.engine.inputs import is_partial
+from archlint.engine.inputs import is_subset
 from archlint.engine.request import NothingToDo, Request
 from archlint.faults import Faults
 from archlint.launch.load import LaunchLoader
@@ -57,7 +57,7 @@ def systems_of(request: Request, workspace: Workspace, facts: FactsOfFiles, tree
             loader=loader,
             faults=faults,
             interfaces=interfaces,
-            partial=is_partial(request, workspace),
+            is_subset=is_subset(request, workspace),
             roles=linker.index.roles,
             cut_short=linker.cut_short,
         ),
@@ -92,7 +92,7 @@ def as_asked_for(request: Request, system: System, workspace: Workspace) -> Syst
     return only(system, {file.relative for file in workspace.files if file.context})
 
 
-def together(systems: Sequence[System]) -> System:
+def combined(systems: Sequence[System]) -> System:
     """One system to draw of those of several workspaces."""
     first, *others = systems
     if not others:

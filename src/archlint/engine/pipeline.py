@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from archlint import __version__
-from archlint.engine.inputs import find_files, is_partial, parts_of, refuse_nothing
+from archlint.engine.inputs import find_files, is_subset, parts_of, refuse_nothing
 from archlint.engine.looked_at import idle_patterns, without_node
 from archlint.engine.request import NothingToDo, Request
 from archlint.engine.result_cache import RunCache
@@ -54,7 +54,7 @@ def check(request: Request) -> Report:
 
 def _not_looked_at(request: Request, workspace: Workspace, summary: Summary) -> Iterator[str]:
     yield from without_node(summary)
-    if request.settings.file is not None and not is_partial(request, workspace):
+    if request.settings.file is not None and not is_subset(request, workspace):
         yield from idle_patterns(request.settings, workspace)
 
 
@@ -64,7 +64,7 @@ def graph(request: Request, everything: bool = False) -> System:
     Raises :class:`NothingToDo`.
     """
     from archlint.engine.compiling import compiled
-    from archlint.engine.loading import as_asked_for, systems_of, together
+    from archlint.engine.loading import as_asked_for, combined, systems_of
     from archlint.systems.implicit import with_implicit
 
     workspace = find_files(request)
@@ -75,7 +75,7 @@ def graph(request: Request, everything: bool = False) -> System:
     parts = parts_of(request, workspace)
     opened = call_with_deep_stack(lambda: [systems_of(request, part, facts, tree)[0] for part in parts])
     store.close()
-    system = together([as_asked_for(request, one, part) for one, part in zip(opened, parts, strict=True)])
+    system = combined([as_asked_for(request, one, part) for one, part in zip(opened, parts, strict=True)])
     return with_implicit(system, request.settings.distro) if everything else system
 
 

@@ -31,7 +31,7 @@ def attach(findings: Iterable[Finding], around: Surroundings, faults: Faults | N
     around.keep(found)
     faults = faults or Faults()
     for number, finding in enumerate(found):
-        with faults.apart(f"making the fix of {finding.code}", finding.place):
+        with faults.contained(f"making the fix of {finding.code}", finding.place):
             found[number] = _with_fix(finding, around)
     return found
 

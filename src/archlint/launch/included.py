@@ -78,10 +78,10 @@ def _given(run: LaunchRun, arguments: Value | None) -> tuple[tuple[str, Place], 
     return tuple(names)
 
 
-def launch_apart(run: LaunchRun, package: str, name: str, words: Sequence[str | None]) -> None:
+def launch_in_own_process(run: LaunchRun, package: str, name: str, words: Sequence[str | None]) -> None:
     """``ros2 launch package file argument:=value …``: a launch with a context of its own."""
     reference = run.reference("launch", _found_by_name(run, package, name), run.place_now)
-    run.result.included.append(Included(reference, (), run.place_now, run.file, run.is_dormant, apart=True))
+    run.result.included.append(Included(reference, (), run.place_now, run.file, run.is_dormant, own_process=True))
     kept, run.launch = run.launch, Context()
     for word in words:
         argument_name, assigned, value = (word or "").partition(":=")

@@ -229,7 +229,7 @@ class LaunchLoader:
             text = self.tree.text(path)
             found = LaunchFacts(problems=self._unreadable(path))
             if text is not None:
-                with self.faults.apart("reading this launch file", Place(path, 1, 1, 1, 1)):
+                with self.faults.contained("reading this launch file", Place(path, 1, 1, 1, 1)):
                     found = _read(path, text)
             package = self.package_of(path) if found.root is not None and not found.decided else None
             if package is not None:
@@ -247,7 +247,7 @@ class LaunchLoader:
             text = self.tree.text(path)
             found = ParameterFacts(problems=self._unreadable(path))
             if text is not None:
-                with self.faults.apart("reading this parameter file", Place(path, 1, 1, 1, 1)):
+                with self.faults.contained("reading this parameter file", Place(path, 1, 1, 1, 1)):
                     found = read_parameters(text)
             self._parameter_facts[path] = found
         return self._parameter_facts[path]

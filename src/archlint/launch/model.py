@@ -209,13 +209,13 @@ class Included:
     file: str
     dormant: bool = False
     handed: tuple[str, ...] | None = None
-    apart: bool = False
+    own_process: bool = False
     """Whether a process of its own launches the file: ``ros2 launch``."""
 
     @property
     def is_missing(self) -> bool:
         """Whether this launch would read the file, and it is not there."""
-        return self.reference.status == MISSING and not self.dormant and not self.apart
+        return self.reference.status == MISSING and not self.dormant and not self.own_process
 
 
 @dataclass(frozen=True)

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 from archlint.finding import Place
 from archlint.interpreter.values import Holed, Instance, Known, ListValue, OneOf, Unknown, Value, alternatives, reason
 from archlint.launch.context import absolute, prefix_namespace
-from archlint.launch.included import launch_apart
+from archlint.launch.included import launch_in_own_process
 from archlint.launch.model import OpenParameters, Remap, Started, UnknownAttribute
 from archlint.launch.parameters import Parameter, file_use, parameters_of
 from archlint.launch.scopes import remap
@@ -203,7 +203,7 @@ def process(run: LaunchRun, entity: Instance) -> None:
         )
         started.parameters = _parameter_files(run, words[4:], run.place_now)
     elif words[:2] == ["ros2", "launch"] and len(words) > 3 and words[2] and words[3]:
-        launch_apart(run, words[2], words[3], words[4:])
+        launch_in_own_process(run, words[2], words[3], words[4:])
         return
     else:
         name = Text(words[0], "exact") if words and words[0] else Text(None, "unknown", reason="a command")

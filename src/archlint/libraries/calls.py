@@ -23,9 +23,9 @@ if TYPE_CHECKING:
 def call_external(run: Run, offers: Offers, function: External, site: CallSite) -> Value:
     """Call a foreign function or class by its dotted name."""
     path = names.canonical(function.path)
-    interface, part = names.interface_and_part(path)
+    interface, section_name = names.interface_and_section(path)
     if interface is not None:
-        return messages.make(run, interface, part, site.keywords, site.expression)
+        return messages.make(run, interface, section_name, site.keywords, site.expression)
     api = offers.row(path)
     if api is not None:
         receiver = None

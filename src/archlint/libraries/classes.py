@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 from archlint.interpreter.values import ClassValue, External, ForeignValue, Value
-from archlint.libraries.rclpy.names import interface_and_part
+from archlint.libraries.rclpy.names import interface_and_section
 from archlint.libraries.values import MessageValue
 
 
 def class_of(value: ForeignValue) -> Value | None:
     """``type(value)``: of a message the class of its interface."""
-    if isinstance(value, MessageValue) and not value.part:
+    if isinstance(value, MessageValue) and not value.section_name:
         return External(value.type.replace("/", "."))
     return None
 
@@ -22,15 +22,15 @@ def is_instance(value: ForeignValue, cls: Value, python: type | None) -> bool | 
         return False
     if isinstance(cls, ClassValue):
         return False
-    interface, part = interface_and_part(cls.path) if isinstance(cls, External) else (None, "")
-    return None if interface is None else (interface, part) == (value.type, value.part)
+    interface, section_name = interface_and_section(cls.path) if isinstance(cls, External) else (None, "")
+    return None if interface is None else (interface, section_name) == (value.type, value.section_name)
 
 
 def is_ordinary(path: str) -> bool:
     """Whether a class of another package is one that no constant or collection is ever an object of."""
     if path.startswith("rclpy."):
         return not path.rpartition(".")[2].startswith(("Some", "Allowable"))  # aliases for several types
-    return interface_and_part(path)[0] is not None
+    return interface_and_section(path)[0] is not None
 
 
 __all__ = ["class_of", "is_instance", "is_ordinary"]

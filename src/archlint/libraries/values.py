@@ -78,14 +78,14 @@ class MessageValue(ForeignValue):
     has_content: ClassVar[bool] = True
 
     type: str
-    part: str = ""
+    section_name: str = ""
     key: int = 0
 
     def identity(self, key_of: Callable[[Value], Hashable]) -> tuple[Hashable, ...]:
         return (self,)
 
     def kind(self) -> Hashable:
-        return (self.type, self.part)
+        return (self.type, self.section_name)
 
 
 def creations_of(value: Value | None) -> tuple[Creation, ...]:

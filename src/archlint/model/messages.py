@@ -25,14 +25,15 @@ class FieldUse:
     """A field of a message that the code names; ``access`` is ``read``, ``write`` or ``keyword``, or ``constant`` for
     what looks like one and is read from the class.
 
-    ``type`` and ``part`` are those of the message.  ``exists`` is None where its definition is not known; where
-    it is False, ``fields`` are those that the message has, and ``inside`` is the one whose own message has the name;
-    for a constant the class of the same service or action that has it.
+    ``type`` and ``section_name`` (``Request``, ``Goal`` …; empty for a plain message) are those of the message.
+    ``exists`` is None where its definition is not known; where it is False, ``fields`` are those that the message
+    has, and ``inside`` is the one whose own message has the name; for a constant the class of the same service or
+    action that has it.
     """
 
     place: Place
     type: str
-    part: str
+    section_name: str
     name: str
     access: str
     exists: bool | None

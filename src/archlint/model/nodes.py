@@ -207,7 +207,7 @@ class Blueprint:
     """The branches that make it, as ``Creation.branch_arms``."""
     instead_of: Blueprint | None = None
     """The node of the same class and name that it took the place of in a variable."""
-    served_apart: bool = False
+    has_own_executor: bool = False
     """True where an executor was given it, and not one of several nodes."""
     escapes: bool = False
     """True where code that is not in this workspace is given the node: that may spin it."""
@@ -230,4 +230,4 @@ class Blueprint:
     def made_again(self) -> bool:
         """Whether it is another node once more, that one being gone: ``while not node.ready: node = Driver()``."""
         first = self.instead_of
-        return first is not None and not (self.served_apart and first.served_apart)
+        return first is not None and not (self.has_own_executor and first.has_own_executor)

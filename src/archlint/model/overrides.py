@@ -1,4 +1,4 @@
-"""What one process gets from outside: values of parameters, and names of its nodes."""
+"""Parameter overrides: what the launch of one process sets, and how it names the nodes."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class Overrides:
-    """What one process gets from outside: the values of parameters, and the names of its nodes.
+    """The values of parameters that one process is started with, and the names of its nodes.
 
     ``of_nodes`` are those of its nodes, by the name and namespace that their constructors give; ``others`` are
     for a node that is not among them.  ``settled`` are the parameters whose values are certain while the

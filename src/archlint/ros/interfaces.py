@@ -193,55 +193,57 @@ class InterfaceTable:
         standard = standard_interfaces.table().interfaces.get(name)
         return None if standard is None else standard.text
 
-    def section(self, name: str, part: str) -> Section | None:
-        if part in _WRAPPERS:
-            return _WRAPPERS[part]
+    def section(self, name: str, section_name: str) -> Section | None:
+        if section_name in _WRAPPERS:
+            return _WRAPPERS[section_name]
         interface = self.get(name)
-        wanted = _SECTIONS.get(part)
+        wanted = _SECTIONS.get(section_name)
         if interface is None or wanted is None:
             return None
         return next((section for section in interface.sections if section.name == wanted), None)
 
-    def has(self, name: str, part: str, attribute: str) -> bool | None:
+    def has(self, name: str, section_name: str, attribute: str) -> bool | None:
         """Whether a message has a field or constant; None where its definition is not known in full."""
-        if part in _WRAPPERS:
-            return _WRAPPERS[part].field(attribute) is not None
-        interface, section = self.get(name), self.section(name, part)
+        if section_name in _WRAPPERS:
+            return _WRAPPERS[section_name].field(attribute) is not None
+        interface, section = self.get(name), self.section(name, section_name)
         if interface is None or section is None or interface.problems:
             return None
         return section.field(attribute) is not None or any(c.name == attribute for c in section.constants)
 
-    def field_type(self, name: str, part: str, field: str) -> FieldType | None:
+    def field_type(self, name: str, section_name: str, field: str) -> FieldType | None:
         """The type of a field, its name in full; None where it is not known or differs between distributions."""
-        section = None if part in _WRAPPERS else self.section(name, part)
+        section = None if section_name in _WRAPPERS else self.section(name, section_name)
         found = None if section is None else section.field(field)
         if found is None or (name not in self._files and self._varies(name, field)):
             return None
         kind = found.type
         return FieldType(kind.qualified(name.partition("/")[0]), kind.array, kind.size, kind.string_bound)
 
-    def inside(self, name: str, part: str, attribute: str) -> str | None:
+    def inside(self, name: str, section_name: str, attribute: str) -> str | None:
         """The one field of a message whose message has a field of this name; None where there is none, or several."""
-        section = self.section(name, part)
-        inner = [(field.name, self._held(name, part, field.name)) for field in (section.fields if section else ())]
+        section = self.section(name, section_name)
+        inner = [
+            (field.name, self._held(name, section_name, field.name)) for field in (section.fields if section else ())
+        ]
         having = [field for field, (kind, of) in inner if kind and self.has(kind, of, attribute)]
         return having[0] if len(having) == 1 else None
 
-    def _held(self, name: str, part: str, field: str) -> tuple[str, str]:
-        """The interface and the part that a field holds; empty where it holds something else, or several."""
-        if part in _WRAPPERS:
+    def _held(self, name: str, section_name: str, field: str) -> tuple[str, str]:
+        """The interface and the section that a field has; empty where it is something else, or several."""
+        if section_name in _WRAPPERS:
             return (name, field.capitalize()) if field in ("result", "feedback") else ("", "")
-        kind = self.field_type(name, part, field)
+        kind = self.field_type(name, section_name, field)
         return ("", "") if kind is None or kind.is_primitive or kind.array else (kind.name, "")
 
     def _varies(self, name: str, field: str) -> bool:
         standard = standard_interfaces.table().interfaces.get(name)
         return standard is not None and field in standard.varies
 
-    def constant(self, name: str, part: str, constant: str) -> str | int | float | bool | None:
+    def constant(self, name: str, section_name: str, constant: str) -> str | int | float | bool | None:
         """The value of a constant, or None.  Constants of services are on ``Srv.Request`` and ``Srv.Response``;
         those of messages on the class."""
-        section = self.section(name, part)
+        section = self.section(name, section_name)
         if section is None:
             return None
         for found in section.constants:

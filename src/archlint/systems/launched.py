@@ -14,8 +14,8 @@ from archlint.ros.remapping import RemapRule, rules_of_arguments
 from archlint.systems.command_line import Word, words_of
 from archlint.systems.instances import instantiate
 from archlint.systems.model import Endpoint, Node, System, key_of
-from archlint.systems.outside import is_undecided, known_name, outside
 from archlint.systems.overrides import applied, overrides_of
+from archlint.systems.parameter_overrides import is_undecided, known_name, parameter_overrides
 from archlint.systems.understood import doubt
 
 if TYPE_CHECKING:
@@ -88,7 +88,7 @@ class LaunchSystems:
             program = again if again is not None and _has_nodes(again) else program
         if program is None or not _has_nodes(program):
             return [self._unfollowed(started, program, launch_file)]
-        changes = outside(started, program, self.parameters_of, _rules(started))
+        changes = parameter_overrides(started, program, self.parameters_of, _rules(started))
         if changes is not None:
             again = self.program(started, changes, words)
             program = again if again is not None and _has_nodes(again) else program

@@ -47,20 +47,20 @@ def launch_systems(
         parts = _parts(launched)
         systems = []
         for one in launched:
-            with loader.faults.apart("making the system of this launch file", Place(one.file, 1, 1, 1, 1)):
+            with loader.faults.contained("making the system of this launch file", Place(one.file, 1, 1, 1, 1)):
                 named = chosen is not None or any(glob.matches(one.file) for glob in configured)
                 if one.ros1 or not one.is_launch_file or (configured and not named):
                     continue
                 system = maker.system(one, closed, dependencies)
-                system.part = one.file in parts
+                system.is_included = one.file in parts
                 # The nodes of a part may have their partners beside it.
-                system.closed = (closed and not system.part) or (named and _whole(one, system))
+                system.closed = (closed and not system.is_included) or (named and _whole(one, system))
                 for values in undecided_arguments(one) if _differs(system) else ():
                     other = maker.system(loader.launch(one.file, {**one.arguments, **values}), closed, dependencies)
-                    other.closed, other.part = system.closed, system.part
+                    other.closed, other.is_included = system.closed, system.is_included
                     system.alternatives.append((values, other))
                 systems.append(system)
-        opened.apart = frozenset(started_pairs(launched, _by_executable(opened.programs)))
+        opened.launched_pairs = frozenset(started_pairs(launched, _by_executable(opened.programs)))
         return systems
 
     systems = work()

@@ -177,8 +177,8 @@ class System:
     nodes: list[Node]
     programs: list[Program]
     closed: bool = False
-    part: bool = False
-    """Whether another launch file includes this one, perhaps in a namespace and with other arguments."""
+    is_included: bool = False
+    """True where another launch file includes this one, perhaps in a namespace and with other arguments."""
     package_dependencies: dict[str, frozenset[str]] = field(default_factory=dict)
     """Package → packages of this workspace it depends on (transitively)."""
 
@@ -189,7 +189,7 @@ class System:
     workspace: WorkspaceIndex | None = None
     neighbours: list[Node] = field(default_factory=list)
     """For drawing: the nodes at the other end of what ``nodes`` have, that were not asked for, with these ends only."""
-    apart: frozenset[frozenset[object]] = frozenset()
+    launched_pairs: frozenset[frozenset[object]] = frozenset()
     """Pairs of node classes, each as ``(place, class name)``, that some launch file starts together."""
     compared: Comparison | None = None
     """What came of holding it against a running system, where one was recorded."""
@@ -218,12 +218,12 @@ class System:
         """The entries, then the neighbours."""
         return [*self.entries, *self.neighbours]
 
-    def started_together(self, one: Node, other: Node) -> bool:
+    def launched_together(self, one: Node, other: Node) -> bool:
         """Whether a launch file starts both nodes, in a system that is judged by itself."""
-        if not self.apart or one.blueprint is None or other.blueprint is None:
+        if not self.launched_pairs or one.blueprint is None or other.blueprint is None:
             return False
         pair = [(b.place, b.class_name) for b in (one.blueprint, other.blueprint)]
-        return frozenset(pair) in self.apart
+        return frozenset(pair) in self.launched_pairs
 
     @property
     def endpoints(self) -> Iterator[Endpoint]:
@@ -259,7 +259,7 @@ class System:
     def callbacks(self) -> Iterator[Callback]:
         return (callback for run in self.programs for callback in run.callbacks)
 
-    def together(self, one: Node, other: Node) -> bool:
+    def may_coexist(self, one: Node, other: Node) -> bool:
         """Whether two nodes can run in one system: a launch file starts both, or they are of one package,
         or one package depends on the other.  Test code never runs together with anything else; opposite
         branches exclude each other."""
@@ -267,7 +267,7 @@ class System:
             return False
         if exclusive(one.alternatives, other.alternatives):
             return False
-        if self.name is None and self.started_together(one, other):
+        if self.name is None and self.launched_together(one, other):
             return False  # the launch file's own system judges them, under their final names
         if self.name is not None or self.closed:
             return True
@@ -298,7 +298,7 @@ class WorkspaceIndex:
     interfaces: InterfaceTable | None = None
     explicit: bool = False
     """True where a launch file was named: the only system then."""
-    partial: bool = False
+    is_subset: bool = False
     """True where only files of one package, or single ones, of all that the configuration is for were asked for:
     what is not seen may be elsewhere."""
     roles: FileRoles = field(default_factory=FileRoles)
@@ -336,9 +336,9 @@ class WorkspaceIndex:
         """The namespaces in which whole systems have each node, by :func:`key_of`; a node of which one is not known
         has several.  A launch file that another one includes counts where no other has the node."""
         found: dict[object, set[str]] = {}
-        for system in sorted(self.systems, key=lambda one: one.part):
+        for system in sorted(self.systems, key=lambda one: one.is_included):
             for node in system.nodes if system.name is not None else ():
-                if node.blueprint is None or (system.part and key_of(node.blueprint) in found):
+                if node.blueprint is None or (system.is_included and key_of(node.blueprint) in found):
                     continue
                 known = [node.name.rpartition("/")[0]] if node.name is not None else ["", "?"]
                 found.setdefault(key_of(node.blueprint), set()).update(known)

@@ -105,12 +105,12 @@ def interface_constant(run: Run, path: str, name: str) -> Value | None:
     """A constant of a ``.msg``, ``.srv`` or ``.action`` file, or the name of the class made from it."""
     if run.interfaces is None:
         return None
-    interface, part = names.interface_and_part(path)
+    interface, section_name = names.interface_and_section(path)
     if interface is None:
         return None
-    if name == "__name__" and not part:
+    if name == "__name__" and not section_name:
         return Known(interface.rpartition("/")[2])
-    value = run.interfaces.constant(interface, part, name)
+    value = run.interfaces.constant(interface, section_name, name)
     return None if value is None else Known(value)
 
 
@@ -135,7 +135,7 @@ def _of_entity(value: EntityValue, name: str) -> Value:
 
 def _of_message(run: Run, value: MessageValue, name: str) -> Value:
     if run.interfaces is not None:
-        constant = run.interfaces.constant(value.type, value.part, name)
+        constant = run.interfaces.constant(value.type, value.section_name, name)
         if constant is not None:
             return Known(constant)
     nested = messages.nested(run, value, name)

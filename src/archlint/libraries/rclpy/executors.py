@@ -152,7 +152,7 @@ def spin(run: Run, call: ApiUse) -> Value:
             use = _new_use(run, "unknown", None, call) if unknown else _global_use(run)
         _spins(run, use, call, lasting)
         use.astray = use.astray or not spun
-        _note_apart(spun if lasting == model.TO_THE_END else ())
+        _note_own_executor(spun if lasting == model.TO_THE_END else ())
         for node in spun:
             _visit(use, node, _spell(run, call, node, lasting))
     _serve(run, call)
@@ -175,9 +175,9 @@ def _visit(use: model.ExecutorUse, node: model.Blueprint, spell: model.Spell) ->
         use.spells[node].append(spell)
 
 
-def _note_apart(given: Sequence[model.Blueprint]) -> None:
+def _note_own_executor(given: Sequence[model.Blueprint]) -> None:
     if len(given) == 1:
-        given[0].served_apart = True
+        given[0].has_own_executor = True
 
 
 def _serve(run: Run, call: ApiUse) -> None:
@@ -192,7 +192,7 @@ def add_node(run: Run, call: ApiUse) -> Value:
     if use is not None:
         added = nodes.given_nodes(run, call.get("node"), plausible=False)
         use.astray = use.astray or not added
-        _note_apart(added)
+        _note_own_executor(added)
         for node in added:
             _put(use, node)
     return Known(True)

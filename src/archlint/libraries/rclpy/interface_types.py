@@ -12,8 +12,8 @@ def type_of_value(value: Value | None) -> tuple[str | None, str | None]:
     if value is None:
         return None, "no type is given"
     if isinstance(value, External):
-        interface, part = names.interface_and_part(names.canonical(value.path))
-        if interface is not None and not part:
+        interface, section_name = names.interface_and_section(names.canonical(value.path))
+        if interface is not None and not section_name:
             return interface, None
         return None, f"'{value.path}' is no interface"
     if isinstance(value, ClassValue):

@@ -48,7 +48,7 @@ def nested(run: Run, value: MessageValue, name: str) -> MessageValue | EachValue
         return None
     made = run.fields.get((value.key, name))
     if made is None:
-        kind = run.interfaces.field_type(value.type, value.part, name)
+        kind = run.interfaces.field_type(value.type, value.section_name, name)
         if kind is None or kind.is_primitive or run.interfaces.get(kind.name) is None:
             return None
         inner = MessageValue(kind.name, "", run.store.new_key())
@@ -71,25 +71,25 @@ def note_use(run: Run, value: Value, name: str, span: Span, access: str) -> None
         return
     delivered = _delivered(run, message)
     passed = _passed(run, message)
-    key = (run.activation.module.path, span, message.type, message.part, id(delivered), passed)
+    key = (run.activation.module.path, span, message.type, message.section_name, id(delivered), passed)
     if key in run.field_uses:
         return
-    known = None if _may_be_told_apart(run, message) else run.interfaces.has(message.type, message.part, name)
+    known = None if _may_be_told_apart(run, message) else run.interfaces.has(message.type, message.section_name, name)
     run.field_uses.add(key)
-    section = run.interfaces.section(message.type, message.part)
+    section = run.interfaces.section(message.type, message.section_name)
     fields = () if known is not False or section is None else tuple(field.name for field in section.fields)
     run.program.field_uses.append(
         FieldUse(
             run.place(span),
             message.type,
-            message.part,
+            message.section_name,
             name,
             access,
             known,
             fields,
             run.context.node,
             delivered,
-            inside=run.interfaces.inside(message.type, message.part, name) if known is False else None,
+            inside=run.interfaces.inside(message.type, message.section_name, name) if known is False else None,
             passed=passed,
             certain=known is False and bool(passed) and not run.branch_arms and not guard_of(run),
         )
@@ -143,35 +143,35 @@ def note_constant(run: Run, path: str, name: str, span: Span) -> None:
 
     Other attributes of such a class are functions, descriptors of its fields, and default values.
     """
-    interface, part = names.interface_and_part(path)
+    interface, section_name = names.interface_and_section(path)
     if run.interfaces is None or interface is None or not _CONSTANT.match(name) or not _certain(run):
         return
     if name in _OF_EVERY_MESSAGE or name.endswith("__DEFAULT"):
         return
-    section = run.interfaces.section(interface, part)
-    known = run.interfaces.has(interface, part, name)
+    section = run.interfaces.section(interface, section_name)
+    known = run.interfaces.has(interface, section_name, name)
     if section is None or known is None:
         return
     constants = tuple(constant.name for constant in section.constants)
     use = FieldUse(
         run.place(span),
         interface,
-        part,
+        section_name,
         name,
         "constant",
         known,
         () if known else constants,
         run.context.node,
-        inside=None if known else _part_with(run.interfaces, interface, name),
+        inside=None if known else _section_with(run.interfaces, interface, name),
     )
     run.program.field_uses.append(use)
 
 
-def _part_with(interfaces: InterfaceTable, interface: str, constant: str) -> str | None:
+def _section_with(interfaces: InterfaceTable, interface: str, constant: str) -> str | None:
     """The class of a service or action that has a constant: ``Dock.Response``."""
-    parts = ("Request", "Response", "Goal", "Result", "Feedback")
-    found = (part for part in parts if interfaces.constant(interface, part, constant) is not None)
-    return next((f"{interface.rpartition('/')[2]}.{part}" for part in found), None)
+    sections = ("Request", "Response", "Goal", "Result", "Feedback")
+    having = (section for section in sections if interfaces.constant(interface, section, constant) is not None)
+    return next((f"{interface.rpartition('/')[2]}.{section}" for section in having), None)
 
 
 def _may_be_told_apart(run: Run, message: MessageValue) -> bool:
@@ -192,9 +192,11 @@ def note_made(run: Run, message: MessageValue, expression: facts.Call | None) ->
             note_use(run, message, argument.keyword, span, "keyword")
 
 
-def make(run: Run, interface: str, part: str, keywords: dict[str, Value], expression: facts.Call | None) -> Value:
+def make(
+    run: Run, interface: str, section_name: str, keywords: dict[str, Value], expression: facts.Call | None
+) -> Value:
     """An object of an interface class, as its constructor is called."""
-    made = MessageValue(interface, part, run.store.new_key())
+    made = MessageValue(interface, section_name, run.store.new_key())
     note_made(run, made, expression)
     for name, value in keywords.items():
         run.store.set(made.key, name, value)
@@ -203,8 +205,8 @@ def make(run: Run, interface: str, part: str, keywords: dict[str, Value], expres
 
 def note_interface(run: Run, path: str, span: Span) -> None:
     """Note an interface that the code takes from a package which does not define it.  ``path`` is dotted."""
-    interface, part = names.interface_and_part(path)
-    if run.interfaces is None or interface is None or part or not _imported_for_sure(run) or run.branch_arms:
+    interface, section_name = names.interface_and_section(path)
+    if run.interfaces is None or interface is None or section_name or not _imported_for_sure(run) or run.branch_arms:
         return
     package, kind, name = interface.split("/")
     if not is_missing(run, path):
@@ -230,8 +232,8 @@ def note_interface(run: Run, path: str, span: Span) -> None:
 
 def is_missing(run: Run, path: str) -> bool:
     """Whether a dotted path names an interface that its package certainly does not define: nothing is known of it."""
-    interface, part = names.interface_and_part(path)
-    if run.interfaces is None or interface is None or part:
+    interface, section_name = names.interface_and_section(path)
+    if run.interfaces is None or interface is None or section_name:
         return False
     package, kind, name = interface.split("/")
     return not names.is_part_of_interface(name) and run.interfaces.defines(package, kind, name) is False
@@ -246,7 +248,7 @@ def missing_interface(run: Run, path: str) -> Value | None:
     """What stands for an interface that is missing; None where it is there, or not known."""
     if not is_missing(run, path):
         return None
-    interface, _ = names.interface_and_part(path)
+    interface, _ = names.interface_and_section(path)
     package, _, name = path.split(".")[:3]
     return Unknown(f"{package} defines no '{name}'", name=f"{MISSING}{interface}")
 
@@ -255,7 +257,7 @@ def has_field(run: Run, message: MessageValue, name: str) -> Value | None:
     """``hasattr(message, name)``; None where the definitions of messages are not known."""
     if run.interfaces is None:
         return None
-    known = run.interfaces.has(message.type, message.part, name)
+    known = run.interfaces.has(message.type, message.section_name, name)
     return Unknown("hasattr() of a message that is not known") if known is None else Known(known)
 
 

@@ -235,7 +235,7 @@ def is_part_of_interface(name: str) -> bool:
 
 
 @lru_cache(maxsize=4096)
-def interface_and_part(path: str) -> tuple[str | None, str]:
+def interface_and_section(path: str) -> tuple[str | None, str]:
     """``std_msgs.msg.String`` → ``("std_msgs/msg/String", "")``; with ``.Request`` and the like as part."""
     match = _INTERFACE.match(path)
     if match is None:

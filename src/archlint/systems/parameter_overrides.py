@@ -1,4 +1,4 @@
-"""Which parameter values and node names from outside a program has to run again with."""
+"""The parameter overrides and node names of a launch that a program has to be run again with."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ def known_name(node: Node) -> str | None:
     return node.name if node.resolution in ("exact", "parameter") else None
 
 
-def outside(
+def parameter_overrides(
     started: Started,
     program: Program,
     parameters_of: Callable[[str], ParameterFacts],
