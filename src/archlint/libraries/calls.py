@@ -115,7 +115,7 @@ def record(run: Run, api: Api, receiver: Value | None, bound: dict[str, Value], 
         key = (*key, *(id(one) for one in on))  # which timers end here, whichever was there at first
     if api.path in parameters.BY_NAME:
         key = (*key, bound.get("name"))  # what a helper reads, for each name that it is given
-    known = run.calls.get(key)
+    known = run.noted.watched.get(key)
     cleaning = guards.is_cleaning_up(run)
     if known is not None:
         if known.cleaning and not cleaning:
@@ -156,7 +156,7 @@ def record(run: Run, api: Api, receiver: Value | None, bound: dict[str, Value], 
         tuple(clocks.limit_of(run, loop) for loop in loops),
         cleaning,
     )
-    run.calls[key] = call
+    run.noted.watched[key] = call
     run.program.calls.append(call)
 
 

@@ -133,8 +133,8 @@ class RosLibrary(Library):
         escapes.share(self.run, module)
 
     def function_left(self, activation: Activation) -> None:
-        for node in self.run.short_lived.pop(activation, ()):
-            node.until = len(self.run.nodes)
+        for node in self.run.nodes.short_lived.pop(activation, ()):
+            node.until = len(self.run.nodes.by_key)
 
     def coroutines_started(self, function: Value, expression: facts.Call) -> None:
         tasks.note_started(self.run, expression, function)

@@ -14,7 +14,8 @@ from archlint.syntax.parts import Itself, everything_in, names_in
 
 if TYPE_CHECKING:
     from archlint.interpreter.modules import Module
-    from archlint.libraries.run import Root, Run
+    from archlint.libraries.run import Run
+    from archlint.libraries.state import Root
 
 
 def unseen_use(run: Run, root: Root) -> str | None:

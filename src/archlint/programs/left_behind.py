@@ -18,7 +18,8 @@ from archlint.syntax import facts
 from archlint.syntax.parts import names_in
 
 if TYPE_CHECKING:
-    from archlint.libraries.run import Pending, Run
+    from archlint.libraries.run import Run
+from archlint.libraries.state import Pending
 
 Written = list[tuple[int, str, object, Value]]
 """Object, attribute, what it held before and what was left in it."""
@@ -39,7 +40,7 @@ def note(run: Run, layer: Written) -> None:
     """Take note of the attributes that now hold what another callback may act on."""
     for key, slot, before, value in layer:
         if _is_news(run, before, value):
-            run.news.setdefault(slot, set()).add(key)
+            run.callbacks.news.setdefault(slot, set()).add(key)
 
 
 def _is_news(run: Run, before: object, value: Value) -> bool:

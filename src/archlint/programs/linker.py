@@ -410,9 +410,9 @@ def _run_block(run: Run, module: Module, block: facts.If | facts.Facts | None) -
 def _make_handed_out(run: Run) -> None:
     """An entry point that makes no node itself, and gives one node class to code that is not here, has that make
     the node."""
-    if run.program.nodes or len(run.escaping_classes) != 1:
+    if run.program.nodes or len(run.escapes.classes) != 1:
         return
-    [cls] = run.escaping_classes.values()
+    [cls] = run.escapes.classes.values()
     run.activations[-1].statement = None
     made = run.call(cls)
     escapes.escape(run, [made], "code that is not followed makes it")

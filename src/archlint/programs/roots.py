@@ -22,7 +22,8 @@ from archlint.interpreter.values import (
 from archlint.libraries.interest import interesting
 from archlint.libraries.rclpy import escapes, executors
 from archlint.libraries.rclpy.callbacks import describe
-from archlint.libraries.run import Pending, Run
+from archlint.libraries.run import Run
+from archlint.libraries.state import Pending
 from archlint.libraries.uses import bare
 from archlint.programs import left_behind
 from archlint.programs.budget import LATE_STEPS
@@ -46,35 +47,35 @@ def run_callbacks(run: Run) -> None:
     for _ in range(ROUNDS):
         run_pending(run)
         _run_methods(run)
-        if not run.pending:
+        if not run.callbacks.pending:
             break
     for number in range(AGAIN):
-        if not run.news or run.left <= 0:
+        if not run.callbacks.news or run.left <= 0:
             break
         _run_again(run, last=number > 0)
 
 
 def _run_again(run: Run, last: bool) -> None:
     """What one callback leaves in an attribute, another may use: each that reads it sees the joined state."""
-    news, run.news = run.news, {}
+    news, run.callbacks.news = run.callbacks.news, {}
     if last:
         left_behind.forget(run, news)
-    run.met_again = set()
-    for pending in left_behind.readers(run, [*run.started, *run.tried], news):
+    run.nodes.met_again = set()
+    for pending in left_behind.readers(run, [*run.callbacks.started, *run.callbacks.tried], news):
         run_root(run, pending.callback, pending.value, pending.arguments, lineage=pending.lineage)
-    run.met_again = None
+    run.nodes.met_again = None
     run_pending(run)
 
 
 def run_pending(run: Run) -> None:
     """Run the callbacks that were handed over so far, and those that they hand over."""
     open_up(run)
-    while run.pending:
-        pending = run.pending.pop(0)
+    while run.callbacks.pending:
+        pending = run.callbacks.pending.pop(0)
         if pending.lineage.count(id(pending.callback.function)) >= SELF_STARTS:
             run.program.exhausted = True
             continue
-        run.started.append(pending)
+        run.callbacks.started.append(pending)
         run_root(run, pending.callback, pending.value, pending.arguments, lineage=pending.lineage)
 
 
@@ -89,17 +90,17 @@ def run_root(
 ) -> None:
     """Run one callback on the state so far."""
     extra = LATE_STEPS if run.late else EXTRA_STEPS
-    if run.roots >= ROOTS or run.left - run.steps <= -extra:
+    if run.callbacks.count >= ROOTS or run.left - run.steps <= -extra:
         run.program.exhausted = True
         return
-    run.roots += 1
-    kept_context, kept_activations, kept_lineage = run.context, run.activations, run.lineage
+    run.callbacks.count += 1
+    kept_context, kept_activations, kept_lineage = run.context, run.activations, run.callbacks.lineage
     kept_bounds = run.steps, run.repeats, run.runs, run.branch_arms
     kept_allowed = run.allowed_steps
     run.left -= run.steps
     run.allowed_steps = max(FEW_STEPS, min(STEPS, run.left))
     run.context = callback
-    run.lineage = (*lineage, id(callback.function))
+    run.callbacks.lineage = (*lineage, id(callback.function))
     run.steps = 0
     run.repeats = {}
     run.runs = {}
@@ -117,7 +118,7 @@ def run_root(
         run.note_fault(f"following {callback.name}", error, callback.place)
     finally:
         layer = run.store.cut(depth)
-        run.context, run.activations, run.lineage = kept_context, kept_activations, kept_lineage
+        run.context, run.activations, run.callbacks.lineage = kept_context, kept_activations, kept_lineage
         run.left -= run.steps
         _, run.repeats, run.runs, run.branch_arms = kept_bounds
         run.steps, run.allowed_steps = 0, max(FEW_STEPS, kept_allowed - kept_bounds[0])
@@ -180,16 +181,16 @@ def _run_methods(run: Run) -> None:
             bound = bind_quietly(function, instance, owner)
             callback = describe(run, bound)
             callback.role = "lifecycle" if ir.name in LIFECYCLE else "method"
-            callback.node = run.blueprints.get(instance.key)
+            callback.node = run.nodes.by_object.get(instance.key)
             run.program.callbacks.append(callback)
             arguments = _uncalled_arguments(ir, callback.bound_arguments)
-            run.tried.append(Pending(callback, bound, arguments))
+            run.callbacks.tried.append(Pending(callback, bound, arguments))
             run_root(run, callback, bound, arguments)
 
 
 def _hands_on(run: Run, instance: Instance, ir: facts.Function) -> bool:
     """Whether a method of a node, or of what holds one, does more with the node than use it."""
-    if instance.key in run.blueprints and ir.params and bare(ir, frozenset({ir.params[0].name})):
+    if instance.key in run.nodes.by_object and ir.params and bare(ir, frozenset({ir.params[0].name})):
         return True
     held = names_in(ir).intersection(slot for slot in run.store.held.get(instance.key, ()) if isinstance(slot, str))
     # What an attribute leads to takes far longer to find out than what the method does with it.
@@ -271,6 +272,6 @@ def finish(run: Run) -> None:
         kept.append(blueprint)
     program.nodes[:] = kept
     cut_short = {None} if program.exhausted else set()
-    for function, place in run.passed_to.items():
+    for function, place in run.messages.passed_to.items():
         program.callers.setdefault(place, set()).update(run.callers.get(function, set()) | cut_short)
     executors.settle(program)

@@ -22,7 +22,9 @@ def note_started(run: Run, e: facts.Call, starter: Value) -> None:
     """Remember the calls among the arguments of ``e`` whose coroutines it starts."""
     name = e.func.attr if isinstance(e.func, facts.Attribute) else e.func.id if isinstance(e.func, facts.Name) else ""
     if name in STARTERS and isinstance(starter, (External, Unknown)):
-        run.coroutines.update(id(argument.value) for argument in e.args if isinstance(argument.value, facts.Call))
+        run.callbacks.coroutines.update(
+            id(argument.value) for argument in e.args if isinstance(argument.value, facts.Call)
+        )
 
 
 @contextmanager
@@ -30,7 +32,9 @@ def apart(run: Run, e: facts.Call, function: Value) -> Iterator[None]:
     """While ``e`` is called: the body of a coroutine that another call starts is followed like that of a thread, so
     that what it waits for holds up nobody here."""
     inner = function.function if isinstance(function, BoundMethod) else function
-    if id(e) not in run.coroutines or not (isinstance(inner, FunctionValue) and getattr(inner.ir, "is_async", False)):
+    if id(e) not in run.callbacks.coroutines or not (
+        isinstance(inner, FunctionValue) and getattr(inner.ir, "is_async", False)
+    ):
         yield
         return
     kept = run.context

@@ -64,7 +64,7 @@ def _node_attribute(run: Run, value: Value, name: str) -> Value | None:
     if name == "default_callback_group":
         return External("rclpy.node.Node.default_callback_group")
     if name == "executor":
-        use = executors.running(run, run.blueprints.get(value.key) if isinstance(value, Instance) else None)
+        use = executors.running(run, run.nodes.by_object.get(value.key) if isinstance(value, Instance) else None)
         if use is not None:
             return ExecutorValue(use, "rclpy.executors.Executor", run.store.new_key())
         return Unknown("the executor is set when the node is spun")

@@ -35,7 +35,7 @@ from archlint.libraries.interest import interesting
 from archlint.libraries.rclpy import messages, node_classes
 from archlint.libraries.rclpy import names as rclpy_names
 from archlint.libraries.rclpy.interface_types import types_of
-from archlint.libraries.run import Pending
+from archlint.libraries.state import Pending
 from archlint.libraries.uses import bare
 from archlint.libraries.values import EntityValue, FutureValue, MessageValue, NodeValue
 from archlint.syntax import facts
@@ -100,7 +100,7 @@ def register(
             given = arguments if arguments is not None else default_arguments(run, role, creation, call)
             if creation is not None and not _is_one_of_several(value, creation):
                 messages.deliver(run, given, creation)
-            run.pending.append(Pending(callback, option, given, run.lineage))
+            run.callbacks.pending.append(Pending(callback, option, given, run.callbacks.lineage))
         elif isinstance(option, (Partial, ApiMethod)):
             run.library.escaped((option,), "a callback takes it along that is not followed", call.expression)
         made = made or callback
@@ -117,8 +117,8 @@ def _is_one_of_several(value: Value, creation: model.Creation) -> bool:
 def _is_new(run: Run, key: tuple[Any, ...], callback: model.Callback, given: Iterable[Value | None]) -> bool:
     """Whether a callback was not handed over in this way before; one place may do it for several futures, names or
     objects.  One that hands itself over again is not new, whatever it takes along."""
-    ways = run.registered.setdefault(key, set())
-    if ways and id(callback.function) in run.lineage:
+    ways = run.callbacks.registered.setdefault(key, set())
+    if ways and id(callback.function) in run.callbacks.lineage:
         return False
     way = tuple(kind_key(run.store, one) for one in given if one is not None)
     if way in ways or len(ways) >= WAYS:
@@ -142,12 +142,12 @@ def hand_out(run: Run, values: Iterable[Value]) -> None:
         callback = describe(run, option)
         # Once a function, whatever scope it is defined in: one that defines others and hands them out has no end.
         key = ("method", None, callback.name, callback.place, 0, 0)
-        if key in run.registered:
+        if key in run.callbacks.registered:
             continue
-        run.registered[key] = set()
+        run.callbacks.registered[key] = set()
         callback.role = "method"
         run.program.callbacks.append(callback)
-        run.pending.append(Pending(callback, option, (), run.lineage))
+        run.callbacks.pending.append(Pending(callback, option, (), run.callbacks.lineage))
 
 
 _OBJECTS = (Instance, NodeValue, ListValue, DictValue)
@@ -209,8 +209,8 @@ def told_apart(run: Run, base: Key, call: ApiUse) -> Key:
     options = [option for value in given if value is not None for option in alternatives(value)]
     functions = options if closely else [_taken_apart(option)[0] for option in options]
     apart = tuple(kind_key(run.store, function, closely=closely) for function in functions)
-    first = run.told_apart.setdefault(base, apart)
-    return (*base, apart if run.met_again is None else first)
+    first = run.noted.told_apart.setdefault(base, apart)
+    return (*base, apart if run.nodes.met_again is None else first)
 
 
 def default_arguments(run: Run, role: str, creation: model.Creation | None, call: ApiUse) -> tuple[Value, ...]:

@@ -91,7 +91,7 @@ def _create(
     policies = (qos.history, qos.depth, qos.reliability, qos.durability)
     base = (call.api.kind, id(blueprint), place, name.text, name.resolution, type_, policies)
     key = callbacks.told_apart(run, base, call)
-    known = run.creations.get(key)
+    known = run.noted.creations.get(key)
     if known is not None:
         if not arms:
             known.conditional, known.branch_arms = False, frozenset()
@@ -122,9 +122,9 @@ def _create(
         name_place=places.get(call.api.name or ""),
         raw=call.get("raw") == Known(True),
         stored=_stored(run, call),
-        key=len(run.creations),
+        key=len(run.noted.creations),
     )
-    run.creations[key] = creation
+    run.noted.creations[key] = creation
     blueprint.creations.append(creation)
     creation.type_parameter = _chosen_by(call.get(call.api.type))
     creation.callbacks = callbacks.register_row(run, call, blueprint, creation, creation.group)
@@ -171,7 +171,7 @@ def timer(run: Run, call: ApiUse) -> Value:
     made = []
     for blueprint in nodes.nodes_of(run, call.receiver):
         key = callbacks.told_apart(run, (model.TIMER, id(blueprint), place, period), call)
-        creation = run.creations.get(key)
+        creation = run.noted.creations.get(key)
         if creation is None:
             creation = model.Creation(
                 model.TIMER,
@@ -190,9 +190,9 @@ def timer(run: Run, call: ApiUse) -> Value:
                 function=run.activation.qualified,
                 guard=guard_of(run),
                 stored=_stored(run, call),
-                key=len(run.creations),
+                key=len(run.noted.creations),
             )
-            run.creations[key] = creation
+            run.noted.creations[key] = creation
             blueprint.creations.append(creation)
             creation.callbacks = callbacks.register_row(run, call, blueprint, creation, creation.group)
         elif not run.branch_arms:

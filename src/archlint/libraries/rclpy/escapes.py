@@ -32,7 +32,7 @@ from archlint.interpreter.values import (
 )
 from archlint.libraries.rclpy import callbacks, nodes
 from archlint.libraries.rclpy import names as rclpy_names
-from archlint.libraries.run import Escape, Root, Shared
+from archlint.libraries.state import Escape, Root, Shared
 from archlint.libraries.uses import class_variables, unseen_use, variables
 from archlint.libraries.values import ExecutorValue, NodeValue
 from archlint.syntax import facts
@@ -174,11 +174,11 @@ def _reached(run: Run, values: Iterable[Value], how: Escape | None) -> Iterator[
             continue
         key = getattr(value, "key", None)
         if isinstance(key, int):
-            if key in seen or (how is not None and key in run.escaped):
+            if key in seen or (how is not None and key in run.escapes.objects):
                 continue
             seen.add(key)
             if how is not None and not isinstance(value, ClassValue):
-                run.escaped[key] = how
+                run.escapes.objects[key] = how
             waiting.extend(_inside(run, value, key))
         yield value
 
@@ -223,12 +223,12 @@ def kept(run: Run, key: int, values: Iterable[Value], name: str | None = None) -
         return
     if name is not None:
         run.store.held.setdefault(key, {})[name] = None
-    how = run.escaped.get(key)
+    how = run.escapes.objects.get(key)
     if how is not None:
         _spread(run, given, how)
     root = run.store.shared.get(key)
     if isinstance(root, Root):
-        run.shared.append(Shared(root, tuple(given), _place(run, None)))
+        run.escapes.shared.append(Shared(root, tuple(given), _place(run, None)))
 
 
 def assigned(run: Run, target: Value, name: str, value: Value) -> None:
@@ -238,7 +238,7 @@ def assigned(run: Run, target: Value, name: str, value: Value) -> None:
     if isinstance(target, ClassValue):
         run.store.held.setdefault(target.key, {})[name] = None
         root = Root(target.scope.module, name, target.ir.name)
-        run.shared.append(Shared(root, (value,), _place(run, None)))
+        run.escapes.shared.append(Shared(root, (value,), _place(run, None)))
         return
     key = getattr(target, "key", None)
     if isinstance(key, int):
@@ -264,7 +264,7 @@ _NAMED = (Instance, NodeValue, ListValue, DictValue, OneOf, Partial)
 def named(run: Run, module: Module, name: str, value: Value) -> None:
     """A variable of a module is set."""
     if isinstance(value, _NAMED):
-        run.shared.append(Shared(Root(module, name), (value,), _place(run, None)))
+        run.escapes.shared.append(Shared(Root(module, name), (value,), _place(run, None)))
 
 
 def share(run: Run, module: Module) -> None:
@@ -292,7 +292,7 @@ def _note_shared(run: Run, value: Value, root: Root) -> None:
 def settle(run: Run) -> None:
     """At the end of a program: what a module shares has escaped where a function uses it that nothing calls."""
     verdicts: dict[Root, str | None] = {}
-    for shared in run.shared if run.nodes else ():
+    for shared in run.escapes.shared if run.nodes.by_key else ():
         found = (nodes.known_node(run, value) for value in _reached(run, shared.values, None))
         for node in [node for node in found if node is not None and not node.escapes]:
             if shared.root not in verdicts:

@@ -133,7 +133,7 @@ def _makes(run: Run, node: model.Blueprint) -> bool:
     """Whether the constructor of a node is running."""
     constructors = (one for one in run.activations if one.function is not None and _is_init(one.function.ir))
     made = (one.self_value for one in constructors)
-    return any(isinstance(one, Instance) and run.blueprints.get(one.key) is node for one in made)
+    return any(isinstance(one, Instance) and run.nodes.by_object.get(one.key) is node for one in made)
 
 
 def _is_init(function: facts.Function | facts.Lambda) -> bool:

@@ -46,18 +46,18 @@ def nested(run: Run, value: MessageValue, name: str) -> MessageValue | EachValue
     """The message, or array of messages, that a field holds, one and the same at each read; None for others."""
     if run.interfaces is None or not value.key:
         return None
-    made = run.fields.get((value.key, name))
+    made = run.messages.fields.get((value.key, name))
     if made is None:
         kind = run.interfaces.field_type(value.type, value.section_name, name)
         if kind is None or kind.is_primitive or run.interfaces.get(kind.name) is None:
             return None
         inner = MessageValue(kind.name, "", run.store.new_key())
-        run.inside[inner.key] = value.key
-        if value.key in run.made_in:
-            run.made_in[inner.key] = run.made_in[value.key]
-        if value.key in run.delivered:
-            run.delivered[inner.key] = run.delivered[value.key]
-        made = run.fields[(value.key, name)] = EachValue(inner) if kind.array else inner
+        run.messages.inside[inner.key] = value.key
+        if value.key in run.messages.made_in:
+            run.messages.made_in[inner.key] = run.messages.made_in[value.key]
+        if value.key in run.messages.delivered:
+            run.messages.delivered[inner.key] = run.messages.delivered[value.key]
+        made = run.messages.fields[(value.key, name)] = EachValue(inner) if kind.array else inner
     return made
 
 
@@ -72,10 +72,10 @@ def note_use(run: Run, value: Value, name: str, span: Span, access: str) -> None
     delivered = _delivered(run, message)
     passed = _passed(run, message)
     key = (run.activation.module.path, span, message.type, message.section_name, id(delivered), passed)
-    if key in run.field_uses:
+    if key in run.messages.uses:
         return
     known = None if _may_be_told_apart(run, message) else run.interfaces.has(message.type, message.section_name, name)
-    run.field_uses.add(key)
+    run.messages.uses.add(key)
     section = run.interfaces.section(message.type, message.section_name)
     fields = () if known is not False or section is None else tuple(field.name for field in section.fields)
     run.program.field_uses.append(
@@ -104,7 +104,7 @@ def _passed(run: Run, message: MessageValue) -> tuple[Passed, ...]:
     keys: set[int] = set()
     while outer is not None:
         keys.add(outer)
-        outer = run.inside.get(outer)
+        outer = run.messages.inside.get(outer)
     found: list[Passed] = []
     for number in range(len(run.activations) - 1, 0, -1):
         one = run.activations[number]
@@ -113,7 +113,7 @@ def _passed(run: Run, message: MessageValue) -> tuple[Passed, ...]:
         if one.function is None or one.call_place is None or not _is_given(run, one, keys):
             break
         place = one.place(one.function.ir.span)
-        run.passed_to[id(one.function.ir)] = place
+        run.messages.passed_to[id(one.function.ir)] = place
         found.append(Passed(one.call_place, one.qualified, place))
     return tuple(found)
 
@@ -129,12 +129,12 @@ def deliver(run: Run, arguments: Sequence[Value], creation: model.Creation) -> N
     """Note which subscription, server or client calls a callback with these messages."""
     for value in arguments:
         if isinstance(value, MessageValue):
-            run.delivered[value.key] = creation
+            run.messages.delivered[value.key] = creation
 
 
 def _delivered(run: Run, message: MessageValue) -> model.Creation | None:
     """What calls with a message, if nothing stands in front of this use of it that may have asked for its type."""
-    creation = run.delivered.get(message.key)
+    creation = run.messages.delivered.get(message.key)
     return None if creation is None or run.branch_arms or guard_of(run) else creation
 
 
@@ -177,7 +177,7 @@ def _section_with(interfaces: InterfaceTable, interface: str, constant: str) -> 
 def _may_be_told_apart(run: Run, message: MessageValue) -> bool:
     """Whether a helper that is handed messages of several types is in a branch that may be for another type."""
     activation = run.activation
-    handed_over = len(run.activations) > _CALLBACK and run.made_in.get(message.key) is not activation
+    handed_over = len(run.activations) > _CALLBACK and run.messages.made_in.get(message.key) is not activation
     chosen = any(branch.endswith("?") for branch, _ in run.branch_arms)  # one of several functions was called with it
     return handed_over and (chosen or len(run.branch_arms) > activation.branch_arms)
 
@@ -185,7 +185,7 @@ def _may_be_told_apart(run: Run, message: MessageValue) -> bool:
 def note_made(run: Run, message: MessageValue, expression: facts.Call | None) -> None:
     """Note that the code makes a message here, and the fields that the constructor call names."""
     if run.activations:
-        run.made_in[message.key] = run.activation
+        run.messages.made_in[message.key] = run.activation
     for argument in expression.args if expression is not None else ():
         span = getattr(argument.value, "span", None)
         if argument.keyword is not None and not argument.star and span is not None:

@@ -41,11 +41,11 @@ def new_blueprint(run: Run, class_name: str, place: Place, key: str, package: st
         package,
         test=run.index.roles.is_test(place.file),
         key=key,
-        number=len(run.nodes),
+        number=len(run.nodes.by_key),
         branch_arms=frozenset(run.branch_arms),
         made_by=run.context,
     )
-    run.nodes[key] = blueprint
+    run.nodes.by_key[key] = blueprint
     run.program.nodes.append(blueprint)
     return blueprint
 
@@ -57,7 +57,7 @@ def adopt(run: Run, instance: Instance) -> None:
 
 
 def blueprint_of_instance(run: Run, instance: Instance) -> model.Blueprint:
-    known = run.blueprints.get(instance.key)
+    known = run.nodes.by_object.get(instance.key)
     if known is not None:
         return known
     cls = instance.cls
@@ -65,7 +65,7 @@ def blueprint_of_instance(run: Run, instance: Instance) -> model.Blueprint:
     place = Place(cls.scope.module.path, *cls.ir.name_span)
     again = _met_again(run, (place, instance.place, cls.qualified))
     if again is not None:
-        run.blueprints[instance.key] = again
+        run.nodes.by_object[instance.key] = again
         return again
     key = f"{place.file}:{place.line}#{instance.key}"
     blueprint = new_blueprint(run, cls.qualified, place, key, cls.scope.module.file.package)
@@ -73,17 +73,17 @@ def blueprint_of_instance(run: Run, instance: Instance) -> model.Blueprint:
     blueprint.lifecycle = node_classes.is_lifecycle(cls)
     blueprint.caller_unknown = not node_classes.may_be_node(cls)
     blueprint.classes = node_classes.keys(cls)
-    run.blueprints[instance.key] = blueprint
+    run.nodes.by_object[instance.key] = blueprint
     return blueprint
 
 
 def _met_again(run: Run, same: tuple[Place, Place | None, str]) -> model.Blueprint | None:
     """The node that a callback made there the first time, where it runs for a second time."""
-    if run.met_again is None:
+    if run.nodes.met_again is None:
         return None
-    for node in run.nodes.values():
-        if (node.place, node.made_at, node.class_name) == same and id(node) not in run.met_again:
-            run.met_again.add(id(node))
+    for node in run.nodes.by_key.values():
+        if (node.place, node.made_at, node.class_name) == same and id(node) not in run.nodes.met_again:
+            run.nodes.met_again.add(id(node))
             return node
     return None
 
@@ -93,13 +93,13 @@ def known_node(run: Run, value: Value | None) -> model.Blueprint | None:
     if isinstance(value, NodeValue):
         return value.blueprint
     if isinstance(value, Instance):
-        return run.blueprints.get(value.key)
+        return run.nodes.by_object.get(value.key)
     return None
 
 
 def note_replaced(run: Run, made: Instance, before: object) -> None:
     """Note that a new node takes the place in a variable that one of its class and name had."""
-    node = run.blueprints.get(made.key)
+    node = run.nodes.by_object.get(made.key)
     for option in alternatives(before) if node is not None and isinstance(before, Value) else ():
         old = known_node(run, option)
         if node is None or old is None or old is node:
@@ -112,7 +112,7 @@ def note_replaced(run: Run, made: Instance, before: object) -> None:
 def hand_out_class(run: Run, value: ClassValue) -> None:
     """Note that the class of a node is given to code that we do not see."""
     if run.context.role == "main" and node_classes.may_be_node(value):
-        run.escaping_classes.setdefault(id(value), value)
+        run.escapes.classes.setdefault(id(value), value)
 
 
 def node_key(run: Run, value: Value | None) -> int:
@@ -144,7 +144,7 @@ def nodes_of(run: Run, value: Value | None, *, plausible: bool = True) -> list[m
     if isinstance(value, NodeValue):
         return [value.blueprint]
     if isinstance(value, Instance):
-        known = run.blueprints.get(value.key)
+        known = run.nodes.by_object.get(value.key)
         if known is not None:
             return [known]
         if isinstance(value.cls, ClassValue):
@@ -199,7 +199,7 @@ def held_blueprint(
     """The blueprint of a node that a helper is handed by nobody in the workspace."""
     name, place, package = _holder(run, instance)
     key = f"{place.file}:{place.line}#held" + (f" {annotated}" if annotated is not None else "")
-    known = run.nodes.get(key)
+    known = run.nodes.by_key.get(key)
     if known is not None:
         return known
     blueprint = new_blueprint(run, name, place, key, package)
@@ -227,7 +227,7 @@ def create_node(run: Run, call: ApiUse) -> Value:
     place = run.place(call.expression.span) if call.expression is not None else Place("", 1, 1, 1, 1)
     text = text_of_value(call.get("node_name"), "a node without a name")
     key = f"{place.file}:{place.line}:{place.column}#{text.text}"
-    known = run.nodes.get(key)
+    known = run.nodes.by_key.get(key)
     if known is None:
         activation = run.activation
         known = new_blueprint(run, activation.qualified, place, key, activation.module.file.package)
@@ -235,8 +235,8 @@ def create_node(run: Run, call: ApiUse) -> Value:
         _set_names(run, known, call)
         holder = short_lived.holder(run.activations, call.expression)
         if holder is not None:
-            run.short_lived.setdefault(holder, []).append(known)
-    elif known.until is not None and known.until < len(run.nodes):
+            run.nodes.short_lived.setdefault(holder, []).append(known)
+    elif known.until is not None and known.until < len(run.nodes.by_key):
         known.until = None  # made again, beside nodes that came later
     known.destroyed_at = None
     return NodeValue(known, run.store.new_key())
@@ -255,13 +255,13 @@ def destroy_node(run: Run, call: ApiUse) -> Value:
     """``node.destroy_node()``: from here on there is no such node, if no branch leaves it alive."""
     node = known_node(run, call.receiver)
     if node is not None and node.made_by is run.context and node.branch_arms.issuperset(run.branch_arms):
-        node.destroyed_at = len(run.nodes)
+        node.destroyed_at = len(run.nodes.by_key)
     return Known(None)
 
 
 def name_by_foreign_base(run: Run, receiver: Instance, path: str) -> None:
     """The constructor of a foreign base class decides the name of the node."""
-    blueprint = run.blueprints.get(receiver.key)
+    blueprint = run.nodes.by_object.get(receiver.key)
     if blueprint is not None and blueprint.name.resolution == "unknown":
         owner = path.removesuffix(".__init__")
         blueprint.name = model.Text(None, "unknown", reason=f"{owner}, outside of this workspace, names the node")

@@ -1,0 +1,132 @@
+"""What the run of a program finds of ROS, by what it is of: nodes, create calls, callbacks, messages, what escapes."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING, Any
+
+from archlint import model
+from archlint.finding import Place
+
+if TYPE_CHECKING:
+    from archlint.interpreter.activation import Activation
+    from archlint.interpreter.identity import Key
+    from archlint.interpreter.modules import Module
+    from archlint.interpreter.values import ClassValue, EachValue, Value
+    from archlint.libraries.values import MessageValue
+
+
+@dataclass(eq=False)
+class Pending:
+    """A callback that is still to be run, with what it is called with."""
+
+    callback: model.Callback
+    value: Value
+    arguments: tuple[Value, ...]
+    lineage: tuple[int, ...] = ()
+    """The functions (their facts, by identity) of the callbacks that led to it, the first one first."""
+
+
+@dataclass(frozen=True)
+class Root:
+    """How code gets at something: by a variable of a module, or by an attribute of one of its classes."""
+
+    module: Module
+    name: str
+    owner: str | None = None
+
+
+@dataclass(frozen=True)
+class Escape:
+    """Where something got out of sight, and how."""
+
+    place: Place
+    reason: str
+
+
+@dataclass(frozen=True)
+class Shared:
+    """Values that were put where all functions of a module can get at them."""
+
+    root: Root
+    values: tuple[Value, ...]
+    place: Place
+
+
+@dataclass
+class Nodes:
+    """The nodes that a program makes."""
+
+    by_key: dict[str, model.Blueprint] = field(default_factory=dict)
+    by_object: dict[int, model.Blueprint] = field(default_factory=dict)
+    """Those that are objects of a class of the workspace, by the key of the object."""
+    short_lived: dict[Activation, list[model.Blueprint]] = field(default_factory=dict)
+    """Those that nothing but the variables of a running function hold."""
+    met_again: set[int] | None = None
+    """Where callbacks run that have run before: the nodes that they made then and have met again, by id."""
+
+
+@dataclass
+class Calls:
+    """What is noted of calls."""
+
+    creations: dict[tuple[Any, ...], model.Creation] = field(default_factory=dict)
+    told_apart: dict[Key, Key] = field(default_factory=dict)
+    """Which callbacks the first of the creations at one place, with one name, was given."""
+    watched: dict[tuple[Any, ...], model.ApiCall] = field(default_factory=dict)
+    """The calls that rules want to see."""
+
+
+@dataclass
+class Callbacks:
+    """The callbacks of a program: handed over, running, run."""
+
+    pending: list[Pending] = field(default_factory=list)
+    """Handed over, and still to be run."""
+    started: list[Pending] = field(default_factory=list)
+    """Callbacks that ran, in their order."""
+    tried: list[Pending] = field(default_factory=list)
+    """The methods that nothing calls, as they were run."""
+    count: int = 0
+    """How many callbacks and methods have run."""
+    lineage: tuple[int, ...] = ()
+    """The functions of the callback that runs now and of those that led to it."""
+    registered: dict[tuple[Any, ...], set[Key]] = field(default_factory=dict)
+    """Which callbacks were handed over where, and with what each time."""
+    news: dict[str, set[int]] = field(default_factory=dict)
+    """The attributes, and of which objects (by key), in which callbacks left what another may act on."""
+    coroutines: set[int] = field(default_factory=set)
+    """The calls, by the id of their facts, whose coroutines another call starts."""
+
+
+@dataclass
+class Messages:
+    """The messages of a program, by their keys, and what the code does with their fields."""
+
+    fields: dict[tuple[int, str], MessageValue | EachValue] = field(default_factory=dict)
+    """Messages that fields of messages hold, where nothing was assigned to them."""
+    made_in: dict[int, Activation] = field(default_factory=dict)
+    """Which call of a function made a message."""
+    inside: dict[int, int] = field(default_factory=dict)
+    """Which message a message is a field of."""
+    delivered: dict[int, model.Creation] = field(default_factory=dict)
+    """Which subscription, server or client calls its callback with a message."""
+    passed_to: dict[int, Place] = field(default_factory=dict)
+    """The functions, by the id of their facts, that fields of their parameters are used in."""
+    uses: set[tuple[Any, ...]] = field(default_factory=set)
+    """The uses of fields that are noted."""
+
+
+@dataclass
+class Escapes:
+    """What code has got that is not followed, or may get."""
+
+    objects: dict[int, Escape] = field(default_factory=dict)
+    """Objects that code has which is not followed, by key."""
+    shared: list[Shared] = field(default_factory=list)
+    """Nodes, or what may hold some, that were put where all functions of a module can get at them."""
+    classes: dict[int, ClassValue] = field(default_factory=dict)
+    """Node classes that the entry point gives to code that is not here, by id."""
+
+
+__all__ = ["Callbacks", "Calls", "Escape", "Escapes", "Messages", "Nodes", "Pending", "Root", "Shared"]
