@@ -9,6 +9,7 @@ import pytest
 from archlint.config.settings import load
 from archlint.engine.pipeline import Request, check, graph
 from archlint.render.json import document
+from checks.judging import Judge
 
 FILES = {
     "package.xml": """<package format="3"><name>robot</name>
@@ -166,3 +167,82 @@ def test_many_names_that_a_node_lacks_are_a_node_that_was_not_understood(tmp_pat
 )
 def test_few_are_mistakes(tmp_path, monkeypatch, inner, talker, codes):
     assert launched(tmp_path, monkeypatch, inner, talker) == (codes, True)
+
+
+BACKEND = """
+    import rclpy
+    from somewhere import start
+    from std_msgs.msg import String
+
+
+    class Backend:
+        def __init__(self):
+            self.running = True
+            self.mode = 'idle'
+            self.words = 'status'
+
+        def run(self):
+            rclpy.init()
+            node = rclpy.create_node('backend'){mark}
+            node.create_subscription(String, self.words, print, 10)
+            while self.running and rclpy.ok():
+                rclpy.spin_once(node, timeout_sec=0.05)
+
+        def stop(self):
+            self.running = False
+
+
+    def main():
+        ros = Backend()
+        {before}
+        start(ros.run)
+        {after}
+
+
+    if __name__ == '__main__':
+        main()
+"""
+
+
+@pytest.mark.parametrize(("before", "after"), [("pass", "ros.stop()"), ("pass", "pass"), ("ros.stop()", "pass")])
+def test_a_method_that_escaped_runs_at_any_time(judge: Judge, before: str, after: str):
+    judge("EXE008", BACKEND.format(before=before, after=after, mark=""))
+
+
+def test_what_no_method_changes_is_what_it_is(judge: Judge):
+    source = BACKEND.replace("self.running = False", "pass").replace("self.running = True", "self.running = False")
+    judge("EXE008", source.format(before="pass", after="ros.stop()", mark="  # here"))
+
+
+IDLE = """
+    import time
+    from std_msgs.msg import String
+    from rclpy.node import Node
+
+
+    class Door(Node):
+        def __init__(self):
+            super().__init__('door')
+            self.open = False
+            self.create_subscription(String, 'words', self.on_word, 10)
+            hand_out(self.on_push)
+
+        def on_word(self, word):
+            pass
+
+        def on_push(self):
+            if self.open:
+                self.create_subscription(String, 'late', self.on_push, 10)  # here
+
+        def unlock(self):
+            {change}
+"""
+
+
+@pytest.mark.parametrize("change", ["self.open = True", "self.open, self.closed = True, False", "self.open |= True"])
+def test_code_behind_an_attribute_that_a_method_changes_is_live(judge: Judge, change: str):
+    judge("EXE006", IDLE.format(change=change))
+
+
+def test_code_behind_an_attribute_that_never_changes_is_dead(judge: Judge):
+    judge("EXE006", IDLE.format(change="self.open = False").replace("  # here", ""))

@@ -111,9 +111,13 @@ def forget(run: Run, news: dict[str, set[int]]) -> None:
     for slot, keys in news.items():
         for key in sorted(keys):
             value = run.store.get(key, slot)
-            if isinstance(value, (Known, OneOf, Instance)) and all(_is_plain(run, one) for one in alternatives(value)):
+            if isinstance(value, (Known, OneOf, Instance)) and is_plain(run, value):
                 run.store.set(key, slot, one_of([value, Unknown("callbacks change it")]))
 
 
-def _is_plain(run: Run, value: Value) -> bool:
-    return isinstance(value, Known) or (isinstance(value, Instance) and bool(run.store.get(value.key, "#enum")))
+def is_plain(run: Run, value: Value) -> bool:
+    """Whether a value is a constant or a member of an enumeration, or one of several."""
+    return all(
+        isinstance(one, Known) or (isinstance(one, Instance) and bool(run.store.get(one.key, "#enum")))
+        for one in alternatives(value)
+    )

@@ -26,6 +26,7 @@ from archlint.libraries.run import Run
 from archlint.libraries.state import Pending
 from archlint.libraries.uses import bare
 from archlint.programs import left_behind
+from archlint.programs.any_time import attributes_at_any_time
 from archlint.programs.budget import LATE_STEPS
 from archlint.syntax import facts
 from archlint.syntax.parts import names_in
@@ -110,6 +111,9 @@ def run_root(
     enter_root(run, module)
     depth = run.store.depth
     run.store.push()
+    before = attributes_at_any_time(run) if callback.role == "method" else {}
+    for (key, slot), held in before.items():
+        run.store.set(key, slot, held)
     try:
         given = run.call(value, CallSite(_fit(value, arguments)))
         if callback.role == "method" and not isinstance(value, BoundMethod):
@@ -117,7 +121,7 @@ def run_root(
     except Exception as error:
         run.note_fault(f"following {callback.name}", error, callback.place)
     finally:
-        layer = run.store.cut(depth)
+        layer = {slot: value for slot, value in run.store.cut(depth).items() if before.get(slot) is not value}
         run.context, run.activations, run.callbacks.lineage = kept_context, kept_activations, kept_lineage
         run.left -= run.steps
         _, run.repeats, run.runs, run.branch_arms = kept_bounds
