@@ -1924,3 +1924,67 @@ def test_what_declares_parameters_on_a_node_that_is_not_known_may_do_so_on_this_
         plain = text.replace("    speed = Field(1.0)\n", "").replace("import Field", "import rclpy")
         (found,) = findings("PRM004", given, **{"robot/talker.py": plain, "robot/fields.py": fields})
         assert "'speed'" in found.message
+
+
+PERFORMED = """\
+from launch import LaunchContext, LaunchDescription
+from launch.actions import DeclareLaunchArgument, LogInfo, OpaqueFunction
+from launch.substitutions import LaunchConfiguration, PathJoinSubstitution, TextSubstitution
+from launch_ros.actions import Node
+from launch_ros.substitutions import FindPackageShare
+import os
+
+def start(context, *given):
+    text = LaunchConfiguration('kind').perform(context)
+    return [Node(package='robot', executable='talker', name=text)]
+
+def generate_launch_description():
+    kind = LaunchConfiguration('kind')
+    {line}
+    return LaunchDescription([
+        DeclareLaunchArgument('kind', default_value='small'), OpaqueFunction(function=start), LogInfo(msg=kind),
+    ])
+"""
+
+
+@pytest.mark.parametrize(
+    ("line", "said"),
+    [
+        ("text = kind.perform({})", "LaunchConfiguration is given a dict, which is no launch context"),
+        ("text = f'{kind.perform(None)}.urdf'", "LaunchConfiguration is given None, which"),
+        ("text = PathJoinSubstitution(['a', kind]).perform({})", "PathJoinSubstitution is given a dict"),
+        ("text = kind.perform(LaunchContext())", "a new LaunchContext, in which no launch argument has a value"),
+    ],
+)
+def test_a_substitution_that_is_performed_without_the_launch_context(findings, line, said):
+    launch = {"launch/it.launch.py": PERFORMED.format(line=line)}
+    (one,) = findings("LCH008", **launch)
+    assert said in one.message and one.place.line == 14 and one.severity is Severity.ERROR
+    assert findings("LCH003", **launch) == []  # a declaration in front would mend nothing
+
+
+@pytest.mark.parametrize(
+    "line",
+    [
+        "text = FindPackageShare('robot').perform(LaunchContext())",
+        "text = LaunchConfiguration('kind', default='a').perform(LaunchContext())",
+        "text = TextSubstitution(text='a').perform({})",
+        "text = kind.perform({}) if os.environ.get('TRY') else ''",
+        "start(None) if os.environ.get('TRY') else None",
+        "text = LaunchConfiguration('other', default='a').perform(os.context)",
+    ],
+)
+def test_a_substitution_that_is_performed_and_does_not_fail(findings, line):
+    launch = {"launch/it.launch.py": PERFORMED.format(line=line)}
+    assert findings("LCH008", **launch) == []
+    assert findings("LCH003", **launch) == []
+
+
+def test_conditions_of_one_kind_in_a_file_are_one_finding(findings):
+    nodes = "Node(package='robot', executable='talker', name='{}', condition=lambda context: True)"
+    text = ASKED.format(condition="lambda context: True")
+    assert len(findings("LCH008", **{"launch/it.launch.py": text})) == 1
+    start = text.index("Node(package")
+    twice = text[:start] + nodes.format("a") + ", " + nodes.format("b") + ", " + text[start:]
+    (one,) = findings("LCH008", **{"launch/it.launch.py": twice})
+    assert [row.message for row in one.related] == ["here, too"] * 2

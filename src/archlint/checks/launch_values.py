@@ -1,21 +1,25 @@
-"""LCH008: what stops a launch: an undefined name, a condition that launch cannot ask."""
+"""LCH008: what stops a launch: an undefined name, a condition that launch cannot ask, a perform() without context."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
+from archlint.checks.folding import folds
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
-from archlint.finding import Finding
+from archlint.finding import Finding, Related
 
 if TYPE_CHECKING:
+    from archlint.launch.model import WithoutContext
     from archlint.systems.model import System
 
 
 @rule("LCH008", scope=Scope.SYSTEM)
 def launch_description(system: System, options: Options) -> Iterator[Finding]:
-    """Names that nothing defines, and a ``condition=`` that has no ``evaluate`` for launch to call."""
+    """Names that nothing defines, a ``condition=`` that has no ``evaluate`` for launch to call, and substitutions that
+    are performed where no launch context is."""
     for place, name in sorted(system.launched.undefined.items() if system.launched is not None else ()):
         yield finding(
             "LCH008",
@@ -32,4 +36,30 @@ def launch_description(system: System, options: Options) -> Iterator[Finding]:
             f"condition= of this {mistake.action} is {mistake.what}, which is no Condition",
             help=f"launch stops with an AttributeError when it comes to this action: write condition={wrap}",
             identity=(mistake.action, mistake.what),
+            group=(mistake.place.file, mistake.what),
         )
+    for failing in system.launched.without_context if system.launched is not None else ():
+        yield _without_context(failing)
+
+
+def _without_context(failing: WithoutContext) -> Finding:
+    given = f"is given {failing.given}, which is no launch context" if failing.given else _NEW
+    return finding(
+        "LCH008",
+        failing.place,
+        f"perform() of this {failing.substitution} {given}: the launch stops here with an exception",
+        help="call it in the function of an OpaqueFunction, which is given the launch context",
+        identity=(failing.substitution, failing.given),
+        group=(failing.place.file, "perform"),
+    )
+
+
+_NEW = "is given a new LaunchContext, in which no launch argument has a value"
+
+
+@folds("LCH008", across_systems=True)
+def _of_one_file(findings: Sequence[Finding]) -> Finding:
+    """One finding for what a file does wrong in the same way at several places."""
+    first, *others = findings
+    more = [Related(one.place, "here, too") for one in others if one.place != first.place]
+    return replace(first, related=(*first.related, *dict.fromkeys(more)))

@@ -37,9 +37,9 @@ _TRANSPARENT = frozenset({"staticmethod", "classmethod"})
 def check_call(machine: Machine, function: Value, site: CallSite, expression: facts.Call) -> None:
     """Raise Refused where a call of a function of the workspace, or of a node's method, cannot bind its arguments, if
     the statement always comes to that call; note the place of the call in any case."""
-    if _is_certain(machine) and _is_missing(machine, function, expression):
+    if is_certain(machine) and _is_missing(machine, function, expression):
         machine.note_refused(machine.place(expression.span))
-    if site.open or not _is_certain(machine) or not _refuses(machine, function, len(site.args), site.keywords):
+    if site.open or not is_certain(machine) or not _refuses(machine, function, len(site.args), site.keywords):
         return
     machine.note_refused(machine.place(expression.span))
     if machine.phase is Phase.LATER:
@@ -85,7 +85,8 @@ def refuses_to_iterate(machine: Machine, iterable: Value) -> bool:
     return number and machine.phase is Phase.LATER
 
 
-def _is_certain(machine: Machine) -> bool:
+def is_certain(machine: Machine) -> bool:
+    """Whether the statement that runs always comes to the expression that is evaluated."""
     activation = machine.activation
     return activation.scope.kind != "comprehension" and activation.settled == len(machine.branch_arms)
 

@@ -21,6 +21,7 @@ from archlint.interpreter.values import (
     one_of,
     reason,
 )
+from archlint.launch.performing import perform_method
 from archlint.launch.substitutions import SUBSTITUTIONS, made_by_base, package_share, perform
 from archlint.libraries.api_use import argument_places
 from archlint.syntax import facts
@@ -123,19 +124,16 @@ def _in_branch(run: Run, value: Value) -> Value:
     return made
 
 
-def _perform(run: Run, receiver: Value, args: list[Value], keywords: dict[str, Value], e: facts.Call | None) -> Value:
+def _perform_argument(
+    run: Run, receiver: Value, args: list[Value], keywords: dict[str, Value], e: facts.Call | None
+) -> Value:
     from archlint.launch.run import LaunchRun
 
     if not isinstance(run, LaunchRun):
         return Unknown("a substitution outside of a launch")
-    return perform(run, made_by_base(run, receiver) or receiver)  # a class of the workspace asks its base
-
-
-def _perform_argument(
-    run: Run, receiver: Value, args: list[Value], keywords: dict[str, Value], e: facts.Call | None
-) -> Value:
     values = [*args, *keywords.values()]
-    return _perform(run, values[-1] if values else NONE, [], {}, e)
+    asked = values[-1] if values else NONE
+    return perform(run, made_by_base(run, asked) or asked)  # a class of the workspace asks its base
 
 
 def _find(run: Run, receiver: Value, args: list[Value], keywords: dict[str, Value], e: facts.Call | None) -> Value:
@@ -162,7 +160,7 @@ METHODS = {
     "launch.LaunchContext.perform_substitution": _perform_argument,
     "launch.FindPackageShare.find": _find,
     "launch.FindPackagePrefix.find": _find,
-    **{f"launch.{name}.perform": _perform for name in SUBSTITUTIONS},
+    **{f"launch.{name}.perform": perform_method for name in SUBSTITUTIONS},
     **{f"launch.{name}.evaluate": _evaluate for name in CONDITIONS},
 }
 

@@ -264,6 +264,16 @@ class NotACondition:
     place: Place
 
 
+@dataclass(frozen=True)
+class WithoutContext:
+    """A ``perform()`` that fails: a ``substitution`` is ``given`` what is no launch context, or (empty) a new one, in
+    which no launch argument has a value."""
+
+    substitution: str
+    given: str
+    place: Place
+
+
 def why_unknown(reference: FileReference) -> str:
     return reference.reason or f"it is not known which file '{reference.written}' is"
 
@@ -306,6 +316,7 @@ class Launched:
     references: list[FileReference] = field(default_factory=list)
     unknown_attributes: list[UnknownAttribute] = field(default_factory=list)
     mistakes: list[NotACondition] = field(default_factory=list)
+    without_context: list[WithoutContext] = field(default_factory=list)
     undefined: dict[Place, str] = field(default_factory=dict)
     """Names that a launch file reads and nothing defines, each where it stops the launch."""
     gaps: list[Gap] = field(default_factory=list)

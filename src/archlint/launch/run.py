@@ -30,6 +30,7 @@ from archlint.launch.model import (
     Started,
     UndeclaredUse,
     UnknownAttribute,
+    WithoutContext,
     merge,
     once_more,
 )
@@ -161,6 +162,11 @@ class LaunchRun(Run):
         if mistake not in self._seen:
             self._seen.add(mistake)
             self.result.mistakes.append(mistake)
+
+    def note_without_context(self, mistake: WithoutContext) -> None:
+        if mistake not in self._seen:
+            self._seen.add(mistake)
+            self.result.without_context.append(mistake)
 
     def reference(self, kind: str, path: Value, place: Place) -> FileReference:
         found = self.loader.resolve(self, kind, path, place)

@@ -1,0 +1,77 @@
+"""``perform()`` as the code of a launch file calls it: with the launch context, or with something that is none."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from contextlib import contextmanager
+from typing import TYPE_CHECKING
+
+from archlint.interpreter.refusals import is_certain
+from archlint.interpreter.values import DictValue, External, Instance, Known, ListValue, Unknown, Value
+from archlint.launch.model import WithoutContext
+from archlint.launch.substitutions import argument, kind_of, made_by_base, perform
+from archlint.syntax import facts
+
+if TYPE_CHECKING:
+    from archlint.launch.run import LaunchRun
+    from archlint.libraries.run import Run
+
+_TEXT = "TextSubstitution"
+"""Its ``perform`` does not look at the context."""
+
+
+def perform_method(
+    run: Run, receiver: Value, args: list[Value], keywords: dict[str, Value], e: facts.Call | None
+) -> Value:
+    """``substitution.perform(context)``."""
+    from archlint.launch.run import LaunchRun
+
+    if not isinstance(run, LaunchRun):
+        return Unknown("a substitution outside of a launch")
+    asked = made_by_base(run, receiver) or receiver  # a class of the workspace asks its base
+    given = [*args, *keywords.values()]
+    wrong = _not_a_context(given[0] if given else None)
+    if wrong is not None and kind_of(asked) != _TEXT:
+        _note(run, e, asked, wrong)
+        return Unknown("perform() without the launch context")
+    if not _is_new_context(given, e):
+        return perform(run, asked)
+    if kind_of(asked) == "LaunchConfiguration" and argument(asked, "default") is None:
+        _note(run, e, asked, "")
+        return Unknown("a launch configuration in a context of its own")
+    with _empty_context(run):
+        return perform(run, asked)
+
+
+def _note(run: LaunchRun, e: facts.Call | None, asked: Value, given: str) -> None:
+    if e is not None and is_certain(run) and not run.is_conditional:
+        run.note_without_context(WithoutContext(kind_of(asked), given, run.place(e.span)))
+
+
+def _not_a_context(value: Value | None) -> str | None:
+    """What a value is called that is no launch context; None where it may be one."""
+    if isinstance(value, DictValue):
+        return "a dict"
+    if isinstance(value, ListValue):
+        return "a list"
+    if isinstance(value, Known):
+        return "None" if value.value is None else "no context"
+    return None
+
+
+def _is_new_context(given: list[Value], e: facts.Call | None) -> bool:
+    """Whether ``perform(LaunchContext())`` makes the context that it is given: no launch argument has a value there."""
+    made = given[0] if given else None
+    if not isinstance(made, Instance) or made.cls != External("launch.LaunchContext"):
+        return False
+    return e is not None and bool(e.args) and isinstance(e.args[0].value, facts.Call)
+
+
+@contextmanager
+def _empty_context(run: LaunchRun) -> Iterator[None]:
+    kept, run.launch.configurations = run.launch.configurations, {}
+    try:
+        with run.perhaps():
+            yield
+    finally:
+        run.launch.configurations = kept
