@@ -1,49 +1,44 @@
-"""How a function can end: a small analysis of control flow over facts.
+"""The control flow graph of a function, or of any other piece of code.
 
-Every path through a body is followed at once, as the set of states that may hold at a point.  A state is
-whatever a rule wants to remember on the way, such as whether the goal has its outcome by now; raising is an
-end of its own and never reported.
+It is built from the back: each statement is given the block that comes after it.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Hashable, Sequence
-from dataclasses import dataclass, field
-from typing import Generic, TypeVar
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, replace
+from functools import lru_cache
 
 from archlint.syntax import facts
+from archlint.syntax.flow_graph import Block, Edge, Ends, Graph, Kind, Loop, State, reach
+from archlint.syntax.parts import Itself
 from archlint.syntax.walk import has_literal_true
 
-State = TypeVar("State", bound=Hashable)
-
-_EXITS = frozenset({("sys", "exit"), ("os", "_exit"), ("os", "abort")})
-
-
-@dataclass
-class Ends(Generic[State]):
-    """The ends of a body: each ``return`` with the states that reach it, and those that run off the end."""
-
-    returns: list[tuple[facts.Return, frozenset[State]]] = field(default_factory=list)
-    falls: frozenset[State] = frozenset()
+_EXITS = frozenset({"sys.exit", "os._exit", "os.abort", "exit", "quit"})
+"""Calls that end the program."""
 
 
-@dataclass
-class _Flow(Generic[State]):
-    """Where control may be after a block."""
+def graph_of(body: Sequence[facts.Stmt]) -> Graph:
+    """The control flow graph of the body of a function, or of any block of it."""
+    return _graph_of(Itself(body))
 
-    next: frozenset[State] = frozenset()
-    breaks: frozenset[State] = frozenset()
-    continues: frozenset[State] = frozenset()
-    raises: frozenset[State] = frozenset()
-    """States in which something may have raised."""
-    returns: list[tuple[facts.Return, frozenset[State]]] = field(default_factory=list)
 
-    def leave(self, other: _Flow[State]) -> None:
-        """Take over every way out of ``other`` but its end."""
-        self.breaks |= other.breaks
-        self.continues |= other.continues
-        self.raises |= other.raises
-        self.returns.extend(other.returns)
+@lru_cache(maxsize=4096)
+def _graph_of(key: Itself) -> Graph:
+    return _build(key.fact)
+
+
+def loop_of(statement: facts.While | facts.For) -> Loop:
+    """A loop by itself, whatever is around it."""
+    return _loop_of(Itself(statement))[1]
+
+
+@lru_cache(maxsize=4096)
+def _loop_of(key: Itself) -> tuple[Graph, Loop]:
+    graph = _build([key.fact])
+    loop = graph.loop(key.fact)
+    assert loop is not None, "what is first in a piece of code does run"
+    return graph, loop
 
 
 def ends_of(
@@ -52,190 +47,230 @@ def ends_of(
     step: Callable[[State, facts.Base], State],
     branch: Callable[[State, facts.Expr, bool], State | None] | None = None,
 ) -> Ends[State]:
-    """How a body can end; ``step`` gives the state after a statement's (or a condition's) own expressions, ``branch``
-    the state in an arm of an ``if``, None where the arm cannot be entered in that state."""
-    flow = _Walk(step, branch).block(body, frozenset({start}))
-    return Ends(flow.returns, flow.next)
-
-
-class _Walk(Generic[State]):
-    def __init__(
-        self,
-        step: Callable[[State, facts.Base], State],
-        branch: Callable[[State, facts.Expr, bool], State | None] | None,
-    ) -> None:
-        self.step = step
-        self.branch = branch
-
-    def block(self, body: Sequence[facts.Stmt], states: frozenset[State]) -> _Flow[State]:
-        flow: _Flow[State] = _Flow(states)
-        for statement in body:
-            if not flow.next:
-                break
-            one = self.statement(statement, flow.next)
-            flow.leave(one)
-            flow.next = one.next
-        return flow
-
-    def after(self, fact: facts.Base | None, states: frozenset[State]) -> frozenset[State]:
-        return states if fact is None else frozenset(self.step(state, fact) for state in states)
-
-    def statement(self, s: facts.Stmt, states: frozenset[State]) -> _Flow[State]:
-        if isinstance(s, facts.If):
-            return self.choice(s, states)
-        if isinstance(s, (facts.While, facts.For)):
-            return self.loop(s, states)
-        if isinstance(s, facts.Try):
-            return self.attempt(s, states)
-        if isinstance(s, facts.With):
-            inner = states
-            for item in s.items:
-                inner = self.after(item.value, inner)
-            return self.block(s.body, inner)
-        if isinstance(s, facts.Match):
-            return self.match(s, states)
-        if isinstance(s, facts.Return):
-            return _Flow(returns=[(s, self.after(s, states))], raises=states)
-        if isinstance(s, facts.Raise):
-            return _Flow(raises=states)
-        if isinstance(s, facts.Jump):
-            if s.kind == "break":
-                return _Flow(breaks=states)
-            return _Flow(continues=states) if s.kind == "continue" else _Flow(states)
-        if isinstance(s, (facts.Function, facts.Class, facts.Import, facts.ImportFrom, facts.Global)):
-            return _Flow(states)
-        if _never_returns(s):
-            return _Flow(raises=states)
-        after = self.after(s, states)
-        return _Flow(after, raises=states | after)
-
-    def choice(self, s: facts.If, states: frozenset[State]) -> _Flow[State]:
-        states = self.after(s.test, states)
-        flow: _Flow[State] = _Flow(raises=states)
-        truth = bool(s.test.value) if isinstance(s.test, facts.Literal) else None
-        for wanted, body in ((True, s.body), (False, s.orelse)):
-            if truth is None or truth is wanted:
-                one = self.block(body, self.entering(s.test, wanted, states))
-                flow.leave(one)
-                flow.next |= one.next
-        return flow
-
-    def entering(self, test: facts.Expr, truth: bool, states: frozenset[State]) -> frozenset[State]:
-        if self.branch is None:
-            return states
-        found = (self.branch(state, test, truth) for state in states)
-        return frozenset(state for state in found if state is not None)
-
-    def loop(self, s: facts.While | facts.For, states: frozenset[State]) -> _Flow[State]:
-        head = s.test if isinstance(s, facts.While) else s.iterable
-        endless = isinstance(s, facts.While) and has_literal_true(s.test)
-        flow: _Flow[State] = _Flow()
-        seen: frozenset[State] = frozenset()
-        entering = self.after(head, states)
-        while not entering <= seen:
-            seen |= entering
-            one = self.block(s.body, seen)
-            flow.raises |= one.raises
-            flow.returns.extend(one.returns)
-            flow.breaks |= one.breaks
-            entering = self.after(head, one.next | one.continues)
-        ended = frozenset() if endless else seen
-        if isinstance(s, facts.While):
-            ended = self.entering(s.test, False, ended)
-        after = self.block(s.orelse, ended)
-        result: _Flow[State] = _Flow(after.next | flow.breaks, raises=flow.raises | states)
-        result.returns = flow.returns
-        result.leave(after)
-        return result
-
-    def attempt(self, s: facts.Try, states: frozenset[State]) -> _Flow[State]:
-        body = self.block(s.body, states)
-        rest = self.block(s.orelse, body.next)
-        flow: _Flow[State] = _Flow(rest.next)
-        flow.breaks, flow.continues = body.breaks | rest.breaks, body.continues | rest.continues
-        flow.returns = [*body.returns, *rest.returns]
-        raised = body.raises | states
-        flow.raises = rest.raises | (frozenset() if _catches_all(s) else raised)
-        for handler in s.handlers:
-            one = self.block(handler.body, raised)
-            flow.leave(one)
-            flow.next |= one.next
-        return self.finish(s, flow) if s.final else flow
-
-    def finish(self, s: facts.Try, flow: _Flow[State]) -> _Flow[State]:
-        """``finally`` runs on every way out, and may leave the function itself."""
-        every = flow.next | flow.breaks | flow.continues | flow.raises
-        for _, states in flow.returns:
-            every |= states
-        final = self.block(s.final, every)
-        if not final.next:
-            return final
-        done: _Flow[State] = _Flow(self.block(s.final, flow.next).next)
-        done.breaks = self.block(s.final, flow.breaks).next
-        done.continues = self.block(s.final, flow.continues).next
-        done.raises = self.block(s.final, flow.raises).next
-        done.returns = [(end, self.block(s.final, states).next) for end, states in flow.returns]
-        done.leave(final)
-        return done
-
-    def match(self, s: facts.Match, states: frozenset[State]) -> _Flow[State]:
-        states = self.after(s.subject, states)
-        flow: _Flow[State] = _Flow(raises=states)
-        open_ = True
-        for case in s.cases:
-            one = self.block(case.body, self.after(case.guard, states))
-            flow.leave(one)
-            flow.next |= one.next
-            if case.guard is None and case.pattern.kind == "capture":
-                open_ = False
-                break
-        if open_:
-            flow.next |= states
-        return flow
-
-
-def _catches_all(s: facts.Try) -> bool:
-    return any(handler.type is None for handler in s.handlers)
-
-
-def _never_returns(s: facts.Stmt) -> bool:
-    """``sys.exit()`` and ``assert False``."""
-    if isinstance(s, facts.Assert):
-        return isinstance(s.test, facts.Literal) and not s.test.value
-    if not isinstance(s, facts.Expression) or not isinstance(s.value, facts.Call):
-        return False
-    called = s.value.func
-    if isinstance(called, facts.Name):
-        return called.id in ("exit", "quit")
-    return (
-        isinstance(called, facts.Attribute)
-        and isinstance(called.value, facts.Name)
-        and (called.value.id, called.attr) in _EXITS
-    )
-
-
-def always_raises(body: Sequence[facts.Stmt]) -> bool:
-    """Whether every way through a block ends in an exception that leaves it."""
-    flow = _Walk[bool](lambda state, fact: state, None).block(body, frozenset({False}))
-    return not (flow.next or flow.breaks or flow.continues or any(states for _, states in flow.returns))
+    """How a body can end (:meth:`Graph.ends`)."""
+    return graph_of(body).ends(start, step, branch)
 
 
 def always_left(loop: facts.While | facts.For) -> bool:
     """Whether every way through the body of a loop leaves it: it never goes round again."""
-    flow = _Walk[bool](lambda state, fact: state, None).block(loop.body, frozenset({False}))
-    return not (flow.next or flow.continues)
+    return not loop_of(loop).comes_round
 
 
-def comes_round(loop: facts.While | facts.For, statement: facts.Stmt) -> bool:
+def always_raises(body: Sequence[facts.Stmt]) -> bool:
+    """Whether every way through a block ends in an exception that leaves it."""
+    graph = graph_of(body)
+    return reach([graph.entry]).isdisjoint(block for block in graph.exits if block is not graph.raised)
+
+
+def comes_round(statement: facts.While | facts.For, inside: facts.Stmt) -> bool:
     """Whether a loop may go round again after a statement in it has run: not where ``break``, ``return`` or ``raise``
     always follows it."""
-    if statement is loop or isinstance(statement, facts.Global):
+    if inside is statement or isinstance(inside, facts.Global):
         return True
-    inside = statement.span
+    graph, loop = _loop_of(Itself(statement))
+    return loop.comes_round_after(graph.at(inside))
 
-    def step(state: bool, fact: facts.Base) -> bool:
-        span = getattr(fact, "span", None)
-        return state or (span is not None and inside[:2] <= span[:2] and span[2:] <= inside[2:])
 
-    flow = _Walk(step, None).block(loop.body, frozenset({False}))
-    return True in flow.next | flow.continues
+# ---------------------------------------------------------------------------------------------- building it
+
+
+def _build(body: Sequence[facts.Stmt]) -> Graph:
+    end, raised, left = Block(), Block(), Block()
+    builder = _Builder()
+    entry = builder.block(body, end, _Around(raised, left, left))
+    blocks = _in_order(entry)
+    reached = set(blocks)
+    for block in blocks:
+        for loop in block.loops:
+            loop.blocks.append(block)
+    returns = [(statement, exit_) for statement, exit_ in builder.returns if exit_ in reached]
+    return Graph(entry, end, raised, left, returns, blocks)
+
+
+def _in_order(entry: Block) -> list[Block]:
+    """The blocks that run at all, in reverse postorder: but for loops, each after all that come before it."""
+    order: list[Block] = []
+    seen = {entry}
+    stack = [(entry, iter(entry.edges))]
+    while stack:
+        block, edges = stack[-1]
+        edge = next(edges, None)
+        if edge is None:
+            stack.pop()
+            order.append(block)
+        elif edge.target not in seen:
+            seen.add(edge.target)
+            stack.append((edge.target, iter(edge.target.edges)))
+    return order[::-1]
+
+
+@dataclass(frozen=True)
+class _Around:
+    """What is around a statement: where it leads to if it leaves it."""
+
+    raises: Block
+    breaks: Block
+    continues: Block
+    finals: tuple[Callable[[Block], Block], ...] = ()
+    """Each ``finally`` around it, outermost first: a copy that leads on to a block."""
+    finals_of_loop: int = 0
+    """How many of these are around its innermost loop, too."""
+    loops: tuple[Loop, ...] = ()
+
+    def leaving_loop(self, target: Block) -> Block:
+        """Where ``break`` or ``continue`` leads to: through every ``finally`` inside the loop."""
+        return self._through(self.finals[self.finals_of_loop :], target)
+
+    def leaving_function(self, target: Block) -> Block:
+        return self._through(self.finals, target)
+
+    @staticmethod
+    def _through(finals: Sequence[Callable[[Block], Block]], target: Block) -> Block:
+        for final in finals:
+            target = final(target)
+        return target
+
+
+class _Builder:
+    def __init__(self) -> None:
+        self.returns: list[tuple[facts.Return, Block]] = []
+
+    def block(self, body: Sequence[facts.Stmt], then: Block, around: _Around) -> Block:
+        """Where a block begins that leads on to ``then``."""
+        for statement in reversed(body):
+            then = self.statement(statement, then, around)
+        return then
+
+    def statement(self, s: facts.Stmt, then: Block, around: _Around) -> Block:
+        match s:
+            case facts.If():
+                return self.choice(s, then, around)
+            case facts.While():
+                return self.repeat(s, then, around)
+            case facts.For():
+                return self.iteration(s, then, around)
+            case facts.Try():
+                return self.attempt(s, then, around)
+            case facts.With():
+                then = self.block(s.body, then, around)
+                for item in reversed(s.items):
+                    then = _link(_evaluating(item.value, s, around), then)
+                return then
+            case facts.Match():
+                return self.match(s, then, around)
+            case facts.Return():
+                return self.exit(s, around)
+            case facts.Jump(kind="break"):
+                return _link(Block(None, s, around.loops), around.leaving_loop(around.breaks))
+            case facts.Jump(kind="continue"):
+                return _link(Block(None, s, around.loops), around.leaving_loop(around.continues))
+            case facts.Jump() | facts.Function() | facts.Class() | facts.Import() | facts.ImportFrom() | facts.Global():
+                return _link(Block(None, s, around.loops), then)
+        block = _evaluating(s, s, around)
+        block.leaves = _never_completes(s)
+        return block if block.leaves else _link(block, then)
+
+    def exit(self, s: facts.Return, around: _Around) -> Block:
+        leaves = Block()
+        self.returns.append((s, leaves))
+        block = Block(s, s, around.loops) if s.value is None else _evaluating(s, s, around)
+        block.leaves = True
+        return _link(block, around.leaving_function(leaves))
+
+    def choice(self, s: facts.If, then: Block, around: _Around) -> Block:
+        test = _evaluating(s.test, s, around)
+        always = bool(s.test.value) if isinstance(s.test, facts.Literal) else None
+        for holds, body in ((True, s.body), (False, s.orelse)):
+            if always is None or always is holds:
+                _link(test, self.block(body, then, around), s.test, holds)
+        return test
+
+    def repeat(self, s: facts.While, then: Block, around: _Around) -> Block:
+        head = _evaluating(s.test, s, around)
+        self.round(s, head, then, around, s.test)
+        if not has_literal_true(s.test):
+            _link(head, self.block(s.orelse, then, around), s.test, False)
+        return head
+
+    def iteration(self, s: facts.For, then: Block, around: _Around) -> Block:
+        """The iterable is evaluated once; the head takes the next item of it."""
+        head = _evaluating(None, s, around)
+        self.round(s, head, then, around)
+        _link(head, self.block(s.orelse, then, around))
+        return _link(_evaluating(s.iterable, s, around), head)
+
+    def round(
+        self, s: facts.While | facts.For, head: Block, then: Block, around: _Around, test: facts.Expr | None = None
+    ) -> None:
+        head.loops = (*around.loops, Loop(s, head))
+        inside = replace(around, breaks=then, continues=head, finals_of_loop=len(around.finals), loops=head.loops)
+        _link(head, self.block(s.body, head, inside), test)
+
+    def attempt(self, s: facts.Try, then: Block, around: _Around) -> Block:
+        if s.final:
+            final = self.copies_of(s.final, around)
+            then = final(then)
+            around = replace(around, raises=final(around.raises), finals=(*around.finals, final))
+        raised = Block(None, None, around.loops)
+        for handler in s.handlers:
+            _link(raised, self.block(handler.body, then, around))
+        if all(handler.type is not None for handler in s.handlers):
+            raised.edges.append(Edge(raised, around.raises, Kind.RAISE))
+        orelse = self.block(s.orelse, then, around)
+        begins = _evaluating(None, None, replace(around, raises=raised))
+        return _link(begins, self.block(s.body, orelse, replace(around, raises=raised)))
+
+    def copies_of(self, final: Sequence[facts.Stmt], around: _Around) -> Callable[[Block], Block]:
+        """A ``finally``, once for each block that it leads on to."""
+        copies: dict[Block, Block] = {}
+
+        def leading_to(target: Block) -> Block:
+            if target not in copies:
+                copies[target] = self.block(final, target, around)
+            return copies[target]
+
+        return leading_to
+
+    def match(self, s: facts.Match, then: Block, around: _Around) -> Block:
+        subject = _evaluating(s.subject, s, around)
+        entries = [then]
+        for case in reversed(s.cases):
+            always = case.pattern.kind == "capture"
+            begins = self.block(case.body, then, around)
+            if case.guard is not None:
+                guard = _link(_evaluating(case.guard, s, around), begins, case.guard)
+                for other in entries:
+                    _link(guard, other, case.guard, False)
+                begins = guard
+            entries = [begins] if always else [begins, *entries]
+        for entry in entries:
+            _link(subject, entry)
+        return subject
+
+
+def _evaluating(fact: facts.Base | None, s: facts.Stmt | None, around: _Around) -> Block:
+    """A block that may raise."""
+    block = Block(fact, s, around.loops)
+    block.edges.append(Edge(block, around.raises, Kind.RAISE))
+    return block
+
+
+def _link(block: Block, target: Block, test: facts.Expr | None = None, holds: bool = True) -> Block:
+    back = any(target is loop.head for loop in block.loops)
+    block.edges.append(Edge(block, target, Kind.BACK if back else Kind.NEXT, test, holds))
+    return block
+
+
+def _never_completes(s: facts.Stmt) -> bool:
+    """``raise``, ``sys.exit()`` and ``assert False``."""
+    match s:
+        case facts.Raise():
+            return True
+        case facts.Assert(test=facts.Literal(value=value)):
+            return not value
+        case facts.Expression(value=facts.Call(func=called)):
+            return called.dotted in _EXITS
+    return False
+
+
+__all__ = ["Ends", "always_left", "always_raises", "comes_round", "ends_of", "graph_of", "loop_of"]

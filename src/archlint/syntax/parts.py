@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from functools import lru_cache
-from typing import TypeVar, overload
+from typing import Any, TypeVar, overload
 
 from archlint.syntax import facts
 
@@ -16,7 +16,7 @@ class Itself:
 
     __slots__ = ("fact",)
 
-    def __init__(self, fact: object) -> None:
+    def __init__(self, fact: Any) -> None:
         self.fact = fact
 
     def __hash__(self) -> int:

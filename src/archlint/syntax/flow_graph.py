@@ -1,0 +1,228 @@
+"""A control flow graph and what can be asked of it: what may run after what.
+
+A block holds one statement, or the head of one (a condition, what a ``with`` enters), since each may raise.  Edges lead
+on: to what runs next, back to the head of a loop, or to where an exception goes.  A ``finally`` is there once for each
+place that it may lead on to, so that a way through the graph is a way through the code.
+
+All questions come down to reaching blocks: one dominates another if nothing reaches the other without it.
+"""
+
+from __future__ import annotations
+
+from collections import deque
+from collections.abc import Callable, Collection, Hashable, Iterator, Sequence
+from dataclasses import dataclass, field
+from enum import Enum, auto
+from typing import Generic, TypeVar
+
+from archlint.syntax import facts
+
+State = TypeVar("State", bound=Hashable)
+
+
+class Kind(Enum):
+    """How an edge leads on."""
+
+    NEXT = auto()
+    BACK = auto()
+    """To the head of a loop around it."""
+    RAISE = auto()
+    """Where an exception goes."""
+
+
+@dataclass(eq=False, slots=True)
+class Block:
+    """One statement or the head of one; ``fact`` is what it evaluates."""
+
+    fact: facts.Base | None = None
+    statement: facts.Stmt | None = None
+    loops: tuple[Loop, ...] = field(default=(), repr=False)
+    """The loops that it is in, outermost first."""
+    leaves: bool = False
+    """Whether it is ``return``, ``raise`` or an end of the program: where that raises, it has not had its effect."""
+    edges: list[Edge] = field(default_factory=list, repr=False)
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class Edge:
+    """A way from one block to another, taken where ``test`` comes out as ``holds``."""
+
+    source: Block
+    target: Block
+    kind: Kind = Kind.NEXT
+    test: facts.Expr | None = None
+    holds: bool = True
+
+
+Along = Callable[[Edge], bool]
+"""Which edges count."""
+
+
+def any_way(edge: Edge) -> bool:
+    """Every edge."""
+    return True
+
+
+def without_exceptions(edge: Edge) -> bool:
+    """The edges that code takes as long as nothing raises but ``raise`` itself."""
+    return edge.kind is not Kind.RAISE
+
+
+def reach(starts: Collection[Block], along: Along = any_way, avoiding: Collection[Block] = ()) -> set[Block]:
+    """The blocks that may run from some blocks on, these included, on ways that keep clear of others."""
+    waiting = [block for block in starts if block not in avoiding]
+    reached = set(waiting)
+    while waiting:
+        for edge in waiting.pop().edges:
+            if edge.target not in reached and edge.target not in avoiding and along(edge):
+                reached.add(edge.target)
+                waiting.append(edge.target)
+    return reached
+
+
+@dataclass(eq=False, slots=True)
+class Loop:
+    """A loop: its ``head`` decides about each round."""
+
+    statement: facts.While | facts.For
+    head: Block
+    blocks: list[Block] = field(default_factory=list)
+    """Those of its head and its body that run at all."""
+
+    @property
+    def exits(self) -> Iterator[Edge]:
+        """The edges that leave it, exceptions among them."""
+        return (edge for block in self.blocks for edge in block.edges if self not in edge.target.loops)
+
+    @property
+    def comes_round(self) -> bool:
+        """Whether it may go round again at all."""
+        return self.comes_round_after([self.head])
+
+    def comes_round_after(self, blocks: Sequence[Block]) -> bool:
+        """Whether it may go round again once some of its blocks have run."""
+        own = [block for block in blocks if self in block.loops]
+        after = [edge for block in own for edge in block.edges if edge.kind is not Kind.RAISE or not block.leaves]
+        inside = reach([edge.target for edge in after if self._stays_within(edge)], along=self._stays_within)
+        after += [edge for block in inside for edge in block.edges]
+        return any(edge.target is self.head for edge in after)
+
+    def _stays_within(self, edge: Edge) -> bool:
+        return edge.target is not self.head and self in edge.target.loops
+
+
+@dataclass
+class Ends(Generic[State]):
+    """The ends of a body: each ``return`` with the states that reach it, and those that run off the end."""
+
+    returns: list[tuple[facts.Return, frozenset[State]]]
+    falls: frozenset[State]
+
+
+@dataclass(eq=False, slots=True)
+class Graph:
+    """The control flow of a piece of code, from ``entry`` on."""
+
+    entry: Block
+    end: Block
+    """Where it runs off its end."""
+    raised: Block
+    """Where an exception leaves it."""
+    left: Block
+    """Where it breaks off, or goes on with, a loop that is around all of it."""
+    returns: list[tuple[facts.Return, Block]]
+    """Each ``return``, with what comes after it and after all that ``finally`` still does."""
+    blocks: list[Block]
+    """All that may run, in an order in which what comes first stands first."""
+
+    @property
+    def exits(self) -> list[Block]:
+        """Every way out."""
+        return [self.end, self.raised, self.left, *(block for _, block in self.returns)]
+
+    def at(self, statement: facts.Stmt) -> list[Block]:
+        """The blocks of a statement and of what is inside it, as far as they run."""
+        first, last = _ends(statement)
+        return [block for block in self.blocks if block.statement is not None and _within(block.statement, first, last)]
+
+    def evaluating(self, span: facts.Span) -> list[Block]:
+        """The blocks that evaluate the expression at a place."""
+        return [block for block in self.blocks if block.fact is not None and _holds(block.fact, span)]
+
+    def loop(self, statement: facts.While | facts.For) -> Loop | None:
+        """The loop that a statement is; None where it never runs."""
+        loops = (loop for block in self.blocks for loop in block.loops)
+        return next((loop for loop in loops if loop.statement is statement), None)
+
+    def dominates(self, first: Block, block: Block, along: Along = any_way) -> bool:
+        """Whether every way from the start to a block goes through another one first."""
+        return block not in reach([self.entry], along, avoiding=[first])
+
+    def post_dominates(self, last: Block, block: Block, along: Along = any_way) -> bool:
+        """Whether every way from a block to an end goes through another one."""
+        return reach([block], along, avoiding=[last]).isdisjoint(self.exits)
+
+    def states(
+        self,
+        start: State,
+        step: Callable[[State, facts.Base], State],
+        branch: Callable[[State, facts.Expr, bool], State | None] | None = None,
+    ) -> dict[Block, frozenset[State]]:
+        """The states in which each block may begin: a forward analysis to its fixed point.
+
+        ``step`` gives the state after what a block evaluates, ``branch`` that after a condition which has come out so,
+        None where it cannot in that state.  What raises may have had its effect or not.
+        """
+        found: dict[Block, frozenset[State]] = {self.entry: frozenset({start})}
+        waiting = deque([self.entry])
+        while waiting:
+            block = waiting.popleft()
+            before = found[block]
+            fact = block.fact
+            after = before if fact is None else frozenset(step(state, fact) for state in before)
+            for edge in block.edges:
+                if edge.kind is Kind.RAISE:
+                    states = before if block.leaves else before | after
+                else:
+                    states = _entering(after, edge, branch)
+                known = found.get(edge.target, frozenset())
+                if not states <= known:
+                    found[edge.target] = known | states
+                    waiting.append(edge.target)
+        return found
+
+    def ends(
+        self,
+        start: State,
+        step: Callable[[State, facts.Base], State],
+        branch: Callable[[State, facts.Expr, bool], State | None] | None = None,
+    ) -> Ends[State]:
+        """The states in which it can end, other than by an exception; as :meth:`states`."""
+        found = self.states(start, step, branch)
+        nothing: frozenset[State] = frozenset()
+        returns = [(end, found[block]) for end, block in self.returns if block in found]
+        return Ends(returns, found.get(self.end, nothing))
+
+
+def _entering(
+    states: frozenset[State], edge: Edge, branch: Callable[[State, facts.Expr, bool], State | None] | None
+) -> frozenset[State]:
+    if branch is None or edge.test is None:
+        return states
+    entered = (branch(state, edge.test, edge.holds) for state in states)
+    return frozenset(state for state in entered if state is not None)
+
+
+def _ends(statement: facts.Stmt) -> tuple[tuple[int, int], tuple[int, int]]:
+    span: facts.Span = getattr(statement, "span", (0, 0, 0, 0))
+    return span[:2], span[2:]
+
+
+def _within(statement: facts.Stmt, first: tuple[int, int], last: tuple[int, int]) -> bool:
+    begins, ends = _ends(statement)
+    return first <= begins and ends <= last
+
+
+def _holds(fact: facts.Base, span: facts.Span) -> bool:
+    around: facts.Span = getattr(fact, "span", (0, 0, 0, 0))
+    return around[:2] <= span[:2] and span[2:] <= around[2:]
