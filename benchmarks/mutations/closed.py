@@ -10,7 +10,9 @@ from typing import TYPE_CHECKING
 from archlint.checks.unmatched import whole
 from archlint.config.settings import Settings
 from archlint.engine import pipeline
-from archlint.model import CLIENT, PUBLISHER
+from archlint.model import (
+    EntityKind,
+)
 
 from .defect import Defect
 from .python_source import Edit, Lines
@@ -64,7 +66,12 @@ def _expected(connection: Connection, end: Endpoint) -> tuple[str, ...]:
 def _renamed(end: Endpoint, data_of: dict[str, bytes]) -> Edit | None:
     """Write another literal at the create call."""
     place, data = end.creation.name_place, data_of.get(end.place.file)
-    if place is None or data is None or place.line != place.end_line or end.kind not in (*_ENDS, CLIENT, PUBLISHER):
+    if (
+        place is None
+        or data is None
+        or place.line != place.end_line
+        or end.kind not in (*_ENDS, EntityKind.CLIENT, EntityKind.PUBLISHER)
+    ):
         return None
     line = data.splitlines(keepends=True)[place.line - 1].decode()
     before = sum(len(one) for one in data.splitlines(keepends=True)[: place.line - 1])

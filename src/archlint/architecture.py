@@ -5,16 +5,25 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 from fnmatch import fnmatchcase
+from typing import Final, Literal
 
 from archlint.finding import Place
 
 Globs = tuple[str, ...]
 
-FORBID, REQUIRE, INDEPENDENT, TYPES, QOS = "forbid", "require", "independent", "types", "qos"
-KINDS = (FORBID, REQUIRE, INDEPENDENT, TYPES, QOS)
+ContractKind = Literal["forbid", "require", "independent", "types", "qos"]
+FORBID: Final = "forbid"
+REQUIRE: Final = "require"
+INDEPENDENT: Final = "independent"
+TYPES: Final = "types"
+QOS: Final = "qos"
+KINDS: tuple[ContractKind, ...] = (FORBID, REQUIRE, INDEPENDENT, TYPES, QOS)
 
-TOPIC, SERVICE, ACTION = "topic", "service", "action"
-CONNECTIONS = (TOPIC, SERVICE, ACTION)
+ConnectionKind = Literal["topic", "service", "action"]
+TOPIC: Final = "topic"
+SERVICE: Final = "service"
+ACTION: Final = "action"
+CONNECTIONS: tuple[ConnectionKind, ...] = (TOPIC, SERVICE, ACTION)
 
 POLICIES: Mapping[str, tuple[str, ...]] = {
     "history": ("keep_last", "keep_all"),
@@ -40,12 +49,12 @@ class Contract:
     """
 
     name: str
-    kind: str
+    kind: ContractKind
     place: Place
     source: Globs = ()
     target: Globs = ()
-    connection: str = ""
-    """What ``names`` are: ``topic``, ``service`` or ``action``; empty where the contract has none."""
+    connection: ConnectionKind | None = None
+    """What ``names`` are; None where the contract has none."""
     names: Globs = ()
     provider: Globs = ()
     """Who publishes or serves."""

@@ -8,7 +8,9 @@ from textwrap import dedent
 
 import pytest
 
-from archlint.model import CLIENT, PUBLISHER, SERVICE, SUBSCRIBER
+from archlint.model import (
+    EntityKind,
+)
 from archlint.observed.model import BAG, MONITOR, RECORDING
 from archlint.observed.read import CannotRead, read
 from archlint.ros.qos import Qos
@@ -37,10 +39,13 @@ def test_a_recording_tells_of_nodes_and_all_kinds_of_ends():
     assert (observed.form, observed.settled) == (RECORDING, True)
     assert sorted(nodes) == ["/control_node", "/motor_node", "/sensor_node"]
     assert own == {
-        (PUBLISHER, "/sensor_data", "my_robot_interfaces/msg/SensorReading"),
-        (SERVICE, "/query_sensor", "my_robot_interfaces/srv/GetSensorData"),
+        (EntityKind.PUBLISHER, "/sensor_data", "my_robot_interfaces/msg/SensorReading"),
+        (EntityKind.SERVICE, "/query_sensor", "my_robot_interfaces/srv/GetSensorData"),
     }
-    assert {end.name for end in nodes["/control_node"].ends if end.kind == CLIENT} == {"/query_sensor", "/set_motor"}
+    assert {end.name for end in nodes["/control_node"].ends if end.kind == EntityKind.CLIENT} == {
+        "/query_sensor",
+        "/set_motor",
+    }
 
 
 def test_a_policy_that_the_middleware_does_not_tell_is_not_known():
@@ -101,7 +106,7 @@ def test_a_bag_tells_of_topics_and_what_their_publishers_offered(tmp_path: Path,
     [topic] = observed.topics
     [offered] = topic.offered
 
-    assert (observed.form, observed.kinds) == (BAG, {PUBLISHER})
+    assert (observed.form, observed.kinds) == (BAG, {EntityKind.PUBLISHER})
     assert (topic.name, topic.type) == ("/cmd_vel", "geometry_msgs/msg/Twist")
     assert (offered.reliability, offered.durability, offered.history) == ("reliable", "volatile", None)
     assert (offered.deadline, offered.lifespan, offered.liveliness_lease) == (2.5, None, None)
@@ -155,9 +160,9 @@ def test_a_message_of_rosgraph_monitor_tells_of_topics_only(tmp_path: Path):
     [node] = observed.nodes
     [scan, command] = node.ends
 
-    assert (observed.form, observed.kinds) == (MONITOR, {PUBLISHER, SUBSCRIBER})
-    assert (scan.kind, scan.name, scan.type) == (PUBLISHER, "/scan", "sensor_msgs/msg/LaserScan")
-    assert (command.kind, command.name) == (SUBSCRIBER, "/cmd_vel")
+    assert (observed.form, observed.kinds) == (MONITOR, {EntityKind.PUBLISHER, EntityKind.SUBSCRIBER})
+    assert (scan.kind, scan.name, scan.type) == (EntityKind.PUBLISHER, "/scan", "sensor_msgs/msg/LaserScan")
+    assert (command.kind, command.name) == (EntityKind.SUBSCRIBER, "/cmd_vel")
     assert scan.qos is not None
     assert (scan.qos.reliability, scan.qos.durability, scan.qos.lifespan) == ("best_effort", "transient_local", 10.0)
 
@@ -165,10 +170,10 @@ def test_a_message_of_rosgraph_monitor_tells_of_topics_only(tmp_path: Path):
 def test_a_message_of_rosgraph_msgs_may_tell_of_services_too(tmp_path: Path):
     observed = read(written(tmp_path, "graph.json", json.dumps(ROSGRAPH_MSGS)))
     [node] = observed.nodes
-    assert observed.kinds == {PUBLISHER, SUBSCRIBER, SERVICE}
+    assert observed.kinds == {EntityKind.PUBLISHER, EntityKind.SUBSCRIBER, EntityKind.SERVICE}
     assert [(end.kind, end.name, end.type) for end in node.ends] == [
-        (PUBLISHER, "/scan", "sensor_msgs/msg/LaserScan"),
-        (SERVICE, "/stop", "std_srvs/srv/Trigger"),
+        (EntityKind.PUBLISHER, "/scan", "sensor_msgs/msg/LaserScan"),
+        (EntityKind.SERVICE, "/stop", "std_srvs/srv/Trigger"),
     ]
 
 

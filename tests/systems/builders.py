@@ -58,7 +58,7 @@ class Entity:
 
 
 def publisher(name: str | Text, type: str | None = "std_msgs/msg/String", qos: Qos | None = KNOWN, **options: Any):
-    return Entity(program.PUBLISHER, as_text(name), type, {}, {"qos": qos, **options})
+    return Entity(program.EntityKind.PUBLISHER, as_text(name), type, {}, {"qos": qos, **options})
 
 
 def subscriber(
@@ -69,7 +69,9 @@ def subscriber(
     callback: str = "on_message",
     **options: Any,
 ):
-    return Entity(program.SUBSCRIBER, as_text(name), type, {"subscription": callback}, {"qos": qos, **options})
+    return Entity(
+        program.EntityKind.SUBSCRIBER, as_text(name), type, {"subscription": callback}, {"qos": qos, **options}
+    )
 
 
 def service(
@@ -79,11 +81,11 @@ def service(
     callback: str = "on_request",
     **options: Any,
 ):
-    return Entity(program.SERVICE, as_text(name), type, {"service": callback}, {"qos": KNOWN, **options})
+    return Entity(program.EntityKind.SERVICE, as_text(name), type, {"service": callback}, {"qos": KNOWN, **options})
 
 
 def client(name: str | Text, type: str | None = "std_srvs/srv/Trigger", **options: Any):
-    return Entity(program.CLIENT, as_text(name), type, {}, {"qos": KNOWN, **options})
+    return Entity(program.EntityKind.CLIENT, as_text(name), type, {}, {"qos": KNOWN, **options})
 
 
 def action_server(
@@ -93,15 +95,15 @@ def action_server(
     callback: str = "on_goal",
     **options: Any,
 ):
-    return Entity(program.ACTION_SERVER, as_text(name), type, {"execute": callback}, options)
+    return Entity(program.EntityKind.ACTION_SERVER, as_text(name), type, {"execute": callback}, options)
 
 
 def action_client(name: str | Text, type: str | None = "example_interfaces/action/Fibonacci", **options: Any):
-    return Entity(program.ACTION_CLIENT, as_text(name), type, {}, options)
+    return Entity(program.EntityKind.ACTION_CLIENT, as_text(name), type, {}, options)
 
 
 def timer(period: float | None = 1.0, *, callback: str = "on_timer", **options: Any):
-    return Entity(program.TIMER, exact(""), None, {"timer": callback}, {"period": period, **options})
+    return Entity(program.EntityKind.TIMER, exact(""), None, {"timer": callback}, {"period": period, **options})
 
 
 def parameter(name: str, default: object = None, type: str | None = "string", **options: Any):

@@ -9,7 +9,9 @@ from archlint.analysis.completeness import facts_at, walk
 from archlint.analysis.kept import once
 from archlint.analysis.left_over import idle_methods, kept_calls
 from archlint.analysis.reach import creations_of
-from archlint.model import CLIENT, PUBLISHER, SERVICE, SUBSCRIBER
+from archlint.model import (
+    EntityKind,
+)
 from archlint.syntax import facts
 from archlint.syntax.walk import blocks_in, called_name, calls_in, parts_of, statements_of
 
@@ -28,7 +30,7 @@ _HALTS = frozenset(
 """Words for what makes every publisher stop: that does not choose one of them."""
 _ONCE = frozenset({"init", "main", "module"})
 
-_Word = tuple[str, str]
+_Word = tuple[EntityKind, str]
 """The kind and the final name of a topic or service."""
 
 
@@ -43,7 +45,7 @@ def take_turns(system: System, owners: Sequence[Endpoint]) -> bool:
     common = frozenset.intersection(*asking) if asking else frozenset()
     for giver in givers.values():
         return bool(common & _gives(giver))
-    return bool(common) or all(any(kind == SERVICE for kind, _ in words) for words in asking)
+    return bool(common) or all(any(kind == EntityKind.SERVICE for kind, _ in words) for words in asking)
 
 
 def speaks_once(system: System, owner: Endpoint) -> bool:
@@ -75,7 +77,7 @@ def _asks(system: System, owner: Endpoint) -> frozenset[_Word]:
         return frozenset()
     answers = {
         callback.function.name: (end.kind, end.name)
-        for end in owner.node.of_kind(SUBSCRIBER, SERVICE)
+        for end in owner.node.of_kind(EntityKind.SUBSCRIBER, EntityKind.SERVICE)
         for callback in end.creation.callbacks.values()
         if isinstance(callback.function, facts.Function) and end.name is not None
     }
@@ -130,7 +132,7 @@ def _class_around(found: facts.Facts, place: Place) -> facts.Class | None:
 def _told(node: Node) -> dict[tuple[str, str], set[_Word]]:
     """The attributes of ``self``, with their file, that callbacks for such words set."""
     found: dict[tuple[str, str], set[_Word]] = {}
-    for end in node.of_kind(SUBSCRIBER, SERVICE):
+    for end in node.of_kind(EntityKind.SUBSCRIBER, EntityKind.SERVICE):
         if end.type not in _WORDS or end.name is None or _halts(end.name):
             continue
         for callback in end.creation.callbacks.values():
@@ -198,8 +200,12 @@ def _is_in(line: int, item: facts.Stmt) -> bool:
 
 def _gives(node: Node) -> frozenset[_Word]:
     """The words that a node says to others, as :func:`_told` names them."""
-    to_user = {PUBLISHER: SUBSCRIBER, CLIENT: SERVICE}
-    return frozenset((to_user[end.kind], end.name) for end in node.of_kind(PUBLISHER, CLIENT) if end.name is not None)
+    to_user = {EntityKind.PUBLISHER: EntityKind.SUBSCRIBER, EntityKind.CLIENT: EntityKind.SERVICE}
+    return frozenset(
+        (to_user[end.kind], end.name)
+        for end in node.of_kind(EntityKind.PUBLISHER, EntityKind.CLIENT)
+        if end.name is not None
+    )
 
 
 __all__ = ["speaks_once", "take_turns"]

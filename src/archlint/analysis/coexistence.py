@@ -12,7 +12,9 @@ from typing import TYPE_CHECKING
 
 from archlint.analysis.completeness import called_names
 from archlint.branches import exclusive
-from archlint.model import PUBLISHER
+from archlint.model import (
+    EntityKind,
+)
 from archlint.systems.model import (
     key_of,
     runs_along,
@@ -182,7 +184,7 @@ _EVERYBODYS = frozenset({"/tf", "/tf_static", "/rosout", "/parameter_events", "/
 
 
 def _publishes(node: Node) -> set[str]:
-    return {end.name for end in node.of_kind(PUBLISHER) if end.resolved and end.name is not None}
+    return {end.name for end in node.of_kind(EntityKind.PUBLISHER) if end.resolved and end.name is not None}
 
 
 def _unlikely_to_coexist(system: System, one: Endpoint, other: Endpoint) -> bool:

@@ -14,16 +14,17 @@ from archlint.systems.implicit import implicit_names
 
 if TYPE_CHECKING:
     from archlint.finding import Place
+    from archlint.model import EntityKind
     from archlint.ros.qos import Qos
     from archlint.systems.model import Endpoint, Node, System
 
 VERBS = {
-    program.PUBLISHER: ("publishes", "publisher"),
-    program.SUBSCRIBER: ("subscribes to", "subscription"),
-    program.SERVICE: ("serves", "service"),
-    program.CLIENT: ("has a client of", "client"),
-    program.ACTION_SERVER: ("serves the action", "action server"),
-    program.ACTION_CLIENT: ("has a client of the action", "action client"),
+    program.EntityKind.PUBLISHER: ("publishes", "publisher"),
+    program.EntityKind.SUBSCRIBER: ("subscribes to", "subscription"),
+    program.EntityKind.SERVICE: ("serves", "service"),
+    program.EntityKind.CLIENT: ("has a client of", "client"),
+    program.EntityKind.ACTION_SERVER: ("serves the action", "action server"),
+    program.EntityKind.ACTION_CLIENT: ("has a client of the action", "action client"),
 }
 """By kind: what a node does there, and what the end is called."""
 _AT_THE_START = ("init", "main", "module")
@@ -80,7 +81,7 @@ def _parameters(node: Node, seen: SeenNode) -> Iterator[Difference]:
 class _Kind:
     """All ends of one kind of one node."""
 
-    def __init__(self, system: System, node: Node, seen: SeenNode, kind: str, whole: bool, result: Ends) -> None:
+    def __init__(self, system: System, node: Node, seen: SeenNode, kind: EntityKind, whole: bool, result: Ends) -> None:
         self.system, self.node, self.seen_node, self.kind, self.whole = system, node, seen, kind, whole
         self.result = result
         self.expected: dict[str, list[Endpoint]] = {}
@@ -202,7 +203,7 @@ class _Kind:
             self.result.same -= 1
             self.result.differences.append(self._other_type(name, lost[0], wrong[0], seen))
             return
-        if self.kind in (program.PUBLISHER, program.SUBSCRIBER):
+        if self.kind in (program.EntityKind.PUBLISHER, program.EntityKind.SUBSCRIBER):
             for type_ in sorted(known & there, key=str):
                 self._qos(name, [e for e in expected if e.type == type_], [s for s in seen if s.type == type_])
 
@@ -294,7 +295,7 @@ def may_be_compared(qos: Qos) -> bool:
     return not qos.overridable and qos.parameter is None
 
 
-def contradictions(expected: Qos, seen: Qos, kind: str) -> list[tuple[str, str]]:
+def contradictions(expected: Qos, seen: Qos, kind: EntityKind) -> list[tuple[str, str]]:
     """The policies that cannot both be true, in words: ``(expected, seen)`` of each."""
     found = []
     for policy in ("reliability", "durability", "liveliness"):
@@ -304,7 +305,7 @@ def contradictions(expected: Qos, seen: Qos, kind: str) -> list[tuple[str, str]]
             noun = " liveliness" if policy == "liveliness" else ""
             found.append((f"{here.replace('_', ' ')}{noun}", f"{there.replace('_', ' ')}{noun}"))
     durations = {"deadline": "deadline", "liveliness_lease": "liveliness lease"}
-    if kind == program.PUBLISHER:
+    if kind == program.EntityKind.PUBLISHER:
         durations["lifespan"] = "lifespan"
     for policy, words in durations.items():
         here, there = getattr(expected, policy) or 0.0, getattr(seen, policy) or 0.0

@@ -11,7 +11,9 @@ from typing import TYPE_CHECKING
 from archlint.analysis.coexistence import certain
 from archlint.analysis.comparable import what_is_compared, whole_node
 from archlint.analysis.comparison_of_ends import contradictions, may_be_compared
-from archlint.model import PUBLISHER
+from archlint.model import (
+    EntityKind,
+)
 from archlint.observed.model import DIFFERENT, UNEXPECTED, Comparison, Difference, Observed, SeenTopic
 from archlint.ros.names import is_hidden, pattern_matches
 from archlint.suggestions import did_you_mean
@@ -63,7 +65,7 @@ def _different(system: System, topic: SeenTopic, connection: Connection) -> Iter
     if len(profiles) < len(ends) or _may_publish(system, topic.name) is not None:
         return
     for offered in topic.offered:
-        if all(contradictions(profile, offered, PUBLISHER) for profile in profiles):
+        if all(contradictions(profile, offered, EntityKind.PUBLISHER) for profile in profiles):
             yield _other_qos(topic, ends, offered)
             return
 
@@ -71,7 +73,7 @@ def _different(system: System, topic: SeenTopic, connection: Connection) -> Iter
 def _other_qos(topic: SeenTopic, ends: list[Endpoint], offered: Qos) -> Difference:
     end = next((one for one in ends if certain(one)), ends[0])
     assert end.qos is not None
-    policies = contradictions(end.qos, offered, PUBLISHER)
+    policies = contradictions(end.qos, offered, EntityKind.PUBLISHER)
     here, there = (" and ".join(words) for words in zip(*policies, strict=True))
     return _other(topic, end, here, there, "was offered {}, and is {} in the source")
 
@@ -79,7 +81,7 @@ def _other_qos(topic: SeenTopic, ends: list[Endpoint], offered: Qos) -> Differen
 def _other(topic: SeenTopic, end: Endpoint, expected: str, observed: str, words: str) -> Difference:
     return Difference(
         DIFFERENT,
-        PUBLISHER,
+        EntityKind.PUBLISHER,
         topic.name,
         end.node.name,
         f"{topic.name} {words.format(observed, expected)}",
@@ -113,7 +115,7 @@ def _may_publish(system: System, name: str) -> str | None:
             continue
         if not whole_node(system, node):
             return f"not all that {node.name or 'one of the nodes'} publishes is known"
-        for end in node.of_kind(PUBLISHER):
+        for end in node.of_kind(EntityKind.PUBLISHER):
             if not end.resolved and (end.name is None or pattern_matches(end.name, name)):
                 return f"it may be the publisher of {end.place.file}:{end.place.line}"
     for gap in system.launched.not_followed() if system.launched is not None else ():

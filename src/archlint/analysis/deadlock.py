@@ -31,7 +31,9 @@ from archlint.analysis.blocking import (
     look_up,
 )
 from archlint.finding import Related
-from archlint.model import FOR_A_MOMENT
+from archlint.model import (
+    SpinDuration,
+)
 from archlint.ros.distros import DISTROS
 
 if TYPE_CHECKING:
@@ -210,7 +212,7 @@ def _on_one_of_its_own(call: ApiCall, node: Blueprint, running: Sequence[Executo
     use = getattr(call.arguments.get("executor"), "use", None)
     if use is None or all(other is use for other in running):
         return False
-    return use not in running or use.lasts_for(node) == FOR_A_MOMENT
+    return use not in running or use.lasts_for(node) == SpinDuration.A_MOMENT
 
 
 def _given(call: ApiCall, name: str) -> bool:

@@ -6,7 +6,9 @@ from typing import TYPE_CHECKING
 
 from archlint.analysis.completeness import walk
 from archlint.analysis.kept import once_for_each_file
-from archlint.model import PUBLISHER
+from archlint.model import (
+    EntityKind,
+)
 from archlint.syntax import facts
 
 if TYPE_CHECKING:
@@ -22,7 +24,7 @@ def is_left_over(workspace: WorkspaceIndex | None, endpoint: Endpoint) -> bool:
     """Whether a publisher is kept in an attribute of ``self`` that its file names again at most in methods that nothing
     calls, and no other file of the package that does not set an attribute of that name itself: it says nothing on its
     topic."""
-    if workspace is None or workspace.loader is None or endpoint.kind != PUBLISHER:
+    if workspace is None or workspace.loader is None or endpoint.kind != EntityKind.PUBLISHER:
         return False
     loader, file, package = workspace.loader, endpoint.place.file, endpoint.node.package
     kept = _kept_as(workspace, endpoint.place)

@@ -12,7 +12,10 @@ from archlint.analysis.kept import once
 from archlint.finding import Finding, Related
 from archlint.interpreter.values import Known, Value, alternatives
 from archlint.libraries.values import EntityValue, FutureValue
-from archlint.model import ACTION_CLIENT, ACTION_SERVER, Creation
+from archlint.model import (
+    Creation,
+    EntityKind,
+)
 from archlint.syntax import facts
 
 if TYPE_CHECKING:
@@ -112,7 +115,7 @@ def endpoint_words(creation: Creation | None, kind: str = "") -> str:
     """``the service 'enable_motor'``, as far as it is known."""
     if creation is None:
         return f"a{'n' if kind == 'action' else ''} {kind or 'service'}"
-    what = "action" if creation.kind in (ACTION_CLIENT, ACTION_SERVER) else "service"
+    what = "action" if creation.kind in (EntityKind.ACTION_CLIENT, EntityKind.ACTION_SERVER) else "service"
     if creation.name.text is None or creation.name.resolution == "unknown":
         return f"a{'n' if what == 'action' else ''} {what}"
     return f"the {what} '{creation.name.text}'"

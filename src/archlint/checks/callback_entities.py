@@ -10,7 +10,9 @@ from archlint.analysis.reach import calls_of, creations_of, node_name, one_for_e
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.finding import Finding, Related
-from archlint.model import PUBLISHER, SUBSCRIBER, TIMER
+from archlint.model import (
+    EntityKind,
+)
 
 if TYPE_CHECKING:
     from archlint.model import Callback, Creation, Program
@@ -57,7 +59,7 @@ def _each_time(
         and not creation.destroyed
         and id(creation) not in ended
         # A name that data decides is another endpoint each time.
-        and (creation.kind == TIMER or creation.name.resolution in ("exact", "parameter"))
+        and (creation.kind == EntityKind.TIMER or creation.name.resolution in ("exact", "parameter"))
         and (callback.creation is None or id(callback.creation) not in ended | left)
         and not program.exhausted
     )
@@ -74,20 +76,24 @@ def _given_to(system: System, ends: Sequence[str]) -> set[int]:
 
 def _created(system: System, creation: Creation, callback: Callback, left: bool) -> Finding:
     function = creation.api.rpartition(".")[2]
-    what = f"'{creation.name.text}'" if creation.name.text and creation.kind != TIMER else ""
+    what = f"'{creation.name.text}'" if creation.name.text and creation.kind != EntityKind.TIMER else ""
     words = {"client": "client of", "service": "service", "publisher": "publisher of", "subscriber": "subscription to"}
     made = f"{words.get(creation.kind, creation.kind.replace('_', ' '))} {what}".rstrip()
     gets = "gets here" if creation.guard else "runs"
     end = "nothing takes the old one away"
     if left:
-        raises = ", and the next spin raises InvalidHandle" if creation.kind in (PUBLISHER, SUBSCRIBER) else ""
+        raises = (
+            ", and the next spin raises InvalidHandle"
+            if creation.kind in (EntityKind.PUBLISHER, EntityKind.SUBSCRIBER)
+            else ""
+        )
         end = f"destroy() leaves the old one on the node{raises}"
     return finding(
         "EXE005",
         creation.place,
         f"{callback_words(callback)} creates {'an' if made[0] == 'a' else 'a'} {made} each time it {gets}, and {end}",
         help="create it once, in the constructor, cancel() it there and reset() it here"
-        if creation.kind == TIMER
+        if creation.kind == EntityKind.TIMER
         else f"call {function}() once, in the constructor, and keep what it gives",
         related=[
             Related(callback.place, f"{callback.name} runs again and again"),

@@ -13,7 +13,9 @@ from archlint.checks.launched_names import is_renamed
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.finding import Finding, Related
-from archlint.model import PUBLISHER
+from archlint.model import (
+    EntityKind,
+)
 from archlint.ros.qos import allowed
 
 if TYPE_CHECKING:
@@ -36,7 +38,7 @@ def not_the_declared_owner(system: System, options: Options) -> Iterator[Finding
 
 
 def _not_the_owner(connection: Connection, end: Endpoint, owners: Globs) -> Finding:
-    does = "publishes" if end.kind == PUBLISHER else "serves"
+    does = "publishes" if end.kind == EntityKind.PUBLISHER else "serves"
     others = [other for other in connection.providers if counts(other) and is_meant(owners, other.node)]
     return finding(
         "OWN003",
@@ -123,13 +125,13 @@ def _is_an_end_of(contract: Contract, end: Endpoint) -> bool:
     """Whether a contract about QoS asks for this end: for all of them where it names no node."""
     if not contract.provider and not contract.user:
         return True
-    return is_meant(contract.provider if end.kind == PUBLISHER else contract.user, end.node)
+    return is_meant(contract.provider if end.kind == EntityKind.PUBLISHER else contract.user, end.node)
 
 
 def _wrong_policy(
     contract: Contract, topic: Connection, end: Endpoint, policy: str, values: tuple[str | float, ...]
 ) -> Finding:
-    does = "publishes" if end.kind == PUBLISHER else "subscribes to"
+    does = "publishes" if end.kind == EntityKind.PUBLISHER else "subscribes to"
     given = getattr(end.qos, policy.replace("-", "_"))
     unit = "" if isinstance(given, str) or policy == "depth" else " s"
     words = f"no {policy}" if given is None else f"{policy} {given}{unit}"

@@ -9,7 +9,9 @@ from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.checks.unmatched import in_sight, whole
 from archlint.finding import Finding, Related
-from archlint.model import SUBSCRIBER
+from archlint.model import (
+    EntityKind,
+)
 from archlint.systems.rates import rates
 from archlint.systems.shape import connected, splits
 
@@ -56,7 +58,7 @@ def hub_bottleneck(system: System, options: Options) -> Iterator[Finding]:
             continue
         incoming = {
             end.name: rate
-            for end in node.of_kind(SUBSCRIBER)
+            for end in node.of_kind(EntityKind.SUBSCRIBER)
             if end.resolved and end.name is not None and (rate := _rate_of(system, end, known)) > 0
         }
         total = sum(incoming.values())
@@ -70,7 +72,7 @@ def hub_bottleneck(system: System, options: Options) -> Iterator[Finding]:
                 + (f", {len(high)} of them at {options.number('rate'):g} Hz and more" if high else ""),
                 "let the nodes that need a topic subscribe to it themselves, thin out what is only watched, or split "
                 "the node by task",
-                [end for end in node.of_kind(SUBSCRIBER) if end.name in incoming],
+                [end for end in node.of_kind(EntityKind.SUBSCRIBER) if end.name in incoming],
             )
 
 

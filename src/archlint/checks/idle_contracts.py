@@ -41,7 +41,7 @@ def idle_patterns(systems: Sequence[System], options: Options) -> Iterator[str]:
 def _of_contract(contract: Contract, known: _Known) -> Iterator[str]:
     for globs in (contract.source, contract.target, contract.provider, contract.user, contract.nodes):
         yield from known.without_node(globs)
-    if contract.names:
+    if contract.connection is not None:
         yield from known.without_name(contract.names, (contract.connection,))
 
 

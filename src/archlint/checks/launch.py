@@ -15,7 +15,9 @@ from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.finding import Finding, Related, Severity
 from archlint.launch.model import MISSING, NOT_INSTALLED
-from archlint.model import ACTION_CLIENT, ACTION_SERVER
+from archlint.model import (
+    EntityKind,
+)
 from archlint.ros import names
 from archlint.ros.well_known import OF_EVERY_NODE
 from archlint.suggestions import did_you_mean, distance, have_same_words, listed
@@ -179,7 +181,7 @@ def _before_remapping(node: Node, started: Started) -> tuple[set[str], str, str]
     for endpoint in plain.endpoints:
         assert endpoint.name is not None
         found.add(endpoint.name)
-        if endpoint.kind in (ACTION_SERVER, ACTION_CLIENT):
+        if endpoint.kind in (EntityKind.ACTION_SERVER, EntityKind.ACTION_CLIENT):
             found.update(names.action_entities(endpoint.name).values())
     return found, name, namespace or "/"
 

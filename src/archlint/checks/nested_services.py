@@ -23,7 +23,9 @@ from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.checks.service_cycles import Edge, waits_behind
 from archlint.finding import Finding, Related, Severity
-from archlint.model import ACTION_CLIENT
+from archlint.model import (
+    EntityKind,
+)
 from archlint.syntax import facts
 
 if TYPE_CHECKING:
@@ -177,7 +179,7 @@ def _help(wait: Wait, verdict: Verdict, held_up: Sequence[Callback], behind: Seq
         return _APART.format(service) if held_up else _KEEP.format(service)
     if verdict.safe and wait.limited:
         return _IF_IT_CAN
-    return _AWAIT.format("send_goal_async(…)" if wait.client.kind == ACTION_CLIENT else "call_async(…)")
+    return _AWAIT.format("send_goal_async(…)" if wait.client.kind == EntityKind.ACTION_CLIENT else "call_async(…)")
 
 
 def _other_handlers(first: Callback, waits: list[Wait]) -> Iterator[Related]:

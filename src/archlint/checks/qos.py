@@ -11,7 +11,9 @@ from archlint.analysis.delivery import Undelivered, fitting, policy_words, undel
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.finding import Finding, Related, Severity
-from archlint.model import PUBLISHER, SUBSCRIBER
+from archlint.model import (
+    EntityKind,
+)
 
 if TYPE_CHECKING:
     from archlint.finding import Place
@@ -99,7 +101,9 @@ def qos_contradiction(system: System, options: Options) -> Iterator[Finding]:
     """Profiles whose parts do not go together, one finding a profile, at the first create call that uses it."""
     profiles: dict[tuple[Place, str], dict[Place, Endpoint]] = {}
     for end in sorted(system.endpoints, key=lambda end: end.place):
-        contradiction = _contradiction(end.qos) if end.kind in (PUBLISHER, SUBSCRIBER) and end.qos else None
+        contradiction = (
+            _contradiction(end.qos) if end.kind in (EntityKind.PUBLISHER, EntityKind.SUBSCRIBER) and end.qos else None
+        )
         if contradiction is not None and end.qos is not None:
             profiles.setdefault((end.qos.place or end.place, contradiction), {}).setdefault(end.place, end)
     for (written, contradiction), uses in profiles.items():

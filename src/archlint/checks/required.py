@@ -11,15 +11,17 @@ from archlint.architecture import REQUIRE, Contract, Globs, any_node, matches
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.finding import Finding, Related
-from archlint.model import ACTION_CLIENT, ACTION_SERVER, CLIENT, PUBLISHER, SERVICE, SUBSCRIBER
+from archlint.model import (
+    EntityKind,
+)
 
 if TYPE_CHECKING:
     from archlint.systems.model import Connection, Endpoint, Node, System
 
 _ENDS = {
-    "topic": ((PUBLISHER, "publish"), (SUBSCRIBER, "subscribe to")),
-    "service": ((SERVICE, "serve"), (CLIENT, "call")),
-    "action": ((ACTION_SERVER, "serve"), (ACTION_CLIENT, "call")),
+    "topic": ((EntityKind.PUBLISHER, "publish"), (EntityKind.SUBSCRIBER, "subscribe to")),
+    "service": ((EntityKind.SERVICE, "serve"), (EntityKind.CLIENT, "call")),
+    "action": ((EntityKind.ACTION_SERVER, "serve"), (EntityKind.ACTION_CLIENT, "call")),
 }
 """By kind of connection: the two kinds of ends, the provider's first, and what a node does there."""
 
@@ -100,6 +102,8 @@ def _missing_link(system: System, contract: Contract) -> str | None:
 def _missing_end(system: System, contract: Contract) -> str | None:
     """What is missing at a topic, service or action, in words: each node that is meant is to be at one that is
     meant, and each of these is to have such a node."""
+    if contract.connection is None:
+        return None
     for globs, (kind, does) in zip((contract.provider, contract.user), _ENDS[contract.connection], strict=True):
         if globs:
             missing = _end_of_no_node(system, contract, globs, kind, does)
@@ -108,7 +112,7 @@ def _missing_end(system: System, contract: Contract) -> str | None:
     return None
 
 
-def _end_of_no_node(system: System, contract: Contract, globs: Globs, kind: str, does: str) -> str | None:
+def _end_of_no_node(system: System, contract: Contract, globs: Globs, kind: EntityKind, does: str) -> str | None:
     name = " or ".join(contract.names)
     there = named(system, contract)
     nodes = [node for node in system.nodes if is_meant(globs, node)]
@@ -134,7 +138,7 @@ def _listed(nodes: list[Node]) -> str:
     return names[0] if len(names) == 1 else f"{', '.join(names[:-1])} and {names[-1]}"
 
 
-def _ends(connection: Connection, kind: str) -> list[Endpoint]:
+def _ends(connection: Connection, kind: EntityKind) -> list[Endpoint]:
     return [end for end in (*connection.providers, *connection.users) if end.kind == kind and counts(end)]
 
 
@@ -168,8 +172,8 @@ def _passes_by(contract: Contract, topic: Connection, end: Endpoint, past: list[
 
 
 def _all_followed(system: System, globs: Globs) -> bool:
-    unknown = any(end.kind == SUBSCRIBER for end in _of_unknown_nodes(system))
-    return not unknown and all(_followed(node, SUBSCRIBER) for node in system.nodes if is_meant(globs, node))
+    unknown = any(end.kind == EntityKind.SUBSCRIBER for end in _of_unknown_nodes(system))
+    return not unknown and all(_followed(node, EntityKind.SUBSCRIBER) for node in system.nodes if is_meant(globs, node))
 
 
 def _of_unknown_nodes(system: System) -> Iterator[Endpoint]:
@@ -182,6 +186,6 @@ def _is_named(contract: Contract, end: Endpoint) -> bool:
     return not contract.names or end.name is None or not end.resolved or matches(contract.names, end.name)
 
 
-def _followed(node: Node, kind: str | None = None) -> bool:
+def _followed(node: Node, kind: EntityKind | None = None) -> bool:
     """Whether everything that a node has is known, so that what is missing is missing."""
     return not node.external and all(end.resolved for end in node.endpoints if kind in (None, end.kind))

@@ -13,7 +13,9 @@ from archlint.analysis.waits import Wait, waits
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.finding import Finding, Place, Related
-from archlint.model import CLIENT
+from archlint.model import (
+    EntityKind,
+)
 from archlint.syntax import facts
 from archlint.syntax.parts import names_in
 from archlint.syntax.walk import parts_of, statements_of
@@ -51,7 +53,13 @@ def sequential_sync_calls(system: System, options: Options) -> Iterator[Finding]
 def _servers(steps: Sequence[_Step]) -> int:
     """How many clients ask for something.  What one server is asked several times may well have an order, and so have
     commands: goals of actions, and services that answer nothing or no more than that they have done it."""
-    return len({id(step.client) for step in steps if step.client.kind == CLIENT and step.client.type not in _COMMANDS})
+    return len(
+        {
+            id(step.client)
+            for step in steps
+            if step.client.kind == EntityKind.CLIENT and step.client.type not in _COMMANDS
+        }
+    )
 
 
 _COMMANDS = frozenset({"std_srvs/srv/Empty", "std_srvs/srv/SetBool"})

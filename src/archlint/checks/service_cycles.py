@@ -12,13 +12,15 @@ from archlint.analysis.waits import Wait, waits
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.finding import Finding, Related
-from archlint.model import ACTION_CLIENT, ACTION_SERVER, CLIENT, SERVICE
+from archlint.model import (
+    EntityKind,
+)
 
 if TYPE_CHECKING:
     from archlint.systems.model import Endpoint, Node, System
 
-_SERVER_OF = {CLIENT: SERVICE, ACTION_CLIENT: ACTION_SERVER}
-_HANDLES = {"service": SERVICE, "execute": ACTION_SERVER}
+_SERVER_OF = {EntityKind.CLIENT: EntityKind.SERVICE, EntityKind.ACTION_CLIENT: EntityKind.ACTION_SERVER}
+_HANDLES = {"service": EntityKind.SERVICE, "execute": EntityKind.ACTION_SERVER}
 
 _Key = tuple[str, str]
 """Kind of server and full name."""

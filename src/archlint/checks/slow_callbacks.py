@@ -21,7 +21,9 @@ from archlint.checks.scope import Scope
 from archlint.checks.timeouts import MAKE_IT_EARLIER, made_here
 from archlint.finding import Finding, Place, Related, Severity
 from archlint.interpreter.values import Known, alternatives
-from archlint.model import ACTION_SERVER, GUARD, SERVICE, SUBSCRIBER, TIMER
+from archlint.model import (
+    EntityKind,
+)
 from archlint.syntax import facts
 from archlint.syntax.walk import calls_in
 
@@ -190,7 +192,9 @@ def _is_made_after(creation: Creation, call: ApiCall) -> bool:
 
 
 _OTHERS, _NOBODY, _UNKNOWN = "others", "nobody", "unknown"
-_TAKE_IN = frozenset({SUBSCRIBER, SERVICE, ACTION_SERVER, TIMER, GUARD})
+_TAKE_IN = frozenset(
+    {EntityKind.SUBSCRIBER, EntityKind.SERVICE, EntityKind.ACTION_SERVER, EntityKind.TIMER, EntityKind.GUARD_CONDITION}
+)
 """Kinds of entities that bring an executor work by themselves."""
 _ITS_NEXT = {"subscription": "message", "timer": "turn", "service": "request", "execute": "goal"}
 

@@ -18,7 +18,10 @@ from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.finding import Finding, Place, Related, Severity
 from archlint.libraries import tables
-from archlint.model import ACTION_CLIENT, ACTION_SERVER, CLIENT, FOR_A_MOMENT, GUARD, SERVICE, SUBSCRIBER, TIMER
+from archlint.model import (
+    EntityKind,
+    SpinDuration,
+)
 from archlint.syntax import facts
 from archlint.syntax.walk import blocks_of, called_name, calls_in, parts_of
 
@@ -26,8 +29,13 @@ if TYPE_CHECKING:
     from archlint.model import ApiCall, Blueprint, Callback, Creation, Group, Program
     from archlint.systems.model import System
 
-_SERVED = {SUBSCRIBER: "subscription", SERVICE: "service", TIMER: "timer", ACTION_SERVER: "action server"}
-_WORKING = frozenset({*_SERVED, CLIENT, ACTION_CLIENT, GUARD})
+_SERVED = {
+    EntityKind.SUBSCRIBER: "subscription",
+    EntityKind.SERVICE: "service",
+    EntityKind.TIMER: "timer",
+    EntityKind.ACTION_SERVER: "action server",
+}
+_WORKING = frozenset({*_SERVED, EntityKind.CLIENT, EntityKind.ACTION_CLIENT, EntityKind.GUARD_CONDITION})
 """Kinds of entities that an executor has work from."""
 _OWN_API = frozenset(
     row.path for row in tables.ROWS if row.path.startswith("rclpy.") and row.kind in _SERVED and row.callbacks
@@ -82,7 +90,7 @@ def _idle(program: Program, node: Blueprint) -> _Idle | None:
     behind = [_spin_before(program, spell.place) for spell in spells]
     if served and all(behind):
         return _Idle(served, behind=behind[0])
-    if not all(spell.in_constructor and spell.lasting == FOR_A_MOMENT for spell in spells):
+    if not all(spell.in_constructor and spell.lasting == SpinDuration.A_MOMENT for spell in spells):
         return None
     if not all(spell.for_answer for spell in spells):
         # It may be just for what was there by then that the constructor spins.

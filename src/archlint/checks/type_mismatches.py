@@ -9,18 +9,20 @@ from archlint.analysis.coexistence import all_endpoints, conflicting_pairs, in_s
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.finding import Finding, Related
-from archlint.model import ACTION_CLIENT, ACTION_SERVER, CLIENT, PUBLISHER, SERVICE, SUBSCRIBER
+from archlint.model import (
+    EntityKind,
+)
 
 if TYPE_CHECKING:
     from archlint.systems.model import Connection, Endpoint, System
 
 _DOES = {
-    PUBLISHER: "publishes",
-    SUBSCRIBER: "subscribes to",
-    SERVICE: "serves",
-    CLIENT: "calls",
-    ACTION_SERVER: "serves",
-    ACTION_CLIENT: "calls",
+    EntityKind.PUBLISHER: "publishes",
+    EntityKind.SUBSCRIBER: "subscribes to",
+    EntityKind.SERVICE: "serves",
+    EntityKind.CLIENT: "calls",
+    EntityKind.ACTION_SERVER: "serves",
+    EntityKind.ACTION_CLIENT: "calls",
 }
 
 

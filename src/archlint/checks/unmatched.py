@@ -13,7 +13,9 @@ from archlint.checks.near_misses import nearly_equal
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.finding import Finding, Related
-from archlint.model import ACTION_CLIENT, ACTION_SERVER, CLIENT, PUBLISHER, SERVICE, SUBSCRIBER
+from archlint.model import (
+    EntityKind,
+)
 from archlint.ros.well_known import FOR_TOOLS, TYPES_OF_MANY_PUBLISHERS
 from archlint.systems.implicit import implicit_names
 
@@ -21,19 +23,19 @@ if TYPE_CHECKING:
     from archlint.systems.model import Connection, Endpoint, Node, System, WorkspaceIndex
 
 _PARTNER = {
-    PUBLISHER: SUBSCRIBER,
-    SUBSCRIBER: PUBLISHER,
-    SERVICE: CLIENT,
-    CLIENT: SERVICE,
-    ACTION_SERVER: ACTION_CLIENT,
-    ACTION_CLIENT: ACTION_SERVER,
+    EntityKind.PUBLISHER: EntityKind.SUBSCRIBER,
+    EntityKind.SUBSCRIBER: EntityKind.PUBLISHER,
+    EntityKind.SERVICE: EntityKind.CLIENT,
+    EntityKind.CLIENT: EntityKind.SERVICE,
+    EntityKind.ACTION_SERVER: EntityKind.ACTION_CLIENT,
+    EntityKind.ACTION_CLIENT: EntityKind.ACTION_SERVER,
 }
 
 
 @rule("TOP002", scope=Scope.SYSTEM)
 def topic_without_subscriber(system: System, options: Options) -> Iterator[Finding]:
     """Topics of a closed system that are published and that nobody subscribes to."""
-    for end in _lonely(system, options, system.topics, PUBLISHER):
+    for end in _lonely(system, options, system.topics, EntityKind.PUBLISHER):
         if end.name not in FOR_TOOLS and end.type not in TYPES_OF_MANY_PUBLISHERS:
             yield _finding(
                 "TOP002",
@@ -47,7 +49,7 @@ def topic_without_subscriber(system: System, options: Options) -> Iterator[Findi
 @rule("TOP003", scope=Scope.SYSTEM)
 def topic_without_publisher(system: System, options: Options) -> Iterator[Finding]:
     """Subscriptions of a closed system to topics that nobody publishes."""
-    for end in _lonely(system, options, system.topics, SUBSCRIBER):
+    for end in _lonely(system, options, system.topics, EntityKind.SUBSCRIBER):
         yield _finding(
             "TOP003",
             system,
@@ -60,7 +62,7 @@ def topic_without_publisher(system: System, options: Options) -> Iterator[Findin
 @rule("SRV001", scope=Scope.SYSTEM)
 def client_without_server(system: System, options: Options) -> Iterator[Finding]:
     """Clients of a closed system whose service nobody offers."""
-    for end in _lonely(system, options, system.services, CLIENT):
+    for end in _lonely(system, options, system.services, EntityKind.CLIENT):
         yield _finding(
             "SRV001",
             system,
@@ -73,7 +75,7 @@ def client_without_server(system: System, options: Options) -> Iterator[Finding]
 @rule("ACT001", scope=Scope.SYSTEM)
 def action_client_without_server(system: System, options: Options) -> Iterator[Finding]:
     """Action clients of a closed system whose action nobody offers."""
-    for end in _lonely(system, options, system.actions, ACTION_CLIENT):
+    for end in _lonely(system, options, system.actions, EntityKind.ACTION_CLIENT):
         yield _finding(
             "ACT001",
             system,
@@ -84,7 +86,9 @@ def action_client_without_server(system: System, options: Options) -> Iterator[F
         )
 
 
-def _lonely(system: System, options: Options, connections: Mapping[str, Connection], kind: str) -> Iterator[Endpoint]:
+def _lonely(
+    system: System, options: Options, connections: Mapping[str, Connection], kind: EntityKind
+) -> Iterator[Endpoint]:
     """Certain endpoints without a partner, one for each name; none where somebody unknown may be one."""
     if not whole(system):
         return

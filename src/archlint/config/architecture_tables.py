@@ -136,7 +136,7 @@ def _contract(value: Value, at: int) -> Contract:
     given = {key for key in fields if key not in ("name", "kind")}
     if not any(form.fits(given) for form in _FORMS[kind]):
         raise fault(f"a contract of kind `{kind}` has {'; or '.join(str(form) for form in _FORMS[kind])}")
-    connection = next((key for key in CONNECTIONS if key in given), "")
+    connection = next((key for key in CONNECTIONS if key in given), None)
     found = Contract(
         string(fields["name"]),
         kind,

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
+from typing import Any, TypeVar
 
 from archlint.config.toml_places import KeyPath, locate
 from archlint.finding import Severity
@@ -135,12 +135,16 @@ def unknown_rule(selector: str) -> str:
     return f"unknown rule `{selector}`{suggestion(selector)}"
 
 
-def one_of(words: tuple[str, ...]) -> Callable[[Value], str]:
-    def read(value: Value) -> str:
-        if value.value not in words:
-            near = did_you_mean(str(value.value), words, quote="")
-            raise value.error(f"`{'.'.join(value.path)}` must be one of {', '.join(words)}{near}")
-        return str(value.value)
+_Word = TypeVar("_Word", bound=str)
+
+
+def one_of(words: tuple[_Word, ...]) -> Callable[[Value], _Word]:
+    def read(value: Value) -> _Word:
+        for word in words:
+            if value.value == word:
+                return word
+        near = did_you_mean(str(value.value), words, quote="")
+        raise value.error(f"`{'.'.join(value.path)}` must be one of {', '.join(words)}{near}")
 
     return read
 

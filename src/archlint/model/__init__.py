@@ -6,24 +6,17 @@ Names here are still as the code gives them (relative, ``~``); :mod:`archlint.sy
 from __future__ import annotations
 
 from archlint.model.calls import ApiCall
-from archlint.model.executors import FOR_A_MOMENT, FOR_A_WHILE, TO_THE_END, ExecutorUse, Spell
+from archlint.model.executors import ExecutorUse, Spell, SpinDuration
 from archlint.model.messages import FieldUse, Passed, UnknownInterface
 from archlint.model.nodes import (
-    ACTION_CLIENT,
-    ACTION_SERVER,
-    CLIENT,
     ENDPOINT_KINDS,
-    GUARD,
     NAMED,
     NEVER_CONSTRUCTED,
-    PUBLISHER,
-    SERVICE,
-    SUBSCRIBER,
-    TIMER,
     Blueprint,
     Callback,
     ClassKey,
     Creation,
+    EntityKind,
     Frame,
     Group,
     ParameterDeclaration,
@@ -33,25 +26,15 @@ from archlint.model.programs import Program
 from archlint.model.texts import Resolution, Text
 
 __all__ = [
-    "ACTION_CLIENT",
-    "ACTION_SERVER",
-    "CLIENT",
     "ENDPOINT_KINDS",
-    "FOR_A_MOMENT",
-    "FOR_A_WHILE",
-    "GUARD",
     "NAMED",
     "NEVER_CONSTRUCTED",
-    "PUBLISHER",
-    "SERVICE",
-    "SUBSCRIBER",
-    "TIMER",
-    "TO_THE_END",
     "ApiCall",
     "Blueprint",
     "Callback",
     "ClassKey",
     "Creation",
+    "EntityKind",
     "ExecutorUse",
     "FieldUse",
     "Frame",
@@ -62,6 +45,7 @@ __all__ = [
     "Program",
     "Resolution",
     "Spell",
+    "SpinDuration",
     "Text",
     "UnknownInterface",
     "node_key",

@@ -3,18 +3,23 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
+from enum import IntEnum
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from archlint.finding import Place
     from archlint.model.nodes import Blueprint
 
-FOR_A_MOMENT = 0
-"""A spin that gives one thing a chance: one round, until a future is done, in the constructor of the node."""
-FOR_A_WHILE = 1
-"""A loop of spins that ends by itself."""
-TO_THE_END = 2
-"""A spin that lasts until the program ends."""
+
+class SpinDuration(IntEnum):
+    """How long a spin goes on, the shortest first."""
+
+    A_MOMENT = 0
+    """It gives one thing a chance: a single call, until a future is done, in the constructor of the node."""
+    A_WHILE = 1
+    """A loop of spins that ends by itself."""
+    TO_THE_END = 2
+    """Until the program ends."""
 
 
 @dataclass(frozen=True)
@@ -22,8 +27,7 @@ class Spell:
     """A spin that was given a node itself: its executor serves the node for that time only."""
 
     place: Place
-    lasting: int
-    """:data:`FOR_A_MOMENT`, :data:`FOR_A_WHILE` or :data:`TO_THE_END`."""
+    lasting: SpinDuration
     in_constructor: bool
     """True where the node's own constructor spins."""
     for_answer: bool
@@ -43,7 +47,7 @@ class ExecutorUse:
     place: Place | None
     in_thread: bool = False
     spun: bool = False
-    lasting: int = FOR_A_MOMENT
+    lasting: SpinDuration = SpinDuration.A_MOMENT
     """How long the most lasting of its spins goes on, as for :class:`Spell`."""
     spun_at: Place | None = None
     """The first call of those that spin it longest."""
@@ -52,7 +56,7 @@ class ExecutorUse:
     astray: bool = False
     """True where it was given a node that is not known."""
 
-    def lasts_for(self, node: Blueprint) -> int:
+    def lasts_for(self, node: Blueprint) -> SpinDuration:
         """How long it spins one of its nodes."""
         spells = self.spells.get(node)
         return self.lasting if spells is None else max(spell.lasting for spell in spells)

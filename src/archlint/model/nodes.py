@@ -6,6 +6,8 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
 
+from archlint.string_enum import StringEnum
+
 if TYPE_CHECKING:
     from archlint.branches import BranchArms
     from archlint.finding import Place
@@ -13,28 +15,33 @@ if TYPE_CHECKING:
     from archlint.ros.qos import Qos
     from archlint.syntax import facts
 
-PUBLISHER = "publisher"
-SUBSCRIBER = "subscriber"
-SERVICE = "service"
-CLIENT = "client"
-ACTION_SERVER = "action_server"
-ACTION_CLIENT = "action_client"
-TIMER = "timer"
-GUARD = "guard_condition"
+
+class EntityKind(StringEnum):
+    """What a create call makes, in the words of the graph's JSON."""
+
+    PUBLISHER = "publisher"
+    SUBSCRIBER = "subscriber"
+    SERVICE = "service"
+    CLIENT = "client"
+    ACTION_SERVER = "action_server"
+    ACTION_CLIENT = "action_client"
+    TIMER = "timer"
+    GUARD_CONDITION = "guard_condition"
+
 
 NEVER_CONSTRUCTED = "the node's constructor is not reached"
 """Why the name of an object of a node class is not known where nothing calls ``Node.__init__`` on it."""
 
 NAMED = {
-    PUBLISHER: "topic",
-    SUBSCRIBER: "topic",
-    SERVICE: "service",
-    CLIENT: "service",
-    ACTION_SERVER: "action",
-    ACTION_CLIENT: "action",
+    EntityKind.PUBLISHER: "topic",
+    EntityKind.SUBSCRIBER: "topic",
+    EntityKind.SERVICE: "service",
+    EntityKind.CLIENT: "service",
+    EntityKind.ACTION_SERVER: "action",
+    EntityKind.ACTION_CLIENT: "action",
 }
 """What the name of an endpoint is a name of."""
-ENDPOINT_KINDS = (PUBLISHER, SUBSCRIBER, SERVICE, CLIENT, ACTION_SERVER, ACTION_CLIENT)
+ENDPOINT_KINDS = tuple(NAMED)
 
 
 @dataclass(frozen=True)
@@ -99,7 +106,7 @@ class Creation:
     which: two creations in different arms of one branch exclude each other.
     """
 
-    kind: str
+    kind: EntityKind
     api: str
     """The call as rclpy knows it, such as ``rclpy.node.Node.create_publisher``."""
     node: Blueprint

@@ -5,7 +5,10 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
 
-from archlint.model.executors import FOR_A_MOMENT, FOR_A_WHILE, ExecutorUse
+from archlint.model.executors import (
+    ExecutorUse,
+    SpinDuration,
+)
 
 if TYPE_CHECKING:
     from archlint.finding import Place
@@ -50,6 +53,6 @@ class Program:
         moment says nothing of who spins the node later.
         """
         uses = [use for use in self.executors if use.spun and node in use.nodes]
-        least = FOR_A_WHILE if node.caller_unknown or not self.executable else FOR_A_MOMENT
+        least = SpinDuration.A_WHILE if node.caller_unknown or not self.executable else SpinDuration.A_MOMENT
         longest = max((use.lasts_for(node) for use in uses), default=least)
         return [use for use in uses if use.lasts_for(node) == longest >= least]

@@ -148,12 +148,12 @@ class _Recording(Struct):
 
 
 _ALL_KINDS = (
-    program.PUBLISHER,
-    program.SUBSCRIBER,
-    program.SERVICE,
-    program.CLIENT,
-    program.ACTION_SERVER,
-    program.ACTION_CLIENT,
+    program.EntityKind.PUBLISHER,
+    program.EntityKind.SUBSCRIBER,
+    program.EntityKind.SERVICE,
+    program.EntityKind.CLIENT,
+    program.EntityKind.ACTION_SERVER,
+    program.EntityKind.ACTION_CLIENT,
 )
 
 
@@ -217,7 +217,7 @@ def _of_bag(data: _Bag, file: str, text: str, digest: str) -> Observed:
         SeenTopic(topic.name, topic.type, tuple(one.profile() for one in _offered(topic)), places.of(topic.name))
         for topic in (one.topic_metadata for one in data.topics_with_message_count)
     ]
-    return Observed(file, BAG, digest, topics=tuple(topics), kinds=frozenset([program.PUBLISHER]))
+    return Observed(file, BAG, digest, topics=tuple(topics), kinds=frozenset([program.EntityKind.PUBLISHER]))
 
 
 def _offered(topic: _TopicMetadata) -> list[_Qos]:
@@ -274,22 +274,32 @@ def _of_monitor(data: _Graph, file: str, text: str, digest: str) -> Observed:
     """What no node at all has of a kind, the monitor does not watch: as of 2025 it tells of topics only."""
     places = _Places(file, text)
     nodes = tuple(SeenNode(node.name, tuple(_ends_of(node)), places.of(node.name)) for node in data.nodes)
-    watched = {end.kind for node in nodes for end in node.ends} - {program.PUBLISHER, program.SUBSCRIBER}
+    watched = {end.kind for node in nodes for end in node.ends} - {
+        program.EntityKind.PUBLISHER,
+        program.EntityKind.SUBSCRIBER,
+    }
     return Observed(
-        file, MONITOR, digest, nodes=nodes, kinds=frozenset({program.PUBLISHER, program.SUBSCRIBER, *watched})
+        file,
+        MONITOR,
+        digest,
+        nodes=nodes,
+        kinds=frozenset({program.EntityKind.PUBLISHER, program.EntityKind.SUBSCRIBER, *watched}),
     )
 
 
 def _ends_of(node: _Node) -> Iterable[SeenEnd]:
-    for kind, topics in ((program.PUBLISHER, node.publishers), (program.SUBSCRIBER, node.subscriptions)):
+    for kind, topics in (
+        (program.EntityKind.PUBLISHER, node.publishers),
+        (program.EntityKind.SUBSCRIBER, node.subscriptions),
+    ):
         for one in topics:
             type_ = one.type if isinstance(one.type, str) else one.type.name
             yield SeenEnd(kind, one.name, type_ or None, one.qos.profile() if one.qos else None)
     for kind, services in (
-        (program.SERVICE, node.service_servers),
-        (program.CLIENT, node.service_clients),
-        (program.ACTION_SERVER, node.action_servers),
-        (program.ACTION_CLIENT, node.action_clients),
+        (program.EntityKind.SERVICE, node.service_servers),
+        (program.EntityKind.CLIENT, node.service_clients),
+        (program.EntityKind.ACTION_SERVER, node.action_servers),
+        (program.EntityKind.ACTION_CLIENT, node.action_clients),
     ):
         for service in services:
             whole, suffix, _ = service.request_type.name.partition("_Request")

@@ -5,6 +5,8 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
 
+from archlint.model import EntityKind
+
 if TYPE_CHECKING:
     from archlint.finding import Place
     from archlint.ros.qos import Qos
@@ -26,7 +28,7 @@ class SeenEnd:
     is None where the middleware did not.
     """
 
-    kind: str
+    kind: EntityKind
     name: str
     type: str | None
     qos: Qos | None = None
@@ -77,7 +79,7 @@ class Observed:
     """A hash of the file's content."""
     nodes: tuple[SeenNode, ...] = ()
     topics: tuple[SeenTopic, ...] = ()
-    kinds: frozenset[str] = frozenset()
+    kinds: frozenset[EntityKind] = frozenset()
     settled: bool = True
 
 

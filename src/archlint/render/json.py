@@ -25,18 +25,18 @@ if TYPE_CHECKING:
 VERSION = 1
 
 _LISTS = {
-    "publishers": program.PUBLISHER,
-    "subscribers": program.SUBSCRIBER,
-    "services": program.SERVICE,
-    "clients": program.CLIENT,
-    "action_servers": program.ACTION_SERVER,
-    "action_clients": program.ACTION_CLIENT,
+    "publishers": program.EntityKind.PUBLISHER,
+    "subscribers": program.EntityKind.SUBSCRIBER,
+    "services": program.EntityKind.SERVICE,
+    "clients": program.EntityKind.CLIENT,
+    "action_servers": program.EntityKind.ACTION_SERVER,
+    "action_clients": program.EntityKind.ACTION_CLIENT,
 }
 _CALLBACK = {
-    program.SUBSCRIBER: "subscription",
-    program.SERVICE: "service",
-    program.ACTION_SERVER: "execute",
-    program.TIMER: "timer",
+    program.EntityKind.SUBSCRIBER: "subscription",
+    program.EntityKind.SERVICE: "service",
+    program.EntityKind.ACTION_SERVER: "execute",
+    program.EntityKind.TIMER: "timer",
 }
 """Which of an entity's callbacks is *the* callback."""
 

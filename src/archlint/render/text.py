@@ -18,12 +18,12 @@ from archlint.systems.overrides import Setting
 from archlint.visible import visible
 
 _VERBS = {
-    program.PUBLISHER: "publishes",
-    program.SUBSCRIBER: "subscribes",
-    program.SERVICE: "serves",
-    program.CLIENT: "calls",
-    program.ACTION_SERVER: "acts on",
-    program.ACTION_CLIENT: "sends goals",
+    program.EntityKind.PUBLISHER: "publishes",
+    program.EntityKind.SUBSCRIBER: "subscribes",
+    program.EntityKind.SERVICE: "serves",
+    program.EntityKind.CLIENT: "calls",
+    program.EntityKind.ACTION_SERVER: "acts on",
+    program.EntityKind.ACTION_CLIENT: "sends goals",
 }
 _ENDS = {
     "topic": ("published by", "subscribed by"),
@@ -133,7 +133,7 @@ def _where(endpoint: Endpoint) -> str:
 
 
 def _notes(endpoint: Endpoint) -> Iterator[str]:
-    if endpoint.qos is not None and endpoint.kind in (program.PUBLISHER, program.SUBSCRIBER):
+    if endpoint.qos is not None and endpoint.kind in (program.EntityKind.PUBLISHER, program.EntityKind.SUBSCRIBER):
         yield look.qos_words(endpoint.qos)
     if endpoint.parameter and endpoint.resolution == "parameter":
         yield f"from the parameter {endpoint.parameter}"

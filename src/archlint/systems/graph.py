@@ -18,17 +18,17 @@ SERVICE = "service"
 ACTION = "action"
 
 INTERFACE_OF = {
-    program.PUBLISHER: TOPIC,
-    program.SUBSCRIBER: TOPIC,
-    program.SERVICE: SERVICE,
-    program.CLIENT: SERVICE,
-    program.ACTION_SERVER: ACTION,
-    program.ACTION_CLIENT: ACTION,
+    program.EntityKind.PUBLISHER: TOPIC,
+    program.EntityKind.SUBSCRIBER: TOPIC,
+    program.EntityKind.SERVICE: SERVICE,
+    program.EntityKind.CLIENT: SERVICE,
+    program.EntityKind.ACTION_SERVER: ACTION,
+    program.EntityKind.ACTION_CLIENT: ACTION,
 }
 """What each kind of endpoint is an end of."""
 
-PROVIDERS = (program.PUBLISHER, program.SERVICE, program.ACTION_SERVER)
-_TOWARDS_NODE = (program.SUBSCRIBER, program.SERVICE, program.ACTION_SERVER)
+PROVIDERS = (program.EntityKind.PUBLISHER, program.EntityKind.SERVICE, program.EntityKind.ACTION_SERVER)
+_TOWARDS_NODE = (program.EntityKind.SUBSCRIBER, program.EntityKind.SERVICE, program.EntityKind.ACTION_SERVER)
 
 Key = tuple[str, str]
 """``(kind, name)``; what has no name goes by its class or kind and its place."""

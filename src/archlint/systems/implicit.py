@@ -22,19 +22,21 @@ IMPLICIT = "implicit"
 
 @dataclass(frozen=True)
 class _Entity:
-    kind: str
+    kind: program.EntityKind
     name: str
     type: str
     qos: Qos
 
 
 def _service(name: str, type_: str, profile: Qos = qos.DEFAULT) -> _Entity:
-    return _Entity(program.SERVICE, name, type_, profile)
+    return _Entity(program.EntityKind.SERVICE, name, type_, profile)
 
 
-_ROSOUT = _Entity(program.PUBLISHER, "/rosout", "rcl_interfaces/msg/Log", qos.ROSOUT)
-_PARAMETER_EVENTS = _Entity(program.PUBLISHER, "/parameter_events", "rcl_interfaces/msg/ParameterEvent", qos.PARAMETERS)
-_CLOCK = _Entity(program.SUBSCRIBER, "/clock", "rosgraph_msgs/msg/Clock", qos.CLOCK)
+_ROSOUT = _Entity(program.EntityKind.PUBLISHER, "/rosout", "rcl_interfaces/msg/Log", qos.ROSOUT)
+_PARAMETER_EVENTS = _Entity(
+    program.EntityKind.PUBLISHER, "/parameter_events", "rcl_interfaces/msg/ParameterEvent", qos.PARAMETERS
+)
+_CLOCK = _Entity(program.EntityKind.SUBSCRIBER, "/clock", "rosgraph_msgs/msg/Clock", qos.CLOCK)
 _PARAMETER_SERVICES = tuple(
     _service(f"~/{name}", f"rcl_interfaces/srv/{type_}", qos.PARAMETERS)
     for name, type_ in (
@@ -53,7 +55,7 @@ _LOGGER_SERVICES = (
 )
 """With ``enable_logger_service``, since Jazzy."""
 _LIFECYCLE = (
-    _Entity(program.PUBLISHER, "~/transition_event", "lifecycle_msgs/msg/TransitionEvent", qos.DEFAULT),
+    _Entity(program.EntityKind.PUBLISHER, "~/transition_event", "lifecycle_msgs/msg/TransitionEvent", qos.DEFAULT),
     *(
         _service(f"~/{name}", f"lifecycle_msgs/srv/{type_}")
         for name, type_ in (
@@ -121,7 +123,7 @@ def _endpoint(entity: _Entity, blueprint: Blueprint, node: Node) -> Endpoint:
     return Endpoint(creation, node, *astuple(_name(node, text, entity.kind)))
 
 
-def _name(node: Node, text: Text, kind: str) -> FinalName:
+def _name(node: Node, text: Text, kind: program.EntityKind) -> FinalName:
     """Remapped like any other, by what the node is started with."""
     if text.text is not None and text.text.startswith("~") and node.name is None:
         return FinalName(None, None, "unknown", reason="the node's name is not known")
@@ -131,10 +133,10 @@ def _name(node: Node, text: Text, kind: str) -> FinalName:
 
 def _of_actions(node: Node) -> Iterable[Endpoint]:
     """The three services and two topics of each action that has a known name."""
-    for endpoint in node.of_kind(program.ACTION_SERVER, program.ACTION_CLIENT):
+    for endpoint in node.of_kind(program.EntityKind.ACTION_SERVER, program.EntityKind.ACTION_CLIENT):
         if endpoint.name is None:
             continue
-        serves = endpoint.kind == program.ACTION_SERVER
+        serves = endpoint.kind == program.EntityKind.ACTION_SERVER
         for part, name in names.action_entities(endpoint.name).items():
             kind, profile = _ACTION_PARTS[part]
             kind = kind if serves else _OTHER_END[kind]
@@ -147,14 +149,17 @@ def _of_actions(node: Node) -> Iterable[Endpoint]:
 
 
 _ACTION_PARTS = {
-    "send_goal": (program.SERVICE, qos.DEFAULT),
-    "cancel_goal": (program.SERVICE, qos.DEFAULT),
-    "get_result": (program.SERVICE, qos.DEFAULT),
-    "feedback": (program.PUBLISHER, qos.DEFAULT),
-    "status": (program.PUBLISHER, qos.ACTION_STATUS),
+    "send_goal": (program.EntityKind.SERVICE, qos.DEFAULT),
+    "cancel_goal": (program.EntityKind.SERVICE, qos.DEFAULT),
+    "get_result": (program.EntityKind.SERVICE, qos.DEFAULT),
+    "feedback": (program.EntityKind.PUBLISHER, qos.DEFAULT),
+    "status": (program.EntityKind.PUBLISHER, qos.ACTION_STATUS),
 }
 """What an action server makes of each hidden name."""
-_OTHER_END = {program.SERVICE: program.CLIENT, program.PUBLISHER: program.SUBSCRIBER}
+_OTHER_END = {
+    program.EntityKind.SERVICE: program.EntityKind.CLIENT,
+    program.EntityKind.PUBLISHER: program.EntityKind.SUBSCRIBER,
+}
 _ACTION_SUFFIX = {"send_goal": "_SendGoal", "get_result": "_GetResult", "feedback": "_FeedbackMessage"}
 
 

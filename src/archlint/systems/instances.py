@@ -6,7 +6,12 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import astuple
 from typing import TYPE_CHECKING, Protocol
 
-from archlint.model import TIMER, Blueprint, Program, Text
+from archlint.model import (
+    Blueprint,
+    EntityKind,
+    Program,
+    Text,
+)
 from archlint.ros.remapping import RemapRule, rules_of_arguments
 from archlint.systems.model import Endpoint, Node, System
 from archlint.systems.resolution import NodeName, endpoint_name, node_init
@@ -106,7 +111,7 @@ def _endpoints(blueprint: Blueprint, node: Node, own: NodeName, rules: Sequence[
     return sorted(found.values(), key=_endpoint_order)
 
 
-_NO_ENDPOINT = (TIMER, "guard_condition")
+_NO_ENDPOINT = (EntityKind.TIMER, "guard_condition")
 
 
 def _endpoint_key(endpoint: Endpoint) -> tuple[object, ...]:

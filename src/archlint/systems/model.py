@@ -15,11 +15,21 @@ from archlint.workspace.test_code import FileRoles
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 
+    from archlint.architecture import ConnectionKind
     from archlint.branches import BranchArms
     from archlint.finding import Place
     from archlint.launch.load import LaunchLoader
     from archlint.launch.model import Launched, Started
-    from archlint.model import ApiCall, Blueprint, Callback, Creation, ParameterDeclaration, Program, Resolution
+    from archlint.model import (
+        ApiCall,
+        Blueprint,
+        Callback,
+        Creation,
+        EntityKind,
+        ParameterDeclaration,
+        Program,
+        Resolution,
+    )
     from archlint.observed.model import Comparison
     from archlint.ros.interfaces import InterfaceTable
     from archlint.ros.qos import Qos
@@ -49,7 +59,7 @@ class Endpoint:
     reason: str | None = None
 
     @property
-    def kind(self) -> str:
+    def kind(self) -> EntityKind:
         return self.creation.kind
 
     @property
@@ -131,7 +141,7 @@ class Node:
         """False for what only stands for a node that is not known: a helper that nothing here hands one."""
         return self.blueprint is None or not all(blueprint.caller_unknown for blueprint in self.blueprints)
 
-    def of_kind(self, *kinds: str) -> Iterator[Endpoint]:
+    def of_kind(self, *kinds: EntityKind) -> Iterator[Endpoint]:
         return (endpoint for endpoint in self.endpoints if endpoint.kind in kinds)
 
     @property
@@ -141,7 +151,7 @@ class Node:
     @property
     def timers(self) -> list[Creation]:
         """Each create call once, in source order."""
-        timers = (c for b in self.blueprints for c in b.creations if c.kind == program.TIMER)
+        timers = (c for b in self.blueprints for c in b.creations if c.kind == program.EntityKind.TIMER)
         return _once_for_each_place(timers)
 
     @property
@@ -155,8 +165,7 @@ class Connection:
     """All endpoints of one resolved topic, service or action name: ``providers`` are publishers or servers,
     ``users`` subscriptions or clients."""
 
-    kind: str
-    """``topic``, ``service`` or ``action``."""
+    kind: ConnectionKind
     name: str
     providers: list[Endpoint] = field(default_factory=list)
     users: list[Endpoint] = field(default_factory=list)
@@ -231,17 +240,17 @@ class System:
 
     @cached_property
     def topics(self) -> dict[str, Connection]:
-        return self._connections("topic", program.PUBLISHER, program.SUBSCRIBER)
+        return self._connections("topic", program.EntityKind.PUBLISHER, program.EntityKind.SUBSCRIBER)
 
     @cached_property
     def services(self) -> dict[str, Connection]:
-        return self._connections("service", program.SERVICE, program.CLIENT)
+        return self._connections("service", program.EntityKind.SERVICE, program.EntityKind.CLIENT)
 
     @cached_property
     def actions(self) -> dict[str, Connection]:
-        return self._connections("action", program.ACTION_SERVER, program.ACTION_CLIENT)
+        return self._connections("action", program.EntityKind.ACTION_SERVER, program.EntityKind.ACTION_CLIENT)
 
-    def _connections(self, kind: str, provider: str, user: str) -> dict[str, Connection]:
+    def _connections(self, kind: ConnectionKind, provider: EntityKind, user: EntityKind) -> dict[str, Connection]:
         found: dict[str, Connection] = {}
         for endpoint in (end for node in self.drawn for end in node.endpoints):
             if endpoint.kind not in (provider, user) or not endpoint.resolved or endpoint.error:

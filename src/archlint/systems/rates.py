@@ -5,7 +5,9 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from archlint.libraries.values import EntityValue
-from archlint.model import PUBLISHER
+from archlint.model import (
+    EntityKind,
+)
 
 if TYPE_CHECKING:
     from archlint.systems.model import System
@@ -24,6 +26,6 @@ def rates(system: System) -> dict[int, float]:
         if not timer.period or not isinstance(call.receiver, EntityValue) or len(call.receiver.creations) != 1:
             continue
         creation = call.receiver.creations[0]
-        if creation.kind == PUBLISHER:
+        if creation.kind == EntityKind.PUBLISHER:
             timers.setdefault(id(creation), {})[id(timer)] = 1 / timer.period
     return {key: sum(periods.values()) for key, periods in timers.items()}

@@ -5,7 +5,11 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
-from archlint.model import ACTION_CLIENT, ACTION_SERVER, CLIENT, SERVICE, Resolution, Text
+from archlint.model import (
+    EntityKind,
+    Resolution,
+    Text,
+)
 from archlint.ros import names, remapping
 from archlint.ros.names import InvalidName
 from archlint.ros.remapping import RemapRule
@@ -95,7 +99,7 @@ def _absolute(namespace: Text) -> Text:
     return replace(namespace, text=names.absolute_namespace(namespace.text))
 
 
-def endpoint_name(text: Text, kind: str, own: NodeName, rules: Sequence[RemapRule]) -> FinalName:
+def endpoint_name(text: Text, kind: EntityKind, own: NodeName, rules: Sequence[RemapRule]) -> FinalName:
     """Expand and remap ``text``; ``kind`` is the endpoint's kind."""
     weakest = _weakest(_parts(text, own))
     if text.text is not None and own.error is None and all(map(_known, (text, own.name, own.namespace))):
@@ -103,7 +107,7 @@ def endpoint_name(text: Text, kind: str, own: NodeName, rules: Sequence[RemapRul
     return _cautious(text, weakest, kind, own, rules)
 
 
-def _exact(name: str, weakest: Text, kind: str, own: NodeName, rules: Sequence[RemapRule]) -> FinalName:
+def _exact(name: str, weakest: Text, kind: EntityKind, own: NodeName, rules: Sequence[RemapRule]) -> FinalName:
     assert own.name.text is not None and own.namespace.text is not None
     node = (own.name.text, own.namespace.text)
     final = remapping.resolve(name, _rule_kind(kind), node, rules)
@@ -112,14 +116,14 @@ def _exact(name: str, weakest: Text, kind: str, own: NodeName, rules: Sequence[R
     return FinalName(shown, error, weakest.resolution, weakest.parameter)
 
 
-def _rule_kind(kind: str) -> str:
+def _rule_kind(kind: EntityKind) -> str:
     """Which rules apply to a kind of endpoint."""
-    if kind in (ACTION_SERVER, ACTION_CLIENT):
+    if kind in (EntityKind.ACTION_SERVER, EntityKind.ACTION_CLIENT):
         return remapping.ACTION
-    return remapping.SERVICE if kind in (SERVICE, CLIENT) else remapping.TOPIC
+    return remapping.SERVICE if kind in (EntityKind.SERVICE, EntityKind.CLIENT) else remapping.TOPIC
 
 
-def _cautious(text: Text, weakest: Text, kind: str, own: NodeName, rules: Sequence[RemapRule]) -> FinalName:
+def _cautious(text: Text, weakest: Text, kind: EntityKind, own: NodeName, rules: Sequence[RemapRule]) -> FinalName:
     """As ``_exact``, where a part is not known or wrong: what cannot be told is unknown."""
     if text.text is None or weakest.resolution == "unknown":
         return FinalName(None, None, "unknown", weakest.parameter, _reason(weakest, text, own))
@@ -168,7 +172,7 @@ def _expand(name: str, own: NodeName) -> str | InvalidName:
     return names.validate_full_name(expanded) or expanded
 
 
-def _remapped(final: FinalName, kind: str, own: NodeName, rules: Sequence[RemapRule]) -> FinalName:
+def _remapped(final: FinalName, kind: EntityKind, own: NodeName, rules: Sequence[RemapRule]) -> FinalName:
     """``final`` after the first rule that matches; unknown where a rule might match."""
     assert final.name is not None
     for rule in rules:

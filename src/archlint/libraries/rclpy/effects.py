@@ -19,14 +19,16 @@ def answer(run: Run, future: FutureValue) -> Value:
     """What a future gives."""
     if future.result is not None:
         return future.result
-    if future.api.endswith("send_goal_async") and any(c.kind == model.ACTION_CLIENT for c in future.creations):
+    if future.api.endswith("send_goal_async") and any(
+        c.kind == model.EntityKind.ACTION_CLIENT for c in future.creations
+    ):
         return EntityValue(future.creations, "rclpy.action.client.ClientGoalHandle", run.store.new_key())
     answers = {creation.type: _answer_of(run, creation, future.api) for creation in future.creations}
     return one_of(answers.values()) if answers else Unknown("what a future gives")
 
 
 def _answer_of(run: Run, creation: model.Creation, api: str) -> Value:
-    if creation.kind == model.ACTION_CLIENT:
+    if creation.kind == model.EntityKind.ACTION_CLIENT:
         return _action_answer(run, creation.type, api)
     if creation.type is None:
         return Unknown("the answer of a service of unknown type")

@@ -89,7 +89,9 @@ def _create(
     if alternative is not None:
         arms |= {(f"{place.file}:{place.line}:{place.column}|", alternative)}
     policies = (qos.history, qos.depth, qos.reliability, qos.durability)
-    base = (call.api.kind, id(blueprint), place, name.text, name.resolution, type_, policies)
+    kind = call.api.kind
+    assert kind is not None, "a row that makes an endpoint says of which kind"
+    base = (kind, id(blueprint), place, name.text, name.resolution, type_, policies)
     key = callbacks.told_apart(run, base, call)
     known = run.noted.creations.get(key)
     if known is not None:
@@ -101,7 +103,7 @@ def _create(
         return known
     places = argument_places(run, call.api, call.expression)
     creation = model.Creation(
-        call.api.kind,
+        kind,
         call.api.path,
         blueprint,
         place,
@@ -170,11 +172,11 @@ def timer(run: Run, call: ApiUse) -> Value:
     period, parameter = _seconds(call.get("timer_period_sec"))
     made = []
     for blueprint in nodes.nodes_of(run, call.receiver):
-        key = callbacks.told_apart(run, (model.TIMER, id(blueprint), place, period), call)
+        key = callbacks.told_apart(run, (model.EntityKind.TIMER, id(blueprint), place, period), call)
         creation = run.noted.creations.get(key)
         if creation is None:
             creation = model.Creation(
-                model.TIMER,
+                model.EntityKind.TIMER,
                 call.api.path,
                 blueprint,
                 place,
@@ -235,14 +237,14 @@ def transform_listener(run: Run, call: ApiUse) -> Value:
 
 
 def _subscription_of(path: str, qos: str, default: str) -> Api:
-    return Api(path, "", "endpoint", kind=model.SUBSCRIBER, qos=qos, default_qos=default)
+    return Api(path, "", "endpoint", kind=model.EntityKind.SUBSCRIBER, qos=qos, default_qos=default)
 
 
 def transform_buffer(run: Run, call: ApiUse) -> Value:
     """``Buffer(cache_time, node)`` offers the service ``tf2_frames`` on the node it is given."""
     node = call.get("node")
     if node is not None and not (isinstance(node, Known) and node.value is None):
-        row = Api(call.api.path, "", "endpoint", kind=model.SERVICE, default_qos="services_default")
+        row = Api(call.api.path, "", "endpoint", kind=model.EntityKind.SERVICE, default_qos="services_default")
         part = ApiUse(row, None, {}, call.expression, False, [], {})
         for blueprint in nodes.given_nodes(run, node):
             text = model.Text("tf2_frames", "exact")
@@ -262,7 +264,7 @@ _PARAMETER_SERVICES = (
 
 def parameter_client(run: Run, call: ApiUse) -> Value:
     """``AsyncParameterClient(node, 'other')``: a client for each of the six parameter services of the other."""
-    row = Api(call.api.path, "", "endpoint", kind=model.CLIENT, default_qos="services_default")
+    row = Api(call.api.path, "", "endpoint", kind=model.EntityKind.CLIENT, default_qos="services_default")
     made = []
     remote = call.get("remote_node_name") or Unknown("no name is given")
     for blueprint in nodes.given_nodes(run, call.get("node")):

@@ -92,7 +92,7 @@ def running(run: Run, node: model.Blueprint | None) -> model.ExecutorUse | None:
     return found[0] if len(found) == 1 else None
 
 
-def _spins(run: Run, use: model.ExecutorUse, call: ApiUse, lasting: int) -> None:
+def _spins(run: Run, use: model.ExecutorUse, call: ApiUse, lasting: model.SpinDuration) -> None:
     if not use.spun or lasting > use.lasting:
         use.spun_at = _place(run, call)
     use.spun = True
@@ -105,17 +105,17 @@ def _place(run: Run, call: ApiUse) -> Place:
     return run.context.place if call.expression is None else run.place(call.expression.span)
 
 
-def _lasting(run: Run, call: ApiUse, spun: Sequence[model.Blueprint]) -> int:
+def _lasting(run: Run, call: ApiUse, spun: Sequence[model.Blueprint]) -> model.SpinDuration:
     """How long a spin goes on, be it by itself or because a loop goes round it."""
     last = call.api.path.rpartition(".")[2]
     if last == "spin":
-        return model.TO_THE_END
+        return model.SpinDuration.TO_THE_END
     loops = [loop for one in run.activations for loop in one.loops]
     if last != "spin_once" or not loops or run.context.role not in _STARTED:
-        return model.FOR_A_MOMENT
+        return model.SpinDuration.A_MOMENT
     if any(_endless(loop) for loop in loops):
-        return model.TO_THE_END
-    return model.FOR_A_MOMENT if any(_makes(run, node) for node in spun) else model.FOR_A_WHILE
+        return model.SpinDuration.TO_THE_END
+    return model.SpinDuration.A_MOMENT if any(_makes(run, node) for node in spun) else model.SpinDuration.A_WHILE
 
 
 def _endless(loop: facts.While | facts.For) -> bool:
@@ -152,14 +152,14 @@ def spin(run: Run, call: ApiUse) -> Value:
             use = _new_use(run, "unknown", None, call) if unknown else _global_use(run)
         _spins(run, use, call, lasting)
         use.astray = use.astray or not spun
-        _note_own_executor(spun if lasting == model.TO_THE_END else ())
+        _note_own_executor(spun if lasting == model.SpinDuration.TO_THE_END else ())
         for node in spun:
             _visit(use, node, _spell(run, call, node, lasting))
     _serve(run, call)
     return Unknown("what a spin gives")
 
 
-def _spell(run: Run, call: ApiUse, node: model.Blueprint, lasting: int) -> model.Spell:
+def _spell(run: Run, call: ApiUse, node: model.Blueprint, lasting: model.SpinDuration) -> model.Spell:
     round_ = next((one.loops[-1] for one in reversed(run.activations) if one.loops), None)
     asked = isinstance(round_, facts.While) and any(called_name(one) == "done" for one in calls_in(round_.test))
     for_answer = asked or isinstance(call.get("future"), FutureValue)

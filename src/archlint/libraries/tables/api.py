@@ -6,6 +6,8 @@ from dataclasses import dataclass
 from functools import cached_property
 from typing import Literal
 
+from archlint.model import EntityKind
+
 EffectName = Literal[
     "none",
     # nodes and what is created on them
@@ -73,8 +75,8 @@ class Api:
     """Its parameters, separated by spaces; ``*`` starts those that go by keyword alone, and a ``?`` ends one that may
     be left out where the row is ``strict``."""
     effect: EffectName = "none"
-    kind: str = ""
-    """The kind of endpoint that it creates."""
+    kind: EntityKind | None = None
+    """What it creates."""
     variant: str = ""
     """Tells calls with the same effect from each other."""
     node: str | None = None

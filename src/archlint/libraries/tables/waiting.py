@@ -46,7 +46,7 @@ ROWS = (
         "rclpy.wait_for_message.wait_for_message",
         "msg_type node topic * qos_profile time_to_wait",
         effect="endpoint",
-        kind=model.SUBSCRIBER,
+        kind=model.EntityKind.SUBSCRIBER,
         node="node",
         type="msg_type",
         name="topic",
