@@ -16,6 +16,7 @@ MODULES: tuple[str, ...] = (
     "names",
     "nested_services",
     "node_names",
+    "only_thread",
     "ownership",
     "packages",
     "circles",

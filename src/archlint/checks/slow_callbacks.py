@@ -1,19 +1,20 @@
-"""EXE003, EXE004 and EXE007: callbacks that keep their thread while nothing else can run on it."""
+"""EXE003: callbacks that keep their thread while nothing else can run on it."""
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from archlint.analysis import blocking
+from archlint.analysis.aside import is_not_installed
 from archlint.analysis.assumptions import dotted
 from archlint.analysis.callback_roles import callback_words, related_to, runs_in_executor
 from archlint.analysis.deadlock import threads_of
 from archlint.analysis.loop_times import around_future, in_loops
-from archlint.analysis.reach import argument, calls_of, creations_of, judged_calls, node_name, one_for_each_place
-from archlint.analysis.sleeps import Stay, longest, stay_of
-from archlint.analysis.spins import spun_node
+from archlint.analysis.reach import argument, creations_of, judged_calls, node_name, one_for_each_place
+from archlint.analysis.sleeps import Stay, stay_of
 from archlint.analysis.stuck import clients_of_handlers, functions_that_ask
 from archlint.checks.folding import folds
 from archlint.checks.registry import Options, finding, rule
@@ -40,11 +41,8 @@ _HERE = "here it"
 
 _OF_PROCESS = ("subprocess.Popen.wait", "subprocess.Popen.communicate")
 _ENDS = frozenset({"terminate", "kill", "send_signal"})
+_KILLS = frozenset({"kill"})
 _TRIFLES = frozenset({"clear", "cls", "reset", ""})
-
-_RATE_SLEEP = "rclpy.timer.Rate.sleep"
-_LOOKUPS = ("tf2_ros.buffer.Buffer.lookup_transform", "tf2_ros.buffer.Buffer.can_transform")
-_LISTENER = "tf2_ros.transform_listener.TransformListener"
 
 
 # --------------------------------------------------------------------------------------------------- EXE003
@@ -74,7 +72,41 @@ def slow_callback(system: System, options: Options) -> Iterator[Finding]:
         known = rows.get(call.place)
         if known is None or len(call.chain) < len(known[1].chain):
             rows[call.place] = (program, call, stay)
-    yield from one_for_each_place(_slow(system, [rows[place] for place in sorted(rows)]) for rows in functions.values())
+    yield from one_for_each_place(
+        _slow(system, sorted(rows.values(), key=_longest_first))
+        for rows in functions.values()
+        if not all(_is_left_alone(program, call, stay) for program, call, stay in rows.values())
+    )
+
+
+def _longest_first(row: _Row) -> tuple[float, Place]:
+    """What is worst of a function's lines: that which ends nobody knows when, then the longest."""
+    _, call, stay = row
+    unknown = _UNSEEN if stay.kind == "sleep" else math.inf
+    return -(unknown if stay.seconds is None else stay.seconds), call.place
+
+
+_UNSEEN = 1.0
+"""Seconds that a sleep is taken for whose time is not known."""
+
+
+def _is_left_alone(program: Program, call: ApiCall, stay: Stay) -> bool:
+    """Whether nothing at all waits but the callback's own next turn, and a timer that is late loses nothing."""
+    period = _period(call.context)
+    if call.context.role not in _LOSES_NOTHING or (period is not None and (stay.seconds or 0.0) > period):
+        return False
+    return _waiting(call, program) == _NOBODY
+
+
+_LOSES_NOTHING = frozenset({"timer", "execute", "service"})
+
+
+def _is_no_program(system: System, callback: Callback) -> bool:
+    """Whether the callback's node is in a script of a package that installs others: nobody starts it."""
+    workspace, node = system.workspace, callback.node
+    loader = None if workspace is None else workspace.loader
+    file = callback.place.file if node is None else node.place.file
+    return loader is not None and loader.package_of(file) is not None and is_not_installed(workspace, file)
 
 
 def _stays(system: System) -> Iterator[_Row]:
@@ -82,7 +114,7 @@ def _stays(system: System) -> Iterator[_Row]:
         stay = stay_of(call) if runs_in_executor(call.context) else None
         if stay is None or _trifle(call) or not _is_long(system, call, stay) or _harmless(call.context, program):
             continue
-        if stay.seconds is not None and _is_told_to_end(call):
+        if _is_told_to_end(call, stay) or _is_no_program(system, call.context):
             continue
         yield program, call, stay
 
@@ -95,23 +127,17 @@ def _is_long(system: System, call: ApiCall, stay: Stay) -> bool:
     if stay.kind not in ("sleep", "process") or stay.seconds is None:
         return True
     period, seconds = _period(call.context), in_loops(call, stay, workspace=system.workspace)
-    known = call.looped or stay.kind == "process"
-    return seconds > MOMENT or (seconds == MOMENT and not known) or (period is not None and seconds > period)
+    return seconds > MOMENT or (period is not None and seconds > period)
 
 
-def _is_a_moment(call: ApiCall, stay: Stay) -> bool:
-    """Whether a sleep is just as long as is too long, once, and no longer than the timer's period."""
-    period = _period(call.context)
-    return stay.kind == "sleep" and stay.seconds == MOMENT and not call.looped and (period is None or period >= MOMENT)
-
-
-def _is_told_to_end(call: ApiCall) -> bool:
-    """Whether a process that is waited for has just been told to end: ``process.terminate(); process.wait(…)``."""
+def _is_told_to_end(call: ApiCall, stay: Stay) -> bool:
+    """Whether a process that is waited for has just been told to end: ``process.terminate(); process.wait(timeout=1)``.
+    Without a limit it has to be killed: only that cannot be ignored."""
     waited = None if call.expression is None else call.expression.func
     if not isinstance(waited, facts.Attribute) or call.api not in _OF_PROCESS:
         return False
-    name = dotted(waited.value)
-    ended = (one for one in calls_in(call.body) if isinstance(one.func, facts.Attribute) and one.func.attr in _ENDS)
+    name, ends = dotted(waited.value), _KILLS if stay.seconds is None else _ENDS
+    ended = (one for one in calls_in(call.body) if isinstance(one.func, facts.Attribute) and one.func.attr in ends)
     return name != "" and any(
         isinstance(one.func, facts.Attribute)
         and dotted(one.func.value) == name
@@ -167,6 +193,7 @@ def _takes_in_more(node: Blueprint, call: ApiCall, program: Program) -> bool:
     the answer that nothing is registered for, nor what the callback makes only after it has waited."""
     callback = call.context
     later = {id(one) for one in node.creations if _is_made_after(one, call)}
+    follow = _callbacks_that_follow(node, call)
     apart = threads_of(callback.node, program) == blocking.SEVERAL
     entities = (creation for creation in node.creations if creation.kind in _TAKE_IN and not creation.destroyed)
     return any(
@@ -177,6 +204,7 @@ def _takes_in_more(node: Blueprint, call: ApiCall, program: Program) -> bool:
         for creation in entities
     ) or any(
         one.place != callback.place
+        and one not in follow
         and id(one.creation) not in later
         and (one.creation is not callback.creation or one.role == "cancel")
         and runs_in_executor(one)
@@ -189,6 +217,26 @@ def _is_made_after(creation: Creation, call: ApiCall) -> bool:
     """Whether the function that waits makes something further down."""
     same = (creation.place.file, creation.function) == (call.file, call.function)
     return same and creation.context is call.context and not call.loops and creation.place > call.place
+
+
+def _callbacks_that_follow(node: Blueprint, call: ApiCall) -> list[Callback]:
+    """The done callbacks of futures that the waiting function makes further down, and of those that these make."""
+    follow: list[Callback] = []
+    rest = [one for one in node.callbacks if one.role == "done" and one.registered is not None]
+    span = getattr(call.body[-1], "span", None) if call.body and not call.loops else None
+    bodies = [] if span is None else [(call.place, span[2])]
+    while bodies:
+        start, end = bodies.pop()
+        for one in [one for one in rest if _is_between(one.registered, start, end)]:
+            rest.remove(one)
+            follow.append(one)
+            if one.function is not None:
+                bodies.append((one.place, one.function.span[2]))
+    return follow
+
+
+def _is_between(place: Place | None, start: Place, end_line: int) -> bool:
+    return place is not None and place.file == start.file and place > start and place.line <= end_line
 
 
 _OTHERS, _NOBODY, _UNKNOWN = "others", "nobody", "unknown"
@@ -210,7 +258,7 @@ def _slow(system: System, rows: Sequence[_Row]) -> Finding:
     if others:
         end += f", as {'does another line' if len(others) == 1 else f'do {len(others)} more lines'} of {call.function}"
     held_up = {_waiting(row[1], row[0]) for row in rows}
-    mild = _OTHERS not in held_up or all(_answers_in_time(row[1], row[2]) or _is_a_moment(*row[1:]) for row in rows)
+    mild = _OTHERS not in held_up or all(_answers_in_time(row[1], row[2]) for row in rows)
     meanwhile = _meanwhile(callback, program)
     if held_up == {_NOBODY}:
         meanwhile = f"the node has nothing else to do meanwhile, but its next {_ITS_NEXT[callback.role]} waits"
@@ -227,25 +275,41 @@ def _slow(system: System, rows: Sequence[_Row]) -> Finding:
         ),
         node=node_name(system, callback.node),
         identity=(callback.name, call.api),
-        group=(callback.place.file, str(callback.place.line), str(callback.place.column), callback.name),
+        group=_cause(callback, stay),
     )
     return replace(found, severity=Severity.INFO) if mild else found
 
 
+def _cause(callback: Callback, stay: Stay) -> tuple[str, ...]:
+    """What findings have in common that one change mends: the callback, which has to be taken apart; or a node that
+    asks the network in one callback as in the next, and needs another thread for that."""
+    node = callback.node
+    if stay.kind == "network" and node is not None:
+        return (*map(str, (node.place.file, node.place.line, node.place.column)), node.class_name)
+    return (callback.place.file, str(callback.place.line), str(callback.place.column), callback.name)
+
+
 @folds("EXE003")
-def _of_one_callback(findings: Sequence[Finding]) -> Finding:
-    """The finding for all functions with waits that one callback gets to: it has to be taken apart once."""
+def _of_one_cause(findings: Sequence[Finding]) -> Finding:
+    """The finding for all functions with waits that one callback gets to, or that a node waits for the network in."""
     first, *others = findings
-    here = [
-        line
-        for one in others
-        for line in (
-            Related(one.place, f"{_HERE} waits in {one.identity[1].rpartition('.')[2]}(), too"),
-            *(line for line in one.related if line.message.startswith(_HERE)),
+    same = [one for one in others if one.identity[0] == first.identity[0]]
+    callbacks = dict.fromkeys(one.identity[0] for one in others if one not in same)
+    message = first.message
+    if same:
+        more = "another function" if len(same) == 1 else f"{len(same)} more functions"
+        message += f"; it waits in {more}, too"
+    if callbacks:
+        message += (
+            f"; so it is with {'another callback' if len(callbacks) == 1 else f'{len(callbacks)} more callbacks'}"
         )
-    ]
-    more = "another function" if len(others) == 1 else f"{len(others)} more functions"
-    return replace(first, message=f"{first.message}; it waits in {more}, too", related=(*first.related, *here))
+    rows = [row for one in others for row in _rows_of(one, "it" if one in same else one.identity[0])]
+    return replace(first, message=message, related=(*first.related, *rows))
+
+
+def _rows_of(found: Finding, who: str) -> Iterator[Related]:
+    yield Related(found.place, f"here {who} waits in {found.identity[1].rpartition('.')[2]}(), too")
+    yield from (line for line in found.related if line.message.startswith(_HERE))
 
 
 def _answers_in_time(call: ApiCall, stay: Stay) -> bool:
@@ -259,7 +323,7 @@ def _instead(call: ApiCall, stay: Stay) -> str:
         return MAKE_IT_EARLIER
     if stay.kind == "discovery" and call.context.role in _ANSWERS - {"execute"}:
         return "look once, without waiting, and answer that it is not there"
-    if call.context.role == "service":
+    if call.context.role == "service" and stay.kind != "network":
         return "what takes its time is an action: its execute callback may take it"
     if call.context.role in _ANSWERS:
         return "spin the node with a MultiThreadedExecutor, and give what must go on a callback group of its own"
@@ -283,101 +347,3 @@ def _meanwhile(callback: Callback, program: Program) -> str:
     if threads == blocking.ONE:
         return "no other callback of the node runs meanwhile"
     return "on an executor with one thread no other callback runs meanwhile"
-
-
-# --------------------------------------------------------------------------------------------------- EXE004
-
-
-@rule("EXE004", scope=Scope.CODE)
-def rate_sleep_in_callback(system: System, options: Options) -> Iterator[Finding]:
-    """Rates that sleep on the only thread that could wake them."""
-    yield from one_for_each_place(
-        finding(
-            "EXE004",
-            call.place,
-            f"{callback_words(call.context)} sleeps on a Rate and {verdict.words}: the timer that wakes it needs the "
-            f"thread that sleeps{_unless_it_ran(call)}",
-            help="let a timer do the work step by step, or spin the node with a MultiThreadedExecutor",
-            related=tuple(related_to(call, program)),
-            node=node_name(system, call.context.node),
-            identity=(call.context.name, "Rate.sleep"),
-        )
-        for program, call in calls_of(system, (_RATE_SLEEP,))
-        if runs_in_executor(call.context)
-        for verdict in [_rate_verdict(call, program, options)]
-        if not verdict.safe and not verdict.unknown
-    )
-
-
-def _unless_it_ran(call: ApiCall) -> str:
-    """A Rate remembers that its timer ran while nobody slept: the first sleep after that ends at once."""
-    return "" if call.looped else "; if the timer ran before, it does not sleep at all"
-
-
-def _rate_verdict(call: ApiCall, program: Program, options: Options) -> blocking.Verdict:
-    threads = threads_of(call.context.node, program)
-    return blocking.look_up(blocking.RATE, threads, blocking.OTHER, "", options.distros)
-
-
-# --------------------------------------------------------------------------------------------------- EXE007
-
-
-@rule("EXE007", scope=Scope.CODE)
-def blocking_tf_lookup(system: System, options: Options) -> Iterator[Finding]:
-    """Transform lookups with a timeout on the only thread that could bring the transform."""
-    threaded = [
-        (program, spun_node(call, program)) for program, call in calls_of(system, (_LISTENER,)) if _spins_itself(call)
-    ]
-    yield from one_for_each_place(
-        finding(
-            "EXE007",
-            call.place,
-            f"{callback_words(call.context)} waits{_limit_words(call)} for a transform that cannot come meanwhile: "
-            f"the listener needs the thread that waits{_in_spite_of(threaded, program)}",
-            help="look up what is there now (no timeout) and try again next time; or wait_for_transform_async(); or "
-            "spin the node with a MultiThreadedExecutor",
-            related=tuple(related_to(call, program)),
-            node=node_name(system, call.context.node),
-            identity=(call.context.name, call.api),
-            group=(call.file, call.function, call.context.name),
-        )
-        for program, call in calls_of(system, _LOOKUPS)
-        if runs_in_executor(call.context)
-        and _waits(call)
-        and threads_of(call.context.node, program) == blocking.ONE
-        # A thread of its own helps a listener that has a node of its own: this node's executor takes the node from it.
-        and all(node is call.context.node for one, node in threaded if one is program)
-    )
-
-
-def _in_spite_of(threaded: Sequence[tuple[Program, Blueprint | None]], program: Program) -> str:
-    """What became of a thread that the listener was given; the node is that of the callback."""
-    if not any(one is program for one, _ in threaded):
-        return ""
-    return (
-        " (spin_thread=True does not help here: the executor that spins the node takes it from the listener's thread)"
-    )
-
-
-@folds("EXE007")
-def _of_one_function(findings: Sequence[Finding]) -> Finding:
-    """The finding for all lookups of a function: whether a transform is there, and then what it is."""
-    first, *others = findings
-    more = tuple(Related(one.place, "here it asks for a transform, too") for one in others)
-    return replace(first, related=(*first.related, *more))
-
-
-def _waits(call: ApiCall) -> bool:
-    seconds = longest(argument(call, "timeout"))
-    return seconds is not None and seconds > 0
-
-
-def _limit_words(call: ApiCall) -> str:
-    seconds = longest(argument(call, "timeout"))
-    return "" if seconds is None else f" {seconds:g} s"
-
-
-def _spins_itself(call: ApiCall) -> bool:
-    """``TransformListener(…, spin_thread=True)``, or an argument that may be true."""
-    value = argument(call, "spin_thread")
-    return value is not None and not (isinstance(value, Known) and not value.value)
