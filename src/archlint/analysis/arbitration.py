@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING
 
-from archlint.analysis.completeness import facts_at, walk
+from archlint.analysis.completeness import facts_at
 from archlint.analysis.kept import once
 from archlint.analysis.left_over import idle_methods, kept_calls
 from archlint.analysis.reach import creations_of
@@ -13,6 +13,7 @@ from archlint.model import (
     EntityKind,
 )
 from archlint.syntax import facts
+from archlint.syntax.parts import everything_in
 from archlint.syntax.walk import blocks_in, called_name, calls_in, parts_of, statements_of
 
 if TYPE_CHECKING:
@@ -105,8 +106,8 @@ class _Source:
         uses = [
             (method, part)
             for method in self.methods
-            for part in parts_of(method.body)
-            if isinstance(part, facts.Attribute) and part.attr == attribute and part.span[0] != made
+            for part in parts_of(method.body, facts.Attribute)
+            if part.attr == attribute and part.span[0] != made
         ]
         asked = [(method, self._on_the_way(method, part.span[0])) for method, part in uses]
         words = frozenset(word for _, some in asked for word in some)
@@ -125,7 +126,7 @@ class _Source:
 
 
 def _class_around(found: facts.Facts, place: Place) -> facts.Class | None:
-    around = [item for item in walk(found.body) if isinstance(item, facts.Class) and _is_in(place.line, item)]
+    around = [one for one in everything_in(found.body, facts.Class) if _is_in(place.line, one)]
     return max(around, key=lambda one: one.span[0], default=None)
 
 
@@ -151,27 +152,24 @@ def _sets(function: facts.Function | facts.Lambda | None) -> set[str]:
         return set()
     message = {param.name for param in function.params[1:]}
     found: set[str] = set()
-    for statement in statements_of(function.body):
-        if isinstance(statement, facts.Assign):
-            found.update(name for target in statement.targets for name in _of_self(target))
+    for statement in statements_of(function.body, facts.Assign):
+        found.update(name for target in statement.targets for name in _of_self(target))
     for call in calls_in(function.body):
-        given = [part for argument in call.args for part in parts_of(argument.value)]
-        if any(isinstance(part, facts.Name) and part.id in message for part in given):
+        given = [part for argument in call.args for part in parts_of(argument.value, facts.Name)]
+        if any(part.id in message for part in given):
             found.update(name for argument in call.args for name in _of_self(argument.value))
     return found
 
 
 def _of_self(expression: facts.Base) -> Iterator[str]:
-    for part in parts_of(expression):
-        if isinstance(part, facts.Attribute) and isinstance(part.value, facts.Name) and part.value.id == "self":
-            yield part.attr
+    return (part.attr for part in parts_of(expression, facts.Attribute) if part.value.variable == "self")
 
 
 def _guards(body: Sequence[facts.Stmt], line: int) -> Iterator[facts.Expr]:
     """The conditions of which one outcome keeps a body from getting to a line."""
     for statement in body:
         if not _is_in(line, statement):
-            if isinstance(statement, facts.If) and statement.body and _leaves(statement.body[-1]):
+            if isinstance(statement, facts.If) and statement.body and statement.body[-1].jumps:
                 yield statement.test
             continue
         if isinstance(statement, facts.While) or (isinstance(statement, facts.If) and not _speaks_anyway(statement)):
@@ -180,11 +178,6 @@ def _guards(body: Sequence[facts.Stmt], line: int) -> Iterator[facts.Expr]:
             if any(_is_in(line, one) for one in block):
                 yield from _guards(block, line)
         return
-
-
-def _leaves(statement: facts.Stmt) -> bool:
-    jumps = isinstance(statement, facts.Jump) and statement.kind != "pass"
-    return jumps or isinstance(statement, (facts.Return, facts.Raise))
 
 
 def _speaks_anyway(statement: facts.If) -> bool:

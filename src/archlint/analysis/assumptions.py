@@ -22,11 +22,8 @@ MOST = 6
 
 def dotted(expression: facts.Base) -> str:
     """``goal_handle`` and ``self.goal`` as written; empty for anything else."""
-    if isinstance(expression, facts.Name):
-        return expression.id
-    if isinstance(expression, facts.Attribute) and isinstance(expression.value, facts.Name):
-        return f"{expression.value.id}.{expression.attr}"
-    return ""
+    written = expression.dotted
+    return written if written.count(".") < 2 else ""
 
 
 def proven(conditions: Sequence[tuple[facts.Expr, bool]], followed: frozenset[str]) -> Known:
@@ -39,33 +36,31 @@ def proven(conditions: Sequence[tuple[facts.Expr, bool]], followed: frozenset[st
 
 def asked(conditions: Sequence[tuple[facts.Expr, bool]]) -> frozenset[str]:
     """The names that conditions ask for; attributes are left out, for they may change."""
-    return frozenset(part.id for test, _ in conditions for part in parts_of(test) if isinstance(part, facts.Name))
+    return frozenset(part.id for test, _ in conditions for part in parts_of(test, facts.Name))
 
 
 def variables(body: Sequence[facts.Stmt]) -> frozenset[str]:
     """The variables on which two places of a function depend together: asked twice, or set and asked."""
     asked: Counter[str] = Counter()
     for statement in statements_of(body):
-        if isinstance(statement, facts.If):
-            asked.update({dotted(part) for part in parts_of(statement.test)} - {""})
-        elif isinstance(statement, facts.Assign) and isinstance(statement.value, facts.Literal):
-            asked.update({dotted(target) for target in statement.targets} - {""})
+        match statement:
+            case facts.If(test=test):
+                asked.update({dotted(part) for part in parts_of(test)} - {""})
+            case facts.Assign(targets=targets, value=facts.Literal()):
+                asked.update({dotted(target) for target in targets} - {""})
     return frozenset(name for name, times in asked.items() if times > 1)
 
 
 def after(known: Known, fact: facts.Base, followed: frozenset[str]) -> Known:
     """What is known after a statement."""
-    if isinstance(fact, facts.Augmented):
-        return _without(known, dotted(fact.target))
-    if not isinstance(fact, facts.Assign):
-        return known
-    for target in fact.targets:
-        inside = target.elements if isinstance(target, facts.Sequence) else [target]
-        for one in inside:
-            known = _without(known, dotted(one))
-    names = [dotted(target) for target in fact.targets if dotted(target) in followed]
-    if isinstance(fact.value, facts.Literal):
-        return known | {(name, fact.value.value) for name in names}
+    match fact:
+        case facts.Augmented(target=target):
+            return _without(known, dotted(target))
+        case facts.Assign(targets=targets, value=value):
+            for one in (part for target in targets for part in target.unpacked):
+                known = _without(known, dotted(one))
+            if isinstance(value, facts.Literal):
+                known |= {(dotted(target), value.value) for target in targets if dotted(target) in followed}
     return known
 
 
@@ -75,12 +70,13 @@ def _without(known: Known, name: str) -> Known:
 
 def within(known: Known, test: facts.Expr, truth: bool, followed: frozenset[str]) -> Known | None:
     """What is known in an arm of an ``if``; None where what is known keeps out of it."""
-    if isinstance(test, facts.Unary) and test.op == "not":
-        return within(known, test.operand, not truth, followed)
-    if isinstance(test, facts.Boolean):
-        return _within_all(known, test, truth, followed)
-    if isinstance(test, facts.Compare) and test.ops in (["!="], ["is not"]):
-        test, truth = facts.Compare(test.left, ["is"], test.comparators, test.span), not truth
+    match test:
+        case facts.Unary(op="not"):
+            return within(known, test.operand, not truth, followed)
+        case facts.Boolean():
+            return _within_all(known, test, truth, followed)
+        case facts.Compare(ops=["!="] | ["is not"]):
+            test, truth = facts.Compare(test.left, ["is"], test.comparators, test.span), not truth
     key, value = _question(test)
     if key not in followed:
         return known
@@ -102,9 +98,9 @@ def _within_all(known: Known, test: facts.Boolean, truth: bool, followed: frozen
 
 def _question(test: facts.Expr) -> tuple[str, str]:
     """The variable that a condition asks for, and what it is compared with; empty for other conditions."""
-    if isinstance(test, facts.Compare) and len(test.comparators) == 1 and test.ops[0] in ("==", "is"):
-        other = test.comparators[0]
-        return (dotted(test.left), repr(other.value)) if isinstance(other, facts.Literal) else ("", "")
+    match test:
+        case facts.Compare(left=left, ops=["==" | "is"], comparators=[facts.Literal(value=constant)]):
+            return dotted(left), repr(constant)
     return dotted(test), ""
 
 

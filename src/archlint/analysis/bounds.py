@@ -42,45 +42,51 @@ class _Numbers:
         return own if tested is None else (max(own[0], tested[0]), min(own[1], tested[1]))
 
     def _own_range(self, e: facts.Expr, tests: Sequence[_Test], steps: int) -> _Range | None:
-        if isinstance(e, facts.Literal):
-            number = isinstance(e.value, (int, float)) and not isinstance(e.value, bool)
-            return (float(e.value), float(e.value)) if number and e.value is not None else None
-        if isinstance(e, facts.Name):
-            return self._of_variable(e.id, steps) if steps and e.id not in self._params else None
-        if isinstance(e, facts.Unary) and e.op in ("-", "+"):
-            found = self.range_of(e.operand, tests, steps)
-            return found if found is None or e.op == "+" else (-found[1], -found[0])
-        if isinstance(e, facts.Binary):
-            left, right = self.range_of(e.left, tests, steps), self.range_of(e.right, tests, steps)
-            return None if left is None or right is None else _combined(e.op, left, right)
-        if isinstance(e, facts.Conditional):
-            arms = [self.range_of(e.body, (*tests, (e.test, True)), steps)]
-            arms.append(self.range_of(e.orelse, (*tests, (e.test, False)), steps))
-            return _any_of(arms)
-        return self._of_call(e, tests, steps) if isinstance(e, facts.Call) else None
+        match e:
+            case facts.Literal():
+                number = e.number
+                return None if number is None else (number, number)
+            case facts.Name():
+                return self._of_variable(e.id, steps) if steps and e.id not in self._params else None
+            case facts.Unary(op="+"):
+                return self.range_of(e.operand, tests, steps)
+            case facts.Unary(op="-"):
+                negated = self.range_of(e.operand, tests, steps)
+                return None if negated is None else (-negated[1], -negated[0])
+            case facts.Binary():
+                left, right = self.range_of(e.left, tests, steps), self.range_of(e.right, tests, steps)
+                return None if left is None or right is None else _combined(e.op, left, right)
+            case facts.Conditional():
+                arms = [self.range_of(e.body, (*tests, (e.test, True)), steps)]
+                arms.append(self.range_of(e.orelse, (*tests, (e.test, False)), steps))
+                return _any_of(arms)
+            case facts.Call():
+                return self._of_call(e, tests, steps)
+        return None
 
     def _of_call(self, e: facts.Call, tests: Sequence[_Test], steps: int) -> _Range | None:
-        if not isinstance(e.func, facts.Name) or any(one.keyword or one.star for one in e.args) or not e.args:
+        function = e.func.variable
+        if any(one.keyword or one.star for one in e.args) or not e.args:
             return None
         given = [self.range_of(one.value, tests, steps) for one in e.args]
         known = [one for one in given if one is not None]
-        if e.func.id == "min" and known and len(given) > 1:
+        if function == "min" and known and len(given) > 1:
             low = min(one[0] for one in known) if len(known) == len(given) else -math.inf
             return low, min(one[1] for one in known)
-        if e.func.id == "abs" and len(given) == 1 and not known:
+        if function == "abs" and len(given) == 1 and not known:
             return 0.0, math.inf
         if len(known) < len(given):
             return None
-        if e.func.id == "max" and len(given) > 1:
+        if function == "max" and len(given) > 1:
             return max(one[0] for one in known), max(one[1] for one in known)
-        if e.func.id == "abs" and len(given) == 1:
+        if function == "abs" and len(given) == 1:
             return 0.0, max(abs(known[0][0]), abs(known[0][1]))
-        return known[0] if e.func.id == "float" and len(given) == 1 else None
+        return known[0] if function == "float" and len(given) == 1 else None
 
     def _of_variable(self, name: str, steps: int) -> _Range | None:
         """Of all assignments to a variable together; each holds under the conditions around it."""
         values = list(_assigned(name, self._body, ()))
-        walrus = (part for part in parts_of(list(self._body)) if isinstance(part, facts.Assigned))
+        walrus = parts_of(list(self._body), facts.Assigned)
         if not values or any(value is None for value, _ in values) or any(name in names_in(w.target) for w in walrus):
             return None
         return _any_of([self.range_of(value, tests, steps - 1) for value, tests in values if value is not None])
@@ -94,17 +100,19 @@ def _assigned(
     A condition is kept only where nothing in its branch sets what it asks for anew.
     """
     for statement in block:
-        if isinstance(statement, facts.Assign):
-            for target in statement.targets:
-                if isinstance(target, facts.Name) and target.id == name:
-                    yield statement.value, tests
-                elif name in names_in(target):
+        match statement:
+            case facts.Assign():
+                for target in statement.targets:
+                    if target.variable == name:
+                        yield statement.value, tests
+                    elif name in names_in(target):
+                        yield None, ()
+            case facts.Annotated(value=value) if value is not None:
+                if statement.target.variable == name:
+                    yield value, tests
+            case _:
+                if name in _names_bound(statement):
                     yield None, ()
-        elif isinstance(statement, facts.Annotated) and statement.value is not None:
-            if isinstance(statement.target, facts.Name) and statement.target.id == name:
-                yield statement.value, tests
-        elif name in _names_bound(statement):
-            yield None, ()
         if isinstance(statement, facts.If):
             yield from _assigned(name, statement.body, _with(tests, statement.test, True, statement.body))
             yield from _assigned(name, statement.orelse, _with(tests, statement.test, False, statement.orelse))
@@ -120,31 +128,26 @@ def _with(tests: tuple[_Test, ...], test: facts.Expr, holds: bool, branch: Seque
 
 
 def _names_changed(statement: facts.Stmt) -> frozenset[str]:
-    if isinstance(statement, facts.Assign):
-        return frozenset(name for target in statement.targets for name in _roots(target))
-    if isinstance(statement, (facts.Augmented, facts.Annotated, facts.For)):
-        return _roots(statement.target)
+    """The variables that an assignment changes, be it an attribute of their object."""
+    match statement:
+        case facts.Assign(targets=targets):
+            return frozenset(name for target in targets for name in names_in(target.root))
+        case facts.Augmented(target=target) | facts.Annotated(target=target) | facts.For(target=target):
+            return names_in(target.root)
     return frozenset()
-
-
-def _roots(target: facts.Expr) -> frozenset[str]:
-    """The variable that an assignment changes, be it an attribute of its object."""
-    while isinstance(target, (facts.Attribute, facts.Subscript)):
-        target = target.value
-    return names_in(target)
 
 
 def _names_bound(statement: facts.Stmt) -> frozenset[str]:
     """The names that the head of a statement binds."""
-    if isinstance(statement, (facts.Augmented, facts.For)):
-        return names_in(statement.target)
-    if isinstance(statement, facts.With):
-        targets = [item.target for item in statement.items if item.target is not None]
-        return frozenset(name for target in targets for name in names_in(target))
-    if isinstance(statement, facts.Global):
-        return frozenset(statement.names)
-    if isinstance(statement, facts.Try):
-        return frozenset(handler.name for handler in statement.handlers if handler.name)
+    match statement:
+        case facts.Augmented(target=target) | facts.For(target=target):
+            return names_in(target)
+        case facts.With(items=items):
+            return frozenset(name for item in items if item.target is not None for name in names_in(item.target))
+        case facts.Global(names=names):
+            return frozenset(names)
+        case facts.Try(handlers=handlers):
+            return frozenset(handler.name for handler in handlers if handler.name)
     return frozenset()
 
 
@@ -180,7 +183,7 @@ def _tested(e: facts.Expr, tests: Sequence[_Test]) -> _Range | None:
     for test, holds in tests:
         for left, op, right in _comparisons(test, holds):
             for one, other, below, above in ((left, right, _BELOW, _ABOVE), (right, left, _ABOVE, _BELOW)):
-                limit = _literal(other)
+                limit = other.number
                 if limit is None or not written_alike(one, e):
                     continue
                 found = found or op in below or op in above
@@ -194,24 +197,17 @@ _OPPOSITE = {"<": ">=", "<=": ">", ">": "<=", ">=": "<"}
 
 def _comparisons(test: facts.Expr, holds: bool) -> Iterator[tuple[facts.Expr, str, facts.Expr]]:
     """The comparisons that are true where a condition comes out so."""
-    if isinstance(test, facts.Unary) and test.op == "not":
-        yield from _comparisons(test.operand, not holds)
-    elif isinstance(test, facts.Boolean) and (test.op == "and") == holds:
-        for value in test.values:
-            yield from _comparisons(value, holds)
-    elif isinstance(test, facts.Compare) and (holds or len(test.ops) == 1):
-        ends = [test.left, *test.comparators]
-        for left, op, right in zip(ends, test.ops, ends[1:], strict=False):
-            if op in _OPPOSITE:
-                yield left, op if holds else _OPPOSITE[op], right
-
-
-def _literal(e: facts.Expr) -> float | None:
-    if isinstance(e, facts.Unary) and e.op == "-":
-        found = _literal(e.operand)
-        return None if found is None else -found
-    number = isinstance(e, facts.Literal) and isinstance(e.value, (int, float)) and not isinstance(e.value, bool)
-    return float(e.value) if number else None  # type: ignore[union-attr, arg-type]
+    match test:
+        case facts.Unary(op="not"):
+            yield from _comparisons(test.operand, not holds)
+        case facts.Boolean() if (test.op == "and") == holds:
+            for value in test.values:
+                yield from _comparisons(value, holds)
+        case facts.Compare() if holds or len(test.ops) == 1:
+            ends = [test.left, *test.comparators]
+            for left, op, right in zip(ends, test.ops, ends[1:], strict=False):
+                if op in _OPPOSITE:
+                    yield left, op if holds else _OPPOSITE[op], right
 
 
 def written_alike(one: object, other: object) -> bool:

@@ -10,6 +10,7 @@ import msgspec
 from archlint.analysis.kept import once_for_each_file
 from archlint.finding import Place
 from archlint.syntax import facts
+from archlint.syntax.parts import everything_in
 
 if TYPE_CHECKING:
     from archlint.model import Blueprint
@@ -64,30 +65,25 @@ def declares_all(workspace: WorkspaceIndex | None, blueprint: Blueprint) -> bool
     for name in waiting:
         cls = classes.get(name)
         for base in cls.bases if cls is not None else ():
-            text = _last(base.value)
-            if text is None or (text not in _NODE_BASES and text not in classes and text not in local):
+            text = base.value.last_name
+            if not text or (text not in _NODE_BASES and text not in classes and text not in local):
                 return False
             if text in classes and text not in waiting:
                 waiting.append(text)
     return True
 
 
-def _last(value: facts.Expr) -> str | None:
-    if isinstance(value, facts.Attribute):
-        return value.attr
-    return value.id if isinstance(value, facts.Name) else None
-
-
 @once_for_each_file
 def _classes(found: facts.Facts) -> dict[str, facts.Class]:
-    return {item.name: item for item in walk(found.body) if isinstance(item, facts.Class)}
+    """The classes of a file by name; of several of one name the first."""
+    return {item.name: item for item in reversed(list(everything_in(found.body, facts.Class)))}
 
 
 @once_for_each_file
 def _defined_and_imported(found: facts.Facts) -> tuple[frozenset[str], tuple[facts.ImportFrom, ...]]:
-    items = list(walk(found.body))
-    names = frozenset(item.name for item in items if isinstance(item, (facts.Class, facts.Function)))
-    return names, tuple(item for item in items if isinstance(item, facts.ImportFrom))
+    classes, functions = everything_in(found.body, facts.Class), everything_in(found.body, facts.Function)
+    names = frozenset(item.name for items in (classes, functions) for item in items)
+    return names, tuple(everything_in(found.body, facts.ImportFrom))
 
 
 def _ours(workspace: WorkspaceIndex, file: str) -> set[str]:
@@ -104,19 +100,15 @@ def _ours(workspace: WorkspaceIndex, file: str) -> set[str]:
 @once_for_each_file
 def called_names(found: facts.Facts) -> frozenset[str]:
     """The last names of all that a file calls."""
-    calls = (item.func for item in walk(found.body) if isinstance(item, facts.Call))
-    return frozenset(name for name in map(_last, calls) if name is not None)
+    return frozenset(call.func.last_name for call in everything_in(found.body, facts.Call)) - {""}
 
 
 def enclosing_function(workspace: WorkspaceIndex, place: Place) -> facts.Function | None:
     """The innermost function that a place is in."""
     found = facts_at(workspace, place.file)
-    inner: facts.Function | None = None
-    for item in walk(found.body) if found is not None else ():
-        around = isinstance(item, facts.Function) and item.span[0] <= place.line <= item.span[2]
-        if around and isinstance(item, facts.Function) and (inner is None or item.span[0] >= inner.span[0]):
-            inner = item
-    return inner
+    functions = everything_in([] if found is None else found.body, facts.Function)
+    around = [one for one in functions if one.span[0] <= place.line <= one.span[2]]
+    return max(around, key=lambda one: one.span[0], default=None)
 
 
 def enclosing_class(workspace: WorkspaceIndex | None, place: Place) -> str | None:
@@ -128,7 +120,7 @@ def enclosing_class(workspace: WorkspaceIndex | None, place: Place) -> str | Non
 
 @once_for_each_file
 def _every_class(found: facts.Facts) -> tuple[facts.Class, ...]:
-    return tuple(item for item in walk(found.body) if isinstance(item, facts.Class))
+    return tuple(everything_in(found.body, facts.Class))
 
 
 __all__ = [

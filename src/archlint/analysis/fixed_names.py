@@ -36,38 +36,33 @@ def must_be_absolute(workspace: WorkspaceIndex | None, endpoint: Endpoint) -> bo
 def _kept_by(workspace: WorkspaceIndex, file: str, body: Sequence[facts.Stmt]) -> Iterator[Sequence[facts.Stmt]]:
     """The statements of a file that set what a body loops over: ``self.topics = checked(topics)`` for
     ``for topic in self.topics``."""
-    loops = (one.iterable for one in statements_of(body) if isinstance(one, facts.For))
-    kept = {one.attr for one in loops if isinstance(one, facts.Attribute)}
+    kept = {loop.iterable.attribute for loop in statements_of(body, facts.For)} - {""}
     found = None if workspace.loader is None else workspace.loader.facts_at(file)
-    for one in everything_in([] if found is None or not kept else found.body):
-        targets = one.targets if isinstance(one, facts.Assign) and isinstance(one.value, facts.Call) else []
-        if any(isinstance(target, facts.Attribute) and target.attr in kept for target in targets):
-            assert isinstance(one, facts.Assign)
+    for one in everything_in([] if found is None or not kept else found.body, facts.Assign):
+        if isinstance(one.value, facts.Call) and any(target.attribute in kept for target in one.targets):
             yield [one]
 
 
 def _demands(body: Sequence[facts.Stmt]) -> bool:
     """Whether a body has ``if not name.startswith('/'): raise …``."""
     return any(
-        isinstance(one, facts.If)
-        and any(isinstance(inner, facts.Raise) for inner in one.body)
-        and any(_is_relative(part) for part in parts_of(one.test))
-        for one in statements_of(body)
+        any(isinstance(inner, facts.Raise) for inner in one.body)
+        and any(_is_relative(part) for part in parts_of(one.test, facts.Unary))
+        for one in statements_of(body, facts.If)
     )
 
 
-def _is_relative(test: object) -> bool:
-    if not (isinstance(test, facts.Unary) and test.op == "not" and isinstance(test.operand, facts.Call)):
+def _is_relative(test: facts.Unary) -> bool:
+    asked = test.operand
+    if test.op != "not" or not isinstance(asked, facts.Call):
         return False
-    given = [one.value for one in test.operand.args]
-    slash = len(given) == 1 and isinstance(given[0], facts.Literal) and given[0].value == "/"
-    return slash and called_name(test.operand) == "startswith"
+    return called_name(asked) == "startswith" and [one.value.text for one in asked.args] == ["/"]
 
 
 def _called(workspace: WorkspaceIndex, file: str, body: Sequence[facts.Stmt]) -> Iterator[Sequence[facts.Stmt]]:
     """The bodies of the functions that a body gives something to, be they of the same file or imported from one of the
     workspace."""
-    given = {called_name(one) for one in calls_in(list(body)) if one.args and isinstance(one.func, facts.Name)}
+    given = {one.func.variable for one in calls_in(list(body)) if one.args} - {""}
     found = None if workspace.loader is None else workspace.loader.facts_at(file)
     if workspace.loader is None or found is None:
         return

@@ -4,9 +4,10 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from archlint.analysis.completeness import facts_at, walk
+from archlint.analysis.completeness import facts_at
 from archlint.finding import Place
 from archlint.syntax import facts
+from archlint.syntax.parts import everything_in
 
 if TYPE_CHECKING:
     from archlint.model import Blueprint
@@ -19,16 +20,15 @@ def read_off(workspace: WorkspaceIndex | None, node: Blueprint) -> list[str]:
     found = None if workspace is None or node.made_at is None else facts_at(workspace, node.made_at.file)
     if workspace is None or found is None or node.made_at is None:
         return []
-    items = list(walk(found.body))
-    kept = [one.targets for one in items if isinstance(one, facts.Assign) and _makes(one.value, node.made_at)]
+    attributes = list(everything_in(found.body, facts.Attribute))
+    kept = [one.targets for one in everything_in(found.body, facts.Assign) if _makes(one.value, node.made_at)]
     target = kept[0][0] if kept and len(kept[0]) == 1 else None
     if not isinstance(target, facts.Attribute):
         return []
-    uses = [one for one in items if isinstance(one, facts.Attribute) and one.attr == target.attr and one != target]
-    reads = [one for one in items if isinstance(one, facts.Attribute) and _is_use(one.value, target.attr)]
-    stored = [one.targets for one in items if isinstance(one, facts.Assign)]
-    stored += [[one.target] for one in items if isinstance(one, (facts.Augmented, facts.Annotated, facts.For))]
-    changed = any(one in reads for targets in stored for part in targets for one in walk(part))
+    uses = [one for one in attributes if one.attr == target.attr and one != target]
+    reads = [one for one in attributes if one.value.attribute == target.attr]
+    stored = (one for statement in everything_in(found.body) for one in statement.assigned)
+    changed = any(part in reads for one in stored for part in everything_in(one, facts.Attribute))
     read = {one.attr for one in reads}
     if changed or not read or len(reads) < len(uses) or not all(_is_attribute(workspace, node, name) for name in read):
         return []
@@ -39,21 +39,13 @@ def _makes(value: facts.Expr, place: Place) -> bool:
     return isinstance(value, facts.Call) and Place.of(place.file, value.span) == place
 
 
-def _is_use(value: facts.Expr, name: str) -> bool:
-    return isinstance(value, facts.Attribute) and value.attr == name
-
-
 def _is_attribute(workspace: WorkspaceIndex, node: Blueprint, name: str) -> bool:
     """Whether the node's class sets an attribute of this name on itself: a method is not one."""
     for place, qualified in node.classes:
         found = facts_at(workspace, place.file)
-        classes = (one for one in walk([] if found is None else found.body) if isinstance(one, facts.Class))
+        classes = everything_in([] if found is None else found.body, facts.Class)
         for cls in (one for one in classes if one.name == qualified.rpartition(".")[2]):
-            targets = (target for one in walk(cls) if isinstance(one, facts.Assign) for target in one.targets)
-            if any(isinstance(one, facts.Attribute) and _is_self(one.value) and one.attr == name for one in targets):
+            targets = (target for one in everything_in(cls, facts.Assign) for target in one.targets)
+            if any(one.dotted == f"self.{name}" for one in targets):
                 return True
     return False
-
-
-def _is_self(value: facts.Expr) -> bool:
-    return isinstance(value, facts.Name) and value.id == "self"

@@ -19,14 +19,29 @@ class Base(msgspec.Struct, frozen=True, array_like=True, gc=False):
         return ""
 
     @property
-    def last_name(self) -> str:
-        """``publish`` of ``self.publisher.publish``; empty for what is no name or attribute."""
-        return ""
-
-    @property
     def variable(self) -> str:
         """The name of a plain variable; empty for anything else."""
         return ""
+
+    @property
+    def attribute(self) -> str:
+        """``publish`` of ``self.publisher.publish``; empty for what is no attribute."""
+        return ""
+
+    @property
+    def last_name(self) -> str:
+        """The name of a variable or an attribute; empty for anything else."""
+        return self.variable or self.attribute
+
+    @property
+    def root(self) -> Base:
+        """What attributes and items are of, in the end: ``x`` of ``x.position[0].y``; anything else itself."""
+        return self
+
+    @property
+    def unpacked(self) -> list[Expr]:
+        """The targets that an assignment to this sets: those of a display, or just itself."""
+        return [self]  # type: ignore[list-item]
 
     @property
     def text(self) -> str | None:
@@ -35,12 +50,22 @@ class Base(msgspec.Struct, frozen=True, array_like=True, gc=False):
 
     @property
     def number(self) -> float | None:
-        """The number of a literal; True and False are none."""
+        """The number of a literal, be it below zero; True and False are none."""
         return None
 
     @property
     def is_true(self) -> bool:
         """Whether this is the literal ``True``."""
+        return False
+
+    @property
+    def assigned(self) -> list[Expr]:
+        """The targets that an assignment or a ``for`` sets."""
+        return []
+
+    @property
+    def jumps(self) -> bool:
+        """Whether this is a statement after which nothing of its block runs."""
         return False
 
 
@@ -73,10 +98,6 @@ class Name(Base, frozen=True, tag="name"):
         return self.id
 
     @property
-    def last_name(self) -> str:
-        return self.id
-
-    @property
     def variable(self) -> str:
         return self.id
 
@@ -94,8 +115,12 @@ class Attribute(Base, frozen=True, tag="attr"):
         return f"{owner}.{self.attr}" if owner else ""
 
     @property
-    def last_name(self) -> str:
+    def attribute(self) -> str:
         return self.attr
+
+    @property
+    def root(self) -> Base:
+        return self.value.root
 
 
 class Argument(Base, frozen=True):
@@ -116,6 +141,10 @@ class Subscript(Base, frozen=True, tag="sub"):
     value: Expr
     index: Expr
     span: Span
+
+    @property
+    def root(self) -> Base:
+        return self.value.root
 
 
 class Slice(Base, frozen=True, tag="slice"):
@@ -139,6 +168,11 @@ class Unary(Base, frozen=True, tag="un"):
     op: str
     operand: Expr
     span: Span
+
+    @property
+    def number(self) -> float | None:
+        number = self.operand.number if self.op == "-" else None
+        return None if number is None else -number
 
 
 class Boolean(Base, frozen=True, tag="bool"):
@@ -186,6 +220,10 @@ class Sequence(Base, frozen=True, tag="seq"):
     kind: str
     elements: list[Expr]
     span: Span
+
+    @property
+    def unpacked(self) -> list[Expr]:
+        return self.elements
 
 
 class Mapping(Base, frozen=True, tag="dict"):

@@ -58,6 +58,10 @@ class Assign(Base, frozen=True, tag="="):
     value: Expr
     span: Span
 
+    @property
+    def assigned(self) -> list[Expr]:
+        return self.targets
+
 
 class Annotated(Base, frozen=True, tag=":"):
     """``target: annotation [= value]``."""
@@ -67,6 +71,10 @@ class Annotated(Base, frozen=True, tag=":"):
     value: Expr | None
     span: Span
 
+    @property
+    def assigned(self) -> list[Expr]:
+        return [self.target]
+
 
 class Augmented(Base, frozen=True, tag="+="):
     """``target op= value``; ``op`` without the equals sign."""
@@ -75,6 +83,10 @@ class Augmented(Base, frozen=True, tag="+="):
     op: str
     value: Expr
     span: Span
+
+    @property
+    def assigned(self) -> list[Expr]:
+        return [self.target]
 
 
 class Expression(Base, frozen=True, tag="expr"):
@@ -86,10 +98,18 @@ class Return(Base, frozen=True, tag="return"):
     value: Expr | None
     span: Span
 
+    @property
+    def jumps(self) -> bool:
+        return True
+
 
 class Raise(Base, frozen=True, tag="raise"):
     value: Expr | None
     span: Span
+
+    @property
+    def jumps(self) -> bool:
+        return True
 
 
 class If(Base, frozen=True, tag="if"):
@@ -106,6 +126,10 @@ class For(Base, frozen=True, tag="for"):
     orelse: list[Stmt]
     is_async: bool
     span: Span
+
+    @property
+    def assigned(self) -> list[Expr]:
+        return [self.target]
 
 
 class While(Base, frozen=True, tag="while"):
@@ -209,6 +233,10 @@ class Jump(Base, frozen=True, tag="jump"):
 
     kind: str
     span: Span
+
+    @property
+    def jumps(self) -> bool:
+        return self.kind != "pass"
 
 
 class Function(Base, frozen=True, tag="def"):
