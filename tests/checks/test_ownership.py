@@ -13,7 +13,7 @@ from archlint.finding import Severity
 from archlint.ros.well_known import OF_MANY_PUBLISHERS
 from archlint.systems.model import System
 from checks.judging import Judge
-from systems.builders import action_server, node, partial, publisher, service, subscriber, system
+from systems.builders import action_server, from_parameter, node, partial, publisher, service, subscriber, system
 
 NOTHING_SAID = Options()
 TWIST = "geometry_msgs/msg/Twist"
@@ -93,6 +93,33 @@ class TestMultiplePublishers:
             return node(name, publisher("markers", "visualization_msgs/msg/MarkerArray"))
 
         assert owners(system(painter("/a"), painter("/b"))) == []
+
+    def test_what_is_drawn_is_there_to_be_looked_at(self):
+        def planner(name: str):
+            return node(name, publisher("display_planned_path", "moveit_msgs/msg/DisplayTrajectory"))
+
+        assert owners(system(planner("/a"), planner("/b"), name="launch/robot.launch.py")) == []
+
+    def test_of_many_that_nothing_starts_together_one_runs(self):
+        nodes = [node(f"/{name}", publisher("cmd_vel", TWIST)) for name in "abcd"]
+
+        assert owners(system(*nodes[:3])) == [("/a", "/b", "/c")]
+        assert owners(system(*nodes)) == []
+
+    def test_exercises_in_folders_of_their_own_run_one_at_a_time(self):
+        one = node("/a", publisher("cmd_vel", TWIST), file="src/demo/week1/a.py")
+        other = node("/b", publisher("cmd_vel", TWIST), file="src/demo/week2/b.py")
+
+        assert owners(system(one, other)) == []
+        assert owners(system(one, other, name="launch/robot.launch.py")) == [("/a", "/b")]
+
+    def test_a_parameter_of_one_name_tells_both_where_to_publish(self):
+        nodes = [node(name, publisher(from_parameter("target_topic", "target"), TWIST)) for name in ("/a", "/b")]
+
+        assert owners(system(*nodes)) == []
+        assert owners(system(*nodes, name="launch/robot.launch.py")) == [("/a", "/b")]
+        mixed = [nodes[0], node("/c", publisher("target", TWIST))]
+        assert owners(system(*mixed)) == [("/a", "/c")]
 
     def test_topics_that_the_team_shares(self):
         judged = system(node("/a", publisher("events/door")), node("/b", publisher("events/door")))
@@ -578,3 +605,75 @@ def test_publishers_that_all_listen_talk_to_each_other(
     (tmp_path / "node.py").write_text(text, encoding="utf-8")
     found = check(Request((".",), load(tmp_path), cached=False, jobs=1)).findings
     assert [one.severity for one in found if one.code == "OWN001"] == ([] if severity is None else [severity])
+
+
+ENVIRONMENT = """
+import rclpy
+from rclpy.node import Node
+from std_msgs.msg import Float64
+
+
+class Environment(Node):
+    def __init__(self):
+        super().__init__('environment')
+        self.pub = self.create_publisher(Float64, 'goal', 10)
+
+    def step(self):
+        self.pub.publish(Float64())
+
+
+class Goals(Node):
+    def __init__(self):
+        super().__init__('goals')
+        self.goal_pub = self.create_publisher(Float64, 'goal', 10)
+        self.create_timer(1.0, self.tick)
+
+    def tick(self):
+        self.goal_pub.publish(Float64())
+
+
+def one():
+    rclpy.init()
+    environment = Environment()
+    {use}
+    rclpy.spin(environment)
+
+
+def two():
+    rclpy.init()
+    rclpy.spin(Goals())
+
+
+def trainer():
+    rclpy.init()
+    environment = Environment()
+    while rclpy.ok():
+        environment.step()
+"""
+
+
+@pytest.mark.parametrize(
+    ("use", "severity"),
+    [
+        ("pass", []),  # only the trainer, which nobody starts, comes to publish()
+        ("environment.create_timer(1.0, environment.step)", [Severity.WARNING]),
+        ("hand_on(environment)", [Severity.WARNING]),
+    ],
+)
+def test_a_publisher_whose_program_never_publishes(tmp_path, monkeypatch, use: str, severity: list[Severity]):
+    monkeypatch.chdir(tmp_path)
+    files = {
+        "package.xml": PACKAGE.strip(),
+        "setup.py": SETUP.replace("demo.one:main", "demo.both:one").replace("demo.two:main", "demo.both:two"),
+        "demo/__init__.py": "",
+        "demo/both.py": ENVIRONMENT.replace("{use}", use),
+        "launch/all.launch.xml": LAUNCH.format('<node pkg="demo" exec="one"/><node pkg="demo" exec="two"/>'),
+        "archlint.toml": 'select = ["OWN001"]',
+    }
+    for name, text in files.items():
+        (tmp_path / name).parent.mkdir(exist_ok=True)
+        (tmp_path / name).write_text(text)
+
+    report = check(Request((".",), load(tmp_path), cached=False, jobs=1))
+
+    assert [one.severity for one in report.findings] == severity

@@ -55,6 +55,20 @@ def speaks_once(system: System, owner: Endpoint) -> bool:
     return bool(calls) and all(call.context.role in _ONCE and not call.looped for call in calls)
 
 
+def never_speaks(owner: Endpoint) -> bool:
+    """Whether the program that runs a publisher's node comes to none of the calls that publish with it: only methods do
+    so that this program never calls, and that nobody else gets hold of."""
+    node, program = owner.node.blueprint, owner.node.program
+    if node is None or program is None or node.escapes or not node.complete:
+        return False
+    calls = [
+        call
+        for call in program.calls
+        if call.api == _PUBLISH and any(one.place == owner.place for one in creations_of(call.receiver))
+    ]
+    return bool(calls) and all(call.context.role == "method" for call in calls)
+
+
 @once
 def _publishes(system: System) -> dict[Place, list[ApiCall]]:
     """What is published, by the place where the publisher is made."""
@@ -201,4 +215,4 @@ def _gives(node: Node) -> frozenset[_Word]:
     )
 
 
-__all__ = ["speaks_once", "take_turns"]
+__all__ = ["never_speaks", "speaks_once", "take_turns"]

@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
+import posixpath
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import astuple, replace
 from itertools import combinations
 from typing import TYPE_CHECKING
 
-from archlint.analysis.arbitration import speaks_once, take_turns
+from archlint.analysis.arbitration import never_speaks, speaks_once, take_turns
 from archlint.analysis.aside import is_aside
 from archlint.analysis.coexistence import (
     coexisting_pairs,
@@ -24,6 +25,7 @@ from archlint.checks.folding import folds
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.finding import Finding, Related, Severity
+from archlint.model import EntityKind
 from archlint.ros.well_known import OF_MANY_PUBLISHERS, TYPES_OF_MANY_PUBLISHERS
 
 if TYPE_CHECKING:
@@ -52,9 +54,27 @@ def _is_meant(system: System, connection: Connection, owners: list[Endpoint]) ->
     """Whether several nodes are there to publish a topic, or do not do so at once."""
     if is_bus(system.workspace, connection, owners) or tell_what_happened(system, owners) or are_requests(connection):
         return True
-    if not _is_proven(system, owners) and (has_launch_files(system) or _says_what_happens(connection.name)):
+    if not _is_proven(system, owners) and (
+        has_launch_files(system) or _says_what_happens(connection.name) or _are_exercises(owners)
+    ):
         return True
     return take_turns(system, owners)
+
+
+_EXERCISES = 4
+"""Of so many programs that nothing starts together, and that all say the same, one runs at a time."""
+
+
+def _are_exercises(owners: Sequence[Endpoint]) -> bool:
+    """Whether nodes that nothing starts together look like ways to do the same: many of them, in folders of their own
+    in one package, or each told by a parameter of the same name where it publishes."""
+    folders = {(end.node.package, posixpath.dirname(end.place.file)) for end in owners}
+    parameters = {end.creation.name.parameter for end in owners}
+    return (
+        len({end.node.name for end in owners}) >= _EXERCISES
+        or len(folders) > len({package for package, _ in folders})
+        or (len(parameters) == 1 and None not in parameters)
+    )
 
 
 def _of_topic(system: System, connection: Connection, owners: list[Endpoint]) -> Finding:
@@ -133,6 +153,8 @@ def _several_owners(system: System, connection: Connection) -> Iterator[list[End
 def _owns(system: System, end: Endpoint) -> bool:
     """Whether a publisher or server says something of its own, in code that is in use."""
     idle = named_by_library(end) or is_left_over(system.workspace, end) or speaks_once(system, end)
+    if system.name is not None and end.kind == EntityKind.PUBLISHER:
+        idle = idle or never_speaks(end)  # a launch file says which program it is
     return not idle and (system.name is not None or not is_aside(system.workspace, end.place.file))
 
 

@@ -45,10 +45,12 @@ FOR_TOOLS = frozenset(topic.name for topic in TOPICS if topic.for_tools)
 TYPES_OF_MANY_PUBLISHERS = frozenset(
     {
         "diagnostic_msgs/msg/DiagnosticArray",
+        "moveit_msgs/msg/DisplayRobotState",
+        "moveit_msgs/msg/DisplayTrajectory",
         "tf2_msgs/msg/TFMessage",
         "visualization_msgs/msg/Marker",
         "visualization_msgs/msg/MarkerArray",
     }
 )
-"""Each message of these says whose it is, so that the ones of several nodes add up; RViz and the diagnostics aggregator
-listen to them, whatever the topic is called."""
+"""Each message of these says whose it is, so that the ones of several nodes add up, or is there to be looked at; RViz
+and the diagnostics aggregator listen to them, whatever the topic is called."""
