@@ -284,6 +284,57 @@ def test_nobody_writes_an_action_for_a_moment(run: Run, body: str, expected: lis
     assert codes(run(source("self.create_service(SetBool, 'home', self.handle)\n", method))) == expected
 
 
+STEPS = """
+def handle(self, request, response):
+    self.open()
+    self.grip()
+    self.lift()
+    return response
+
+def open(self):
+    if self.simulated:
+        time.sleep(1.0)
+        return True
+    return read()
+
+def grip(self):
+    if {grip}:
+        time.sleep(0.5)
+        return True
+    return read()
+
+def lift(self):
+    if self.simulated:
+        if read():
+            time.sleep(1.5)
+"""
+
+
+@pytest.mark.parametrize(
+    ("grip", "more", "said"),
+    [
+        ("self.simulated", "", "sleeps for 3 s in all"),
+        ("not self.simulated", "", "sleeps for 2.5 s in all"),
+        ("read()", "", "sleeps for 2.5 s in all"),
+        ("self.simulated", "self.simulated = read()", "sleeps for 1.5 s in all"),  # it may change in between
+    ],
+)
+def test_what_the_same_condition_leads_to_adds_up(run: Run, grip: str, more: str, said: str):
+    create = (
+        "self.declare_parameter('simulated', True)\nself.simulated = self.get_parameter('simulated').value\n"
+        f"{more}\nself.create_service(Trigger, 'home', self.handle)\n"
+    )
+    [found] = run(source(create, STEPS.replace("{grip}", grip)))
+    assert found.code == "SRV008" and said in found.message
+
+
+@pytest.mark.parametrize(("seconds", "severity"), [("2.0", Severity.INFO), ("2.5", Severity.WARNING)])
+def test_a_short_pause_that_is_known_is_information(run: Run, seconds: str, severity: Severity):
+    method = f"def handle(self, request, response):\n    time.sleep({seconds})\n    return response\n"
+    [found] = run(source("self.create_service(Trigger, 'home', self.handle)\n", method))
+    assert (found.code, found.severity) == ("SRV008", severity)
+
+
 def test_the_request_may_say_how_long(run: Run):
     create = "self.create_service(AddTwoInts, 'pulse', self.pulse)\n"
     method = "def pulse(self, request, response):\n    {}\n    return response\n"

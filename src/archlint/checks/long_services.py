@@ -8,6 +8,7 @@ from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from archlint.analysis.callback_roles import related_to
+from archlint.analysis.conditions import conditions
 from archlint.analysis.loop_times import around_future, in_loops, is_retry, reads_until_it_has, watches_the_clock
 from archlint.analysis.reach import endpoint_words, judged_calls, node_name, one_for_each_place
 from archlint.analysis.sleeps import Stay, stay_of
@@ -19,13 +20,15 @@ from archlint.syntax.parts import names_in
 from archlint.syntax.walk import statements_of
 
 if TYPE_CHECKING:
-    from archlint.branches import BranchArm
+    from archlint.branches import BranchArms
     from archlint.finding import Place
     from archlint.model import ApiCall, Program
     from archlint.systems.model import System
 
 LONG = 1.0
 """Seconds that a service handler may sleep, all in all: nobody writes an action for less."""
+SHORT = 2.0
+"""Seconds that a caller hardly minds, where they are known."""
 POLLING = 2.0
 """Seconds that a loop may watch the clock for something that comes soon."""
 SOON = 5.0
@@ -49,7 +52,7 @@ def long_running_service(system: System, options: Options) -> Iterator[Finding]:
     yield from one_for_each_place(
         _long_service(system, program, sorted(sleeps, key=_endless_first))
         for (program, _), sleeps in handlers.items()
-        if _in_all(sleeps) >= LONG
+        if _in_all(system, sleeps) >= LONG
     )
 
 
@@ -58,14 +61,14 @@ def _endless_first(sleep: _Sleep) -> tuple[bool, Place]:
     return (not math.isinf(_seconds(*sleep)), sleep[0].place)
 
 
-def _in_all(sleeps: Sequence[_Sleep]) -> float:
+def _in_all(system: System, sleeps: Sequence[_Sleep]) -> float:
     """Seconds that a handler sleeps for certain, each way through its branches by itself; what nobody knows has no
     end."""
-    arms: dict[tuple[BranchArm, ...], dict[Place, float]] = {}
+    ways: dict[BranchArms, dict[Place, float]] = {frozenset(): {}}
     for call, stay in sleeps:
-        arms.setdefault(call.branch_arms, {})[call.place] = _seconds(call, stay)
-    always = sum(arms.pop((), {}).values())
-    return always + max((sum(found.values()) for found in arms.values()), default=0.0)
+        way = conditions(system.workspace, call.branch_arms)
+        ways.setdefault(way, {})[call.place] = _seconds(call, stay)
+    return max(sum(sum(found.values()) for other, found in ways.items() if other <= way) for way in ways)
 
 
 def _seconds(call: ApiCall, stay: Stay) -> float:
@@ -82,12 +85,12 @@ def _long_service(system: System, program: Program, sleeps: Sequence[_Sleep]) ->
     callback = call.context
     further = {other.place: Related(other.place, f"then it {words.words}") for other, words in others}
     further.pop(call.place, None)
-    asked = _is_as_asked(sleeps)
-    soon = _in_all(sleeps) <= SOON and any(limit is not None for one, _ in sleeps for limit in one.limits)
+    asked, total = _is_as_asked(system, sleeps), _in_all(system, sleeps)
+    soon = total <= SHORT or (total <= SOON and any(limit is not None for one, _ in sleeps for limit in one.limits))
     found = finding(
         "SRV008",
         call.place,
-        f"the handler of {endpoint_words(callback.creation)} {_how_long(sleeps, asked)}",
+        f"the handler of {endpoint_words(callback.creation)} {_how_long(sleeps, total, asked)}",
         help=_IF_TOO_LONG if soon else _AN_ACTION,
         related=(*related_to(call, program), *further.values()),
         node=node_name(system, callback.node),
@@ -96,10 +99,9 @@ def _long_service(system: System, program: Program, sleeps: Sequence[_Sleep]) ->
     return replace(found, severity=Severity.INFO) if asked or soon else found
 
 
-def _how_long(sleeps: Sequence[_Sleep], asked: bool) -> str:
+def _how_long(sleeps: Sequence[_Sleep], total: float, asked: bool) -> str:
     """What a handler does, and what its caller has of it."""
     (call, stay), *others = sleeps
-    total = _in_all(sleeps)
     if asked:
         return "sleeps for as long as the request asks: the caller cannot cancel"
     if math.isinf(total):
@@ -125,10 +127,10 @@ def _reads(call: ApiCall, loop: facts.For) -> bool:
     return call.expression is not None and not names_in(call.expression).isdisjoint(names_in(loop.target))
 
 
-def _is_as_asked(sleeps: Sequence[_Sleep]) -> bool:
+def _is_as_asked(system: System, sleeps: Sequence[_Sleep]) -> bool:
     """Whether the request says how long a handler sleeps, but for what would be no finding by itself."""
     others = [sleep for sleep in sleeps if not _as_asked(*sleep)]
-    return len(others) < len(sleeps) and _in_all(others) < LONG
+    return len(others) < len(sleeps) and _in_all(system, others) < LONG
 
 
 def _as_asked(call: ApiCall, stay: Stay) -> bool:

@@ -1,0 +1,56 @@
+"""Undecided branches that ask the same: an attribute of ``self`` that only the constructor sets is one condition,
+wherever it is asked."""
+
+from __future__ import annotations
+
+from collections import Counter
+from typing import TYPE_CHECKING
+
+from archlint.analysis.completeness import walk
+from archlint.analysis.kept import once_for_each_file
+from archlint.syntax import facts
+
+if TYPE_CHECKING:
+    from collections.abc import Iterable
+
+    from archlint.branches import BranchArm, BranchArms
+    from archlint.systems.model import WorkspaceIndex
+
+
+def conditions(workspace: WorkspaceIndex | None, arms: Iterable[BranchArm]) -> BranchArms:
+    """Arms of branches, those that ask the same under one name."""
+    return frozenset(_condition(workspace, arm) for arm in arms)
+
+
+def _condition(workspace: WorkspaceIndex | None, arm: BranchArm) -> BranchArm:
+    key, number = arm
+    file, line, column = [*key.rsplit(":", 2), "", ""][:3]
+    asked = None if workspace is None or not (line.isdecimal() and column.isdecimal()) else _asked(workspace, file)
+    found = None if asked is None else asked.get((int(line), int(column)))
+    if found is None:
+        return arm
+    attribute, turned = found
+    return f"{file}:self.{attribute}", 1 - number if turned else number
+
+
+@once_for_each_file
+def _asked(found: facts.Facts) -> dict[tuple[int, int], tuple[str, bool]]:
+    """Where an ``if`` asks nothing but an attribute of ``self`` that is set once, and whether it asks ``not``."""
+    every = list(walk(found.body))
+    targets = (target for one in every if isinstance(one, facts.Assign) for target in one.targets)
+    sets = Counter(target.attr for target in targets if isinstance(target, facts.Attribute))
+    rows = ((one, _attribute(one.test)) for one in every if isinstance(one, facts.If))
+    return {
+        (one.span[0], one.span[1]): attribute
+        for one, attribute in rows
+        if attribute is not None and sets[attribute[0]] == 1
+    }
+
+
+def _attribute(test: facts.Expr) -> tuple[str, bool] | None:
+    if isinstance(test, facts.Unary) and test.op == "not":
+        inner = _attribute(test.operand)
+        return None if inner is None else (inner[0], not inner[1])
+    if isinstance(test, facts.Attribute) and isinstance(test.value, facts.Name) and test.value.id == "self":
+        return test.attr, False
+    return None
