@@ -557,7 +557,22 @@ if __name__ == '__main__':
 
 class TestPolling:
     CLIENT = "self.client = self.create_client(Trigger, 'level')\n"
-    ASK = "def tick(self):\n    self.client.call_async(Trigger.Request())\n"
+    SHOW = "\ndef show(self, future):\n    self.get_logger().info(future.result().message)\n"
+    ASK = "def tick(self):\n    self.client.call_async(Trigger.Request()).add_done_callback(self.show)\n" + SHOW
+
+    @pytest.mark.parametrize(
+        ("line", "expected"),
+        [
+            ("self.get_logger().info(future.result().message)", ["SRV004"]),
+            ("answer = future.result()\n    self.level = float(answer.message)", ["SRV004"]),
+            ("self.get_logger().info(f'done: {future.result()}')", []),  # a command, and what became of it
+            ("self.get_logger().info(str(future.result().success))", []),
+            ("pass", []),
+        ],
+    )
+    def test_what_is_asked_for_data_is_polled(self, run: Run, line: str, expected: list[str]):
+        show = self.ASK.replace("self.get_logger().info(future.result().message)", line)
+        assert codes(run(source(self.CLIENT + "self.create_timer(1.0, self.tick)", show))) == expected
 
     @pytest.mark.parametrize(("period", "expected"), [("0.1", ["SRV004"]), ("1.0", ["SRV004"]), ("2.0", [])])
     def test_how_often_is_polling(self, run: Run, period: str, expected: list[str]):
@@ -586,7 +601,7 @@ class TestPolling:
     )
     def test_a_method_that_asks_is_called_with_an_occasion(self, run: Run, tick: str, expected: list[str]):
         setup = "self.wanted = load()\n" + self.CLIENT + "self.create_timer(0.1, self.tick)\n"
-        ask = "def ask(self):\n    self.client.call_async(Trigger.Request())\n\ndef count(self):\n    pass\n"
+        ask = self.ASK.replace("tick", "ask") + "\ndef count(self):\n    pass\n"
         assert codes(run(source(setup, ask + f"\ndef tick(self):\n    {tick}\n"))) == expected
 
     THREE = "".join(f"self.client{i} = self.create_client(Trigger, 's{i}')\n" for i in range(3))

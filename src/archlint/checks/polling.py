@@ -23,7 +23,7 @@ from archlint.syntax import facts
 from archlint.syntax.walk import blocks_in, called_name, calls_in, has_literal_true, statements_of
 
 if TYPE_CHECKING:
-    from archlint.model import ApiCall, Program
+    from archlint.model import ApiCall, Creation, Program
     from archlint.systems.model import System
 
 _REQUESTS = ("rclpy.client.Client.call", "rclpy.client.Client.call_async")
@@ -59,8 +59,17 @@ def service_for_continuous_data(system: System, options: Options) -> Iterator[Fi
         _polled(system, program, call, how)
         for program, call in calls_of(system, _REQUESTS)
         if call.creation is not None and call.context.place not in stopped and _always_the_same(call)
+        if _takes_data(program, call.creation)
         for how in [_how_often(call, options.number("rate"))]
         if how is not None
+    )
+
+
+def _takes_data(program: Program, client: Creation) -> bool:
+    """Whether the program reads what a service answers; whether it worked is no data, but what a command answers."""
+    return client.type is None or any(
+        use.type == client.type and use.section_name == "Response" and use.access == "read" and use.name != "success"
+        for use in program.field_uses
     )
 
 
