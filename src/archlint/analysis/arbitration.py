@@ -11,6 +11,7 @@ from archlint.analysis.left_over import idle_methods, kept_calls
 from archlint.analysis.reach import creations_of
 from archlint.model import (
     EntityKind,
+    Role,
 )
 from archlint.syntax import facts
 from archlint.syntax.parts import everything_in
@@ -29,7 +30,7 @@ _HALTS = frozenset(
     {"collision", "emergency", "estop", "fault", "halt", "kill", "obstacle", "obstacles", "pause", "safety", "stop"}
 )
 """Words for what makes every publisher stop: that does not choose one of them."""
-_ONCE = frozenset({"init", "main", "module"})
+_ONCE = frozenset({Role.INIT, Role.MAIN, Role.MODULE})
 
 _Word = tuple[EntityKind, str]
 """The kind and the final name of a topic or service."""

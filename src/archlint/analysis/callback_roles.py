@@ -8,41 +8,42 @@ from typing import TYPE_CHECKING
 from archlint.analysis.deadlock import related_executor
 from archlint.analysis.reach import endpoint_words, related_chain, related_creation
 from archlint.finding import Related
+from archlint.model import Role
 
 if TYPE_CHECKING:
     from archlint.model import ApiCall, Callback, Creation, Program
 
 _WORDS = {
-    "subscription": "the callback of a subscription",
-    "timer": "a timer callback",
-    "execute": "the execute callback",
-    "goal": "the goal callback",
-    "cancel": "the cancel callback",
-    "accepted": "the callback for accepted goals",
-    "feedback": "a feedback callback",
-    "done": "a done callback",
-    "parameter": "a parameter callback",
-    "event": "an event callback",
-    "guard": "the callback of a guard condition",
-    "task": "a task of the executor",
-    "filter": "the callback of a message filter",
-    "lifecycle": "a lifecycle callback",
+    Role.SUBSCRIPTION: "the callback of a subscription",
+    Role.TIMER: "a timer callback",
+    Role.EXECUTE: "the execute callback",
+    Role.GOAL: "the goal callback",
+    Role.CANCEL: "the cancel callback",
+    Role.ACCEPTED: "the callback for accepted goals",
+    Role.FEEDBACK: "a feedback callback",
+    Role.DONE: "a done callback",
+    Role.PARAMETER: "a parameter callback",
+    Role.EVENT: "an event callback",
+    Role.GUARD: "the callback of a guard condition",
+    Role.TASK: "a task of the executor",
+    Role.FILTER: "the callback of a message filter",
+    Role.LIFECYCLE: "a lifecycle callback",
 }
 
-AFTER_A_SPIN = frozenset(_WORDS) | {"service"}
+AFTER_A_SPIN = frozenset(_WORDS) | {Role.SERVICE}
 """Roles of what an executor runs while it spins."""
 
 
 def runs_in_executor(callback: Callback) -> bool:
     """Whether an executor runs this; a method called ``on_configure`` does so in lifecycle nodes only."""
-    if callback.role == "lifecycle":
+    if callback.role == Role.LIFECYCLE:
         return callback.node is not None and callback.node.lifecycle
     return callback.role in AFTER_A_SPIN
 
 
 def callback_words(callback: Callback) -> str:
     """``the timer callback Robot.tick``."""
-    if callback.role == "service":
+    if callback.role == Role.SERVICE:
         return f"the handler of {endpoint_words(callback.creation)}"
     what = _WORDS[callback.role]
     if callback.name in ("?", "<lambda>"):
@@ -62,6 +63,6 @@ def related_to(call: ApiCall, program: Program, client: Creation | None = None) 
 
 
 def _plain(callback: Callback) -> str:
-    if callback.role == "service":
+    if callback.role == Role.SERVICE:
         return f"the handler of {endpoint_words(callback.creation)}"
     return _WORDS.get(callback.role, "a callback")

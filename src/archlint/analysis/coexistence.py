@@ -14,6 +14,7 @@ from archlint.analysis.completeness import called_names
 from archlint.branches import exclusive
 from archlint.model import (
     EntityKind,
+    Role,
 )
 from archlint.systems.model import (
     key_of,
@@ -23,7 +24,7 @@ from archlint.systems.model import (
 if TYPE_CHECKING:
     from archlint.systems.model import Connection, Endpoint, Node, System
 
-_NEVER_REACHED = frozenset({"method"})
+_NEVER_REACHED = frozenset({Role.METHOD})
 """Roles of code that nothing in the workspace is seen to run."""
 _PLACEHOLDERS = frozenset({"placeholder", "unset", "undefined", "none", "null", "todo", "tbd", "changeme", "fixme"})
 

@@ -27,7 +27,7 @@ VERBS = {
     program.EntityKind.ACTION_CLIENT: ("has a client of the action", "action client"),
 }
 """By kind: what a node does there, and what the end is called."""
-_AT_THE_START = ("init", "main", "module")
+_AT_THE_START = (program.Role.INIT, program.Role.MAIN, program.Role.MODULE)
 _OTHER_BUILD = "build and start it again: what runs is perhaps older than the source, or started with other arguments"
 _TOLERANCE_S = 1e-6
 

@@ -32,6 +32,9 @@ from archlint.analysis.blocking import (
 )
 from archlint.finding import Related
 from archlint.model import (
+    ExecutorKind,
+    GroupKind,
+    Role,
     SpinDuration,
 )
 from archlint.ros.distros import DISTROS
@@ -93,8 +96,8 @@ def _form(kind: Form, call: ApiCall, limited: bool) -> Form:
     return TIMED_CALL if call.api == _TIMED else LIMITED_CALL
 
 
-def _why(form: Form, threads: Threads, relation: Relation, role: str) -> str:
-    who = "handler" if role == "service" else "callback"
+def _why(form: Form, threads: Threads, relation: Relation, role: Role | None) -> str:
+    who = "handler" if role == Role.SERVICE else "callback"
     if form == AWAIT:
         return {SAME: _GROUP_HELD.format(who=who), UNCLEAR: _NO_GROUP}.get(relation, _FREE)
     if threads == ONE:
@@ -108,13 +111,13 @@ def _why(form: Form, threads: Threads, relation: Relation, role: str) -> str:
 
 def threads_of(node: Blueprint | None, program: Program) -> Threads:
     """How many threads run a node's callbacks."""
-    if node is None or node.executor == "unknown":
+    if node is None or node.executor == ExecutorKind.UNKNOWN:
         return ANY
-    if node.executor == "none":
+    if node.executor == ExecutorKind.NONE:
         # What nothing starts may be spun by whoever makes it elsewhere.
         return NOBODY if program.executable and not node.caller_unknown else ANY
-    uses = [use for use in program.executors_of(node) if use.kind == "multi_threaded"]
-    if node.executor == "multi_threaded":
+    uses = [use for use in program.executors_of(node) if use.kind == ExecutorKind.MULTI_THREADED]
+    if node.executor == ExecutorKind.MULTI_THREADED:
         # Without a number there are as many threads as processors.
         return ONE if uses and all(use.threads == 1 for use in uses) else SEVERAL
     return ONE
@@ -131,11 +134,11 @@ def related_executor(node: Blueprint | None, program: Program) -> Iterator[Relat
 
 
 def _executor_words(use: ExecutorUse) -> str:
-    if use.kind == "multi_threaded":
+    if use.kind == ExecutorKind.MULTI_THREADED:
         return "a MultiThreadedExecutor" + (f" with num_threads={use.threads}" if use.threads is not None else "")
-    if use.kind == "events":
+    if use.kind == ExecutorKind.EVENTS:
         return "an EventsExecutor, which has one thread,"
-    if use.kind == "unknown":
+    if use.kind == ExecutorKind.UNKNOWN:
         return "an executor that is not known"
     return "a single-threaded executor"
 
@@ -144,12 +147,12 @@ def group_relation(one: Group | None, other: Group | None) -> Relation:
     """How the callback group of a callback and that of a client of the same node relate."""
     if one is None:
         return OTHER  # in no group: holds none
-    if other is None or "unknown" in (one.kind, other.kind):
+    if other is None or GroupKind.UNKNOWN in (one.kind, other.kind):
         return UNCLEAR
-    if one.kind == other.kind == "default":
+    if one.kind == other.kind == GroupKind.DEFAULT:
         return SAME
     if one.kind == other.kind and (one.key is None or one.key == other.key):
-        return REENTRANT if one.kind == "reentrant" else UNCLEAR if one.key is None else SAME
+        return REENTRANT if one.kind == GroupKind.REENTRANT else UNCLEAR if one.key is None else SAME
     return OTHER
 
 
@@ -167,7 +170,7 @@ def _judge_two_nodes(
     if not spinners:
         return look_up(form, ANY, OTHER, "nothing here spins the client's node meanwhile", distros)
     threads = threads_of(node, program)
-    return look_up(form, threads, OTHER, _why(form, threads, OTHER, ""), distros)
+    return look_up(form, threads, OTHER, _why(form, threads, OTHER, None), distros)
 
 
 def judge_spin(
@@ -187,7 +190,7 @@ def judge_spin(
         relation = OTHER
     elif client is None and "future" not in call.arguments and relation == UNCLEAR:
         # What spins without a future waits for any work, and the group keeps out that of its own.
-        relation = SAME if callback.group is not None and callback.group.kind != "reentrant" else OTHER
+        relation = SAME if callback.group is not None and callback.group.kind != GroupKind.REENTRANT else OTHER
     globally = call.api.startswith("rclpy.spin") and not _given(call, "executor")
     form: Form = LIMITED_SPIN if limited else SPIN
     # A spin without a future ends as soon as there is any work.

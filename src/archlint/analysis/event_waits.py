@@ -11,6 +11,7 @@ from archlint.analysis.deadlock import group_relation, threads_of
 from archlint.analysis.kept import once
 from archlint.analysis.reach import has_limit, judged_calls
 from archlint.interpreter.values import Instance
+from archlint.model import Role
 
 if TYPE_CHECKING:
     from archlint.model import ApiCall, Callback, Program
@@ -51,7 +52,7 @@ def event_waits(system: System) -> list[EventWait]:
 
 def _kept_out(waiting: Callback, setter: Callback, program: Program) -> str | None:
     """Why a callback cannot run while the other waits; None where it may, or where nothing is known."""
-    if setter.role == "done" or not runs_in_executor(setter) or setter.node is not waiting.node:
+    if setter.role == Role.DONE or not runs_in_executor(setter) or setter.node is not waiting.node:
         return None  # what a done callback sets is judged with the client it belongs to
     if threads_of(waiting.node, program) == ONE:
         return "the executor has one thread, and this callback holds it"

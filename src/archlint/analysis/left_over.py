@@ -8,6 +8,7 @@ from archlint.analysis.completeness import walk
 from archlint.analysis.kept import once_for_each_file
 from archlint.model import (
     EntityKind,
+    Role,
 )
 from archlint.syntax import facts
 
@@ -41,7 +42,7 @@ def is_dead(workspace: WorkspaceIndex | None, program: Program, call: ApiCall) -
     """Whether a call is in a method of a program that no Python file here names: that code does not run.  What a
     library offers is for programs that are not here."""
     callback = call.context
-    if workspace is None or workspace.loader is None or callback.role != "method" or not program.executable:
+    if workspace is None or workspace.loader is None or callback.role != Role.METHOD or not program.executable:
         return False
     if callback.node is None or callback.node.escapes:
         return False

@@ -15,6 +15,7 @@ from archlint.libraries.values import EntityValue, FutureValue
 from archlint.model import (
     Creation,
     EntityKind,
+    Role,
 )
 from archlint.syntax import facts
 
@@ -81,7 +82,7 @@ def waits_for_ever(call: ApiCall, parameter: str, *, negative: bool = True) -> b
 def _no_limit(value: Value, call: ApiCall, negative: bool) -> bool:
     if not isinstance(value, Known) or value.via:
         return False
-    if value.kind == "argument_default" and (not call.chain or call.context.role == "method"):
+    if value.kind == "argument_default" and (not call.chain or call.context.role == Role.METHOD):
         return False
     if value.value is None:
         return True

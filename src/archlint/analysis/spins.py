@@ -8,6 +8,7 @@ from archlint.analysis.callback_roles import runs_in_executor
 from archlint.analysis.reach import argument, judged_calls
 from archlint.interpreter.values import Instance, alternatives
 from archlint.libraries.values import NodeValue
+from archlint.model import Role
 
 if TYPE_CHECKING:
     from archlint.model import ApiCall, Blueprint, Program
@@ -16,7 +17,7 @@ if TYPE_CHECKING:
 _SPINS = ("rclpy.spin", "rclpy.spin_once", "rclpy.spin_until_future_complete")
 _EXECUTOR = "rclpy.executors.Executor."
 _EXECUTOR_SPINS = ("spin", "spin_once", "spin_until_future_complete", "spin_once_until_future_complete")
-_AT_START = ("init", "main", "module")
+_AT_START = (Role.INIT, Role.MAIN, Role.MODULE)
 """Roles of what runs one after the other, on the thread that the program starts with."""
 
 

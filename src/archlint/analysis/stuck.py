@@ -13,6 +13,7 @@ from archlint.analysis.callback_roles import runs_in_executor
 from archlint.analysis.deadlock import Verdict, judge_wait
 from archlint.analysis.reach import creations_of
 from archlint.analysis.waits import Wait, waits
+from archlint.model import Role
 
 if TYPE_CHECKING:
     from archlint.finding import Place
@@ -23,7 +24,7 @@ if TYPE_CHECKING:
 def nested_waits(system: System, distros: Sequence[str]) -> Iterator[tuple[Wait, Verdict]]:
     """The waits of service handlers, each with what becomes of it (SRV003)."""
     for wait in waits(system):
-        if wait.call.context.role == "service":
+        if wait.call.context.role == Role.SERVICE:
             yield wait, _verdict(wait, distros)
 
 
@@ -48,7 +49,7 @@ def functions_that_ask(system: System, distros: Sequence[str]) -> frozenset[tupl
 def stuck_waits(system: System, distros: Sequence[str]) -> Iterator[tuple[Wait, Verdict]]:
     """The waits of other callbacks that do not end well, for certain (EXE002, CBG001; spins are EXE001's)."""
     for wait in waits(system):
-        if wait.call.context.role == "service" or not runs_in_executor(wait.call.context):
+        if wait.call.context.role == Role.SERVICE or not runs_in_executor(wait.call.context):
             continue
         verdict = _verdict(wait, distros)
         if not verdict.safe and not verdict.unknown:

@@ -17,6 +17,7 @@ from archlint.analysis.reach import (
 )
 from archlint.interpreter.values import Instance, Known, alternatives
 from archlint.libraries.values import FutureValue
+from archlint.model import Role
 from archlint.syntax import facts
 from archlint.syntax.control_flow import always_left
 from archlint.syntax.parts import names_in
@@ -146,7 +147,7 @@ def _signals(system: System) -> _Signals:
     found: _Signals = {}
     of_place: dict[Place, list[Creation]] = {}
     for _, call in judged_calls(system):
-        if call.api == _EVENT_SET and call.context.role == "done" and isinstance(call.receiver, Instance):
+        if call.api == _EVENT_SET and call.context.role == Role.DONE and isinstance(call.receiver, Instance):
             of_future = clients.get(call.context.registered) if call.context.registered else None
             if of_future:
                 found.setdefault(call.receiver.key, of_future[0])

@@ -12,6 +12,7 @@ from archlint.checks.scope import Scope
 from archlint.finding import Finding, Related
 from archlint.model import (
     EntityKind,
+    Role,
 )
 
 if TYPE_CHECKING:
@@ -30,7 +31,9 @@ _LEAVES = tuple(
 subscriptions the next spin raises."""
 _PASSING = frozenset({"rclpy.wait_for_message.wait_for_message"})
 """Calls that take away what they create."""
-_AGAIN_AND_AGAIN = frozenset({"subscription", "timer", "service", "execute", "goal", "cancel", "accepted", "filter"})
+_AGAIN_AND_AGAIN = frozenset(
+    {Role.SUBSCRIPTION, Role.TIMER, Role.SERVICE, Role.EXECUTE, Role.GOAL, Role.CANCEL, Role.ACCEPTED, Role.FILTER}
+)
 """Roles of callbacks that run as often as somebody likes; a done callback may be one step of a start-up."""
 
 

@@ -27,6 +27,7 @@ from archlint.checks.folding import folds
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.finding import Finding, Related, Severity
+from archlint.model import Role
 
 if TYPE_CHECKING:
     from archlint.model import ApiCall, Program
@@ -82,9 +83,9 @@ def _nested_spin(system: System, program: Program, call: ApiCall, options: Optio
 def _instead_of_spinning(program: Program, call: ApiCall) -> str:
     """What to do; whoever spins in a loop waits for something, and the answer of a handler must wait for it, too."""
     several = threads_of(call.context.node, program) == blocking.SEVERAL
-    if call.looped and call.context.role == "execute":
+    if call.looped and call.context.role == Role.EXECUTE:
         return _PAUSE if several else f"spin the node with a MultiThreadedExecutor, and {_PAUSE}"
-    if call.looped and call.context.role == "service":
+    if call.looped and call.context.role == Role.SERVICE:
         return _EVENT if several else "make it an action: its execute callback may take its time under several threads"
     return "return: whoever spins the node goes on when the callback has ended"
 

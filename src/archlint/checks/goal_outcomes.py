@@ -19,6 +19,7 @@ from archlint.checks.handlers import handlers_of, only_a_stub, related_handler
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.finding import Finding, Place
+from archlint.model import Role
 from archlint.syntax import facts
 from archlint.syntax.control_flow import ends_of
 from archlint.syntax.walk import called_name, parts_of, statements_of
@@ -50,7 +51,7 @@ def goal_without_outcome(system: System, options: Options) -> Iterator[Finding]:
     """Ends of execute callbacks that leave the goal without an outcome."""
     yield from one_for_each_place(
         found
-        for callback, function in handlers_of(system, "execute")
+        for callback, function in handlers_of(system, Role.EXECUTE)
         for found in _undecided(system, callback, function)
     )
 
@@ -169,7 +170,7 @@ def _ended_only_in(system: System, callback: Callback) -> bool:
         return False
     if any(function != handler for function, handler in _endings(system)):
         return False
-    others = (other for program in system.programs for other in program.callbacks if other.role != "execute")
+    others = (other for program in system.programs for other in program.callbacks if other.role != Role.EXECUTE)
     return not any(_ends_some(other.function) for other in others)
 
 

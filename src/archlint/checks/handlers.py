@@ -10,6 +10,7 @@ from archlint.analysis.reach import endpoint_words, node_name, one_for_each_plac
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.finding import Finding, Place, Related
+from archlint.model import Role
 from archlint.syntax import facts
 from archlint.syntax.control_flow import Ends, ends_of
 from archlint.syntax.walk import parts_of, statements_of
@@ -19,7 +20,7 @@ if TYPE_CHECKING:
     from archlint.systems.model import System
 
 
-def handlers_of(system: System, role: str) -> Iterator[tuple[Callback, facts.Function]]:
+def handlers_of(system: System, role: Role) -> Iterator[tuple[Callback, facts.Function]]:
     """The functions that are given as callbacks of a role and whose code is all there is to see."""
     for program in system.programs:
         for callback in program.callbacks:
@@ -40,7 +41,7 @@ def missing_response(system: System, options: Options) -> Iterator[Finding]:
         (
             *(
                 one
-                for callback, function in handlers_of(system, "service")
+                for callback, function in handlers_of(system, Role.SERVICE)
                 for one in _missing(system, callback, function)
             ),
             *_missing_of_lambdas(system),
@@ -51,7 +52,7 @@ def missing_response(system: System, options: Options) -> Iterator[Finding]:
 def _missing_of_lambdas(system: System) -> Iterator[Finding]:
     for program in system.programs:
         for callback in program.callbacks:
-            if callback.role == "service" and isinstance(callback.function, facts.Lambda):
+            if callback.role == Role.SERVICE and isinstance(callback.function, facts.Lambda):
                 what = _no_response(callback.function.body)
                 if what is not None and not system.roles.is_test(callback.file):
                     yield _missing_at(system, callback, callback.place, f"gives {what}, which is no response", "lambda")

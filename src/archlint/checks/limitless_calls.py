@@ -22,6 +22,7 @@ from archlint.checks.scope import Scope
 from archlint.checks.starvation import piling_up
 from archlint.checks.timeouts import kind_of, name_of, way_to
 from archlint.finding import Finding, Place
+from archlint.model import ExecutorKind, Role
 from archlint.syntax import facts
 from archlint.syntax.walk import called_name, calls_in, statements_of
 
@@ -57,7 +58,7 @@ def _waits_apart(system: System, program: Program, call: ApiCall) -> bool:
     callback, workspace = call.context, system.workspace
     made = callback.registered
     loader = None if workspace is None else workspace.loader
-    if callback.role != "thread" or call.chain or call.enclosing_loops or made is None or loader is None:
+    if callback.role != Role.THREAD or call.chain or call.enclosing_loops or made is None or loader is None:
         return False
     found = loader.facts_at(made.file)
     return found is not None and _spinner(call, program) != _NOBODY and _is_daemon(found.body, made)
@@ -119,12 +120,17 @@ def _spinner(call: ApiCall, program: Program) -> str:
     if runs_in_executor(call.context):
         return _ANOTHER
     node = call.node if call.creation is None else call.creation.node
-    if node is None or node.caller_unknown or node.escapes or role not in ("init", "main", "module", "thread"):
+    if (
+        node is None
+        or node.caller_unknown
+        or node.escapes
+        or role not in (Role.INIT, Role.MAIN, Role.MODULE, Role.THREAD)
+    ):
         return _UNKNOWN
     uses = program.executors_of(node)
-    if any(use.in_thread for use in uses) or (uses and role == "thread"):
+    if any(use.in_thread for use in uses) or (uses and role == Role.THREAD):
         return _ANOTHER
-    if role == "thread" or node.executor == "unknown":
+    if role == Role.THREAD or node.executor == ExecutorKind.UNKNOWN:
         return _UNKNOWN
     return _EXECUTOR if any(node not in use.spells for use in uses) else _NOBODY
 

@@ -15,6 +15,7 @@ from archlint.analysis.sleeps import Stay, stay_of
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.finding import Finding, Related, Severity
+from archlint.model import Role
 from archlint.syntax import facts
 from archlint.syntax.parts import names_in
 from archlint.syntax.walk import statements_of
@@ -46,7 +47,7 @@ def long_running_service(system: System, options: Options) -> Iterator[Finding]:
     """Service handlers that sleep, once for long or again and again; one finding a handler."""
     handlers: dict[tuple[Program, Place], list[_Sleep]] = {}
     for program, call in judged_calls(system):
-        stay = stay_of(call) if call.context.role == "service" else None
+        stay = stay_of(call) if call.context.role == Role.SERVICE else None
         if stay is not None and stay.kind == "sleep" and not around_future(call):
             handlers.setdefault((program, call.context.place), []).append((call, stay))
     yield from one_for_each_place(

@@ -25,6 +25,8 @@ from archlint.checks.service_cycles import Edge, waits_behind
 from archlint.finding import Finding, Related, Severity
 from archlint.model import (
     EntityKind,
+    GroupKind,
+    Role,
 )
 from archlint.syntax import facts
 
@@ -127,7 +129,7 @@ def _thrown_away(wait: Wait) -> bool:
 def _held_up(wait: Wait) -> list[Callback]:
     """The callbacks that cannot run meanwhile: those of the exclusive group that the handler holds to its end."""
     handler = wait.call.context
-    if handler.node is None or handler.group is None or handler.group.kind == "reentrant":
+    if handler.node is None or handler.group is None or handler.group.kind == GroupKind.REENTRANT:
         return []
     found: dict[Place, Callback] = {}
     for other in sorted(handler.node.callbacks, key=lambda one: (one.place, one.name)):
@@ -219,14 +221,14 @@ def _cost(wait: Wait, held_up: Sequence[Callback]) -> str:
         return f"its own caller waits, and so does what is in its callback group: {_names_of(held_up)}"
     if wait.kind == AWAIT:
         return "nothing limits the await: if the answer never comes, the handler and its caller wait for ever"
-    if handler.group is not None and handler.group.kind == "reentrant":
+    if handler.group is not None and handler.group.kind == GroupKind.REENTRANT:
         return "its own caller waits, and as many requests at once as there are threads leave none to take an answer"
     return "its own caller waits, and one thread less is there for the others"
 
 
 def _names_of(callbacks: Sequence[Callback]) -> str:
     """``the service 'stop' and tick``."""
-    words = [endpoint_words(one.creation) if one.role == "service" else one.name for one in callbacks]
+    words = [endpoint_words(one.creation) if one.role == Role.SERVICE else one.name for one in callbacks]
     if len(words) > _NAMES_SHOWN:
         words[_NAMES_SHOWN - 1 :] = [f"{len(words) - _NAMES_SHOWN + 1} more"]
     return words[0] if len(words) == 1 else f"{', '.join(words[:-1])} and {words[-1]}"

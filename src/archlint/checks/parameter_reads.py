@@ -12,6 +12,7 @@ from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.finding import Finding, Place, Related
 from archlint.interpreter.values import Known
+from archlint.model import Role
 from archlint.suggestions import did_you_mean
 from archlint.syntax import facts
 
@@ -113,7 +114,7 @@ def unused_parameter(system: System, options: Options) -> Iterator[Finding]:
         blueprint = node.blueprint
         if blueprint is None or node.program is None or blueprint.test or not followed(node):
             continue
-        if any(callback.role == "parameter" for callback in node.program.callbacks):
+        if any(callback.role == Role.PARAMETER for callback in node.program.callbacks):
             continue
         calls = [call for b in node.program.nodes for call in node.program.calls if call.node is b]
         reads = {_name_of(call) for call in calls if call.api.startswith("rclpy.node.Node.get_parameter")}

@@ -19,6 +19,7 @@ from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.finding import Finding
 from archlint.libraries.values import MessageValue
+from archlint.model import Role
 from archlint.syntax import facts
 from archlint.syntax.walk import blocks_in, called_name, calls_in, has_literal_true, statements_of
 
@@ -76,12 +77,12 @@ def _takes_data(program: Program, client: Creation) -> bool:
 def _how_often(call: ApiCall, rate: float) -> str | None:
     """How often a request is sent, in words; None where that is seldom, or has an occasion."""
     callback = call.context
-    if callback.role == "timer" and not call.looped:
+    if callback.role == Role.TIMER and not call.looped:
         period = callback.creation.period if callback.creation is not None else None
         if period is None or period <= 0 or period * rate > 1 or not unguarded(call) or notes_that_it_ran(call):
             return None
         return f"{1 / period:g} times a second" if period < 1 else "once a second"
-    if callback.role in ("main", "thread") and call.loops and _unpaced(call.loops[-1]) and unguarded(call):
+    if callback.role in (Role.MAIN, Role.THREAD) and call.loops and _unpaced(call.loops[-1]) and unguarded(call):
         return "as fast as the loop goes round"
     return None
 

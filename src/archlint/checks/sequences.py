@@ -15,6 +15,7 @@ from archlint.checks.scope import Scope
 from archlint.finding import Finding, Place, Related
 from archlint.model import (
     EntityKind,
+    Role,
 )
 from archlint.syntax import facts
 from archlint.syntax.parts import names_in
@@ -100,9 +101,9 @@ def _runs(system: System) -> Iterator[list[_Step]]:
     by_run: dict[tuple[object, ...], list[_Step]] = {}
     for wait in waits(system):
         call = wait.call
-        if not (runs_in_executor(call.context) or (call.looped and call.context.role in ("main", "thread"))):
+        if not (runs_in_executor(call.context) or (call.looped and call.context.role in (Role.MAIN, Role.THREAD))):
             continue
-        if call.context.role == "service":
+        if call.context.role == Role.SERVICE:
             continue  # SRV003 says of a handler that it waits, and for how many answers
         if wait.kind != AWAIT and any(_retries(loop) for loop in call.loops):
             continue

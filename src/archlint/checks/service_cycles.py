@@ -14,13 +14,14 @@ from archlint.checks.scope import Scope
 from archlint.finding import Finding, Related
 from archlint.model import (
     EntityKind,
+    Role,
 )
 
 if TYPE_CHECKING:
     from archlint.systems.model import Endpoint, Node, System
 
 _SERVER_OF = {EntityKind.CLIENT: EntityKind.SERVICE, EntityKind.ACTION_CLIENT: EntityKind.ACTION_SERVER}
-_HANDLES = {"service": EntityKind.SERVICE, "execute": EntityKind.ACTION_SERVER}
+_HANDLES = {Role.SERVICE: EntityKind.SERVICE, Role.EXECUTE: EntityKind.ACTION_SERVER}
 
 _Key = tuple[str, str]
 """Kind of server and full name."""

@@ -13,6 +13,7 @@ from archlint.analysis.reach import node_name, one_for_each_place
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.finding import Finding, Place, Related, Severity
+from archlint.model import Role
 from archlint.syntax import facts
 
 if TYPE_CHECKING:
@@ -20,25 +21,25 @@ if TYPE_CHECKING:
     from archlint.systems.model import System
 
 _PASSED = {
-    "subscription": ("the message",),
-    "service": ("the request", "the response"),
-    "timer": (),
-    "guard": (),
-    "execute": ("the goal handle",),
-    "accepted": ("the goal handle",),
-    "cancel": ("the goal handle",),
-    "goal": ("the goal request",),
-    "feedback": ("the feedback",),
-    "done": ("the future",),
-    "parameter": ("the parameters",),
+    Role.SUBSCRIPTION: ("the message",),
+    Role.SERVICE: ("the request", "the response"),
+    Role.TIMER: (),
+    Role.GUARD: (),
+    Role.EXECUTE: ("the goal handle",),
+    Role.ACCEPTED: ("the goal handle",),
+    Role.CANCEL: ("the goal handle",),
+    Role.GOAL: ("the goal request",),
+    Role.FEEDBACK: ("the feedback",),
+    Role.DONE: ("the future",),
+    Role.PARAMETER: ("the parameters",),
 }
 """What rclpy calls a callback with."""
 
 _WHAT = {
-    "subscription": "the callback of a subscription",
-    "service": "a service handler",
-    "guard": "the callback of a guard condition",
-    "done": "a done callback",
+    Role.SUBSCRIPTION: "the callback of a subscription",
+    Role.SERVICE: "a service handler",
+    Role.GUARD: "the callback of a guard condition",
+    Role.DONE: "a done callback",
 }
 
 
@@ -183,9 +184,9 @@ def _plain(function: facts.Function) -> bool:
 def _fits(system: System, function: facts.Function | facts.Lambda, callback: Callback, distro: str) -> bool:
     """Whether a function can be called with what rclpy of ``distro`` passes."""
     counts = [len(_PASSED[callback.role])]
-    if callback.role == "subscription" and distro != "humble":
+    if callback.role == Role.SUBSCRIPTION and distro != "humble":
         counts.append(2)
-    if callback.role == "timer" and distro not in ("humble", "jazzy") and _wants_timer_info(function):
+    if callback.role == Role.TIMER and distro not in ("humble", "jazzy") and _wants_timer_info(function):
         # rclpy compares what the annotation is: a text is none, and with the import all of them are texts.
         if _annotations_are_texts(system, callback):
             return _takes_count(function, callback.bound_arguments, callback.bound_keywords)
@@ -238,9 +239,9 @@ def _and(parts: Sequence[str]) -> str:
     return " and ".join(parts) if parts else "no argument"
 
 
-def _more(role: str, distros: Sequence[str]) -> str:
-    if role == "subscription" and set(distros) != {"humble"}:
+def _more(role: Role, distros: Sequence[str]) -> str:
+    if role == Role.SUBSCRIPTION and set(distros) != {"humble"}:
         return "; from jazzy on also its MessageInfo, to a callback with two parameters"
-    if role == "timer" and not {"kilted", "lyrical", "rolling"}.isdisjoint(distros):
+    if role == Role.TIMER and not {"kilted", "lyrical", "rolling"}.isdisjoint(distros):
         return "; from kilted on a TimerInfo, to a parameter annotated with it"
     return ""

@@ -24,6 +24,9 @@ from archlint.finding import Finding, Place, Related, Severity
 from archlint.interpreter.values import Known, alternatives
 from archlint.model import (
     EntityKind,
+    ExecutorKind,
+    GroupKind,
+    Role,
 )
 from archlint.syntax import facts
 from archlint.syntax.walk import calls_in
@@ -58,9 +61,9 @@ def slow_callback(system: System, options: Options) -> Iterator[Finding]:
     told = functions_that_ask(system, options.distros)
     functions: dict[tuple[str, str], dict[Place, _Row]] = {}
     for program, call, stay in _stays(system):
-        if call.context.role == "service" and stay.kind == "sleep":
+        if call.context.role == Role.SERVICE and stay.kind == "sleep":
             continue  # SRV008 has a bound of its own for these
-        if call.context.role == "lifecycle":
+        if call.context.role == Role.LIFECYCLE:
             continue  # a transition may take its time, and the node does nothing until it is over
         if call.cleaning:
             continue  # something has failed, and the callback ends with it
@@ -98,7 +101,7 @@ def _is_left_alone(program: Program, call: ApiCall, stay: Stay) -> bool:
     return _waiting(call, program) == _NOBODY
 
 
-_LOSES_NOTHING = frozenset({"timer", "execute", "service"})
+_LOSES_NOTHING = frozenset({Role.TIMER, Role.EXECUTE, Role.SERVICE})
 
 
 def _is_no_program(system: System, callback: Callback) -> bool:
@@ -165,9 +168,9 @@ def _harmless(callback: Callback, program: Program) -> bool:
         # What holds no group is harmless under several threads, and nobody says that there are none.
         return callback.group is None and threads in (blocking.ANY, blocking.NOBODY)
     group = callback.group
-    if group is None or group.kind == "reentrant":
+    if group is None or group.kind == GroupKind.REENTRANT:
         return True
-    if group.kind != "mutually_exclusive" or callback.node is None:
+    if group.kind != GroupKind.MUTUALLY_EXCLUSIVE or callback.node is None:
         return False
     others = [one for one in callback.node.callbacks if one.group == group and one.place != callback.place]
     return not others
@@ -184,7 +187,7 @@ def _waiting(call: ApiCall, program: Program) -> str:
         return _OTHERS
     # The transitions of a lifecycle node wait, too, if anybody asks for one.
     known = callback.role in _ITS_NEXT and not node.lifecycle
-    whole = known and node.executor in ("single_threaded", "multi_threaded")
+    whole = known and node.executor in (ExecutorKind.SINGLE_THREADED, ExecutorKind.MULTI_THREADED)
     return _NOBODY if whole and all(one.complete for one in nodes) else _UNKNOWN
 
 
@@ -206,10 +209,10 @@ def _takes_in_more(node: Blueprint, call: ApiCall, program: Program) -> bool:
         one.place != callback.place
         and one not in follow
         and id(one.creation) not in later
-        and (one.creation is not callback.creation or one.role == "cancel")
+        and (one.creation is not callback.creation or one.role == Role.CANCEL)
         and runs_in_executor(one)
         for one in node.callbacks
-        if not (apart and one.group != callback.group) and one.role != "lifecycle"
+        if not (apart and one.group != callback.group) and one.role != Role.LIFECYCLE
     )
 
 
@@ -222,7 +225,7 @@ def _is_made_after(creation: Creation, call: ApiCall) -> bool:
 def _callbacks_that_follow(node: Blueprint, call: ApiCall) -> list[Callback]:
     """The done callbacks of futures that the waiting function makes further down, and of those that these make."""
     follow: list[Callback] = []
-    rest = [one for one in node.callbacks if one.role == "done" and one.registered is not None]
+    rest = [one for one in node.callbacks if one.role == Role.DONE and one.registered is not None]
     span = getattr(call.body[-1], "span", None) if call.body and not call.loops else None
     bodies = [] if span is None else [(call.place, span[2])]
     while bodies:
@@ -244,7 +247,7 @@ _TAKE_IN = frozenset(
     {EntityKind.SUBSCRIBER, EntityKind.SERVICE, EntityKind.ACTION_SERVER, EntityKind.TIMER, EntityKind.GUARD_CONDITION}
 )
 """Kinds of entities that bring an executor work by themselves."""
-_ITS_NEXT = {"subscription": "message", "timer": "turn", "service": "request", "execute": "goal"}
+_ITS_NEXT = {Role.SUBSCRIPTION: "message", Role.TIMER: "turn", Role.SERVICE: "request", Role.EXECUTE: "goal"}
 
 
 def _slow(system: System, rows: Sequence[_Row]) -> Finding:
@@ -321,16 +324,16 @@ def _instead(call: ApiCall, stay: Stay) -> str:
     """What to do; where the callback's return value is the answer, nothing can go on later."""
     if stay.kind == "discovery" and made_here(call):
         return MAKE_IT_EARLIER
-    if stay.kind == "discovery" and call.context.role in _ANSWERS - {"execute"}:
+    if stay.kind == "discovery" and call.context.role in _ANSWERS - {Role.EXECUTE}:
         return "look once, without waiting, and answer that it is not there"
-    if call.context.role == "service" and stay.kind != "network":
+    if call.context.role == Role.SERVICE and stay.kind != "network":
         return "what takes its time is an action: its execute callback may take it"
     if call.context.role in _ANSWERS:
         return "spin the node with a MultiThreadedExecutor, and give what must go on a callback group of its own"
     return _INSTEAD.get(stay.kind, "do it in a thread (or a ThreadPoolExecutor) of your own")
 
 
-_ANSWERS = frozenset({"service", "lifecycle", "goal", "cancel", "parameter", "execute"})
+_ANSWERS = frozenset({Role.SERVICE, Role.LIFECYCLE, Role.GOAL, Role.CANCEL, Role.PARAMETER, Role.EXECUTE})
 """Roles of callbacks that somebody waits for: what they return is the answer."""
 
 _INSTEAD = {

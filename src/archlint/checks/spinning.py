@@ -20,6 +20,9 @@ from archlint.finding import Finding, Place, Related, Severity
 from archlint.libraries import tables
 from archlint.model import (
     EntityKind,
+    ExecutorKind,
+    GroupKind,
+    Role,
     SpinDuration,
 )
 from archlint.syntax import facts
@@ -75,14 +78,16 @@ def node_never_spun(system: System, options: Options) -> Iterator[Finding]:
 
 
 def _all_is_seen(program: Program, node: Blueprint) -> bool:
-    unknown = any(use.kind == "unknown" or use.astray or (use.spun and not use.nodes) for use in program.executors)
+    unknown = any(
+        use.kind == ExecutorKind.UNKNOWN or use.astray or (use.spun and not use.nodes) for use in program.executors
+    )
     return not (program.exhausted or unknown or node.escapes) and node.complete
 
 
 def _idle(program: Program, node: Blueprint) -> _Idle | None:
     """Why nothing serves what a node certainly offers; None where something may."""
     served = [c for c in node.creations if c.api in _OWN_API and not c.conditional and not c.destroyed]
-    if node.executor == "none":
+    if node.executor == ExecutorKind.NONE:
         return _Idle(served) if served else None
     spells = [spell for use in program.executors if use.spun for spell in use.spells.get(node, ())]
     if not spells or any(node in use.nodes and node not in use.spells for use in program.executors):
@@ -104,7 +109,7 @@ def _spin_before(program: Program, place: Place) -> Place | None:
     later = next((call for call in program.calls if call.place == place), None)
     if later is None:
         return None
-    endless = [call for call in program.calls if call.api == "rclpy.spin" and call.context.role == "main"]
+    endless = [call for call in program.calls if call.api == "rclpy.spin" and call.context.role == Role.MAIN]
     return next((call.place for call in endless if call.file == later.file and _comes_first(call, later)), None)
 
 
@@ -223,8 +228,8 @@ def _only_excludes(program: Program, node: Blueprint) -> bool:
     """Whether the one group of a node promises nothing but that its callbacks do not run at the same time, which
     one thread keeps: all of the node's work is in it, or it is made in a file that does not choose the executor."""
     groups = {creation.group for creation in node.creations if creation.kind in _WORKING}
-    own = [group for group in groups if group.kind != "default"]
-    if len(own) != 1 or own[0].kind != "mutually_exclusive" or own[0].key is None or own[0].place is None:
+    own = [group for group in groups if group.kind != GroupKind.DEFAULT]
+    if len(own) != 1 or own[0].kind != GroupKind.MUTUALLY_EXCLUSIVE or own[0].key is None or own[0].place is None:
         return False
     uses = [use for use in program.executors if node in use.nodes]
     chosen_in = {place.file for use in uses for place in (use.place, use.spins_at(node)) if place is not None}
@@ -251,7 +256,10 @@ def _awaits(callback: Callback) -> bool:
 def _grouped(node: Blueprint) -> Iterator[Group]:
     """The groups that something of a node is put into."""
     for creation in node.creations:
-        if creation.group.kind in ("mutually_exclusive", "reentrant") and creation.group.key is not None:
+        if (
+            creation.group.kind in (GroupKind.MUTUALLY_EXCLUSIVE, GroupKind.REENTRANT)
+            and creation.group.key is not None
+        ):
             yield creation.group
 
 

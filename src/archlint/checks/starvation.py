@@ -23,6 +23,7 @@ from archlint.checks.polling import notes_that_it_ran, unguarded
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.finding import Finding, Related
+from archlint.model import ExecutorKind, GroupKind, Role
 
 if TYPE_CHECKING:
     from archlint.finding import Place
@@ -57,9 +58,9 @@ def piling_up(system: System) -> list[Wait]:
 def _outruns(wait: Wait) -> bool:
     """Whether enough ticks come, for certain, while the first still waits."""
     callback, creation = wait.call.context, wait.call.context.creation
-    reentrant = callback.group is not None and callback.group.kind == "reentrant"
+    reentrant = callback.group is not None and callback.group.kind == GroupKind.REENTRANT
     period = None if creation is None else creation.period
-    if callback.role != "timer" or not reentrant or period is None or not 0 < period <= _OFTEN_S:
+    if callback.role != Role.TIMER or not reentrant or period is None or not 0 < period <= _OFTEN_S:
         return False
     if not unguarded(_outside_of_its_loop(wait.call)) or notes_that_it_ran(wait.call):
         return False
@@ -86,7 +87,7 @@ def _threads(wait: Wait) -> int | None:
     """How many threads there are, at least by what is written; None where the machine decides."""
     node = wait.call.context.node
     uses = [] if node is None else wait.program.executors_of(node)
-    numbers = [use.threads for use in uses if use.kind == "multi_threaded"]
+    numbers = [use.threads for use in uses if use.kind == ExecutorKind.MULTI_THREADED]
     known = [number for number in numbers if number is not None]
     return max(known) if known and len(known) == len(numbers) else None
 
@@ -119,7 +120,12 @@ def _crowds(system: System) -> Iterator[tuple[ExecutorUse, list[Wait]]]:
         by_program.setdefault(id(wait.program), (wait.program, []))[1].append(wait)
     for program, here in by_program.values():
         for use in program.executors:
-            if use.kind == "multi_threaded" and use.threads is not None and use.place is not None and not use.astray:
+            if (
+                use.kind == ExecutorKind.MULTI_THREADED
+                and use.threads is not None
+                and use.place is not None
+                and not use.astray
+            ):
                 slots = _slots(use, [wait for wait in here if not wait.limited])
                 if not slots:
                     slots = _slots(use, [wait for wait in here if _period(wait) is not None])
@@ -146,7 +152,7 @@ def _coincide(found: Collection[Wait]) -> bool:
 def _period(wait: Wait) -> float | None:
     """The period of a timer that waits each time, one wait for each tick."""
     creation = wait.call.context.creation
-    if wait.call.context.role != "timer" or creation is None or not unguarded(_outside_of_its_loop(wait.call)):
+    if wait.call.context.role != Role.TIMER or creation is None or not unguarded(_outside_of_its_loop(wait.call)):
         return None
     return creation.period
 
@@ -158,11 +164,11 @@ def _slots(use: ExecutorUse, found: list[Wait]) -> dict[_Slot, Wait]:
         node, group = callback.node, callback.group
         if node is None or group is None or node not in use.nodes or _spun_elsewhere(wait, use):
             continue
-        if group.kind == "default":
+        if group.kind == GroupKind.DEFAULT:
             slots.setdefault((id(node), ""), wait)
-        elif group.kind == "mutually_exclusive" and group.key is not None:
+        elif group.kind == GroupKind.MUTUALLY_EXCLUSIVE and group.key is not None:
             slots.setdefault((0, group.key), wait)
-        elif group.kind == "reentrant":
+        elif group.kind == GroupKind.REENTRANT:
             slots.setdefault((id(callback), callback.place.file), wait)
     return slots
 

@@ -28,6 +28,7 @@ from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.finding import Finding, Fix, Place, Related, Severity
 from archlint.interpreter.values import External, Instance, Known
+from archlint.model import Role
 from archlint.syntax import facts
 from archlint.syntax.walk import called_name, calls_in
 
@@ -54,12 +55,12 @@ _COMPLETE = tuple(f"rclpy.task.Future.{name}" for name in ("set_result", "set_ex
 def wait_without_timeout(system: System, options: Options) -> Iterator[Finding]:
     """Waits for a service, an action server or a message that nothing limits."""
     calls = list(calls_of(system, _LIMIT))
-    called = {call.place for _, call in calls if call.context.role != "method"}
+    called = {call.place for _, call in calls if call.context.role != Role.METHOD}
     yield from one_for_each_place(
         _limitless_wait(system, call)
         for _, call in calls
         # What a method that nothing calls gets to, too, says nothing of those that are called.
-        if not (call.context.role == "method" and call.place in called)
+        if not (call.context.role == Role.METHOD and call.place in called)
         # Below zero a client does not wait at all; wait_for_message() then waits for ever.
         and waits_for_ever(call, _LIMIT[call.api], negative=call.api == WAIT_FOR_MESSAGE)
         and not is_never_made(system.workspace, call)
@@ -91,7 +92,7 @@ def _is_step_of_script(call: ApiCall) -> bool:
     and whoever runs it sees that it waits."""
     functions = (call.function, *(hop.caller for hop in call.chain))
     in_constructor = any(name.rpartition(".")[2] == "__init__" for name in functions)
-    return call.context.role in ("main", "module") and call.api != WAIT_FOR_MESSAGE and not in_constructor
+    return call.context.role in (Role.MAIN, Role.MODULE) and call.api != WAIT_FOR_MESSAGE and not in_constructor
 
 
 def _help_for_wait(call: ApiCall, function: str) -> str:
@@ -129,7 +130,7 @@ def spin_without_timeout(system: System, options: Options) -> Iterator[Finding]:
         if waits_for_ever(call, "timeout_sec") and call.place not in told
         if not is_dead(system.workspace, program, call) and not is_never_made(system.workspace, call)
         if not _own_future(call) or _waits_for_a_message(system, call)
-        if call.context.role != "method" or creations_of(argument(call, "future"))
+        if call.context.role != Role.METHOD or creations_of(argument(call, "future"))
     )
 
 
@@ -143,7 +144,7 @@ def _waits_for_a_message(system: System, call: ApiCall) -> bool:
     """Whether only a subscription completes the future, and what it brings is read afterwards.  A program may well
     spin until a message tells it to stop; then nobody reads what the future holds."""
     future = argument(call, "future")
-    if not isinstance(future, Instance) or _completed_by(system).get(future.key) != {"subscription"}:
+    if not isinstance(future, Instance) or _completed_by(system).get(future.key) != {Role.SUBSCRIPTION}:
         return False
     given = call.expression.args if call.expression is not None else []
     names = {_dotted(one.value) for one in given} - {""}
@@ -164,9 +165,9 @@ def _dotted(expression: facts.Expr) -> str:
 
 
 @once
-def _completed_by(system: System) -> dict[int, set[str]]:
+def _completed_by(system: System) -> dict[int, set[Role]]:
     """The roles of the code that completes the futures which the program makes itself."""
-    found: dict[int, set[str]] = {}
+    found: dict[int, set[Role]] = {}
     for _, call in calls_of(system, _COMPLETE):
         if isinstance(call.receiver, Instance):
             found.setdefault(call.receiver.key, set()).add(call.context.role)

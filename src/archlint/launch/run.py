@@ -54,7 +54,7 @@ class LaunchRun(Run):
             index,
             store,
             model.Program(file, None, file),
-            model.Callback("launch", file, place, None, file=file),
+            model.Callback(model.Role.LAUNCH, file, place, None, file=file),
         )
         self.loader = loader
         self.distro = loader.distro

@@ -13,6 +13,7 @@ from archlint.libraries.offers import OFFERS
 from archlint.libraries.python import command_line, environment, tasks
 from archlint.libraries.rclpy import attributes, escapes, messages, names, nodes, profiles, refusals
 from archlint.libraries.values import FutureValue, MessageValue
+from archlint.model import Role
 
 if TYPE_CHECKING:
     from archlint.interpreter.activation import Activation
@@ -116,7 +117,7 @@ class RosLibrary(Library):
         return interest.interesting(function)
 
     def are_settled(self, parameters: frozenset[str]) -> bool:
-        return self.run.context.role in ("main", "init") and parameters <= self.run.overrides.settled
+        return self.run.context.role in (Role.MAIN, Role.INIT) and parameters <= self.run.overrides.settled
 
     # ----------------------------------------------------------------------------- events: objects and names
 

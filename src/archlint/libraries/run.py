@@ -62,7 +62,7 @@ class Run(Interpreter):
     @contextmanager
     def importing(self, module: Module) -> Iterator[None]:
         kept = self.context
-        self.context = model.Callback("module", module.name, Place(module.path, 1, 1, 1, 1), None)
+        self.context = model.Callback(model.Role.MODULE, module.name, Place(module.path, 1, 1, 1, 1), None)
         try:
             yield
         finally:
@@ -83,7 +83,7 @@ class Run(Interpreter):
         return tuple(frames)
 
 
-_PHASES = {"module": Phase.IMPORT, "init": Phase.START, "main": Phase.START}
+_PHASES = {model.Role.MODULE: Phase.IMPORT, model.Role.INIT: Phase.START, model.Role.MAIN: Phase.START}
 """By the role of what runs."""
 
 __all__ = ["Run"]

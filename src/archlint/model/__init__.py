@@ -7,16 +7,21 @@ from __future__ import annotations
 
 from archlint.model.calls import ApiCall
 from archlint.model.executors import ExecutorUse, Spell, SpinDuration
-from archlint.model.messages import FieldUse, Passed, UnknownInterface
-from archlint.model.nodes import (
+from archlint.model.kinds import (
     ENDPOINT_KINDS,
     NAMED,
+    EntityKind,
+    ExecutorKind,
+    GroupKind,
+    Role,
+)
+from archlint.model.messages import FieldUse, Passed, UnknownInterface
+from archlint.model.nodes import (
     NEVER_CONSTRUCTED,
     Blueprint,
     Callback,
     ClassKey,
     Creation,
-    EntityKind,
     Frame,
     Group,
     ParameterDeclaration,
@@ -35,15 +40,18 @@ __all__ = [
     "ClassKey",
     "Creation",
     "EntityKind",
+    "ExecutorKind",
     "ExecutorUse",
     "FieldUse",
     "Frame",
     "Group",
+    "GroupKind",
     "Overrides",
     "ParameterDeclaration",
     "Passed",
     "Program",
     "Resolution",
+    "Role",
     "Spell",
     "SpinDuration",
     "Text",

@@ -6,6 +6,8 @@ from dataclasses import dataclass, field
 from enum import IntEnum
 from typing import TYPE_CHECKING
 
+from archlint.model.kinds import ExecutorKind
+
 if TYPE_CHECKING:
     from archlint.finding import Place
     from archlint.model.nodes import Blueprint
@@ -40,8 +42,7 @@ class Spell:
 class ExecutorUse:
     """An executor of a program: what spins which nodes, with how many threads."""
 
-    kind: str
-    """``single_threaded``, ``multi_threaded``, ``events`` or ``unknown``."""
+    kind: ExecutorKind
     threads: int | None
     nodes: list[Blueprint]
     place: Place | None

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
 
-from archlint.string_enum import StringEnum
+from archlint.model.kinds import EntityKind, ExecutorKind, GroupKind, Role
 
 if TYPE_CHECKING:
     from archlint.branches import BranchArms
@@ -16,40 +16,16 @@ if TYPE_CHECKING:
     from archlint.syntax import facts
 
 
-class EntityKind(StringEnum):
-    """What a create call makes, in the words of the graph's JSON."""
-
-    PUBLISHER = "publisher"
-    SUBSCRIBER = "subscriber"
-    SERVICE = "service"
-    CLIENT = "client"
-    ACTION_SERVER = "action_server"
-    ACTION_CLIENT = "action_client"
-    TIMER = "timer"
-    GUARD_CONDITION = "guard_condition"
-
-
 NEVER_CONSTRUCTED = "the node's constructor is not reached"
 """Why the name of an object of a node class is not known where nothing calls ``Node.__init__`` on it."""
-
-NAMED = {
-    EntityKind.PUBLISHER: "topic",
-    EntityKind.SUBSCRIBER: "topic",
-    EntityKind.SERVICE: "service",
-    EntityKind.CLIENT: "service",
-    EntityKind.ACTION_SERVER: "action",
-    EntityKind.ACTION_CLIENT: "action",
-}
-"""What the name of an endpoint is a name of."""
-ENDPOINT_KINDS = tuple(NAMED)
 
 
 @dataclass(frozen=True)
 class Group:
-    """A callback group: ``kind`` is ``default``, ``mutually_exclusive``, ``reentrant`` or ``unknown``;
-    ``key`` tells one group object from another inside a program (None: not one object for certain)."""
+    """A callback group: ``key`` tells one group object from another inside a program (None: not one object for
+    certain)."""
 
-    kind: str = "default"
+    kind: GroupKind = GroupKind.DEFAULT
     key: str | None = None
     place: Place | None = None
 
@@ -67,15 +43,9 @@ class Frame:
 
 @dataclass(eq=False)
 class Callback:
-    """What an executor, a future or a thread is given to run.
+    """What an executor, a future or a thread is given to run, or code that no callback runs."""
 
-    ``role`` is ``subscription``, ``timer``, ``service``, ``execute`` (of an action), ``goal``, ``cancel``,
-    ``accepted``, ``feedback``, ``done`` (of a future), ``parameter``, ``event``, ``guard``, ``task``, ``thread``,
-    ``lifecycle``, ``filter``; for code that no callback runs: ``init``, ``main``, ``module``, ``method``
-    (a method that nothing in the workspace calls).
-    """
-
-    role: str
+    role: Role
     name: str
     """Qualified name for people: ``SensorNode.on_scan``, ``main``, ``<lambda>``."""
     place: Place
@@ -117,8 +87,7 @@ class Creation:
     type_reason: str | None = None
     type_place: Place | None = None
     qos: Qos | None = None
-    callbacks: dict[str, Callback] = field(default_factory=dict)
-    """By role; a subscription has ``subscription``, an action server ``execute``, ``goal`` …"""
+    callbacks: dict[Role, Callback] = field(default_factory=dict)
     group: Group = field(default_factory=Group)
     conditional: bool = False
     branch_arms: BranchArms = frozenset()
@@ -198,8 +167,7 @@ class Blueprint:
     parameters: list[ParameterDeclaration] = field(default_factory=list)
     callbacks: list[Callback] = field(default_factory=list)
     executables: tuple[str, ...] = ()
-    executor: str = "none"
-    """``single_threaded``, ``multi_threaded``, ``none`` (never spun) or ``unknown``."""
+    executor: ExecutorKind = ExecutorKind.NONE
     test: bool = False
     """True where the node is defined in test code: never judged together with others."""
     complete: bool = True

@@ -176,7 +176,7 @@ def _read_setup(installs: Installs, module: Module, index: ModuleIndex, tree: Tr
     installs.build_files.append(module.path)
     place = Place(module.path, 1, 1, 1, 1)
     program = model.Program("setup", module.file.package, module.path)
-    run = SetupRun(LaunchLibrary, index, Store(), program, model.Callback("module", "setup", place, None))
+    run = SetupRun(LaunchLibrary, index, Store(), program, model.Callback(model.Role.MODULE, "setup", place, None))
     run.faults = faults
     run.import_module(module)
     if run.program.exhausted:

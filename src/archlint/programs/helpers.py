@@ -155,7 +155,7 @@ def prune_uncalled(programs: list[model.Program]) -> None:
 def _is_uncalled(creation: model.Creation) -> bool:
     return (
         creation.context is not None
-        and creation.context.role == "method"
+        and creation.context.role == model.Role.METHOD
         and creation.name.text is None
         and (creation.name.reason or "").startswith(NOT_PASSED)
     )

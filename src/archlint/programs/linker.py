@@ -175,7 +175,9 @@ class Linker:
         found = [file for file in files if f"/{file.relative}".endswith(tail)]
         return found if len(found) == 1 else []
 
-    def new_run(self, name: str, module: Module, role: str = "main", overrides: model.Overrides | None = None) -> Run:
+    def new_run(
+        self, name: str, module: Module, role: model.Role = model.Role.MAIN, overrides: model.Overrides | None = None
+    ) -> Run:
         place = Place(module.path, 1, 1, 1, 1)
         program = model.Program(name, module.file.package, module.path)
         context = model.Callback(role, name, place, None, file=module.path)
@@ -258,7 +260,7 @@ class Linker:
         self._run_rest(modules, [row for row in classes if not node_classes.is_node(row[1])], test)
 
     def _scope_values(self, module: Module) -> list[Value]:
-        run = self.new_run(module.name, module, "module")
+        run = self.new_run(module.name, module, model.Role.MODULE)
         with _Program(self, run, module):
             run.import_module(module)
         assert module.scope is not None
@@ -283,7 +285,7 @@ class Linker:
                     self._run_class(module, cls)
 
     def _run_class(self, module: Module, cls: ClassValue) -> None:
-        run = self.new_run(cls.qualified, module, "init")
+        run = self.new_run(cls.qualified, module, model.Role.INIT)
         run.program.executable = False
         with _Program(self, run, module, _place_of(cls)):
             init, _ = class_lookup(run, cls, "__init__")
@@ -310,7 +312,7 @@ class Linker:
                 if isinstance(value, ClassValue) and id(value) not in self.made:
                     self._run_class(module, value)
                 elif isinstance(value, FunctionValue) and id(value.ir) not in self.ran:
-                    run = self.new_run(value.qualified, module, "method")
+                    run = self.new_run(value.qualified, module, model.Role.METHOD)
                     run.program.executable = False
                     with _Program(self, run, module, _place_of(value)):
                         made = run.call(value, CallSite(keywords=flags_of(value)))

@@ -111,12 +111,12 @@ def run_root(
     enter_root(run, module)
     depth = run.store.depth
     run.store.push()
-    before = attributes_at_any_time(run) if callback.role == "method" else {}
+    before = attributes_at_any_time(run) if callback.role == model.Role.METHOD else {}
     for (key, slot), held in before.items():
         run.store.set(key, slot, held)
     try:
         given = run.call(value, CallSite(_fit(value, arguments)))
-        if callback.role == "method" and not isinstance(value, BoundMethod):
+        if callback.role == model.Role.METHOD and not isinstance(value, BoundMethod):
             escapes.escape(run, [given], f"{callback.name}() gives it to whoever calls that")
     except Exception as error:
         run.note_fault(f"following {callback.name}", error, callback.place)
@@ -183,8 +183,7 @@ def _run_methods(run: Run) -> None:
             if not interesting(ir) and not _hands_on(run, instance, ir):
                 continue
             bound = bind_quietly(function, instance, owner)
-            callback = describe(run, bound)
-            callback.role = "lifecycle" if ir.name in LIFECYCLE else "method"
+            callback = describe(run, bound, model.Role.LIFECYCLE if ir.name in LIFECYCLE else model.Role.METHOD)
             callback.node = run.nodes.by_object.get(instance.key)
             run.program.callbacks.append(callback)
             arguments = _uncalled_arguments(ir, callback.bound_arguments)

@@ -33,10 +33,10 @@ _LISTS = {
     "action_clients": program.EntityKind.ACTION_CLIENT,
 }
 _CALLBACK = {
-    program.EntityKind.SUBSCRIBER: "subscription",
-    program.EntityKind.SERVICE: "service",
-    program.EntityKind.ACTION_SERVER: "execute",
-    program.EntityKind.TIMER: "timer",
+    program.EntityKind.SUBSCRIBER: program.Role.SUBSCRIPTION,
+    program.EntityKind.SERVICE: program.Role.SERVICE,
+    program.EntityKind.ACTION_SERVER: program.Role.EXECUTE,
+    program.EntityKind.TIMER: program.Role.TIMER,
 }
 """Which of an entity's callbacks is *the* callback."""
 

@@ -6,6 +6,7 @@ from collections import Counter
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
+from archlint.model import EntityKind
 from archlint.ros.qos import Qos
 from archlint.systems.graph import NODE
 from archlint.systems.model import Endpoint, Node
@@ -108,7 +109,7 @@ def _lines(parts: Iterable[str]) -> str:
 def endpoint_details(endpoint: Endpoint, broken: str = "") -> str:
     """Kind, place, quality of service and callback of an endpoint, and why it is ``broken``, for a tooltip."""
     parts = [endpoint.kind.replace("_", " "), f"{endpoint.place.file}:{endpoint.place.line}"]
-    if endpoint.qos is not None and endpoint.kind in ("publisher", "subscriber"):
+    if endpoint.qos is not None and endpoint.kind in (EntityKind.PUBLISHER, EntityKind.SUBSCRIBER):
         parts.append(qos_words(endpoint.qos))
     parts += sorted(callback.name for callback in endpoint.creation.callbacks.values())
     if endpoint.conditional:

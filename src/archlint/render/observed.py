@@ -9,7 +9,7 @@ from __future__ import annotations
 import re
 from typing import TYPE_CHECKING, Any
 
-from archlint.model import Blueprint, Creation, Text
+from archlint.model import Blueprint, Creation, EntityKind, ExecutorKind, Text
 from archlint.observed.model import DIFFERENT, MISSING, UNEXPECTED, Comparison, Difference, SeenEnd, SeenNode
 from archlint.ros.names import is_hidden
 from archlint.systems.graph import INTERFACE_OF, NODE, TOPIC, Key, interface_key
@@ -24,7 +24,7 @@ if TYPE_CHECKING:
 
 _PACKAGE = re.compile(r"^\w+/(msg|srv|action)/")
 """What a picture leaves out of a type."""
-_TOWARDS_NODE = ("subscriber", "service", "action_server")
+_TOWARDS_NODE = (EntityKind.SUBSCRIBER, EntityKind.SERVICE, EntityKind.ACTION_SERVER)
 
 
 def mark(graph: networkx.MultiDiGraph, system: System, compared: Comparison) -> None:
@@ -71,7 +71,7 @@ def _remark(one: Difference) -> str:
 
 def _add_node(graph: networkx.MultiDiGraph, system: System, seen: SeenNode) -> None:
     """A node that runs and that the source does not have, with what it is an end of."""
-    node = Node(seen.name, None, None, None, "unknown", external=True, launch_place=seen.place)
+    node = Node(seen.name, None, None, None, ExecutorKind.UNKNOWN, external=True, launch_place=seen.place)
     key = (NODE, seen.name)
     graph.add_node(key, kind=NODE, name=seen.name, resolution="exact", node=node, neighbour=False, observed=UNEXPECTED)
     of_ros = implicit_names(system)

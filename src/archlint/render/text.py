@@ -7,7 +7,7 @@ from functools import partial
 
 from archlint import model as program
 from archlint.analysis.delivery import undelivered_on
-from archlint.model import Creation, ParameterDeclaration
+from archlint.model import Creation, ParameterDeclaration, Role
 from archlint.observed.model import DIFFERENT, MISSING, UNEXPECTED, Difference
 from archlint.observed.words import comparison_words
 from archlint.render import json, look
@@ -145,7 +145,7 @@ def _notes(endpoint: Endpoint) -> Iterator[str]:
 
 def _timer_row(timer: Creation) -> Sequence[Cell]:
     period = "?" if timer.period is None else f"{timer.period:g}"
-    callback = timer.callbacks.get("timer")
+    callback = timer.callbacks.get(Role.TIMER)
     return [
         ("timer", "plain"),
         (f"every {period} s", "plain"),

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Protocol
 from archlint.model import (
     Blueprint,
     EntityKind,
+    ExecutorKind,
     Program,
     Text,
 )
@@ -185,10 +186,10 @@ def _twin_order(twin: Twin) -> tuple[object, ...]:
     )
 
 
-def _common_executor(executors: Iterable[str]) -> str:
+def _common_executor(executors: Iterable[ExecutorKind]) -> ExecutorKind:
     """The executor that spins a node in every program that spins it."""
-    spun = sorted({executor for executor in executors if executor != "none"})
-    return "none" if not spun else spun[0] if len(spun) == 1 else "unknown"
+    spun = sorted({executor for executor in executors if executor != ExecutorKind.NONE})
+    return ExecutorKind.NONE if not spun else spun[0] if len(spun) == 1 else ExecutorKind.UNKNOWN
 
 
 def _node_order(node: Node) -> tuple[object, ...]:

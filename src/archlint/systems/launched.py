@@ -8,7 +8,7 @@ from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from archlint.launch.model import Launched, OpenParameters, ParameterFileUse, ParameterSetting, Started
-from archlint.model import Blueprint, Overrides, Program, Text
+from archlint.model import Blueprint, ExecutorKind, Overrides, Program, Text
 from archlint.ros import names
 from archlint.ros.remapping import RemapRule, rules_of_arguments
 from archlint.systems.command_line import Word, words_of
@@ -247,7 +247,7 @@ def _external(started: Started, launch_file: str, unfollowed: str | None) -> Nod
         blueprint=None,
         package=started.package.text,
         executable=started.executable.text,
-        executor="unknown",
+        executor=ExecutorKind.UNKNOWN,
         launched_by=launch_file,
         external=True,
         unfollowed=unfollowed,

@@ -26,6 +26,7 @@ if TYPE_CHECKING:
         Callback,
         Creation,
         EntityKind,
+        ExecutorKind,
         ParameterDeclaration,
         Program,
         Resolution,
@@ -100,7 +101,7 @@ class Node:
     blueprint: Blueprint | None
     package: str | None
     executable: str | None
-    executor: str
+    executor: ExecutorKind
     launched_by: str | None = None
     external: bool = False
     unfollowed: str | None = None

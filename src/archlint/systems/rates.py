@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 from archlint.libraries.values import EntityValue
 from archlint.model import (
     EntityKind,
+    Role,
 )
 
 if TYPE_CHECKING:
@@ -21,7 +22,7 @@ def rates(system: System) -> dict[int, float]:
     timers: dict[int, dict[int, float]] = {}
     for call in system.calls:
         timer = call.context.creation
-        if call.api != _PUBLISH or call.context.role != "timer" or timer is None or call.conditional:
+        if call.api != _PUBLISH or call.context.role != Role.TIMER or timer is None or call.conditional:
             continue
         if not timer.period or not isinstance(call.receiver, EntityValue) or len(call.receiver.creations) != 1:
             continue

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 
 from archlint.interpreter.values import BoundMethod, External, FunctionValue, Unknown, Value
 from archlint.libraries.rclpy import callbacks
+from archlint.model import Role
 from archlint.syntax import facts
 
 if TYPE_CHECKING:
@@ -38,8 +39,7 @@ def apart(run: Run, e: facts.Call, function: Value) -> Iterator[None]:
         yield
         return
     kept = run.context
-    run.context = callbacks.describe(run, function)
-    run.context.role = "thread"
+    run.context = callbacks.describe(run, function, Role.THREAD)
     try:
         yield
     finally:

@@ -56,9 +56,9 @@ def register_row(
     node: model.Blueprint | None,
     creation: model.Creation | None,
     group: model.Group | None = None,
-) -> dict[str, model.Callback]:
+) -> dict[model.Role, model.Callback]:
     """Register all callbacks that a call of the table hands over."""
-    found: dict[str, model.Callback] = {}
+    found: dict[model.Role, model.Callback] = {}
     for parameter, role in call.api.callbacks:
         value = call.get(parameter)
         if value is None:
@@ -69,10 +69,13 @@ def register_row(
     return found
 
 
+_IN_NO_GROUP = (model.Role.EXECUTE, model.Role.DONE, model.Role.TASK, model.Role.THREAD)
+
+
 def register(
     run: Run,
     value: Value,
-    role: str,
+    role: model.Role,
     node: model.Blueprint | None,
     creation: model.Creation | None,
     group: model.Group | None,
@@ -84,11 +87,10 @@ def register(
     for option in alternatives(value):
         if isinstance(option, Known):
             continue  # None: no callback
-        callback = describe(run, option)
-        callback.role = role
+        callback = describe(run, option, role)
         callback.node = node
         callback.creation = creation
-        callback.group = None if role in ("execute", "done", "task", "thread") else group
+        callback.group = None if role in _IN_NO_GROUP else group
         callback.registered = run.place(call.expression.span) if call.expression is not None else None
         key = (role, callback.registered, callback.name, callback.place, id(creation), _receiver(option))
         if not _is_new(run, key, callback, (option, call.receiver, *(arguments or ()))):
@@ -139,13 +141,12 @@ def hand_out(run: Run, values: Iterable[Value]) -> None:
             continue
         if not (given or any(interesting(one.ir) or _passes_on(run, one) for one in _led_to(run, inner))):
             continue
-        callback = describe(run, option)
+        callback = describe(run, option, model.Role.METHOD)
         # Once a function, whatever scope it is defined in: one that defines others and hands them out has no end.
-        key = ("method", None, callback.name, callback.place, 0, 0)
+        key = (model.Role.METHOD, None, callback.name, callback.place, 0, 0)
         if key in run.callbacks.registered:
             continue
         run.callbacks.registered[key] = set()
-        callback.role = "method"
         run.program.callbacks.append(callback)
         run.callbacks.pending.append(Pending(callback, option, (), run.callbacks.lineage))
 
@@ -213,7 +214,7 @@ def told_apart(run: Run, base: Key, call: ApiUse) -> Key:
     return (*base, apart if run.nodes.met_again is None else first)
 
 
-def default_arguments(run: Run, role: str, creation: model.Creation | None, call: ApiUse) -> tuple[Value, ...]:
+def default_arguments(run: Run, role: model.Role, creation: model.Creation | None, call: ApiUse) -> tuple[Value, ...]:
     """What rclpy calls a callback of this role with."""
     type_ = creation.type if creation is not None and not _may_be_another_type(call) else None
 
@@ -222,22 +223,22 @@ def default_arguments(run: Run, role: str, creation: model.Creation | None, call
             return Unknown("a message of unknown type")
         return MessageValue(type_, part, run.store.new_key())
 
-    if role == "subscription":
+    if role == model.Role.SUBSCRIPTION:
         return (message(""),)
-    if role == "service":
+    if role == model.Role.SERVICE:
         return (message("Request"), message("Response"))
-    if role in ("execute", "cancel", "accepted"):
+    if role in (model.Role.EXECUTE, model.Role.CANCEL, model.Role.ACCEPTED):
         goal = message("Goal")
         made = Instance(GOAL_HANDLE, run.store.new_key(), None, {"request": goal})
         run.store.set(made.key, "request", goal)
         return (made,)
-    if role == "goal":
+    if role == model.Role.GOAL:
         return (message("Goal"),)
-    if role == "done":
+    if role == model.Role.DONE:
         return (call.receiver,) if isinstance(call.receiver, FutureValue) else (Unknown("a future"),)
-    if role == "feedback":
+    if role == model.Role.FEEDBACK:
         return (_feedback(run, call),)
-    if role in ("parameter", "event", "filter"):
+    if role in (model.Role.PARAMETER, model.Role.EVENT, model.Role.FILTER):
         return (Unknown("what rclpy passes to the callback"),)
     return ()
 
@@ -260,40 +261,40 @@ def _feedback(run: Run, call: ApiUse) -> Value:
     return made
 
 
-def describe(run: Run, value: Value) -> model.Callback:
+def describe(run: Run, value: Value, role: model.Role) -> model.Callback:
     """What a callable is, for people: its name and where it is defined."""
     here = run.place((1, 1, 1, 1))
     if isinstance(value, FunctionValue):
         span = value.ir.name_span if isinstance(value.ir, facts.Function) else value.ir.span
         place = Place(value.scope.module.path, *span)
         is_async = isinstance(value.ir, facts.Function) and value.ir.is_async
-        return model.Callback("", value.qualified, place, value.ir, is_async=is_async, file=value.scope.module.path)
+        return model.Callback(role, value.qualified, place, value.ir, is_async=is_async, file=value.scope.module.path)
     if isinstance(value, BoundMethod):
-        callback = describe(run, value.function)
+        callback = describe(run, value.function, role)
         callback.bound_arguments += 1
         return callback
     if isinstance(value, Partial):
-        callback = describe(run, value.function)
+        callback = describe(run, value.function, role)
         callback.bound_arguments += len(value.args)
         callback.bound_keywords |= {name for name, _ in value.keywords}
         return callback
     if isinstance(value, Instance) and isinstance(value.cls, ClassValue):
         method = get_attribute(run, value, "__call__")
         if isinstance(method, BoundMethod):
-            return describe(run, method)
-        return model.Callback("", value.cls.qualified, here, None)
+            return describe(run, method, role)
+        return model.Callback(role, value.cls.qualified, here, None)
     if isinstance(value, (ApiMethod, External)):
-        callback = model.Callback("", value.path, here, None)
+        callback = model.Callback(role, value.path, here, None)
         callback.missing = _missing_method(value)
         return callback
     if isinstance(value, Builtin):
-        return model.Callback("", value.name, here, None)
+        return model.Callback(role, value.name, here, None)
     if isinstance(value, Unknown):
-        callback = model.Callback("", "?", here, None)
+        callback = model.Callback(role, "?", here, None)
         if (value.name or "").startswith("missing:"):
             callback.missing = (value.name or "").removeprefix("missing:")
         return callback
-    return model.Callback("", "?", here, None)
+    return model.Callback(role, "?", here, None)
 
 
 def _missing_method(value: ApiMethod | External) -> str | None:
@@ -351,7 +352,7 @@ def _run_apart(run: Run, target: Value, name: str, arguments: Iterable[Value], e
     """A function of a library runs in a thread that is started here."""
     kept = run.context
     place = kept.place if expression is None else run.place(expression.span)
-    run.context = model.Callback("thread", name, place, None, file=place.file)
+    run.context = model.Callback(model.Role.THREAD, name, place, None, file=place.file)
     try:
         run.call(target, CallSite(list(arguments)))
     finally:

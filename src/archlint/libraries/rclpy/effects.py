@@ -97,7 +97,7 @@ def _group(run: Run, call: ApiUse) -> model.Group | None:
     """Parameters are set by services of the node, which are in its default group."""
     if call.api.group is not None:
         return entities.group_of(run, call.get(call.api.group))
-    return model.Group("default") if call.api.callbacks[0][1] == "parameter" else None
+    return model.Group(model.GroupKind.DEFAULT) if call.api.callbacks[0][1] == model.Role.PARAMETER else None
 
 
 _GET_INTERFACE = re.compile(r"^([a-z][a-z0-9_]*)/(?:(msg|srv|action)/)?([A-Z]\w*)$")

@@ -144,24 +144,24 @@ def _stored(run: Run, call: ApiUse) -> bool:
 
 
 _GROUPS = {
-    "rclpy.callback_groups.MutuallyExclusiveCallbackGroup": "mutually_exclusive",
-    "rclpy.callback_groups.ReentrantCallbackGroup": "reentrant",
+    "rclpy.callback_groups.MutuallyExclusiveCallbackGroup": model.GroupKind.MUTUALLY_EXCLUSIVE,
+    "rclpy.callback_groups.ReentrantCallbackGroup": model.GroupKind.REENTRANT,
 }
 
 
 def group_of(run: Run, value: Value | None) -> model.Group:
     """The callback group that an argument names."""
     if value is None or (isinstance(value, Known) and value.value is None):
-        return model.Group("default")
+        return model.Group(model.GroupKind.DEFAULT)
     if isinstance(value, External) and value.path.endswith("default_callback_group"):
-        return model.Group("default")
+        return model.Group(model.GroupKind.DEFAULT)
     if isinstance(value, Instance):
         bases = [value.cls.path] if isinstance(value.cls, External) else value.cls.external_bases()
         for base in bases:
             kind = _GROUPS.get(rclpy_names.canonical(base))
             if kind is not None:
                 return model.Group(kind, str(value.key), value.place)
-    return model.Group("unknown")
+    return model.Group(model.GroupKind.UNKNOWN)
 
 
 def timer(run: Run, call: ApiUse) -> Value:
@@ -231,7 +231,7 @@ def transform_listener(run: Run, call: ApiUse) -> Value:
             )
             profile = profiles.resolve(run, call.get(qos), default, call)
             creation = _create(run, part, blueprint, text, "tf2_msgs/msg/TFMessage", None, profile, None)
-            creation.group = model.Group("reentrant")
+            creation.group = model.Group(model.GroupKind.REENTRANT)
             made.append(creation)
     return EntityValue(tuple(made), call.api.path, run.store.new_key())
 

@@ -19,25 +19,25 @@ if TYPE_CHECKING:
     from archlint.libraries.run import Run
     from archlint.libraries.tables import Api
 
-_STARTED = ("init", "main", "module", "thread", "method")
+_STARTED = (model.Role.INIT, model.Role.MAIN, model.Role.MODULE, model.Role.THREAD, model.Role.METHOD)
 """Roles of what no executor runs."""
 
 
 def make_executor(run: Run, call: ApiUse) -> Value:
-    use = _new_use(run, call.api.variant, call.get("num_threads"), call)
+    use = _new_use(run, model.ExecutorKind(call.api.variant), call.get("num_threads"), call)
     return ExecutorValue(use, call.api.path, run.store.new_key())
 
 
 def adopt_executor(run: Run, api: Api, receiver: Instance, site: CallSite) -> Value:
     """An executor class of ours: ``super().__init__()`` tells which kind it is."""
     threads = site.keywords.get("num_threads", site.args[0] if site.args else None)
-    run.store.set(receiver.key, "#executor", _new_use(run, api.variant, threads, None))
+    run.store.set(receiver.key, "#executor", _new_use(run, model.ExecutorKind(api.variant), threads, None))
     return Known(None)
 
 
-def _new_use(run: Run, kind: str, threads: Value | None, call: ApiUse | None) -> model.ExecutorUse:
+def _new_use(run: Run, kind: model.ExecutorKind, threads: Value | None, call: ApiUse | None) -> model.ExecutorUse:
     count = threads.value if isinstance(threads, Known) and isinstance(threads.value, int) else None
-    if kind in ("single_threaded", "events"):
+    if kind in (model.ExecutorKind.SINGLE_THREADED, model.ExecutorKind.EVENTS):
         count = 1
     place = run.place(call.expression.span) if call is not None and call.expression is not None else None
     use = model.ExecutorUse(kind, count, [], place)
@@ -60,9 +60,9 @@ def use_of(run: Run, value: Value | None) -> model.ExecutorUse | None:
 def _global_use(run: Run) -> model.ExecutorUse:
     """The process-wide single-threaded executor of ``rclpy.spin``."""
     for use in run.program.executors:
-        if use.place is None and use.kind == "single_threaded":
+        if use.place is None and use.kind == model.ExecutorKind.SINGLE_THREADED:
             return use
-    use = model.ExecutorUse("single_threaded", 1, [], None)
+    use = model.ExecutorUse(model.ExecutorKind.SINGLE_THREADED, 1, [], None)
     run.program.executors.append(use)
     return use
 
@@ -75,15 +75,22 @@ def _put(use: model.ExecutorUse, node: model.Blueprint) -> None:
 
 def settle(program: model.Program) -> None:
     """Say of each node which kind of executor serves it, once all of them are known."""
-    astray = any(use.kind == "unknown" and use.spun and not use.nodes for use in program.executors)
+    astray = any(use.kind == model.ExecutorKind.UNKNOWN and use.spun and not use.nodes for use in program.executors)
     for node in program.nodes:
-        kinds = {"single_threaded" if use.kind == "events" else use.kind for use in program.executors_of(node)}
+        kinds = {
+            model.ExecutorKind.SINGLE_THREADED if use.kind == model.ExecutorKind.EVENTS else use.kind
+            for use in program.executors_of(node)
+        }
         if not kinds:
-            node.executor = "unknown" if astray or node.escapes else "none"
+            node.executor = model.ExecutorKind.UNKNOWN if astray or node.escapes else model.ExecutorKind.NONE
         elif len(kinds) == 1:
             node.executor = kinds.pop()
         else:
-            node.executor = "multi_threaded" if "multi_threaded" in kinds else "unknown"
+            node.executor = (
+                model.ExecutorKind.MULTI_THREADED
+                if model.ExecutorKind.MULTI_THREADED in kinds
+                else model.ExecutorKind.UNKNOWN
+            )
 
 
 def running(run: Run, node: model.Blueprint | None) -> model.ExecutorUse | None:
@@ -97,7 +104,7 @@ def _spins(run: Run, use: model.ExecutorUse, call: ApiUse, lasting: model.SpinDu
         use.spun_at = _place(run, call)
     use.spun = True
     use.lasting = max(use.lasting, lasting)
-    use.in_thread = use.in_thread or run.context.role == "thread"
+    use.in_thread = use.in_thread or run.context.role == model.Role.THREAD
 
 
 def _place(run: Run, call: ApiUse) -> Place:
@@ -149,7 +156,7 @@ def spin(run: Run, call: ApiUse) -> Value:
         use = use_of(run, given)
         if use is None:
             unknown = given is not None and not (isinstance(given, Known) and given.value is None)
-            use = _new_use(run, "unknown", None, call) if unknown else _global_use(run)
+            use = _new_use(run, model.ExecutorKind.UNKNOWN, None, call) if unknown else _global_use(run)
         _spins(run, use, call, lasting)
         use.astray = use.astray or not spun
         _note_own_executor(spun if lasting == model.SpinDuration.TO_THE_END else ())
@@ -183,7 +190,7 @@ def _note_own_executor(given: Sequence[model.Blueprint]) -> None:
 def _serve(run: Run, call: ApiUse) -> None:
     """A spin without end is where callbacks run."""
     endless = call.api.path in ("rclpy.spin", "rclpy.executors.Executor.spin")
-    if endless and run.context.role in ("main", "module") and run.at_spin is not None:
+    if endless and run.context.role in (model.Role.MAIN, model.Role.MODULE) and run.at_spin is not None:
         run.at_spin(run)
 
 

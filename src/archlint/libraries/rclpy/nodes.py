@@ -111,7 +111,7 @@ def note_replaced(run: Run, made: Instance, before: object) -> None:
 
 def hand_out_class(run: Run, value: ClassValue) -> None:
     """Note that the class of a node is given to code that we do not see."""
-    if run.context.role == "main" and node_classes.may_be_node(value):
+    if run.context.role == model.Role.MAIN and node_classes.may_be_node(value):
         run.escapes.classes.setdefault(id(value), value)
 
 

@@ -194,7 +194,7 @@ def _note(
             dynamic,
             chain=run.chain(),
             given=(in_code,) if given is not None and in_code_known else (),
-            uncalled=run.context.role == "method",
+            uncalled=run.context.role == model.Role.METHOD,
         )
     )
 
@@ -324,7 +324,7 @@ def has_parameter(run: Run, call: ApiUse) -> Value:
         value = run.store.get(nodes.node_key(run, call.receiver), ("#parameter", name.value))
         if isinstance(value, Value):
             return TRUE
-        if run.context.role == "init" and not run.branch_arms and run.overrides == model.Overrides():
+        if run.context.role == model.Role.INIT and not run.branch_arms and run.overrides == model.Overrides():
             return FALSE
     return Unknown("whether the parameter is declared")
 

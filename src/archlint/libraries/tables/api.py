@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from functools import cached_property
 from typing import Literal
 
-from archlint.model import EntityKind
+from archlint.model import EntityKind, Role
 
 EffectName = Literal[
     "none",
@@ -85,7 +85,7 @@ class Api:
     name: str | None = None
     qos: str | None = None
     group: str | None = None
-    callbacks: tuple[tuple[str, str], ...] = ()
+    callbacks: tuple[tuple[str, Role], ...] = ()
     """``(parameter, role)``."""
     default_qos: str = ""
     fixed_name: str | None = None
@@ -102,7 +102,7 @@ class Api:
     @property
     def creates(self) -> bool:
         """Whether a call makes an endpoint or a timer."""
-        return self.effect in ("endpoint", "timer")
+        return self.effect in ("endpoint", Role.TIMER)
 
     @cached_property
     def params(self) -> tuple[str, ...]:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from archlint.libraries.tables.api import Api
+from archlint.model import Role
 
 ROWS = (
     *(
@@ -10,7 +11,7 @@ ROWS = (
             f"message_filters.{filter_}.registerCallback",
             "callback",
             effect="callbacks",
-            callbacks=(("callback", "filter"),),
+            callbacks=(("callback", Role.FILTER),),
         )
         for filter_ in ("TimeSynchronizer", "ApproximateTimeSynchronizer", "Subscriber", "Cache")
     ),
@@ -19,7 +20,7 @@ ROWS = (
             f"rclpy.node.Node.add_{when}_set_parameters_callback",
             "callback",
             effect="callbacks",
-            callbacks=(("callback", "parameter"),),
+            callbacks=(("callback", Role.PARAMETER),),
         )
         for when in ("on", "post", "pre")
     ),
@@ -27,7 +28,7 @@ ROWS = (
         "rclpy.task.Future.add_done_callback",
         "callback",
         effect="callbacks",
-        callbacks=(("callback", "done"),),
+        callbacks=(("callback", Role.DONE),),
         watched=True,
     ),
 )

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from archlint import model
 from archlint.libraries.tables.api import Api
+from archlint.model import Role
 
 _ACTION_QOS = "goal_service_qos_profile result_service_qos_profile cancel_service_qos_profile"
 
@@ -43,7 +44,7 @@ ROWS = (
         name="topic",
         qos="qos_profile",
         group="callback_group",
-        callbacks=(("callback", "subscription"),),
+        callbacks=(("callback", Role.SUBSCRIPTION),),
         returns="rclpy.subscription.Subscription",
     ),
     Api(
@@ -70,7 +71,7 @@ ROWS = (
         qos="qos_profile",
         group="callback_group",
         default_qos="services_default",
-        callbacks=(("callback", "service"),),
+        callbacks=(("callback", Role.SERVICE),),
         returns="rclpy.service.Service",
     ),
     Api(
@@ -87,10 +88,10 @@ ROWS = (
         group="callback_group",
         default_qos="services_default",
         callbacks=(
-            ("execute_callback", "execute"),
-            ("goal_callback", "goal"),
-            ("handle_accepted_callback", "accepted"),
-            ("cancel_callback", "cancel"),
+            ("execute_callback", Role.EXECUTE),
+            ("goal_callback", Role.GOAL),
+            ("handle_accepted_callback", Role.ACCEPTED),
+            ("cancel_callback", Role.CANCEL),
         ),
         returns="rclpy.action.server.ActionServer",
     ),
@@ -115,7 +116,7 @@ ROWS = (
         effect="timer",
         kind=model.EntityKind.TIMER,
         group="callback_group",
-        callbacks=(("callback", "timer"),),
+        callbacks=(("callback", Role.TIMER),),
         returns="rclpy.timer.Timer",
     ),
     Api("rclpy.node.Node.create_rate", "frequency clock?", strict=True, effect="rate", returns="rclpy.timer.Rate"),
@@ -124,7 +125,7 @@ ROWS = (
         "callback callback_group",
         effect="callbacks",
         group="callback_group",
-        callbacks=(("callback", "guard"),),
+        callbacks=(("callback", Role.GUARD),),
     ),
 )
 

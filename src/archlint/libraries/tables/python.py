@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from archlint.libraries.tables.api import Api
+from archlint.model import Role
 
 ROWS = (
     # ---- threads
@@ -10,9 +11,9 @@ ROWS = (
         "threading.Thread",
         "group target name args kwargs * daemon",
         effect="thread",
-        callbacks=(("target", "thread"),),
+        callbacks=(("target", Role.THREAD),),
     ),
-    Api("threading.Timer", "interval function args kwargs", effect="thread", callbacks=(("function", "thread"),)),
+    Api("threading.Timer", "interval function args kwargs", effect="thread", callbacks=(("function", Role.THREAD),)),
     # ---- waiting
     Api("time.sleep", "seconds", watched=True),
     Api("threading.Event.wait", "timeout", watched=True),

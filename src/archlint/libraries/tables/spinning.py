@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from archlint.libraries.tables.api import Api
+from archlint.model import Role
 
 ROWS = (
     Api("rclpy.spin", "node executor", effect="spin", watched=True),
@@ -36,7 +37,7 @@ ROWS = (
         "rclpy.executors.Executor.create_task",
         "callback",
         effect="callbacks",
-        callbacks=(("callback", "task"),),
+        callbacks=(("callback", Role.TASK),),
     ),
 )
 

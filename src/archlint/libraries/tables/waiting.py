@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from archlint import model
 from archlint.libraries.tables.api import Api
+from archlint.model import Role
 
 ROWS = (
     # ---- clients
@@ -17,14 +18,14 @@ ROWS = (
         "rclpy.action.client.ActionClient.send_goal",
         "goal feedback_callback goal_uuid",
         effect="wait_answer",
-        callbacks=(("feedback_callback", "feedback"),),
+        callbacks=(("feedback_callback", Role.FEEDBACK),),
         watched=True,
     ),
     Api(
         "rclpy.action.client.ActionClient.send_goal_async",
         "goal feedback_callback goal_uuid",
         effect="call_async",
-        callbacks=(("feedback_callback", "feedback"),),
+        callbacks=(("feedback_callback", Role.FEEDBACK),),
         watched=True,
     ),
     Api("rclpy.action.client.ClientGoalHandle.get_result", effect="wait_answer", watched=True),
