@@ -93,3 +93,40 @@ def test_statements_of_a_kind_are_those_of_the_blocks_too() -> None:
     found = [one.targets[0].variable for one in statements_of(body(source), facts.Assign)]
     assert found == ["a", "b", "c", "d", "e"]
     assert [type(one) for one in statements_of(body(source))][:3] == [facts.Assign, facts.While, facts.Try]
+
+
+@pytest.mark.parametrize(
+    ("source", "truth"), [("True", True), ("1", True), ("''", False), ("None", False), ("0.0", False), ("x", None)]
+)
+def test_whether_a_literal_is_true(source: str, truth: bool | None) -> None:
+    call = expression(f"f({source})")
+    assert isinstance(call, facts.Call)
+    assert call.args[0].value.truth is truth
+
+
+@pytest.mark.parametrize(
+    ("source", "endless"),
+    [
+        ("while True: pass", True),
+        ("while 1: pass", True),
+        ("while rclpy.ok(): pass", False),
+        ("while 0: pass", False),
+        ("for x in rows: pass", False),
+    ],
+)
+def test_which_loops_are_written_without_an_end(source: str, endless: bool) -> None:
+    [loop] = body(source)
+    assert isinstance(loop, (facts.While, facts.For))
+    assert loop.is_endless is endless
+
+
+def test_an_attribute_knows_what_the_first_is_read_of() -> None:
+    chain = expression("make().client.name")
+    assert isinstance(chain, facts.Attribute)
+    assert isinstance(chain.owner, facts.Call)
+
+
+def test_a_fact_is_made_of_its_children_in_order() -> None:
+    [statement] = body("if a:\n    b()\nelse:\n    c()")
+    assert [type(child).__name__ for child in statement.children()] == ["Name", "Expression", "Expression"]
+    assert [[one.span[0] for one in block] for block in statement.blocks] == [[2], [4]]

@@ -15,7 +15,7 @@ from archlint.model import (
 )
 from archlint.syntax import facts
 from archlint.syntax.parts import everything_in
-from archlint.syntax.walk import blocks_in, called_name, calls_in, parts_of, statements_of
+from archlint.syntax.walk import called_name, calls_in, parts_of, statements_of
 
 if TYPE_CHECKING:
     from archlint.finding import Place
@@ -189,7 +189,7 @@ def _guards(body: Sequence[facts.Stmt], line: int) -> Iterator[facts.Expr]:
             continue
         if isinstance(statement, facts.While) or (isinstance(statement, facts.If) and not _speaks_anyway(statement)):
             yield statement.test
-        for block in blocks_in(statement):
+        for block in statement.blocks:
             if any(_is_in(line, one) for one in block):
                 yield from _guards(block, line)
         return

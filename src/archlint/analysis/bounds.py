@@ -7,7 +7,7 @@ from collections.abc import Iterator, Sequence
 
 from archlint.syntax import facts
 from archlint.syntax.parts import names_in
-from archlint.syntax.walk import blocks_in, parts_of, statements_of
+from archlint.syntax.walk import parts_of, statements_of
 
 _Range = tuple[float, float]
 _Test = tuple[facts.Expr, bool]
@@ -117,7 +117,7 @@ def _assigned(
             yield from _assigned(name, statement.body, _with(tests, statement.test, True, statement.body))
             yield from _assigned(name, statement.orelse, _with(tests, statement.test, False, statement.orelse))
         else:
-            for inner in blocks_in(statement):
+            for inner in statement.blocks:
                 yield from _assigned(name, inner, tests)
 
 

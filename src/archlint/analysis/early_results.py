@@ -74,7 +74,7 @@ def _sent_just_before(block: Sequence[facts.Stmt], name: str, result: facts.Call
     return False
 
 
-def _awaits(fact: object) -> Iterator[facts.Await]:
+def _awaits(fact: facts.Base) -> Iterator[facts.Await]:
     return (part for part in parts_of(fact) if isinstance(part, facts.Await))
 
 

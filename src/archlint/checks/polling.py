@@ -21,7 +21,7 @@ from archlint.finding import Finding
 from archlint.libraries.values import MessageValue
 from archlint.model import Role
 from archlint.syntax import facts
-from archlint.syntax.walk import blocks_in, called_name, calls_in, has_literal_true, statements_of
+from archlint.syntax.walk import called_name, calls_in, statements_of
 
 if TYPE_CHECKING:
     from archlint.model import ApiCall, Creation, Program
@@ -90,7 +90,7 @@ def _how_often(call: ApiCall, rate: float) -> str | None:
 def _unpaced(loop: facts.While | facts.For) -> bool:
     """Whether a loop goes on for ever and nothing in it waits but the request."""
     endless = isinstance(loop, facts.While) and (
-        has_literal_true(loop.test)
+        loop.test.truth is True
         or (all(called_name(c) in _READY for c in calls_in(loop.test)) and any(calls_in(loop.test)))
     )
     leaves = any(
@@ -117,7 +117,7 @@ def _reached(block: Sequence[facts.Stmt], wanted: tuple[int, int]) -> bool | Non
     """True where a block always comes to a call, False where something else decides; None: it is not there."""
     for statement in block:
         here = any(one.span[:2] == wanted for one in calls_in(statement))
-        inner = blocks_in(statement)
+        inner = statement.blocks
         if here and not inner:
             return True
         if here:

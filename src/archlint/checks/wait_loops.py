@@ -174,7 +174,7 @@ def _leaves_when_there(block: Sequence[facts.Stmt]) -> bool:
     return False
 
 
-def _may_raise(fact: object) -> bool:
+def _may_raise(fact: facts.Base | None) -> bool:
     """Whether something calls what is no mere pastime."""
     return any(_called(call) not in _PASTIMES for call in calls_in(fact))
 

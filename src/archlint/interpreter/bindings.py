@@ -21,9 +21,8 @@ def bound_names(ir: facts.Function | facts.Lambda) -> tuple[frozenset[str], froz
 
 
 @lru_cache(maxsize=20_000)
-def _bound_names(key: Itself) -> tuple[frozenset[str], frozenset[str]]:
+def _bound_names(key: Itself[facts.Function | facts.Lambda]) -> tuple[frozenset[str], frozenset[str]]:
     ir = key.fact
-    assert isinstance(ir, (facts.Function, facts.Lambda))
     names = {param.name for param in ir.params}
     outer: set[str] = set()
     if isinstance(ir, facts.Function):

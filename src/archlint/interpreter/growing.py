@@ -48,8 +48,7 @@ def _filled_of(cls: ClassValue) -> frozenset[str]:
 
 
 @lru_cache(maxsize=4096)
-def _filled(key: Itself) -> frozenset[str]:
-    assert isinstance(key.fact, facts.Class)
+def _filled(key: Itself[facts.Class]) -> frozenset[str]:
     return frozenset(
         name
         for method in key.fact.body

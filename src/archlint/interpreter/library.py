@@ -129,7 +129,7 @@ class Library:
 
     # -------------------------------------------------------------------------------------- what is certain
 
-    def matters(self, function: object) -> bool:
+    def matters(self, function: facts.Function | facts.Lambda) -> bool:
         """Whether it can change the result to run a function once more."""
         return True
 

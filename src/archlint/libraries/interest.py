@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from archlint.libraries import tables
-from archlint.syntax.parts import names_in
+from archlint.syntax.parts import Source, names_in
 
 _QUIET = frozenset(
     {"result", "done", "get", "path", "join", "partial", "function", "sleep", "wait", "input", "setup", "Parameter"}
@@ -19,6 +19,6 @@ WORDS = (
 """Names of the API tables, as they stand in source."""
 
 
-def interesting(ir: object) -> bool:
+def interesting(ir: Source) -> bool:
     """Whether a function or class uses a name of the API tables."""
     return not names_in(ir).isdisjoint(WORDS)

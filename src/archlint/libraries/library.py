@@ -113,7 +113,7 @@ class RosLibrary(Library):
 
     # -------------------------------------------------------------------------------------- what is certain
 
-    def matters(self, function: object) -> bool:
+    def matters(self, function: facts.Function | facts.Lambda) -> bool:
         return interest.interesting(function)
 
     def are_settled(self, parameters: frozenset[str]) -> bool:

@@ -5,8 +5,6 @@ from __future__ import annotations
 from functools import lru_cache
 from typing import TYPE_CHECKING
 
-import msgspec
-
 from archlint.interpreter.bindings import bound_in, bound_names
 from archlint.libraries.interest import interesting
 from archlint.syntax import facts
@@ -41,30 +39,18 @@ def _uses(function: facts.Function, root: Root, here: bool) -> bool:
 
 
 @lru_cache(maxsize=20_000)
-def _bare(key: Itself, names: frozenset[str]) -> bool:
-    stack: list[object] = [key.fact]
+def _bare(key: Itself[facts.Function | facts.Lambda], names: frozenset[str]) -> bool:
+    stack: list[facts.Base] = [key.fact]
     while stack:
         item = stack.pop()
+        if item.last_name in names:
+            return True
         if isinstance(item, facts.Attribute):
-            if item.attr in names:
-                return True
             # What only an attribute is read of stays where it is.
-            stack.append(_below(item))
-        elif isinstance(item, facts.Name):
-            if item.id in names:
-                return True
-        elif isinstance(item, msgspec.Struct):
-            stack.extend(getattr(item, name) for name in item.__struct_fields__)
-        elif isinstance(item, (list, tuple)):
-            stack.extend(item)
+            stack += [] if item.dotted else [item.owner]
+        else:
+            stack += item.children()
     return False
-
-
-def _below(expression: facts.Expr) -> object:
-    """What attributes are read of, unless that is a variable."""
-    while isinstance(expression, facts.Attribute):
-        expression = expression.value
-    return () if isinstance(expression, facts.Name) else expression
 
 
 def bare(function: facts.Function | facts.Lambda, names: frozenset[str]) -> bool:
@@ -74,12 +60,12 @@ def bare(function: facts.Function | facts.Lambda, names: frozenset[str]) -> bool
 
 
 @lru_cache(maxsize=4096)
-def _functions(key: Itself) -> tuple[facts.Function, ...]:
-    return tuple(item for item in everything_in(key.fact) if isinstance(item, facts.Function))
+def _functions(key: Itself[facts.Facts]) -> tuple[facts.Function, ...]:
+    return tuple(everything_in(key.fact, facts.Function))
 
 
 @lru_cache(maxsize=20_000)
-def _imports(key: Itself, name: str) -> bool:
+def _imports(key: Itself[facts.Facts], name: str) -> bool:
     for item in everything_in(key.fact):
         if isinstance(item, facts.Import) and name in item.module.split("."):
             return True
@@ -94,8 +80,7 @@ def variables(module: Module) -> frozenset[str]:
 
 
 @lru_cache(maxsize=4096)
-def _variables(key: Itself) -> frozenset[str]:
-    assert isinstance(key.fact, (facts.Facts, facts.Class))
+def _variables(key: Itself[facts.Facts] | Itself[facts.Class]) -> frozenset[str]:
     return bound_in(key.fact.body)
 
 

@@ -53,10 +53,9 @@ def _changed_of(cls: ClassValue) -> dict[str, tuple[Value, ...]]:
 
 
 @lru_cache(maxsize=4096)
-def _assigned(key: Itself) -> tuple[tuple[str, bool, Value], ...]:
+def _assigned(key: Itself[facts.Class]) -> tuple[tuple[str, bool, Value], ...]:
     """Each attribute of its own object that a class assigns, whether the constructor is over by then, and the value
     as far as it is written there."""
-    assert isinstance(key.fact, facts.Class)
     methods = [one for one in key.fact.body if isinstance(one, facts.Function) and one.params]
     return tuple(
         (name, method.name != _CONSTRUCTOR, value)

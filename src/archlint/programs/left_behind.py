@@ -15,7 +15,7 @@ from archlint.interpreter.values import ClassValue, Instance, Known, OneOf, Unkn
 from archlint.libraries.rclpy.callbacks import GOAL_HANDLE
 from archlint.libraries.values import EntityValue, ExecutorValue, NodeValue
 from archlint.syntax import facts
-from archlint.syntax.parts import names_in
+from archlint.syntax.parts import Source, names_in
 
 if TYPE_CHECKING:
     from archlint.libraries.run import Run
@@ -95,7 +95,7 @@ def _classes_of(instance: Instance) -> Iterator[ClassValue]:
         yield from (base for base in instance.cls.mro if isinstance(base, ClassValue))
 
 
-def _all_names(function: object, called: dict[str, list[facts.Function]]) -> set[str]:
+def _all_names(function: Source, called: dict[str, list[facts.Function]]) -> set[str]:
     found: set[str] = set()
     rest = list(names_in(function))
     while rest:

@@ -12,7 +12,6 @@ from functools import lru_cache
 from archlint.syntax import facts
 from archlint.syntax.flow_graph import Block, Edge, Ends, Graph, Kind, Loop, State, reach
 from archlint.syntax.parts import Itself
-from archlint.syntax.walk import has_literal_true
 
 _EXITS = frozenset({"sys.exit", "os._exit", "os.abort", "exit", "quit"})
 """Calls that end the program."""
@@ -24,7 +23,7 @@ def graph_of(body: Sequence[facts.Stmt]) -> Graph:
 
 
 @lru_cache(maxsize=4096)
-def _graph_of(key: Itself) -> Graph:
+def _graph_of(key: Itself[Sequence[facts.Stmt]]) -> Graph:
     return _build(key.fact)
 
 
@@ -34,7 +33,7 @@ def loop_of(statement: facts.While | facts.For) -> Loop:
 
 
 @lru_cache(maxsize=4096)
-def _loop_of(key: Itself) -> tuple[Graph, Loop]:
+def _loop_of(key: Itself[facts.While | facts.For]) -> tuple[Graph, Loop]:
     graph = _build([key.fact])
     loop = graph.loop(key.fact)
     assert loop is not None, "what is first in a piece of code does run"
@@ -179,7 +178,7 @@ class _Builder:
 
     def choice(self, s: facts.If, then: Block, around: _Around) -> Block:
         test = _evaluating(s.test, s, around)
-        always = bool(s.test.value) if isinstance(s.test, facts.Literal) else None
+        always = s.test.truth
         for holds, body in ((True, s.body), (False, s.orelse)):
             if always is None or always is holds:
                 _link(test, self.block(body, then, around), s.test, holds)
@@ -188,7 +187,7 @@ class _Builder:
     def repeat(self, s: facts.While, then: Block, around: _Around) -> Block:
         head = _evaluating(s.test, s, around)
         self.round(s, head, then, around, s.test)
-        if not has_literal_true(s.test):
+        if not s.is_endless:
             _link(head, self.block(s.orelse, then, around), s.test, False)
         return head
 
@@ -266,8 +265,8 @@ def _never_completes(s: facts.Stmt) -> bool:
     match s:
         case facts.Raise():
             return True
-        case facts.Assert(test=facts.Literal(value=value)):
-            return not value
+        case facts.Assert(test):
+            return test.truth is False
         case facts.Expression(value=facts.Call(func=called)):
             return called.dotted in _EXITS
     return False

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Union
+from typing import ClassVar, Union
 
 import msgspec
 
@@ -12,6 +12,20 @@ Constant = Union[str, int, float, bool, None]
 
 class Base(msgspec.Struct, frozen=True, array_like=True, gc=False):
     """Common options of every fact, and what any fact can be asked: those that have no answer say nothing."""
+
+    is_scope: ClassVar[bool] = False
+    """Whether what stands in it has variables of its own: a function, a class."""
+
+    def children(self) -> list[Base]:
+        """The facts that it is made of, in the order of the source."""
+        found: list[Base] = []
+        for name in self.__struct_fields__:
+            value = getattr(self, name)
+            if isinstance(value, Base):
+                found.append(value)
+            elif isinstance(value, list):
+                found += [item for item in value if isinstance(item, Base)]
+        return found
 
     @property
     def dotted(self) -> str:
@@ -59,6 +73,11 @@ class Base(msgspec.Struct, frozen=True, array_like=True, gc=False):
         return False
 
     @property
+    def truth(self) -> bool | None:
+        """Whether a literal is true: ``True``, ``1``; None for what is none."""
+        return None
+
+    @property
     def assigned(self) -> list[Expr]:
         """The targets that an assignment or a ``for`` sets."""
         return []
@@ -88,6 +107,10 @@ class Literal(Base, frozen=True, tag="lit"):
     def is_true(self) -> bool:
         return self.value is True
 
+    @property
+    def truth(self) -> bool:
+        return bool(self.value)
+
 
 class Name(Base, frozen=True, tag="name"):
     id: str
@@ -113,6 +136,11 @@ class Attribute(Base, frozen=True, tag="attr"):
     def dotted(self) -> str:
         owner = self.value.dotted
         return f"{owner}.{self.attr}" if owner else ""
+
+    @property
+    def owner(self) -> Expr:
+        """What the first of several attributes in a row is read of: ``make()`` of ``make().client.name``."""
+        return self.value.owner if isinstance(self.value, Attribute) else self.value
 
     @property
     def attribute(self) -> str:
@@ -257,6 +285,8 @@ class Comprehension(Base, frozen=True, tag="comp"):
 
 
 class Lambda(Base, frozen=True, tag="lambda"):
+    is_scope: ClassVar[bool] = True
+
     params: list[Param]
     body: Expr
     span: Span

@@ -11,8 +11,6 @@ and the end column is exclusive.
 
 from __future__ import annotations
 
-from typing import Union
-
 import msgspec
 
 from archlint.syntax.expressions import (
@@ -46,247 +44,36 @@ from archlint.syntax.expressions import (
     Unary,
     Yield,
 )
+from archlint.syntax.statements import (
+    Annotated,
+    Assert,
+    Assign,
+    Augmented,
+    Case,
+    Class,
+    Delete,
+    Expression,
+    For,
+    Function,
+    Global,
+    Handler,
+    If,
+    Import,
+    ImportFrom,
+    Jump,
+    Match,
+    Pattern,
+    Raise,
+    Return,
+    Stmt,
+    Try,
+    While,
+    With,
+    WithItem,
+)
 
 FACTS_VERSION = 6
 """Raised whenever the shape or the meaning of the facts changes: old cache entries are then misses."""
-
-
-class Assign(Base, frozen=True, tag="="):
-    """``targets[0] = targets[1] = value``; targets are Name, Attribute, Subscript, Sequence or Starred."""
-
-    targets: list[Expr]
-    value: Expr
-    span: Span
-
-    @property
-    def assigned(self) -> list[Expr]:
-        return self.targets
-
-
-class Annotated(Base, frozen=True, tag=":"):
-    """``target: annotation [= value]``."""
-
-    target: Expr
-    annotation: Expr
-    value: Expr | None
-    span: Span
-
-    @property
-    def assigned(self) -> list[Expr]:
-        return [self.target]
-
-
-class Augmented(Base, frozen=True, tag="+="):
-    """``target op= value``; ``op`` without the equals sign."""
-
-    target: Expr
-    op: str
-    value: Expr
-    span: Span
-
-    @property
-    def assigned(self) -> list[Expr]:
-        return [self.target]
-
-
-class Expression(Base, frozen=True, tag="expr"):
-    value: Expr
-    span: Span
-
-
-class Return(Base, frozen=True, tag="return"):
-    value: Expr | None
-    span: Span
-
-    @property
-    def jumps(self) -> bool:
-        return True
-
-
-class Raise(Base, frozen=True, tag="raise"):
-    value: Expr | None
-    span: Span
-
-    @property
-    def jumps(self) -> bool:
-        return True
-
-
-class If(Base, frozen=True, tag="if"):
-    test: Expr
-    body: list[Stmt]
-    orelse: list[Stmt]
-    span: Span
-
-
-class For(Base, frozen=True, tag="for"):
-    target: Expr
-    iterable: Expr
-    body: list[Stmt]
-    orelse: list[Stmt]
-    is_async: bool
-    span: Span
-
-    @property
-    def assigned(self) -> list[Expr]:
-        return [self.target]
-
-
-class While(Base, frozen=True, tag="while"):
-    test: Expr
-    body: list[Stmt]
-    orelse: list[Stmt]
-    span: Span
-
-
-class WithItem(Base, frozen=True):
-    value: Expr
-    target: Expr | None = None
-
-
-class With(Base, frozen=True, tag="with"):
-    items: list[WithItem]
-    body: list[Stmt]
-    is_async: bool
-    span: Span
-
-
-class Handler(Base, frozen=True):
-    """``except type as name``; ``type`` is None for a bare ``except``."""
-
-    type: Expr | None
-    name: str | None
-    body: list[Stmt]
-    span: Span
-
-
-class Try(Base, frozen=True, tag="try"):
-    body: list[Stmt]
-    handlers: list[Handler]
-    orelse: list[Stmt]
-    final: list[Stmt]
-    span: Span
-
-
-class Pattern(Base, frozen=True):
-    """A ``case`` pattern.
-
-    ``kind``: ``value`` (compare with ``value``), ``capture`` (bind ``name``; ``None`` is the wildcard),
-    ``or`` (any of ``parts``), ``sequence`` (``parts``), ``as`` (``parts[0]`` bound to ``name``), ``mapping``
-    (parts are ``entry`` with a key as ``value`` and a pattern, and at most one ``rest``), ``other``.
-    """
-
-    kind: str
-    value: Expr | None = None
-    name: str | None = None
-    parts: list[Pattern] = msgspec.field(default_factory=list)
-
-
-class Case(Base, frozen=True):
-    pattern: Pattern
-    guard: Expr | None
-    body: list[Stmt]
-
-
-class Match(Base, frozen=True, tag="match"):
-    subject: Expr
-    cases: list[Case]
-    span: Span
-
-
-class Import(Base, frozen=True, tag="import"):
-    """``import module [as alias]``; without an alias the first segment of ``module`` is bound."""
-
-    module: str
-    alias: str | None
-    span: Span
-
-
-class ImportFrom(Base, frozen=True, tag="from"):
-    """``from ..module import a as b``; ``names`` holds ``(name, bound as)``; ``[("*", "*")]`` for a star."""
-
-    module: str
-    level: int
-    names: list[tuple[str, str]]
-    span: Span
-
-
-class Global(Base, frozen=True, tag="global"):
-    """``global`` and ``nonlocal``; ``kind`` says which."""
-
-    kind: str
-    names: list[str]
-
-
-class Delete(Base, frozen=True, tag="del"):
-    targets: list[Expr]
-    span: Span
-
-
-class Assert(Base, frozen=True, tag="assert"):
-    test: Expr
-    span: Span
-
-
-class Jump(Base, frozen=True, tag="jump"):
-    """``break``, ``continue`` or ``pass``."""
-
-    kind: str
-    span: Span
-
-    @property
-    def jumps(self) -> bool:
-        return self.kind != "pass"
-
-
-class Function(Base, frozen=True, tag="def"):
-    """``name_span`` covers the name alone; ``span`` the whole definition from its first decorator's line."""
-
-    name: str
-    params: list[Param]
-    body: list[Stmt]
-    decorators: list[Expr]
-    returns: Expr | None
-    is_async: bool
-    is_generator: bool
-    span: Span
-    name_span: Span
-
-
-class Class(Base, frozen=True, tag="class"):
-    name: str
-    bases: list[Argument]
-    body: list[Stmt]
-    decorators: list[Expr]
-    span: Span
-    name_span: Span
-
-
-Stmt = Union[
-    Assign,
-    Annotated,
-    Augmented,
-    Expression,
-    Return,
-    Raise,
-    If,
-    For,
-    While,
-    With,
-    Try,
-    Match,
-    Import,
-    ImportFrom,
-    Global,
-    Delete,
-    Assert,
-    Jump,
-    Function,
-    Class,
-]
-
-
-# -------------------------------------------------------------------------------------------------- a file
 
 
 class Suppression(Base, frozen=True):

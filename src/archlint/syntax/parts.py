@@ -2,21 +2,24 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from functools import lru_cache
-from typing import Any, TypeVar, overload
+from typing import Generic, TypeVar, Union, overload
 
 from archlint.syntax import facts
 
 Kind = TypeVar("Kind", bound=facts.Base)
+Source = Union[facts.Base, Sequence[facts.Base], None]
+"""A piece of source: one fact, several in their order, or none."""
+T = TypeVar("T")
 
 
-class Itself:
+class Itself(Generic[T]):
     """A fact as a key: equal to itself alone, for comparing by content would cost a walk."""
 
     __slots__ = ("fact",)
 
-    def __init__(self, fact: Any) -> None:
+    def __init__(self, fact: T) -> None:
         self.fact = fact
 
     def __hash__(self) -> int:
@@ -27,40 +30,50 @@ class Itself:
 
 
 @overload
-def everything_in(fact: object) -> Iterator[facts.Base]: ...
+def everything_in(fact: Source) -> Iterator[facts.Base]: ...
 
 
 @overload
-def everything_in(fact: object, kind: type[Kind]) -> Iterator[Kind]: ...
+def everything_in(fact: Source, kind: type[Kind]) -> Iterator[Kind]: ...
 
 
-def everything_in(fact: object, kind: type[facts.Base] = facts.Base) -> Iterator[facts.Base]:
+def everything_in(fact: Source, kind: type[facts.Base] = facts.Base) -> Iterator[facts.Base]:
     """Every fact (of a kind) inside another, those of the functions inside it too, in the order of the source."""
-    stack: list[object] = [fact]
+    return _walk(fact, kind, True)
+
+
+@overload
+def parts_of(fact: Source) -> Iterator[facts.Base]: ...
+
+
+@overload
+def parts_of(fact: Source, kind: type[Kind]) -> Iterator[Kind]: ...
+
+
+def parts_of(fact: Source, kind: type[facts.Base] = facts.Base) -> Iterator[facts.Base]:
+    """Every fact (of a kind) inside another, that one first; what stands in functions and classes inside it is left
+    out."""
+    return _walk(fact, kind, False)
+
+
+def _walk(fact: Source, kind: type[facts.Base], into_scopes: bool) -> Iterator[facts.Base]:
+    stack = [fact] if isinstance(fact, facts.Base) else list(reversed(fact or ()))
     while stack:
         item = stack.pop()
-        if isinstance(item, (list, tuple)):
-            stack.extend(reversed(item))
-        elif isinstance(item, facts.Base):
-            if isinstance(item, kind):
-                yield item
-            stack.extend(getattr(item, name) for name in reversed(item.__struct_fields__))
+        if isinstance(item, kind):
+            yield item
+        if into_scopes or item is fact or not item.is_scope:
+            stack.extend(reversed(item.children()))
 
 
-def names_in(ir: object) -> frozenset[str]:
+def names_in(ir: Source) -> frozenset[str]:
     """All names and attributes that a piece of facts uses."""
     return _names_in(Itself(ir))
 
 
 @lru_cache(maxsize=50_000)
-def _names_in(key: Itself) -> frozenset[str]:
-    found: set[str] = set()
-    for item in everything_in(key.fact):
-        if isinstance(item, facts.Name):
-            found.add(item.id)
-        elif isinstance(item, facts.Attribute):
-            found.add(item.attr)
-    return frozenset(found)
+def _names_in(key: Itself[Source]) -> frozenset[str]:
+    return frozenset(item.last_name for item in everything_in(key.fact) if item.last_name)
 
 
-__all__ = ["Itself", "everything_in", "names_in"]
+__all__ = ["Itself", "everything_in", "names_in", "parts_of"]

@@ -10,7 +10,7 @@ from archlint.interpreter.values import Instance, Known, OneOf, Unknown, Value
 from archlint.libraries.rclpy import nodes
 from archlint.libraries.values import ExecutorValue, FutureValue
 from archlint.syntax import facts
-from archlint.syntax.walk import called_name, calls_in, has_literal_true, statements_of
+from archlint.syntax.walk import called_name, calls_in, statements_of
 
 if TYPE_CHECKING:
     from archlint.finding import Place
@@ -130,7 +130,7 @@ def _endless(loop: facts.While | facts.For) -> bool:
     if not isinstance(loop, facts.While):
         return False
     endless = isinstance(loop.test, facts.Call) and called_name(loop.test) == "ok"
-    return (endless or has_literal_true(loop.test)) and not any(
+    return (endless or loop.test.truth is True) and not any(
         isinstance(one, facts.Return) or (isinstance(one, facts.Jump) and one.kind == "break")
         for one in statements_of(loop.body)
     )

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 from archlint.syntax import facts
 from archlint.syntax.control_flow import always_raises
-from archlint.syntax.walk import blocks_in, called_name, calls_in, parts_of, statements_of
+from archlint.syntax.walk import called_name, calls_in, parts_of, statements_of
 
 if TYPE_CHECKING:
     from archlint.interpreter.activation import Activation
@@ -59,7 +59,7 @@ def _proven(block: Sequence[facts.Stmt], wanted: facts.Stmt | None) -> list[tupl
     if at is None or block[at] is wanted:
         return []
     statement = block[at]
-    inner = next(one for one in blocks_in(statement) if id(wanted) in _layout(_Block(one))[0])
+    inner = next(one for one in statement.blocks if id(wanted) in _layout(_Block(one))[0])
     below = _proven(inner, wanted)
     return [(statement.test, inner is statement.body), *below] if isinstance(statement, facts.If) else below
 
@@ -75,7 +75,7 @@ def _cleans_up(block: Sequence[facts.Stmt], wanted: facts.Stmt | None) -> bool:
     if at is None or block[at] is wanted:
         return False
     statement = block[at]
-    inner = next(one for one in blocks_in(statement) if id(wanted) in _layout(_Block(one))[0])
+    inner = next(one for one in statement.blocks if id(wanted) in _layout(_Block(one))[0])
     if isinstance(statement, facts.Try):
         handled = any(inner is handler.body for handler in statement.handlers)
         if handled and always_raises(inner):

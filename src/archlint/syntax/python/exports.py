@@ -7,13 +7,13 @@ from archlint.syntax.facts import (
     Assign,
     Attribute,
     Augmented,
+    Base,
     Binary,
     Call,
     Expr,
     Expression,
-    Literal,
-    Name,
     Sequence,
+    Span,
     Stmt,
 )
 
@@ -35,40 +35,38 @@ def find_exports(body: list[Stmt]) -> list[str] | None:
 
 def _change(statement: Stmt) -> tuple[bool, Expr | None] | None:
     """Whether a statement replaces (or extends) ``__all__``, and with what."""
-    if isinstance(statement, Assign) and any(map(_is_all, statement.targets)):
-        return True, statement.value
-    if isinstance(statement, Annotated) and statement.value is not None and _is_all(statement.target):
-        return True, statement.value
-    if isinstance(statement, Augmented) and _is_all(statement.target):
-        return False, statement.value if statement.op == "+" else None
-    if isinstance(statement, Expression) and isinstance(statement.value, Call):
-        return _method_call(statement.value)
+    match statement:
+        case Assign(targets, value) if any(map(_is_all, targets)):
+            return True, value
+        case Annotated(target, value=Base() as value) if _is_all(target):
+            return True, value
+        case Augmented(target, op, value) if _is_all(target):
+            return False, value if op == "+" else None
+        case Expression(Call(Attribute(owner, method), args, span)) if _is_all(owner):
+            return False, _added(method, [argument.value for argument in args], span)
     return None
 
 
-def _method_call(call: Call) -> tuple[bool, Expr | None] | None:
-    method = call.func
-    if not isinstance(method, Attribute) or not _is_all(method.value):
-        return None
-    if len(call.args) == 1 and method.attr in ("extend", "append"):
-        value = call.args[0].value
-        return False, value if method.attr == "extend" else Sequence("list", [value], call.span)
-    return False, None
+def _added(method: str, given: list[Expr], span: Span) -> Expr | None:
+    """What a method of the list adds to it; None where that is not known."""
+    match method, given:
+        case "extend", [value]:
+            return value
+        case "append", [value]:
+            return Sequence("list", [value], span)
+    return None
 
 
 def _is_all(target: Expr) -> bool:
-    return isinstance(target, Name) and target.id == "__all__"
+    return target.variable == "__all__"
 
 
 def _names(value: Expr | None) -> list[str] | None:
-    if isinstance(value, Binary) and value.op == "+":
-        left, right = _names(value.left), _names(value.right)
-        return None if left is None or right is None else left + right
-    if not isinstance(value, Sequence):
-        return None
-    names = []
-    for element in value.elements:
-        if not isinstance(element, Literal) or not isinstance(element.value, str):
-            return None
-        names.append(element.value)
-    return names
+    match value:
+        case Binary("+", left, right):
+            first, second = _names(left), _names(right)
+            return None if first is None or second is None else first + second
+        case Sequence(elements=elements):
+            names = [element.text for element in elements if element.text is not None]
+            return names if len(names) == len(elements) else None
+    return None

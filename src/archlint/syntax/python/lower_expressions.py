@@ -3,74 +3,22 @@
 from __future__ import annotations
 
 import unicodedata
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Sequence
 from typing import Any
 
 import libcst as cst
 
 from archlint.syntax import facts
 from archlint.syntax.facts import Expr
+from archlint.syntax.python.lower_texts import TextLowering
+from archlint.syntax.python.operators import LARGEST_INTEGER, folded, operator_text
 from archlint.syntax.python.positions import SpanFinder
-from archlint.syntax.python.string_literals import format_text, split_prefix, string_value
 
 MAX_DEPTH = 100
 """Deepest nesting of expressions that is kept.  Readers of the facts recurse, on an ordinary stack."""
 
 _CONSTANTS: dict[str, bool | None] = {"None": None, "True": True, "False": False}
-_SMALLEST_INTEGER = -(2**63)
-_LARGEST_INTEGER = 2**64 - 1
-
-_OPERATORS: dict[type[cst.CSTNode], str] = {
-    cst.Add: "+",
-    cst.AddAssign: "+",
-    cst.And: "and",
-    cst.BitAnd: "&",
-    cst.BitAndAssign: "&",
-    cst.BitInvert: "~",
-    cst.BitOr: "|",
-    cst.BitOrAssign: "|",
-    cst.BitXor: "^",
-    cst.BitXorAssign: "^",
-    cst.Divide: "/",
-    cst.DivideAssign: "/",
-    cst.Equal: "==",
-    cst.FloorDivide: "//",
-    cst.FloorDivideAssign: "//",
-    cst.GreaterThan: ">",
-    cst.GreaterThanEqual: ">=",
-    cst.In: "in",
-    cst.Is: "is",
-    cst.IsNot: "is not",
-    cst.LeftShift: "<<",
-    cst.LeftShiftAssign: "<<",
-    cst.LessThan: "<",
-    cst.LessThanEqual: "<=",
-    cst.MatrixMultiply: "@",
-    cst.MatrixMultiplyAssign: "@",
-    cst.Minus: "-",
-    cst.Modulo: "%",
-    cst.ModuloAssign: "%",
-    cst.Multiply: "*",
-    cst.MultiplyAssign: "*",
-    cst.Not: "not",
-    cst.NotEqual: "!=",
-    cst.NotIn: "not in",
-    cst.Or: "or",
-    cst.Plus: "+",
-    cst.Power: "**",
-    cst.PowerAssign: "**",
-    cst.RightShift: ">>",
-    cst.RightShiftAssign: ">>",
-    cst.Subtract: "-",
-    cst.SubtractAssign: "-",
-}
-
 Lowering = Callable[[Any], Expr]
-
-
-def operator_text(operator: cst.CSTNode) -> str:
-    """An operator as it is written, without the equals sign of an augmented assignment."""
-    return _OPERATORS[operator.__class__]
 
 
 class ExpressionLowering:
@@ -82,13 +30,14 @@ class ExpressionLowering:
         self.private_prefix = ""
         self.saw_yield = False
         self._depth = 0
+        texts = TextLowering(self.lower, self.span)
         self._lowerings: dict[type[cst.CSTNode], Lowering] = {
             cst.Name: self._name,
             cst.Attribute: self._attribute,
             cst.Call: self._call,
-            cst.SimpleString: self._string,
-            cst.ConcatenatedString: self._concatenated,
-            cst.FormattedString: self._concatenated,
+            cst.SimpleString: texts.plain,
+            cst.ConcatenatedString: texts.joined,
+            cst.FormattedString: texts.joined,
             cst.Integer: self._integer,
             cst.Float: self._float,
             cst.Subscript: self._subscript,
@@ -149,59 +98,12 @@ class ExpressionLowering:
             value = int(node.value, 0)
         except ValueError:  # Python refuses to convert thousands of digits
             return facts.Opaque("huge integer", self.span(node))
-        if value > _LARGEST_INTEGER:
+        if value > LARGEST_INTEGER:
             return facts.Opaque("huge integer", self.span(node))
         return facts.Literal(value, self.span(node))
 
     def _float(self, node: cst.Float) -> Expr:
         return facts.Literal(float(node.value), self.span(node))
-
-    def _string(self, node: cst.SimpleString) -> Expr:
-        prefix, content = split_prefix(node.value)
-        if "b" in prefix:
-            return facts.Opaque("bytes", self.span(node))
-        try:
-            return facts.Literal(string_value(prefix, content), self.span(node))
-        except ValueError as error:
-            return facts.Opaque(_string_problem(error), self.span(node))
-
-    def _concatenated(self, node: cst.ConcatenatedString | cst.FormattedString) -> Expr:
-        parts: list[str | facts.Field] = []
-        try:
-            for piece in _pieces(node):
-                if isinstance(piece, cst.FormattedString):
-                    self._add_fields(piece, parts)
-                    continue
-                if not isinstance(piece, cst.SimpleString):
-                    return facts.Opaque("template string", self.span(node))
-                prefix, content = split_prefix(piece.value)
-                if "b" in prefix:
-                    return facts.Opaque("bytes", self.span(node))
-                _add_text(string_value(prefix, content), parts)
-        except ValueError as error:
-            return facts.Opaque(_string_problem(error), self.span(node))
-        if not parts:
-            return facts.Literal("", self.span(node))
-        if len(parts) == 1 and isinstance(parts[0], str):
-            return facts.Literal(parts[0], self.span(node))
-        return facts.FormatString(parts, self.span(node))
-
-    def _add_fields(self, node: cst.FormattedString, parts: list[str | facts.Field]) -> None:
-        prefix = node.start.rstrip("'\"").lower()
-        for part in node.parts:
-            if isinstance(part, cst.FormattedStringText):
-                _add_text(format_text(prefix, part.value), parts)
-            elif isinstance(part, cst.FormattedStringExpression):
-                if part.equal is not None:
-                    _add_text(_self_documenting_text(part), parts)
-                parts.append(self._field(part))
-
-    def _field(self, part: cst.FormattedStringExpression) -> facts.Field:
-        spec = None if part.format_spec is None else "".join(map(_code, part.format_spec))
-        conversion = part.conversion
-        if part.equal is not None and conversion is None and spec is None:
-            conversion = "r"
-        return facts.Field(self.lower(part.expression), conversion, spec)
 
     # ------------------------------------------------------------------------ names, calls, subscripts
 
@@ -266,10 +168,9 @@ class ExpressionLowering:
             value = operand.value
             if op == "not":
                 return facts.Literal(not value, self.span(node))
-            if isinstance(value, (int, float)) and not isinstance(value, bool):
-                folded = _folded(op, value)
-                if folded is not None:
-                    return facts.Literal(folded, self.span(node))
+            number = None if isinstance(value, (bool, str)) or value is None else folded(op, value)
+            if number is not None:
+                return facts.Literal(number, self.span(node))
         return facts.Unary(op, operand, self.span(node))
 
     def _boolean(self, node: cst.BooleanOperation) -> Expr:
@@ -399,43 +300,3 @@ class ExpressionLowering:
 
 
 _WORDS = {"Ellipsis": "ellipsis", "Imaginary": "complex number", "TemplatedString": "template string"}
-
-
-def _pieces(node: cst.BaseExpression) -> Iterator[cst.BaseExpression]:
-    while isinstance(node, cst.ConcatenatedString):
-        yield node.left
-        node = node.right
-    yield node
-
-
-def _add_text(text: str, parts: list[str | facts.Field]) -> None:
-    if not text:
-        return
-    if parts and isinstance(parts[-1], str):
-        parts[-1] += text
-    else:
-        parts.append(text)
-
-
-def _code(node: cst.CSTNode) -> str:
-    return cst.Module([]).code_for_node(node)
-
-
-def _self_documenting_text(part: cst.FormattedStringExpression) -> str:
-    """What ``f"{value = }"`` prints before the value."""
-    assert part.equal is not None
-    return "".join(map(_code, (part.whitespace_before_expression, part.expression, part.equal)))
-
-
-def _string_problem(error: ValueError) -> str:
-    return "string with a lone surrogate" if isinstance(error, UnicodeError) else f"string with {error}"
-
-
-def _folded(op: str, value: int | float) -> int | float | None:
-    if op == "-":
-        return None if value > -_SMALLEST_INTEGER and isinstance(value, int) else -value
-    if op == "+":
-        return value
-    if op == "~" and isinstance(value, int) and value < -_SMALLEST_INTEGER:
-        return ~value
-    return None

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from typing import Any
-
 import libcst as cst
 
 from archlint.syntax.facts import Expr, Pattern
@@ -22,28 +20,27 @@ class PatternLowering:
 
     def lower(self, node: cst.MatchPattern) -> Pattern:
         """One pattern with its parts."""
-        if isinstance(node, (cst.MatchValue, cst.MatchSingleton)):
-            return Pattern("value", value=self._value(node.value))
-        if isinstance(node, cst.MatchAs):
-            if node.pattern is None:
+        match node:
+            case cst.MatchValue() | cst.MatchSingleton():
+                return Pattern("value", value=self._value(node.value))
+            case cst.MatchAs(pattern=None):
                 return self._capture(node.name)
-            name = self._capture(node.name).name
-            return Pattern("as", name=name, parts=[self.lower(node.pattern)])
-        if isinstance(node, cst.MatchOr):
-            return Pattern("or", parts=[self.lower(element.pattern) for element in node.patterns])
-        if isinstance(node, (cst.MatchList, cst.MatchTuple)):
-            return self._sequence(node)
-        if isinstance(node, cst.MatchClass):
-            elements: list[Any] = [*node.patterns, *node.kwds]
-            parts = [self.lower(e.value if hasattr(e, "value") else e.pattern) for e in elements]
-            return Pattern("other", value=self._value(node.cls), parts=parts)
-        if isinstance(node, cst.MatchMapping):
-            entries = [
-                Pattern("entry", value=self._value(element.key), parts=[self.lower(element.pattern)])
-                for element in node.elements
-            ]
-            rest = [] if node.rest is None else [Pattern("rest", parts=[self._capture(node.rest)])]
-            return Pattern("mapping", parts=entries + rest)
+            case cst.MatchAs(pattern=cst.MatchPattern() as inner):
+                return Pattern("as", name=self._capture(node.name).name, parts=[self.lower(inner)])
+            case cst.MatchOr():
+                return Pattern("or", parts=[self.lower(element.pattern) for element in node.patterns])
+            case cst.MatchList() | cst.MatchTuple():
+                return self._sequence(node)
+            case cst.MatchClass():
+                given = [*(element.value for element in node.patterns), *(element.pattern for element in node.kwds)]
+                return Pattern("other", value=self._value(node.cls), parts=[self.lower(one) for one in given])
+            case cst.MatchMapping():
+                entries = [
+                    Pattern("entry", value=self._value(element.key), parts=[self.lower(element.pattern)])
+                    for element in node.elements
+                ]
+                rest = [] if node.rest is None else [Pattern("rest", parts=[self._capture(node.rest)])]
+                return Pattern("mapping", parts=entries + rest)
         return Pattern("other")
 
     def _value(self, node: cst.BaseExpression) -> Expr:

@@ -9,8 +9,9 @@ import libcst as cst
 
 from archlint.syntax import facts
 from archlint.syntax.facts import FileProblem, Span, Stmt
-from archlint.syntax.python.lower_expressions import ExpressionLowering, operator_text
+from archlint.syntax.python.lower_expressions import ExpressionLowering
 from archlint.syntax.python.lower_patterns import PatternLowering
+from archlint.syntax.python.operators import operator_text
 from archlint.syntax.python.positions import SpanFinder
 
 MAX_NESTING = 100
