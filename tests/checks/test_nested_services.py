@@ -366,7 +366,7 @@ class TestOneFindingAHandler:
         source = gripper([*body, "return response"], main, client=free, service=free)
         [found] = judge("SRV003", source.replace("def close", "async def close"))
 
-        assert found.severity is Severity.WARNING
+        assert found.severity is Severity.INFO
         assert found.message.endswith(
             "but nothing limits the await: if the answer never comes, the handler and its caller wait for ever"
         )

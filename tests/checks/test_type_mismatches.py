@@ -6,7 +6,7 @@ import pytest
 
 from archlint.checks.registry import Options
 from archlint.checks.type_mismatches import action_type_mismatch, service_type_mismatch, topic_type_mismatch
-from archlint.finding import Finding
+from archlint.finding import Finding, Severity
 from archlint.model import UnknownInterface
 from archlint.systems.model import System
 from systems.builders import (
@@ -87,6 +87,20 @@ class TestTheTwoEnds:
         )
 
         assert found(rule, judged) == []
+
+
+def test_lessons_that_nothing_starts_together_and_that_have_partners_of_their_own():
+    talker, listener = node("/talker", publisher("x", "p/msg/One")), node("/listener", subscriber("x", "p/msg/One"))
+    spheres = node("/spheres", publisher("x", "p/msg/Two"))
+
+    [finding] = found(topic_type_mismatch, system(talker, listener, spheres))
+    assert finding.severity is Severity.INFO
+    assert finding.message.endswith("if they run together: no launch file here starts both")
+
+    [launched] = found(topic_type_mismatch, system(talker, listener, spheres, name="launch/all.launch.py"))
+    [closed] = found(topic_type_mismatch, system(talker, listener, spheres, closed=True))
+    [lonely] = found(topic_type_mismatch, system(listener, spheres))
+    assert {launched.severity, closed.severity, lonely.severity} == {Severity.ERROR}
 
 
 def test_the_package_belongs_to_the_type():

@@ -112,8 +112,9 @@ def _nested(system: System, rows: list[_Row]) -> Finding:
 
 
 def _careful(wait: Wait) -> bool:
-    """Whether a wait has an end, and what it brings is looked at: there is nothing to do but to know of it."""
-    return wait.bounded and wait.kind != SPIN and not _thrown_away(wait)
+    """Whether a wait has an end, and what it brings is looked at, or an await holds no thread: there is nothing to do
+    but to know of it."""
+    return wait.kind == AWAIT or (wait.bounded and wait.kind != SPIN and not _thrown_away(wait))
 
 
 def _thrown_away(wait: Wait) -> bool:

@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from archlint.analysis.coexistence import all_endpoints, conflicting_pairs, in_source_order, known_to_coexist
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
-from archlint.finding import Finding, Related
+from archlint.finding import Finding, Related, Severity
 from archlint.model import (
     EntityKind,
 )
@@ -57,7 +58,25 @@ def _mismatches(code: str, system: System, connections: Mapping[str, Connection]
             first, second = sorted((one.type or "", other.type or ""))
             pairs.setdefault((first, second), []).append((one, other))
         for types in sorted(pairs):
-            yield _mismatch(code, connection, pairs[types])
+            found = _mismatch(code, connection, pairs[types])
+            yield _if_both_run(found) if _are_at_home(system, connection, pairs[types]) else found
+
+
+def _are_at_home(system: System, connection: Connection, pairs: list[tuple[Endpoint, Endpoint]]) -> bool:
+    """Whether nothing is seen to start any two of these together, while whoever listens or asks has a partner of its
+    own type in its package: lessons of a course that all say ``topic``."""
+    if system.closed or any(known_to_coexist(system, one.node, other.node) for one, other in pairs):
+        return False
+    users = [end for pair in pairs for end in pair if end in connection.users]
+    return bool(users) and all(
+        any(end.type == user.type and end.node.package == user.node.package for end in connection.providers)
+        for user in users
+    )
+
+
+def _if_both_run(found: Finding) -> Finding:
+    message = f"{found.message}, if they run together: no launch file here starts both"
+    return replace(found, message=message, severity=Severity.INFO)
 
 
 def _missing_types(system: System) -> set[str]:
