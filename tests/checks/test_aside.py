@@ -134,6 +134,23 @@ def test_a_script_that_its_package_does_not_install(named):
     )
 
 
+@pytest.mark.parametrize(
+    ("files", "severity"),
+    [
+        ({"debug/tool.py": "from helper import main\n{start}"}, Severity.INFO),
+        ({"debug/tool.py": "from helper import main\n{start}", "debug/__init__.py": ""}, Severity.WARNING),
+        ({"robot/driver.py": "from debug.helper import main\n"}, Severity.WARNING),
+        ({}, Severity.WARNING),
+    ],
+    ids=["of a script that is not installed", "in a Python package", "of a program", "of nobody"],
+)
+def test_what_only_a_script_that_is_not_installed_imports(named, files: dict[str, str], severity: Severity):
+    start = "\nif __name__ == '__main__':\n    main()\n"
+    texts = {path: text.replace("{start}", start) for path, text in files.items()}
+    [found] = named({**texts, "debug/helper.py": NODE.partition("if __name__")[0]})
+    assert (found.place.file, found.severity) == ("robot/debug/helper.py", severity)
+
+
 def test_a_script_beside_the_packages(named):
     [found] = named({"../tools/smoke.py": NODE})
     assert found.severity is Severity.INFO and found.message.endswith("in code that no package installs")
@@ -278,3 +295,60 @@ def test_a_script_that_nobody_installs_and_whose_import_fails(tmp_path, monkeypa
     ]
     assert [one.severity for one in found] == [severity]
     assert ("its import of 'robot.eyes' fails" in found[0].message) == (severity is Severity.INFO)
+
+
+WAITS = """
+import rclpy
+from rclpy.node import Node
+from std_srvs.srv import Trigger
+
+
+class Asks(Node):
+    def __init__(self):
+        super().__init__('asks')
+        self.create_client(Trigger, 'go').wait_for_service()
+
+
+if __name__ == '__main__':
+    rclpy.init()
+    rclpy.spin(Asks())
+"""
+STARTS = """
+from launch import LaunchDescription
+from launch_ros.actions import Node
+
+
+def generate_launch_description():
+    return LaunchDescription([Node(package='robot', executable='gone')])
+"""
+INCLUDES = """<launch><include file="$(find-pkg-share robot)/launch/old/up.launch.py"/></launch>"""
+
+
+@pytest.mark.parametrize(
+    ("files", "found"),
+    [
+        ({"asks.py": WAITS, "launch/up.launch.py": STARTS}, ["LCH001", "TMO001"]),
+        ({"asks_backup.py": WAITS, "launch/old/up.launch.py": STARTS}, []),
+        ({"robot_backup/asks.py": WAITS, "robot_backup/up.launch.py": STARTS}, []),
+        ({"launch/old/up.launch.py": STARTS, "launch/all.launch.xml": INCLUDES}, ["LCH001"]),  # it is in use after all
+    ],
+)
+def test_what_is_put_aside_may_wait_for_what_is_gone(tmp_path, monkeypatch, files: dict[str, str], found: list[str]):
+    monkeypatch.chdir(tmp_path)
+    install = (
+        "data_files=[('share/robot/launch/old', glob('launch/old/*')), ('share/robot/launch', glob('launch/*.*'))], "
+    )
+    texts = {
+        "src/robot/package.xml": MANIFEST.strip(),
+        "src/robot/setup.py": "from glob import glob\n"
+        + SETUP.replace("{more}", "").replace("packages=", install + "packages="),
+        "src/robot/robot/__init__.py": "",
+        "src/robot/robot/driver.py": "def main():\n    pass\n",
+        **{f"src/robot/{path}": text for path, text in files.items()},
+    }
+    for path, text in texts.items():
+        (tmp_path / path).parent.mkdir(parents=True, exist_ok=True)
+        (tmp_path / path).write_text(text, encoding="utf-8")
+    (tmp_path / "archlint.toml").write_text('select = ["LCH001", "TMO001"]', encoding="utf-8")
+    report = check(Request((".",), load(tmp_path), cached=False, jobs=1))
+    assert sorted(one.code for one in report.findings) == found

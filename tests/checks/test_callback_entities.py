@@ -555,6 +555,39 @@ if __name__ == '__main__':
 """
 
 
+class TestCreatedEachTime:
+    def test_two_arms_of_one_function_are_one_finding(self, run: Run):
+        handle = """
+        def handle(self, request, response):
+            if request.data:
+                self.talk = self.create_publisher(Empty, 'a', 10)
+            else:
+                self.talk = self.create_publisher(Empty, 'b', 10)
+            return response
+        """
+        [found] = [
+            one for one in run(source("self.create_service(SetBool, 'c', self.handle)", handle)) if one.code == "EXE005"
+        ]
+        assert [one.message for one in found.related][-1] == "here another is created each time"
+        assert "creates a publisher of 'a' each time" in found.message
+
+    def test_a_name_that_is_one_of_many_is_not_quoted(self, run: Run):
+        handle = """
+        def handle(self, request, response):
+            device = read(request)
+            if device is None:
+                device = 'default'
+            if request.data:
+                self.talk = self.create_publisher(Empty, f'{device}/a', 10)
+            return response
+        """
+        [found] = [
+            one for one in run(source("self.create_service(SetBool, 'c', self.handle)", handle)) if one.code == "EXE005"
+        ]
+        assert "creates a publisher each time" in found.message
+        assert found.help.startswith("keep what create_publisher() gives in a dict by name")
+
+
 class TestPolling:
     CLIENT = "self.client = self.create_client(Trigger, 'level')\n"
     SHOW = "\ndef show(self, future):\n    self.get_logger().info(future.result().message)\n"

@@ -5,6 +5,7 @@ Rules that judge the taste of code, and not whether it works, ask here.
 
 from __future__ import annotations
 
+import posixpath
 import re
 from typing import TYPE_CHECKING
 
@@ -21,9 +22,26 @@ if TYPE_CHECKING:
 def is_aside(workspace: WorkspaceIndex | None, file: str) -> bool:
     """Whether a file is a trial, or put aside and no launch file of what is in use starts a node of it."""
     roles = FileRoles() if workspace is None else workspace.roles
-    if roles.is_trial(file):
-        return True
-    return roles.is_put_aside(file) and (workspace is None or file not in _in_use(workspace))
+    return roles.is_trial(file) or is_disused(workspace, file)
+
+
+def is_disused(workspace: WorkspaceIndex | None, file: str) -> bool:
+    """Whether a file is put aside, and no launch file of what is in use starts a node of it or includes it."""
+    roles = FileRoles() if workspace is None else workspace.roles
+    if not roles.is_put_aside(file):
+        return False
+    return workspace is None or not (file in _in_use(workspace) or file in _included(workspace))
+
+
+@once
+def _included(workspace: WorkspaceIndex) -> frozenset[str | None]:
+    """The launch files that others include which are not put aside."""
+    return frozenset(
+        include.reference.source
+        for launched in workspace.launched
+        if not workspace.roles.is_put_aside(launched.file)
+        for include in launched.included
+    )
 
 
 @once
@@ -40,8 +58,8 @@ def _in_use(workspace: WorkspaceIndex) -> frozenset[str]:
 
 def is_not_installed(workspace: WorkspaceIndex | None, file: str) -> bool:
     """Whether a script is in a package that installs programs, but is none of them, and none of them imports it: only
-    who knows where it lies can start it.  So it is with scripts beside the packages of a workspace, and what they
-    import."""
+    who knows where it lies can start it.  So it is with what such scripts import that lies in no Python package, with
+    scripts beside the packages of a workspace, and what these import."""
     if workspace is None or workspace.loader is None or file in _in_use(workspace):
         return False
     package = workspace.loader.package_of(file)
@@ -52,7 +70,9 @@ def is_not_installed(workspace: WorkspaceIndex | None, file: str) -> bool:
         return False
     if not file.startswith(f"{installs.folder}/") and installs.folder not in ("", "."):
         return False  # another package of that name
-    return _is_script(workspace, file) and not _is_named(workspace, installs, file) and file not in _reached(workspace)
+    if file in _reached(workspace) or _is_named(workspace, installs, file):
+        return False
+    return _is_script(workspace, file) or (_in_no_module(workspace, file) and file in _reached_by_loose(workspace))
 
 
 def import_that_fails(workspace: WorkspaceIndex | None, file: str) -> str | None:
@@ -73,6 +93,22 @@ def import_that_fails(workspace: WorkspaceIndex | None, file: str) -> str | None
 
 
 _GENERATED = frozenset({"msg", "srv", "action"})
+
+
+def _in_no_module(workspace: WorkspaceIndex, file: str) -> bool:
+    """Whether a file is in a folder that ``find_packages`` leaves out."""
+    folder = posixpath.dirname(file)
+    return workspace.loader is not None and not workspace.loader.tree.is_file(posixpath.join(folder, "__init__.py"))
+
+
+@once
+def _reached_by_loose(workspace: WorkspaceIndex) -> frozenset[str]:
+    """What the scripts import that their packages do not install."""
+    loader = workspace.loader
+    assert loader is not None
+    inside = [file.relative for file, _ in loader.python_facts() if file.kind == "python" and file.package is not None]
+    scripts = [path for path in inside if _is_script(workspace, path) and path not in _reached(workspace)]
+    return loader.reached_from(path for path in scripts if is_not_installed(workspace, path))
 
 
 @once
@@ -124,4 +160,4 @@ def _reached(workspace: WorkspaceIndex) -> frozenset[str]:
     return frozenset() if workspace.loader is None else workspace.loader.in_use()
 
 
-__all__ = ["import_that_fails", "is_aside", "is_not_installed"]
+__all__ = ["import_that_fails", "is_aside", "is_disused", "is_not_installed"]

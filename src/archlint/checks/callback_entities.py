@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from archlint.analysis.callback_roles import callback_words, runs_in_executor
 from archlint.analysis.reach import calls_of, creations_of, node_name, one_for_each_place
+from archlint.checks.folding import folds
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.finding import Finding, Related
@@ -79,9 +81,13 @@ def _given_to(system: System, ends: Sequence[str]) -> set[int]:
 
 def _created(system: System, creation: Creation, callback: Callback, left: bool) -> Finding:
     function = creation.api.rpartition(".")[2]
-    what = f"'{creation.name.text}'" if creation.name.text and creation.kind != EntityKind.TIMER else ""
+    # Where data decides the name as well, it is one of many.
+    varies = any(one.place == creation.place and one.name != creation.name for one in creation.node.creations)
+    named = creation.name.text and creation.kind != EntityKind.TIMER and not varies
+    what = f"'{creation.name.text}'" if named else ""
     words = {"client": "client of", "service": "service", "publisher": "publisher of", "subscriber": "subscription to"}
     made = f"{words.get(creation.kind, creation.kind.replace('_', ' '))} {what}".rstrip()
+    made = made if what else made.removesuffix(" of").removesuffix(" to")
     gets = "gets here" if creation.guard else "runs"
     end = "nothing takes the old one away"
     if left:
@@ -95,13 +101,28 @@ def _created(system: System, creation: Creation, callback: Callback, left: bool)
         "EXE005",
         creation.place,
         f"{callback_words(callback)} creates {'an' if made[0] == 'a' else 'a'} {made} each time it {gets}, and {end}",
-        help="create it once, in the constructor, cancel() it there and reset() it here"
-        if creation.kind == EntityKind.TIMER
-        else f"call {function}() once, in the constructor, and keep what it gives",
+        help=_once(creation, function, varies),
         related=[
             Related(callback.place, f"{callback.name} runs again and again"),
             *(Related(frame.place, f"{frame.caller} calls {frame.callee} here") for frame in creation.chain),
         ],
         node=node_name(system, creation.node),
         identity=(callback.name, creation.kind, creation.name.text or ""),
+        group=(creation.place.file, creation.function, creation.kind, callback.place.file, str(callback.place.line)),
     )
+
+
+def _once(creation: Creation, function: str, varies: bool) -> str:
+    if creation.kind == EntityKind.TIMER:
+        return "create it once, in the constructor, cancel() it there and reset() it here"
+    if varies:
+        return f"keep what {function}() gives in a dict by name, and call it only for a name that is not in there yet"
+    return f"call {function}() once, in the constructor, and keep what it gives"
+
+
+@folds("EXE005")
+def _of_one_function(findings: Sequence[Finding]) -> Finding:
+    """The finding for all that a function creates each time: one change mends it."""
+    first, *others = findings
+    more = (Related(one.place, "here another is created each time") for one in others if one.place != first.place)
+    return replace(first, related=(*first.related, *dict.fromkeys(more)))

@@ -204,13 +204,14 @@ def _unknown_interface(one: UnknownInterface) -> Finding:
         f"{one.package} defines no {what} '{one.name}'{hint}",
         help=_cure(one, names),
         identity=(one.package, one.kind, one.name),
-        group=() if hint else (one.place.file, str(one.place.line), one.package, one.kind),
+        group=() if one.left_out else (one.place.file, str(one.place.line), one.package, one.kind),
     )
 
 
 @folds("MSG002")
 def of_one_import(findings: Sequence[Finding]) -> Finding:
-    """The finding for all that one line imports in vain; the advice is that for the first."""
+    """The finding for all that one line imports in vain, with what each was perhaps meant to be; the advice is that for
+    the first."""
     first = findings[0]
     names = list(dict.fromkeys(one.identity[2] for one in findings))
     if len(names) == 1:
@@ -218,7 +219,16 @@ def of_one_import(findings: Sequence[Finding]) -> Finding:
     package, kind, _ = first.identity
     listed = f"{', '.join(repr(name) for name in names[:-1])} and {names[-1]!r}"
     several = {"msg": "messages", "srv": "services", "action": "actions"}[kind]
-    return replace(first, message=f"{package} defines no {several} {listed}", identity=(package, kind, *names))
+    hints = [_hint_for(one) for one in findings]
+    message = f"{package} defines no {several} {listed}{''.join(dict.fromkeys(hints))}"
+    return replace(first, message=message, identity=(package, kind, *names))
+
+
+def _hint_for(one: Finding) -> str:
+    """What one of several names was meant to be, as its own finding says."""
+    name = one.identity[2]
+    hint = one.message.partition(f"'{name}'")[2]
+    return f"{hint.removesuffix('?')} by '{name}'?" if hint.startswith(_MEANT) else hint
 
 
 def _part(one: UnknownInterface) -> tuple[str, str] | None:

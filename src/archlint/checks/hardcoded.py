@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from fnmatch import fnmatchcase
 from typing import TYPE_CHECKING
@@ -79,13 +79,6 @@ _FIXED = _Reason(
 _PARAMETERS = replace(_FIXED, cure="take the names from parameters")
 """For a node that launch files start in one namespace and another, where a name begins with one of them."""
 _RELATIVE = _Reason("fixed", "fixed in the code", "", "take the names from parameters")
-_CHOSEN = _Reason(
-    "chosen",
-    "absolute in one of the forms that the code chooses from",
-    "",
-    "this is fine where whoever starts the node can choose the other form",
-    Severity.INFO,
-)
 _DEMANDED = _Reason(
     "demanded",
     "absolute and fixed in the code",
@@ -147,8 +140,11 @@ def hardcoded_name(system: System, options: Options) -> Iterator[Finding]:
     users = _files_that_use(fixed)
     found: dict[tuple[Place, Place, str], Finding] = {}
     for endpoint in fixed:
-        one = _hardcoded(system, endpoint, users)
-        found.setdefault((one.place, endpoint.place, endpoint.written or ""), one)
+        place = endpoint.creation.name.origin or endpoint.creation.name_place or endpoint.place
+        reason = _reason(system.workspace, endpoint, len(users.get(place.file, ())))
+        if reason is not None:
+            one = _hardcoded(system, endpoint, reason)
+            found.setdefault((one.place, endpoint.place, endpoint.written or ""), one)
     yield from (found[key] for key in sorted(found))
 
 
@@ -177,12 +173,11 @@ def _conventional(name: str, allowed: tuple[str, ...]) -> bool:
     return name in ABSOLUTE or any(fnmatchcase(name, pattern) for pattern in allowed)
 
 
-def _hardcoded(system: System, endpoint: Endpoint, users: Mapping[str, set[str]]) -> Finding:
+def _hardcoded(system: System, endpoint: Endpoint, reason: _Reason) -> Finding:
     creation, name, word = endpoint.creation, endpoint.written or "", NAMED[endpoint.kind]
     given = creation.name_place or endpoint.place
     place = creation.name.origin or given
     home = _home(system, place, endpoint.place)
-    reason = _reason(system.workspace, endpoint, len(users.get(place.file, ())))
     made = finding(
         "NME001",
         place,
@@ -196,8 +191,9 @@ def _hardcoded(system: System, endpoint: Endpoint, users: Mapping[str, set[str]]
     return made if reason.severity is None else replace(made, severity=reason.severity)
 
 
-def _reason(workspace: WorkspaceIndex | None, endpoint: Endpoint, users: int) -> _Reason:
-    """Why a name is as it is; ``users`` is the number of other files that take names from the file it is in."""
+def _reason(workspace: WorkspaceIndex | None, endpoint: Endpoint, users: int) -> _Reason | None:
+    """Why a name is as it is; ``users`` is the number of other files that take names from the file it is in.  None
+    where whoever starts the node can choose another form of it."""
     node, name = endpoint.node, endpoint.written or ""
     if not name.startswith("/"):
         return _RELATIVE
@@ -211,7 +207,7 @@ def _reason(workspace: WorkspaceIndex | None, endpoint: Endpoint, users: int) ->
     if _private_to_foreign_node(workspace, name):
         return _PRIVATE
     if _is_chosen(node, endpoint):
-        return _CHOSEN
+        return None
     if users > 1:
         return _shared_by(users)
     if is_not_installed(workspace, endpoint.place.file):

@@ -34,7 +34,7 @@ if TYPE_CHECKING:
 # ------------------------------------------------------------------------------------------------- LCH001
 
 
-@rule("LCH001", scope=Scope.LAUNCH_FILE)
+@rule("LCH001", scope=Scope.LAUNCH_FILE, in_use=True)
 def unknown_executable(system: System, options: Options) -> Iterator[Finding]:
     """Started executables that their package does not install."""
     if system.launched is None or system.workspace is None:
@@ -220,7 +220,7 @@ def _implicit(full: str, name: str, namespace: str) -> bool:
 _WHAT = {"launch": "launch file", "parameters": "parameter file", "rviz": "RViz configuration"}
 
 
-@rule("LCH004", scope=Scope.LAUNCH_FILE)
+@rule("LCH004", scope=Scope.LAUNCH_FILE, in_use=True)
 def missing_launch_file(system: System, options: Options) -> Iterator[Finding]:
     """Included files, parameter files and RViz configurations that are not where the launch file looks."""
     uses: dict[tuple[Place, str | None], list[FileReference]] = {}
@@ -307,7 +307,7 @@ _RENAMED = {
 }
 
 
-@rule("LCH005", scope=Scope.LAUNCH_FILE)
+@rule("LCH005", scope=Scope.LAUNCH_FILE, in_use=True)
 def unknown_launch_attribute(system: System, options: Options) -> Iterator[Finding]:
     """Keywords and attributes that an action does not have."""
     loader = None if system.workspace is None else system.workspace.loader

@@ -39,7 +39,7 @@ _EXECUTOR = "its executor, later"
 _UNKNOWN = "nobody knows"
 
 
-@rule("TMO002", scope=Scope.CODE)
+@rule("TMO002", scope=Scope.CODE, in_use=True)
 def call_without_timeout(system: System, options: Options) -> Iterator[Finding]:
     """Blocking calls that wait for their answer without limit."""
     told = spoken_of(system, options.distros) | {wait.call.place for wait in piling_up(system)}

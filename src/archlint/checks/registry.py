@@ -107,16 +107,21 @@ class Check:
     taste: bool = False
     """Whether it judges how well code is made, and not whether it works: nobody wants to hear that of code that is
     put aside or tries something out."""
+    in_use: bool = False
+    """Whether it says nothing of what is put aside, but what it says of a trial is worth knowing."""
 
     def __call__(self, system: System, options: Options) -> Iterator[Finding]:
         return self.function(system, options)
 
 
-def rule(code: str, *, scope: Scope, taste: bool = False, **defaults: OptionValue) -> Callable[[RuleFunction], Check]:
+def rule(
+    code: str, *, scope: Scope, taste: bool = False, in_use: bool = False, **defaults: OptionValue
+) -> Callable[[RuleFunction], Check]:
     """Make the decorated generator function the rule with this code; a rule of ``taste`` says nothing of files
-    that are put aside or try something out (:func:`archlint.analysis.aside.is_aside`)."""
+    that are put aside or try something out (:func:`archlint.analysis.aside.is_aside`), one of what is ``in_use``
+    nothing of those that are put aside."""
     options = {name.replace("_", "-"): value for name, value in defaults.items()}
-    return lambda function: Check(code, function, scope, MappingProxyType(options), taste)
+    return lambda function: Check(code, function, scope, MappingProxyType(options), taste, in_use)
 
 
 def registered() -> Mapping[str, Check]:

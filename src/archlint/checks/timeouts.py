@@ -51,7 +51,7 @@ MAKE_IT_EARLIER = "create the client in the constructor, and ask here without wa
 _COMPLETE = tuple(f"rclpy.task.Future.{name}" for name in ("set_result", "set_exception", "cancel"))
 
 
-@rule("TMO001", scope=Scope.CODE)
+@rule("TMO001", scope=Scope.CODE, in_use=True)
 def wait_without_timeout(system: System, options: Options) -> Iterator[Finding]:
     """Waits for a service, an action server or a message that nothing limits."""
     calls = list(calls_of(system, _LIMIT))
@@ -119,7 +119,7 @@ def _ready(call: ApiCall) -> str:
     return "server_is_ready" if kind_of(call) == "action" else "service_is_ready"
 
 
-@rule("TMO003", scope=Scope.CODE)
+@rule("TMO003", scope=Scope.CODE, in_use=True)
 def spin_without_timeout(system: System, options: Options) -> Iterator[Finding]:
     """Spins until a future is complete that nothing limits.  Of a method that nothing calls, and of a client that
     nothing is seen to make, nobody knows whether it is ever there."""
@@ -219,7 +219,7 @@ def _all_of(fixes: Sequence[Fix]) -> Fix | None:
     return replace(fixes[0], edits=tuple(sorted(edits, key=lambda edit: edit.place)))
 
 
-@rule("TMO005", scope=Scope.CODE)
+@rule("TMO005", scope=Scope.CODE, in_use=True)
 def ignored_wait_result(system: System, options: Options) -> Iterator[Finding]:
     """Waits with a timeout whose answer is thrown away, and that nothing asks for later."""
     asked = _clients_asked_for(system)

@@ -34,7 +34,7 @@ _PASTIMES = frozenset(
 """Calls of which none ends a loop; any other may raise, so a loop with one is not judged."""
 
 
-@rule("TMO004", scope=Scope.CODE)
+@rule("TMO004", scope=Scope.CODE, in_use=True)
 def endless_wait_loop(system: System, options: Options) -> Iterator[Finding]:
     """Loops that go round until a server appears, and that nothing else ends."""
     asked = clients_of_handlers(system, options.distros)

@@ -6,8 +6,8 @@ from collections.abc import Iterator, Mapping
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
-from archlint.analysis.aside import is_aside
-from archlint.checks.registry import Options, failure, registered
+from archlint.analysis.aside import is_aside, is_disused
+from archlint.checks.registry import Check, Options, failure, registered
 from archlint.faults import Fault
 from archlint.finding import Finding, Place
 from archlint.rulebook import rules
@@ -27,8 +27,14 @@ def judge(system: System, selected: Mapping[str, Options]) -> Iterator[Finding]:
         except Exception as error:
             yield failure(Fault.of(f"the rule {rules()[code].title}", error, _place_of(system)))
         else:
-            kept = [one for one in found if not (check.taste and is_aside(system.workspace, one.place.file))]
+            kept = [one for one in found if not _passes_by(check, system, one.place.file)]
             yield from (replace(one, system=system.name) for one in kept)
+
+
+def _passes_by(check: Check, system: System, file: str) -> bool:
+    if check.taste:
+        return is_aside(system.workspace, file)
+    return check.in_use and is_disused(system.workspace, file)
 
 
 def judge_alternatives(system: System, selected: Mapping[str, Options]) -> Iterator[Finding]:
