@@ -15,6 +15,7 @@ from archlint.systems.implicit import implicit_names
 if TYPE_CHECKING:
     from archlint.finding import Place
     from archlint.model import EntityKind
+    from archlint.observed.model import Status
     from archlint.ros.qos import Qos
     from archlint.systems.model import Endpoint, Node, System
 
@@ -250,7 +251,7 @@ class _Kind:
 
     def _difference(
         self,
-        status: str,
+        status: Status,
         name: str,
         message: str,
         help: str,

@@ -12,6 +12,7 @@ from archlint.finding import Finding, Related, Severity
 from archlint.observed.model import DIFFERENT, MISSING, UNEXPECTED
 
 if TYPE_CHECKING:
+    from archlint.observed.model import Status
     from archlint.systems.model import System
 
 
@@ -33,7 +34,7 @@ def different_at_run_time(system: System, options: Options) -> Iterator[Finding]
     yield from _findings("GRF007", DIFFERENT, system)
 
 
-def _findings(code: str, status: str, system: System) -> Iterator[Finding]:
+def _findings(code: str, status: Status, system: System) -> Iterator[Finding]:
     for one in system.compared.differences if system.compared is not None else ():
         if one.status != status:
             continue

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 
+from archlint.branches import ChoiceOfCallee
 from archlint.finding import Place
 from archlint.interpreter import containers, hints, refusals, repeats
 from archlint.interpreter.activation import Activation
@@ -140,7 +141,7 @@ def _call_alternatives(machine: Machine, function: OneOf, site: CallSite) -> Val
     if len(callable_) == 1:
         return call(machine, callable_[0], site)
     span = site.expression.span if site.expression is not None else (0, 0, 0, 0)
-    key = machine.key_of(span) + "?" if machine.activations else "?"
+    key = ChoiceOfCallee(machine.key_of(span) + "?" if machine.activations else "?")
     found = []
     layers = []
     for number, option in enumerate(callable_):

@@ -6,6 +6,7 @@ import re
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
+from archlint.branches import UnfollowedCondition
 from archlint.interpreter import decisions
 from archlint.interpreter.attributes import get_attribute
 from archlint.interpreter.values import (
@@ -20,7 +21,6 @@ from archlint.interpreter.values import (
     Value,
     alternatives,
 )
-from archlint.launch.model import NOT_FOLLOWED
 from archlint.launch.shapes import OPAQUE, WHERE, shape_of
 from archlint.launch.substitutions import SUBSTITUTIONS, argument, kind_of, made_by_base, perform, truth_of
 from archlint.syntax import facts
@@ -172,7 +172,7 @@ def _arm(run: LaunchRun, expression: Value | None, expected: bool) -> tuple[str,
         if not _OPERANDS.sub("", shape).strip():
             for name in names:
                 run.note_undecided(name, "true", "false")
-    arm = (f"{NOT_FOLLOWED}{shape})", int(expected))
+    arm = (UnfollowedCondition(f"({shape})"), int(expected))
     if OPAQUE in shape:
         return arm
     shown = _ARGUMENT.sub(lambda found: run.shown(found[1]), _FILE.sub("", shape))

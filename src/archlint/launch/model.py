@@ -9,9 +9,6 @@ from archlint.finding import Place
 from archlint.model import Text
 from archlint.syntax.parameter_files import NotKnown
 
-NOT_FOLLOWED = "("
-"""What the branch of a condition starts with where it is not followed how the arguments decide it."""
-
 INSTALLED = "installed"
 NOT_INSTALLED = "not installed"
 MISSING = "missing"

@@ -15,7 +15,7 @@ from archlint.model.kinds import (
     GroupKind,
     Role,
 )
-from archlint.model.messages import FieldUse, Passed, UnknownInterface
+from archlint.model.messages import Access, FieldUse, Passed, UnknownInterface
 from archlint.model.nodes import (
     NEVER_CONSTRUCTED,
     Blueprint,
@@ -24,6 +24,7 @@ from archlint.model.nodes import (
     Creation,
     Frame,
     Group,
+    GuardKind,
     ParameterDeclaration,
 )
 from archlint.model.overrides import Overrides, node_key
@@ -34,6 +35,7 @@ __all__ = [
     "ENDPOINT_KINDS",
     "NAMED",
     "NEVER_CONSTRUCTED",
+    "Access",
     "ApiCall",
     "Blueprint",
     "Callback",
@@ -46,6 +48,7 @@ __all__ = [
     "Frame",
     "Group",
     "GroupKind",
+    "GuardKind",
     "Overrides",
     "ParameterDeclaration",
     "Passed",

@@ -3,11 +3,15 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Literal
 
 if TYPE_CHECKING:
     from archlint.finding import Place
     from archlint.model.nodes import Blueprint, Creation
+
+
+Access = Literal["read", "write", "keyword", "constant"]
+"""How code names a field: ``constant`` is what looks like one and is read from the class."""
 
 
 @dataclass(frozen=True)
@@ -22,8 +26,7 @@ class Passed:
 
 @dataclass(frozen=True)
 class FieldUse:
-    """A field of a message that the code names; ``access`` is ``read``, ``write`` or ``keyword``, or ``constant`` for
-    what looks like one and is read from the class.
+    """A field of a message that the code names.
 
     ``type`` and ``section_name`` (``Request``, ``Goal`` …; empty for a plain message) are those of the message.
     ``exists`` is None where its definition is not known; where it is False, ``fields`` are those that the message
@@ -35,7 +38,7 @@ class FieldUse:
     type: str
     section_name: str
     name: str
-    access: str
+    access: Access
     exists: bool | None
     fields: tuple[str, ...] = ()
     node: Blueprint | None = None

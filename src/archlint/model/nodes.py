@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, field
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Literal
 
 from archlint.model.kinds import EntityKind, ExecutorKind, GroupKind, Role
 
@@ -15,6 +15,9 @@ if TYPE_CHECKING:
     from archlint.ros.qos import Qos
     from archlint.syntax import facts
 
+
+GuardKind = Literal["arguments", "state", ""]
+"""What is asked before a create call: only what a callback was called with, anything else, or nothing."""
 
 NEVER_CONSTRUCTED = "the node's constructor is not reached"
 """Why the name of an object of a node class is not known where nothing calls ``Node.__init__`` on it."""
@@ -105,7 +108,7 @@ class Creation:
     name_place: Place | None = None
     """The argument that gives the name, at the create call."""
     raw: bool = False
-    guard: str = ""
+    guard: GuardKind = ""
     """What an ``if`` on the way, decided or not, or an early return asks before the create call is made: ``arguments``
     (nothing but what a callback was called with), ``state`` (anything else), or nothing."""
     proven: tuple[tuple[facts.Expr, bool], ...] = ()
@@ -176,6 +179,8 @@ class Blueprint:
     key: str = ""
     allow_undeclared_parameters: bool = False
     automatically_declare_parameters: bool = False
+    constructed: bool = False
+    """Whether ``Node.__init__`` is reached on it, here or in code that is not followed."""
     made_at: Place | None = None
     """The call that makes it, where one does."""
     branch_arms: BranchArms = frozenset()

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Final, Literal
 
 from archlint.model import EntityKind
 
@@ -15,9 +15,10 @@ RECORDING = "recording"
 BAG = "bag"
 MONITOR = "monitor"
 
-MISSING = "missing"
-UNEXPECTED = "unexpected"
-DIFFERENT = "different"
+Status = Literal["missing", "unexpected", "different"]
+MISSING: Final = "missing"
+UNEXPECTED: Final = "unexpected"
+DIFFERENT: Final = "different"
 
 
 @dataclass(frozen=True)
@@ -94,7 +95,7 @@ class Difference:
     launch file says that it should be otherwise.
     """
 
-    status: str
+    status: Status
     kind: str
     name: str
     node: str | None

@@ -122,7 +122,7 @@ def _give_away(helper: model.Blueprint, owners: Sequence[model.Blueprint]) -> No
 def _is_nothing(node: model.Blueprint, program: model.Program) -> bool:
     """Whether there is nothing to say of it: no endpoint or parameter, of a helper or of an object that runs its
     own constructor and never that of its base, rclpy's Node."""
-    unmade = node.name.reason == model.NEVER_CONSTRUCTED and not program.exhausted and node.complete
+    unmade = not node.constructed and not program.exhausted and node.complete
     return (node.caller_unknown or unmade) and not node.creations and not node.parameters
 
 

@@ -7,9 +7,8 @@ from functools import cached_property
 from typing import TYPE_CHECKING, TypeVar
 
 from archlint import model as program
-from archlint.branches import exclusive
+from archlint.branches import UnfollowedCondition, exclusive
 from archlint.faults import Faults
-from archlint.launch.model import NOT_FOLLOWED
 from archlint.workspace.test_code import FileRoles
 
 if TYPE_CHECKING:
@@ -375,4 +374,4 @@ def runs_along(one: BranchArms, other: BranchArms) -> bool:
     A condition that is not followed may never hold: a node under it is held only against one under the same.
     """
     few, more = sorted((one, other), key=len)
-    return few <= more and not any(branch.startswith(NOT_FOLLOWED) for branch, _ in more - few)
+    return few <= more and not any(isinstance(branch, UnfollowedCondition) for branch, _ in more - few)

@@ -6,6 +6,7 @@ from collections.abc import Iterable, Iterator
 from typing import TYPE_CHECKING, Any
 
 from archlint import model
+from archlint.branches import ChoiceOfArgument
 from archlint.finding import Place
 from archlint.interpreter import containers
 from archlint.interpreter.attributes import get_attribute
@@ -113,7 +114,7 @@ def _is_one_of_several(value: Value, creation: model.Creation) -> bool:
     """Whether it is not known which of several callables, names or types the create call is given: they may belong
     together in pairs."""
     callables = [option for option in alternatives(value) if not isinstance(option, Known)]
-    return len(callables) > 1 or any(branch.endswith("|") for branch, _ in creation.branch_arms)
+    return len(callables) > 1 or any(isinstance(branch, ChoiceOfArgument) for branch, _ in creation.branch_arms)
 
 
 def _is_new(run: Run, key: tuple[Any, ...], callback: model.Callback, given: Iterable[Value | None]) -> bool:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from archlint import model
+from archlint.branches import ChoiceOfArgument
 from archlint.finding import Place
 from archlint.interpreter.formatting import plain_text
 from archlint.interpreter.values import (
@@ -87,7 +88,7 @@ def _create(
     place = run.place(call.expression.span) if call.expression is not None else Place("", 1, 1, 1, 1)
     arms = frozenset(run.branch_arms)
     if alternative is not None:
-        arms |= {(f"{place.file}:{place.line}:{place.column}|", alternative)}
+        arms |= {(ChoiceOfArgument(f"{place.file}:{place.line}:{place.column}|"), alternative)}
     policies = (qos.history, qos.depth, qos.reliability, qos.durability)
     kind = call.api.kind
     assert kind is not None, "a row that makes an endpoint says of which kind"

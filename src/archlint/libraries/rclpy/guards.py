@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from functools import lru_cache
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Final
 
 from archlint.syntax import facts
 from archlint.syntax.control_flow import always_raises
@@ -13,10 +13,11 @@ from archlint.syntax.walk import called_name, calls_in, parts_of, statements_of
 if TYPE_CHECKING:
     from archlint.interpreter.activation import Activation
     from archlint.libraries.run import Run
+    from archlint.model import GuardKind
 
-NOTHING = ""
-ARGUMENTS = "arguments"
-STATE = "state"
+NOTHING: Final = ""
+ARGUMENTS: Final = "arguments"
+STATE: Final = "state"
 
 _PLAIN = frozenset(
     {"abs", "all", "any", "bool", "float", "int", "isinstance", "len", "list", "max", "min", "round", "set", "str"}
@@ -24,13 +25,13 @@ _PLAIN = frozenset(
 """Builtins that look at their arguments and at nothing else."""
 
 
-def guard_of(run: Run) -> str:
+def guard_of(run: Run) -> GuardKind:
     """What an ``if`` around what runs now, or an early return in front of it, asks; on the whole way there.
 
     Only the callback itself is known to be called with something new each time: what a helper gets may well be
     the caller's state.
     """
-    found = NOTHING
+    found: GuardKind = NOTHING
     for number, one in enumerate(run.activations):
         tests = _tests_on_the_way(one.body, one.statement)
         if tests is None or (tests and (number != 1 or not _about_arguments(tests, one))):

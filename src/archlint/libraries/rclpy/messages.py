@@ -11,6 +11,7 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 from archlint import model
+from archlint.branches import ChoiceOfCallee
 from archlint.interpreter.values import EachValue, Known, OneOf, Unknown, Value
 from archlint.libraries.rclpy import names
 from archlint.libraries.rclpy.guards import guard_of
@@ -21,6 +22,7 @@ from archlint.syntax import facts
 if TYPE_CHECKING:
     from archlint.interpreter.activation import Activation
     from archlint.libraries.run import Run
+    from archlint.model import Access
     from archlint.ros.interfaces import InterfaceTable
     from archlint.syntax.facts import Span
 
@@ -61,7 +63,7 @@ def nested(run: Run, value: MessageValue, name: str) -> MessageValue | EachValue
     return made
 
 
-def note_use(run: Run, value: Value, name: str, span: Span, access: str) -> None:
+def note_use(run: Run, value: Value, name: str, span: Span, access: Access) -> None:
     """Note that the code uses an attribute of what is certainly a message; ``access`` is ``read``, ``write`` or
     ``keyword``."""
     message = of_value(value)
@@ -178,7 +180,7 @@ def _may_be_told_apart(run: Run, message: MessageValue) -> bool:
     """Whether a helper that is handed messages of several types is in a branch that may be for another type."""
     activation = run.activation
     handed_over = len(run.activations) > _CALLBACK and run.messages.made_in.get(message.key) is not activation
-    chosen = any(branch.endswith("?") for branch, _ in run.branch_arms)  # one of several functions was called with it
+    chosen = any(isinstance(branch, ChoiceOfCallee) for branch, _ in run.branch_arms)
     return handed_over and (chosen or len(run.branch_arms) > activation.branch_arms)
 
 

@@ -205,6 +205,7 @@ def held_blueprint(
     blueprint = new_blueprint(run, name, place, key, package)
     blueprint.caller_unknown = True
     blueprint.annotated = annotated
+    blueprint.constructed = True
     blueprint.name = model.Text(None, "unknown", reason="nothing in the workspace hands a node in")
     # Like every node that no launch file puts elsewhere, it is in the root namespace.
     return blueprint
@@ -264,14 +265,17 @@ def name_by_foreign_base(run: Run, receiver: Instance, path: str) -> None:
     blueprint = run.nodes.by_object.get(receiver.key)
     if blueprint is not None and blueprint.name.resolution == "unknown":
         owner = path.removesuffix(".__init__")
+        blueprint.constructed = True
         blueprint.name = model.Text(None, "unknown", reason=f"{owner}, outside of this workspace, names the node")
 
 
 def _set_names(run: Run, blueprint: model.Blueprint, call: ApiUse) -> None:
     if call.open and "node_name" not in call.arguments:
         reason = "the node's name is passed by * or **"
+        blueprint.constructed = True
         blueprint.name = model.Text(None, "unknown", reason=reason)
     else:
+        blueprint.constructed = True
         blueprint.name = text_of_value(call.get("node_name"), "a node without a name")
     namespace = call.get("namespace")
     if namespace is None:
