@@ -193,6 +193,29 @@ def test_an_executable_whose_file_is_there(findings):
     assert found.help == "scripts/steer.py is there: install it in CMakeLists.txt"
 
 
+@pytest.mark.parametrize(
+    ("scripts", "hint", "help"),
+    [
+        (
+            ["track.py", "crack.py"],
+            "; scripts/track.py is there, and not installed",
+            "install it in CMakeLists.txt under",
+        ),
+        (["crack.py"], "; did you mean 'crack_node'?", "it installs crack_node; add it"),
+    ],
+)
+def test_a_file_of_that_name_is_nearer_than_another_node(findings, scripts, hint, help):
+    cmake = "project(robot)\ninstall(PROGRAMS scripts/crack.py DESTINATION lib/robot RENAME crack_node)\n"
+    files = {
+        "CMakeLists.txt": cmake,
+        "package.xml": CMAKE,
+        "setup.py": "",
+        **{f"scripts/{one}": TALKER for one in scripts},
+    }
+    (found,) = findings("LCH001", node(exec="track_node"), **files)
+    assert found.message.endswith(f"'track_node'{hint}") and found.help.startswith(help)
+
+
 def test_a_program_in_a_folder_below_is_not_found_by_launch(findings):
     cmake = "project(robot)\ninstall(DIRECTORY scripts DESTINATION lib/robot)\n"
     files = {"CMakeLists.txt": cmake, "package.xml": CMAKE, "setup.py": "", "scripts/drive.py": TALKER}
@@ -1255,6 +1278,33 @@ def test_a_setup_py_that_nobody_runs_breaks_nothing(findings):
 def test_entry_points_of_other_distributions(findings):
     setup = SETUP.replace("'talker = robot.talker:main'", "'talker = robot.talker:main', 'serve = uvicorn.main:run'")
     assert findings("PKG002", **{"setup.py": setup}) == []
+
+
+def test_a_module_beside_the_python_package_is_not_in_it(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    setup = SETUP.replace("robot.talker:main", "robot.scripts.talker:main")
+    texts = {"robot/__init__.py": "", "robot/driver.py": TALKER, "scripts/talker.py": TALKER, "setup.py": setup}
+    texts["package.xml"] = MANIFEST.format(name="robot", type="ament_python", more="")
+    for name, text in texts.items():  # scripts/talker.py ends like the module's name only with the package's folder
+        (tmp_path / "src/robot" / name).parent.mkdir(parents=True, exist_ok=True)
+        (tmp_path / "src/robot" / name).write_text(text)
+    (tmp_path / "archlint.toml").write_text('select = ["PKG002"]')
+    (found,) = check(Request((".",), load(tmp_path), cached=False, jobs=1)).findings
+    assert "module 'robot.scripts.talker' is not there" in found.message
+
+
+def test_a_file_that_is_missing_beside_the_launch_file_says_where_it_is_looked_for(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    include = """<launch><include file="$(dirname)/gone.launch.xml"/></launch>"""
+    texts = {"setup.py": SETUP, "robot/talker.py": TALKER, "launch/it.launch.xml": include}
+    texts["package.xml"] = MANIFEST.format(name="robot", type="ament_python", more="")
+    for name, text in texts.items():
+        (tmp_path / "src/robot" / name).parent.mkdir(parents=True, exist_ok=True)
+        (tmp_path / "src/robot" / name).write_text(text)
+    (tmp_path / "archlint.toml").write_text('select = ["LCH004"]')
+    (found,) = check(Request((".",), load(tmp_path), cached=False, jobs=1)).findings
+    assert found.message == "package 'robot' has no launch file 'launch/gone.launch.xml'"
+    assert "starts at the folder that this launch file is in" in found.help
 
 
 def test_a_module_that_gitignore_hides_is_there(findings):

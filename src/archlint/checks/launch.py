@@ -78,6 +78,10 @@ def _instead(installs: Installs, name: str, workspace: WorkspaceIndex) -> tuple[
     there = [file for file in files if posixpath.basename(file) == name]
     if len(there) == 1:
         return did_you_mean(name, known), f"{there[0]} is there: install it in {build}"
+    stems = {name, name.removesuffix("_node")} - {_stem(one) for one in installs.executables.values()}
+    meant = [file for file in files if posixpath.basename(file).removesuffix(".py") in stems]
+    if len(meant) == 1:  # nearer than another node of a similar name
+        return f"; {meant[0]} is there, and not installed", f"install it in {build} under the name '{name}'"
     return did_you_mean(name, known), f"it installs {listed(known)}; add it to {build}, or start one of these"
 
 
@@ -236,9 +240,11 @@ def missing_launch_file(system: System, options: Options) -> Iterator[Finding]:
         if reference.status == MISSING and is_generated(system.workspace, reference.package or "", shown):
             continue
         if reference.status == MISSING:
-            message = f"package '{reference.package}' has no {what} '{shown}'"
+            message = f"package '{reference.package}' has no {what} '{_in_package(system, reference, shown)}'"
             message += _did_you_mean_file(system.workspace, reference.package or "", shown)
-            help = "check the path; it starts at the package's share folder, where the build installs it"
+            beside = (written or "").startswith("$(workspace)")
+            start = "folder that this launch file is in" if beside else "package's share folder"
+            help = f"check the path; it starts at the {start}, where the build installs it"
         else:
             message = f"package '{reference.package}' does not install the {what} '{shown}'"
             help = f"{reference.source} is there: install it (data_files in setup.py, install(DIRECTORY …) in CMake)"
@@ -251,6 +257,12 @@ def missing_launch_file(system: System, options: Options) -> Iterator[Finding]:
             related=[Related(one, "it is used here") for one in read],
             identity=(reference.package or "", written or ""),
         )
+
+
+def _in_package(system: System, reference: FileReference, shown: str) -> str:
+    """The path of a file below its package: ``ThisLaunchFileDir()`` gives it below the workspace."""
+    installs = None if system.workspace is None else system.workspace.installs.get(reference.package or "")
+    return shown if installs is None else shown.removeprefix(f"{installs.folder}/")
 
 
 def _decided_at(reference: FileReference) -> Place:

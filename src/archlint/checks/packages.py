@@ -65,7 +65,8 @@ def _is_on_disk(loader: LaunchLoader, package: str, module: str) -> bool:
     installs = loader.installs.get(package)
     path = "/" + module.replace(".", "/")
     files = [] if installs is None else loader.tree.files_below(installs.folder)
-    return any(f"/{file}".endswith((f"{path}.py", f"{path}/__init__.py")) for file in files)
+    below = "" if installs is None or installs.folder == "." else f"{installs.folder}/"
+    return any(f"/{file.removeprefix(below)}".endswith((f"{path}.py", f"{path}/__init__.py")) for file in files)
 
 
 def _broken(workspace: WorkspaceIndex, executable: Executable) -> Iterator[Finding]:

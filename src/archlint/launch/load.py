@@ -156,13 +156,12 @@ class LaunchLoader:
         return [file.relative for file in self._files if file.package == package and file.kind == "python"]
 
     def files_named(self, package: str, module: str) -> list[str]:
-        """Files of a package whose path ends like a module's name."""
-        tail = module.replace(".", "/")
-        return [
-            file.relative
-            for file in self._files
-            if file.package == package and file.relative.endswith((f"{tail}.py", f"{tail}/__init__.py"))
-        ]
+        """Files of a package whose path below the package's folder ends like a module's name."""
+        tail, installs = "/" + module.replace(".", "/"), self.installs.get(package)
+        ends, folder = (f"{tail}.py", f"{tail}/__init__.py"), "" if installs is None else f"{installs.folder}/"
+        own = [file for file in self._files if file.package == package]
+        ending = (file for file in own if f"/{file.relative.removeprefix(folder)}".endswith(ends))
+        return [file.relative for file in own if file.module == module] or [file.relative for file in ending]
 
     def in_use(self) -> frozenset[str]:
         """The Python files that installed programs and launch files are, and all that these import."""
