@@ -124,6 +124,13 @@ def test_two_actions_of_one_name_are_told(findings, lines, at, related):
     assert (found.place.line, [one.place.line for one in found.related]) == (at, related)
 
 
+def test_all_nodes_of_one_name_are_told(findings):
+    third = "Node(package='robot', executable='talker', name='talker')"
+    (found,) = findings([f"nodes += [talker, other, {third}]"])
+    assert found.message.startswith("three nodes of this system are called '/talker'")
+    assert [(one.place.line, one.message) for one in found.related][1:] == [(11, "another one is started here")]
+
+
 READER = ["reader = Node('reader')", "rate = reader.declare_parameter('rate', 1.0).value"]
 
 

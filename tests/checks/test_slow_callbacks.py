@@ -504,6 +504,13 @@ def post(self, url):
 """
 
 
+@pytest.mark.parametrize("method", ["put", "patch", "delete", "head", "request"])
+def test_a_session_waits_in_each_of_its_methods(run: Run, method: str):
+    create = "self.session = requests.Session()\n" + TIMER
+    [found] = run("import requests\n" + source(create, timer(f"self.session.{method}('http://robot/a', 'b')")))
+    assert f"waits for the network in requests.Session.{method}()" in found.message
+
+
 def test_a_node_that_waits_for_the_network_in_each_handler_is_one_finding(run: Run):
     create = (
         "self.session = requests.Session()\nself.create_service(Trigger, 'list', self.list_all)\n"

@@ -138,28 +138,45 @@ def _of_an_include(before: Place, place: Place, file: str, several: list[Twins])
 def _of_two_actions(system: System, several: list[Twins]) -> Iterator[Finding]:
     """One finding for two launch actions, with all names that both give."""
     one, other = several[0]
-    if one.launch_place is None or other.launch_place is None:
+    here = other.launch_place
+    if one.launch_place is None or here is None:
         return
     names = [twin.name or "" for twin, _ in several]
-    shared = f"two nodes of this system are called '{names[0]}'"
+    more = _namesakes(system, one, other) if len(names) == 1 else []
+    shared = f"{_COUNTS.get(len(more), 'many')} nodes of this system are called '{names[0]}'"
     if len(names) > 1:
         shared = f"two launch actions start nodes of the same names: {', '.join(names)}"
-    if one.launch_place == other.launch_place:
+    if one.launch_place == here:
         shared = f"this line makes several actions, and each starts a node that is called '{names[0]}'"
     sole = all(sum(node.started is twin.started for node in system.nodes) == 1 for twin in (one, other))
     yield finding(
         "NME004",
-        other.launch_place,
+        here,
         shared,
-        help="ROS starts both; give each a name or namespace of its own"
+        help=f"ROS starts {'them all' if more else 'both'}; give each a name or namespace of its own"
         if sole
         else "ROS starts both; give each action a namespace of its own, as name= renames all its nodes",
-        related=[Related(one.launch_place, "the other one is started here")]
-        if one.launch_place != other.launch_place
-        else [],
+        related=[
+            *([Related(one.launch_place, "the other one is started here")] if one.launch_place != here else []),
+            *(Related(place, "another one is started here") for place in more),
+        ],
         node=names[0],
         identity=tuple(names),
     )
+
+
+_COUNTS = dict(enumerate(("two", "three", "four", "five", "six", "seven", "eight")))
+
+
+def _namesakes(system: System, one: Node, other: Node) -> list[Place]:
+    """Where further nodes are started under the name of two, beside both of them."""
+    places: dict[Place, None] = {}
+    for node in system.nodes:
+        named = node.name == one.name and node.resolution == "exact" and node.launch_place is not None
+        if named and node not in (one, other) and _together(node, one) and _together(node, other):
+            assert node.launch_place is not None
+            places.setdefault(node.launch_place)
+    return sorted(place for place in places if place not in (one.launch_place, other.launch_place))
 
 
 def _of_one_process(one: Node, other: Node) -> Iterator[Finding]:
