@@ -5,6 +5,11 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 from enum import IntEnum
 
+from archlint.edit_sites import Sites
+from archlint.place import Place
+
+__all__ = ["Edit", "Finding", "Fix", "Place", "Related", "Severity"]
+
 
 class Severity(IntEnum):
     """How much a finding weighs; a larger value is more severe."""
@@ -21,21 +26,6 @@ class Severity(IntEnum):
     @property
     def label(self) -> str:
         return self.name.lower()
-
-
-@dataclass(frozen=True, order=True)
-class Place:
-    """A span of source: ``file`` as the user would type it, lines and columns from 1, end column exclusive."""
-
-    file: str
-    line: int
-    column: int
-    end_line: int
-    end_column: int
-
-    @classmethod
-    def of(cls, file: str, span: tuple[int, int, int, int]) -> Place:
-        return cls(file, *span)
 
 
 @dataclass(frozen=True)
@@ -89,8 +79,9 @@ class Finding:
     group: tuple[str, ...] = field(default=(), compare=False)
     """What it has in common with the findings of its rule that are shown as one with it; empty in a finished one."""
 
-    mendable: bool = field(default=True, compare=False)
-    """False where no edit of the text can be right, such as a wait that is wrong where it stands, limit or not."""
+    sites: Sites | None = field(default=None, compare=False)
+    """What a fix would edit; None where no edit of the text can be right, such as for a wait that is wrong where it
+    stands, limit or not."""
 
     @property
     def sort_key(self) -> tuple[str, int, int, str, str, str]:

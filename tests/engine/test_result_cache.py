@@ -99,3 +99,17 @@ def test_a_record_with_anything_wrong_is_a_miss(findings, kept, change):
     changes.append(lambda record: record.get("judged", {}).update(remarks=["never shown"]))
     assert findings() == first
     assert seen
+
+
+def test_fixes_are_made_where_they_are_asked_for_and_kept(tmp_path, findings, kept, monkeypatch):
+    """A check without them leaves the sites, from which a later one makes them without linking anything."""
+    settings = load(tmp_path / "src")
+    without = check(Request((".",), settings, jobs=1, fixes=False)).findings
+    assert [one.fix for one in without] == [None] * len(without) and any(one.sites for one in without)
+    seen, _ = kept
+    first = findings()
+    assert len(seen) == 1 and {one.code for one in first if one.fix} == {"NME001"}
+    monkeypatch.setattr("archlint.engine.mending.attach", None)
+    assert findings() == first  # kept with what they edit
+    uncached = check(Request((".",), settings, jobs=1, cached=False, fixes=False)).findings
+    assert [(one.code, one.place, one.message) for one in uncached] == [(o.code, o.place, o.message) for o in first]

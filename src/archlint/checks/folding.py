@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
+from archlint.edit_sites import Sites
 from archlint.finding import Finding
 
 
@@ -28,3 +29,9 @@ class Fold:
 def folds(code: str, *, across_systems: bool = False) -> Callable[[Callable[[Sequence[Finding]], Finding]], Fold]:
     """Make the decorated function the fold of the rule with this code."""
     return lambda function: Fold(code, function, across_systems)
+
+
+def all_sites(findings: Sequence[Finding]) -> Sites | None:
+    """What a finding that stands for several would have edited: what each of them would."""
+    found = [one.sites for one in findings if one.sites is not None]
+    return sum(found, Sites()) if found else None

@@ -10,11 +10,12 @@ from typing import TYPE_CHECKING
 from archlint.analysis.aside import is_not_installed
 from archlint.analysis.completeness import enclosing_class
 from archlint.analysis.fixed_names import is_of_a_model, must_be_absolute
+from archlint.analysis.name_sites import sites_of_name
 from archlint.branches import exclusive
-from archlint.checks.folding import folds
+from archlint.checks.folding import all_sites, folds
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
-from archlint.finding import Finding, Fix, Related, Severity
+from archlint.finding import Finding, Related, Severity
 from archlint.model import NAMED
 from archlint.ros.well_known import ABSOLUTE
 from archlint.systems.model import (
@@ -187,6 +188,7 @@ def _hardcoded(system: System, endpoint: Endpoint, reason: _Reason) -> Finding:
         node=endpoint.node.name,
         identity=(home[1], word, name),
         group=(*home, reason.key, reason.state, reason.effect, reason.cure),
+        sites=sites_of_name(system.workspace, given, name, stays=reason.key != _FIXED.key),
     )
     return made if reason.severity is None else replace(made, severity=reason.severity)
 
@@ -302,12 +304,11 @@ def of_one_class(findings: Sequence[Finding]) -> Finding:
     for one in findings:
         at.setdefault(one.place, {})[_shown(one)] = None
     names = sorted({one.identity[-1] for one in findings})
-    edits = [edit for one in findings if one.fix is not None for edit in one.fix.edits]
-    fix = Fix("unsafe", tuple(dict.fromkeys(edits)), "take the names from parameters") if edits else None
+    sites = all_sites(findings)
     here = ", ".join(list(at.pop(first.place))[:_NAMES_SHOWN])
     related = tuple(Related(place, ", ".join(at[place])) for place in sorted(at))
     if len(names) == 1:
-        return replace(first, related=(*first.related, *related), fix=fix)
+        return replace(first, related=(*first.related, *related), sites=sites)
     _, _, key, state, effect, cure = first.group
     reason = _Reason(key, state, effect, cure)
     owner = f"of {first.identity[0]}" if first.identity[0] else "in this file"
@@ -316,7 +317,7 @@ def of_one_class(findings: Sequence[Finding]) -> Finding:
         message=reason.message(f"{len(names)} names {owner}", f", such as {here}", plural=True),
         help=reason.cure,
         related=related,
-        fix=fix,
+        sites=sites,
         identity=(first.identity[0], *names),
     )
 

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 
 from archlint.analysis.callback_roles import runs_in_executor
 from archlint.analysis.completeness import walk
+from archlint.analysis.limit_sites import sites_of_call
 from archlint.analysis.reach import (
     calls_of,
     endpoint_words,
@@ -37,6 +38,7 @@ _ANOTHER = "another thread"
 _NOBODY = "nobody yet"
 _EXECUTOR = "its executor, later"
 _UNKNOWN = "nobody knows"
+_SPINS = (_ANOTHER, _UNKNOWN)
 
 
 @rule("TMO002", scope=Scope.CODE, in_use=True)
@@ -111,7 +113,7 @@ def _limitless_call(system: System, program: Program, call: ApiCall, distros: tu
         identity=(call.function, name_of(call.creation), function),
     )
     # Where nobody spins meanwhile, a limit would always expire.
-    return replace(found, mendable=spinner in (_ANOTHER, _UNKNOWN))
+    return replace(found, sites=sites_of_call(system.workspace, call.place, distros)) if spinner in _SPINS else found
 
 
 def _spinner(call: ApiCall, program: Program) -> str:

@@ -22,6 +22,7 @@ from typing import TYPE_CHECKING, TypeVar
 from archlint import checks
 from archlint.checks.folding import Fold
 from archlint.checks.scope import Scope
+from archlint.edit_sites import Sites
 from archlint.faults import INTERNAL_ERROR, Fault
 from archlint.finding import Finding, Place, Related, Severity
 from archlint.project import issue_tracker
@@ -160,6 +161,7 @@ def finding(
     node: str | None = None,
     identity: Sequence[str] = (),
     group: Sequence[str] = (),
+    sites: Sites | None = None,
 ) -> Finding:
     """A finding of a rule, with the rule's name and severity from its page."""
     page = rules()[code]
@@ -174,6 +176,7 @@ def finding(
         related=tuple(dict.fromkeys(related)),
         identity=tuple(identity),
         group=tuple(group),
+        sites=sites,
     )
 
 

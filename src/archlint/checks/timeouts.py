@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 from archlint.analysis.callback_roles import runs_in_executor
 from archlint.analysis.kept import once
 from archlint.analysis.left_over import is_dead, is_never_made
+from archlint.analysis.limit_sites import sites_of_spin, sites_of_wait
 from archlint.analysis.reach import (
     argument,
     calls_of,
@@ -23,10 +24,10 @@ from archlint.analysis.reach import (
     waits_for_ever,
 )
 from archlint.analysis.stuck import spoken_of
-from archlint.checks.folding import folds
+from archlint.checks.folding import all_sites, folds
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
-from archlint.finding import Finding, Fix, Place, Related, Severity
+from archlint.finding import Finding, Place, Related, Severity
 from archlint.interpreter.values import External, Instance, Known
 from archlint.model import Role
 from archlint.syntax import facts
@@ -82,7 +83,9 @@ def _limitless_wait(system: System, call: ApiCall) -> Finding:
     # Whoever waits in a callback had better not wait at all.
     return replace(
         found,
-        mendable=not runs_in_executor(call.context),
+        sites=None
+        if runs_in_executor(call.context)
+        else sites_of_wait(system.workspace, call.place, name_of(call.creation)),
         severity=Severity.INFO if _is_step_of_script(call) else found.severity,
     )
 
@@ -189,6 +192,7 @@ def _limitless_spin(system: System, call: ApiCall) -> Finding:
         node=node_name(system, call.context.node),
         identity=(call.function, name_of(client), "spin_until_future_complete"),
         group=(call.file, call.function),
+        sites=sites_of_spin(system.workspace, call.place),
     )
 
 
@@ -208,15 +212,8 @@ def _of_one_function(findings: Sequence[Finding]) -> Finding:
         first,
         message=f"{first.message}; {lines} of {first.group[1]}",
         related=(*first.related, *(Related(one.place, "here it spins without limit, too") for one in others)),
-        fix=_all_of([one.fix for one in findings if one.fix is not None]),
+        sites=all_sites(findings),
     )
-
-
-def _all_of(fixes: Sequence[Fix]) -> Fix | None:
-    if not fixes:
-        return None
-    edits = {edit: None for fix in fixes for edit in fix.edits}
-    return replace(fixes[0], edits=tuple(sorted(edits, key=lambda edit: edit.place)))
 
 
 @rule("TMO005", scope=Scope.CODE, in_use=True)

@@ -92,6 +92,7 @@ def run(arguments: argparse.Namespace) -> int:
         launch=launch,
         launch_arguments=launch_arguments,
         observed=observed_of(arguments),
+        fixes=_asks_for_fixes(arguments),
     )
     try:
         report = check(request)
@@ -112,6 +113,11 @@ def run(arguments: argparse.Namespace) -> int:
         console.note(f"Fixed {fixed} finding{'s' if fixed > 1 else ''}.")
     _tell(report, request, arguments)
     return exit_status(report, failing, arguments.exit_zero)
+
+
+def _asks_for_fixes(arguments: argparse.Namespace) -> bool:
+    formats = {arguments.format, *(format for format, _ in arguments.output)}
+    return bool(arguments.fix or arguments.diff or formats & reports.WITH_FIXES)
 
 
 def _show_difference(report: Report, arguments: argparse.Namespace) -> int:

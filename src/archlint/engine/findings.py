@@ -22,11 +22,9 @@ from archlint.engine.request import NothingToDo, Request
 from archlint.engine.sources import Sources
 from archlint.faults import Faults
 from archlint.finding import Place, Related
-from archlint.fixes import Surroundings, attach
 from archlint.observed.words import comparison_notices, comparison_words
 from archlint.render.json import unresolved
 from archlint.report.model import Judged, summarise
-from archlint.rulebook import rules
 from archlint.syntax.interfaces import interface_problems
 
 if TYPE_CHECKING:
@@ -84,7 +82,7 @@ def _judged(request: Request, workspace: Workspace, facts: FactsOfFiles, tree: S
     outcome = suppressions.apply(_wanted(found, request.settings, workspace), by_file)
     stale = suppressions.stale(outcome.unused, _ran(request, systems), Sources().line)
     kept = [*outcome.kept, *suppressions.apply(_wanted(stale, request.settings, workspace), by_file).kept]
-    whole = folded(dict.fromkeys(_with_fixes(kept, request, workspace)))
+    whole = folded(dict.fromkeys(kept))
     findings = sorted(whole, key=lambda finding: finding.sort_key)
     shown = [as_asked_for(request, systems[0], workspace)]
     summary = summarise(
@@ -145,17 +143,6 @@ def _ran(request: Request, systems: Sequence[System]) -> frozenset[str]:
     running = frozenset(code for code, check in registered().items() if check.scope is Scope.RUNNING)
     unheld = frozenset() if request.observed is not None else running
     return frozenset(code for code in selection.codes if selection.runs(code, closed)) - unheld
-
-
-def _with_fixes(findings: Sequence[Finding], request: Request, workspace: Workspace) -> Sequence[Finding]:
-    """The findings with their fixes; one more for each fix that cannot be made by a fault of ours."""
-    if not any(rules()[finding.code].fix for finding in findings):
-        return findings
-
-    faults = Faults()
-    files = [file.path for file in python_files(workspace)]
-    fixed = attach(findings, Surroundings(request.settings.distros, files), faults)
-    return [*fixed, *map(failure, faults.found())]
 
 
 def _problems(workspace: Workspace, files: Sequence[SourceFile], facts: FactsOfFiles) -> Iterator[Finding]:

@@ -14,7 +14,7 @@ from archlint.engine.looked_at import idle_patterns, without_node
 from archlint.engine.request import NothingToDo, Request
 from archlint.engine.result_cache import RunCache
 from archlint.engine.sources import Sources
-from archlint.report.model import Report, Summary
+from archlint.report.model import Judged, Report, Summary
 from archlint.syntax.cache import NullStore, Store
 from archlint.syntax.python.deep_stack import call_with_deep_stack
 from archlint.syntax.secret import user_key
@@ -45,11 +45,22 @@ def check(request: Request) -> Report:
             judged = call_with_deep_stack(lambda: judged_in_parts(request, workspace, facts, tree))
             if facts.lasting and not any(finding.code == "LNT003" for finding in judged.findings):
                 kept.save(judged)
+    if request.fixes and not judged.mended and any(finding.sites is not None for finding in judged.findings):
+        judged = _mended(judged, request, workspace, kept)
     store.close()
     elapsed = time.perf_counter() - started
     summary = replace(judged.summary, elapsed_s=elapsed, cpp_packages=len(workspace.cpp_packages))
     notices = [*judged.notices, *_not_looked_at(request, workspace, summary)]
     return Report(judged.findings, summary, Sources().line, notices, remarks=judged.remarks)
+
+
+def _mended(judged: Judged, request: Request, workspace: Workspace, kept: RunCache) -> Judged:
+    from archlint.engine.mending import mended  # most checks ask for no fixes, or know them
+
+    result = mended(judged, request, workspace)
+    if not any(finding.code == "LNT003" for finding in result.findings):
+        kept.save_again(result)
+    return result
 
 
 def _not_looked_at(request: Request, workspace: Workspace, summary: Summary) -> Iterator[str]:

@@ -28,3 +28,5 @@ class Request:
     launch_arguments: tuple[tuple[str, str], ...] = ()
     observed: Observed | None = None
     """What a running system said of itself, to hold the system against."""
+    fixes: bool = True
+    """Whether the findings are to have their fixes."""

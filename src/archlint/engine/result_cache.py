@@ -46,6 +46,7 @@ class RunCache:
         self._workspace = workspace
         self._tree = tree
         self._key: str | None = None
+        self._record: _Record | None = None
 
     def load(self) -> Judged | None:
         """The result of an equal run.  Of files that are unchanged nothing but the status is read."""
@@ -67,8 +68,17 @@ class RunCache:
         """Keep a result, unless some input could not be read."""
         if self._key is None:
             return
-        record = msgspec.to_builtins(_Record(judged, self._asked()))
-        self._store.put_run(self._key, json.dumps(record).encode())
+        self._put(_Record(judged, self._asked()))
+
+    def save_again(self, judged: Judged) -> None:
+        """Keep what has been added to a result that was loaded or saved."""
+        if self._record is not None:
+            self._put(_Record(judged, self._record.asked))
+
+    def _put(self, record: _Record) -> None:
+        assert self._key is not None
+        self._record = record
+        self._store.put_run(self._key, json.dumps(msgspec.to_builtins(record)).encode())
 
     def _read(self) -> Judged | None:
         payload = None if self._key is None else self._store.get_run(self._key)
@@ -80,7 +90,10 @@ class RunCache:
         except (ValueError, RecursionError):
             return None
         stale = any(self._tree.answer(question, path) != answer for question, path, answer in record.asked)
-        return None if stale else record.judged
+        if stale:
+            return None
+        self._record = record
+        return record.judged
 
     def _asked(self) -> list[tuple[str, str, str | None]]:
         """What was asked of the disk beside the files that the key is made of: a parameter file that git ignores,

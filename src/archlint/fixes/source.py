@@ -1,22 +1,18 @@
-"""The text of a file with its places: lines and columns of findings, offsets, and Python's own tree."""
+"""The text of a file with its places: lines and columns of findings, and offsets."""
 
 from __future__ import annotations
 
-import ast
 import io
 import re
 import tokenize
 from bisect import bisect_right
-from collections.abc import Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
 from pathlib import Path
-from typing import TypeVar, cast
 
 from archlint.disk import read_regular
-from archlint.finding import Place
+from archlint.place import Place
 
-_Node = TypeVar("_Node", bound=ast.AST)
 _LINE_END = re.compile(r"\r\n|\r|\n")
 
 
@@ -29,8 +25,6 @@ class Source:
     encoding: str = "utf-8"
     taken: set[str] = field(default_factory=set)
     """Names that fixes of this file have brought in already."""
-    sites: dict[Place, object] = field(default_factory=dict)
-    """What fixes have found at places, so that they look once."""
 
     @cached_property
     def starts(self) -> list[int]:
@@ -61,52 +55,18 @@ class Source:
         end = self.starts[number] if number < len(self.starts) else len(self.text)
         return self.text[self.starts[number - 1] : end].rstrip("\r\n")
 
-    @cached_property
-    def tree(self) -> ast.Module | None:
-        """Python's tree of the file; None where it is no Python."""
-        try:
-            return ast.parse(self.text)
-        except (SyntaxError, ValueError, RecursionError, MemoryError):
-            return None
+    def span(self, place: Place) -> tuple[int, int]:
+        """Offsets at which a place starts and ends."""
+        return self.offset(place.line, place.column), self.offset(place.end_line, place.end_column)
 
-    @cached_property
-    def _nodes(self) -> tuple[ast.AST, ...]:
-        return () if self.tree is None else tuple(ast.walk(self.tree))
+    def at(self, place: Place) -> str:
+        """The text that stands there."""
+        return self.text[slice(*self.span(place))]
 
-    @cached_property
-    def parents(self) -> dict[ast.AST, ast.AST]:
-        return {child: node for node in self._nodes for child in ast.iter_child_nodes(node)}
-
-    def of_kind(self, kind: type[_Node]) -> Sequence[_Node]:
-        """Every node of a kind, those further out first."""
-        if kind not in self._of_kind:
-            self._of_kind[kind] = tuple(node for node in self._nodes if isinstance(node, kind))
-        return cast("Sequence[_Node]", self._of_kind[kind])
-
-    @cached_property
-    def _of_kind(self) -> dict[type[ast.AST], Sequence[ast.AST]]:
-        return {}
-
-    def span(self, node: ast.expr | ast.stmt) -> tuple[int, int]:
-        """Offsets at which a node starts and ends."""
-        assert node.end_lineno is not None and node.end_col_offset is not None
-        return self._of_ast(node.lineno, node.col_offset), self._of_ast(node.end_lineno, node.end_col_offset)
-
-    def _of_ast(self, line: int, column: int) -> int:
-        """Python's tree counts columns in bytes of UTF-8."""
-        start = self.starts[line - 1]
-        text = self.line(line)
-        return start + len(text.encode("utf-8", "surrogatepass")[:column].decode("utf-8", "surrogatepass"))
-
-    def node_at(self, place: Place, kind: type[ast.expr]) -> ast.expr | None:
-        """The expression of that kind that covers exactly a place."""
-        if self.tree is None:
-            return None
-        wanted = (self.offset(place.line, place.column), self.offset(place.end_line, place.end_column))
-        for node in self.of_kind(kind):
-            if node.lineno == place.line and self.span(node) == wanted:
-                return node
-        return None
+    def indent(self, statement: Place) -> str | None:
+        """What the line of a statement starts with; None where something else stands in front of the statement."""
+        before = self.line(statement.line)[: statement.column - 1]
+        return None if before.strip() else before
 
     def tokens(self, start: int, end: int) -> list[tuple[str, int, int]]:
         """Tokens that mean something in a bracketed piece of the text: text, start and end offset."""

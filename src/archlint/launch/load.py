@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Protocol
 from archlint.faults import Faults
 from archlint.finding import Place
 from archlint.interpreter.heap import Store
-from archlint.interpreter.modules import ModuleIndex
+from archlint.interpreter.modules import Module, ModuleIndex
 from archlint.interpreter.values import FunctionValue, Instance, Known, ListValue, OneOf, Value, reason
 from archlint.launch import actions
 from archlint.launch.frontends import Frontend
@@ -138,10 +138,19 @@ class LaunchLoader:
 
     def imported(self, path: str, name: str, level: int = 0) -> facts.Facts | None:
         """The facts of the file of the workspace that a file's import of a module leads to; None for foreign ones."""
+        module = self._imported(path, name, level)
+        return None if module is None else module.facts
+
+    def imported_of_package(self, path: str, name: str, level: int = 0) -> facts.Facts | None:
+        """As :meth:`imported`; None for files of other packages, too."""
+        file, module = self._by_path.get(path), self._imported(path, name, level)
+        same = file is not None and module is not None and module.file.package == file.package
+        return module.facts if same and module is not None else None
+
+    def _imported(self, path: str, name: str, level: int) -> Module | None:
         file = self._by_path.get(path)
         importer = None if file is None else self.index.module(file)
-        module = None if importer is None else self.index.find(importer, name, level)
-        return None if module is None else module.facts
+        return None if importer is None else self.index.find(importer, name, level)
 
     def modules_of(self, package: str) -> dict[str, str]:
         """The modules of a package by name, with their paths."""

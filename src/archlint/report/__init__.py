@@ -14,6 +14,9 @@ FORMATS = ("text", "concise", "json", "sarif", "github", "gitlab", "junit")
 FOR_PEOPLE = ("text", "concise", "github")
 """Formats that say nothing where nothing was found, so that a summary beside them is welcome."""
 
+WITH_FIXES = frozenset({"json"})
+"""Formats that show the edits of fixes."""
+
 
 def render(format: str, report: Report, color: bool = False) -> str:
     """The report in a format of :data:`FORMATS`; only ``text`` knows colours."""

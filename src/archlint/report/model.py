@@ -58,6 +58,8 @@ class Judged:
     summary: Summary
     notices: list[str]
     remarks: list[str] = field(default_factory=list)
+    mended: bool = False
+    """Whether the findings have their fixes, beside the sites that these are made at."""
 
 
 def summarise(

@@ -1,0 +1,33 @@
+"""The fixes of a run's findings, made where they are asked for."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from typing import TYPE_CHECKING
+
+from archlint.checks.registry import failure
+from archlint.engine.inputs import parts_of, python_files
+from archlint.faults import Faults
+from archlint.fixes import Surroundings, attach
+
+if TYPE_CHECKING:
+    from archlint.engine.request import Request
+    from archlint.finding import Finding
+    from archlint.report.model import Judged
+    from archlint.workspace.model import Workspace
+
+
+def mended(judged: Judged, request: Request, workspace: Workspace) -> Judged:
+    """The findings with their fixes; one more for each fix that cannot be made by a fault of ours."""
+    faults = Faults()
+    findings: list[Finding] = []
+    left = list(judged.findings)
+    for part in parts_of(request, workspace):
+        files = {file.relative for file in part.files}
+        mine = [finding for finding in left if finding.place.file in files]
+        left = [finding for finding in left if finding.place.file not in files]
+        findings += attach(mine, Surroundings([file.path for file in python_files(part)]), faults)
+    failures = [failure(fault) for fault in faults.found()]
+    ordered = sorted((*findings, *left, *failures), key=lambda finding: finding.sort_key)
+    summary = replace(judged.summary, errors=judged.summary.errors + len(failures))
+    return replace(judged, findings=ordered, summary=summary, mended=True)

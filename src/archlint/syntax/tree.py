@@ -1,0 +1,141 @@
+"""The facts of one file as a tree: what is around a piece of them, all pieces of a kind, and what is stored in."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from functools import cached_property
+from typing import TypeVar, cast
+
+from archlint.syntax import facts
+
+_Fact = TypeVar("_Fact", bound=facts.Base)
+
+
+class Tree:
+    """``body`` holds the statements of the module.  A fact is known by its identity, for equal ones may stand at
+    several places."""
+
+    def __init__(self, found: facts.Facts) -> None:
+        self._whole = found
+        self.body = found.body
+        self._kinds: dict[type[facts.Base], list[facts.Base]] = {}
+        self._parents: dict[int, facts.Base] = {}
+        stack: list[facts.Base] = [found]
+        while stack:
+            fact = stack.pop()
+            self._kinds.setdefault(type(fact), []).append(fact)
+            inside = [child for name in fact.__struct_fields__ for child in _facts_in(getattr(fact, name))]
+            self._parents.update((id(child), fact) for child in inside)
+            stack.extend(reversed(inside))
+
+    def of_kind(self, kind: type[_Fact]) -> Sequence[_Fact]:
+        """Every fact of a kind, in the order of the source."""
+        return cast("Sequence[_Fact]", self._kinds.get(kind, []))
+
+    def parent(self, fact: facts.Base) -> facts.Base | None:
+        return self._parents.get(id(fact))
+
+    def around(self, fact: facts.Base) -> Iterator[facts.Base]:
+        """What holds a fact, from the inside out; the module itself is left out."""
+        outer = self.parent(fact)
+        while outer is not None and outer is not self._whole:
+            yield outer
+            outer = self.parent(outer)
+
+    def function_around(self, fact: facts.Base) -> facts.Function | None:
+        """The innermost function; None at the level of the module."""
+        for outer in self.around(fact):
+            match outer:
+                case facts.Function():
+                    return outer
+        return None
+
+    def classes_around(self, fact: facts.Base) -> Iterator[facts.Class]:
+        """The classes that a fact is in, the innermost first."""
+        for outer in self.around(fact):
+            match outer:
+                case facts.Class():
+                    yield outer
+
+    def class_around(self, fact: facts.Base) -> facts.Class | None:
+        return next(self.classes_around(fact), None)
+
+    def block_from(self, statement: facts.Base) -> Sequence[facts.Stmt]:
+        """A statement and those that follow it in its block."""
+        parent = self.parent(statement)
+        assert parent is not None
+        for block in _lists(parent):
+            for at, one in enumerate(block):
+                if one is statement:
+                    return cast("Sequence[facts.Stmt]", block[at:])
+        return [cast("facts.Stmt", statement)]
+
+    @cached_property
+    def calls(self) -> dict[facts.Span, facts.Call]:
+        """The calls by where they stand."""
+        return {call.span: call for call in reversed(self.of_kind(facts.Call))}
+
+    @cached_property
+    def stored(self) -> Sequence[tuple[facts.Base, facts.Expr]]:
+        """What is stored in or deleted, with the statement (or part of an expression) that does it: the names,
+        attributes and items, those inside of a tuple each by itself."""
+        return [(fact, one) for fact, target in self._targets() for one in _single(target)]
+
+    def _targets(self) -> Iterator[tuple[facts.Base, facts.Expr]]:
+        yield from ((fact, target) for fact in self.of_kind(facts.Assign) for target in fact.targets)
+        yield from ((fact, target) for fact in self.of_kind(facts.Delete) for target in fact.targets)
+        yield from ((fact, fact.target) for fact in self.of_kind(facts.Annotated))
+        yield from ((fact, fact.target) for fact in self.of_kind(facts.Augmented))
+        yield from ((fact, fact.target) for fact in self.of_kind(facts.For))
+        yield from ((fact, fact.target) for fact in self.of_kind(facts.Generator))
+        yield from ((fact, fact.target) for fact in self.of_kind(facts.Assigned))
+        yield from ((fact, fact.target) for fact in self.of_kind(facts.WithItem) if fact.target is not None)
+
+    @cached_property
+    def _stored_ids(self) -> frozenset[int]:
+        return frozenset(id(one) for _, one in self.stored)
+
+    def reads(self, name: str, inside: facts.Function | None) -> bool:
+        """Whether a function, or without one the module, reads a variable."""
+        return any(
+            one.id == name
+            and id(one) not in self._stored_ids
+            and (inside is None or any(outer is inside for outer in self.around(one)))
+            for one in self.of_kind(facts.Name)
+        )
+
+
+def _facts_in(value: object) -> Iterator[facts.Base]:
+    """The facts that a field of another one holds."""
+    match value:
+        case facts.Base():
+            yield value
+        case list() | tuple():
+            for one in value:
+                yield from _facts_in(one)
+
+
+def _lists(fact: facts.Base) -> Iterator[list[object]]:
+    for name in fact.__struct_fields__:
+        match getattr(fact, name):
+            case list() as block:
+                yield block
+
+
+def _single(target: facts.Expr) -> Iterator[facts.Expr]:
+    match target:
+        case facts.Sequence(elements=elements):
+            for one in elements:
+                yield from _single(one)
+        case facts.Starred(value=value):
+            yield from _single(value)
+        case _:
+            yield target
+
+
+_NOWHERE: facts.Span = (0, 0, 0, 0)
+
+
+def span_of(fact: facts.Base) -> facts.Span:
+    """Where a fact stands; zeros for one that keeps no place, such as ``global``."""
+    return cast("facts.Span", getattr(fact, "span", _NOWHERE))
