@@ -69,20 +69,17 @@ def _architecture(settings: Settings) -> Iterator[tuple[str, object]]:
 
 
 def _toml(value: object) -> str:
-    if isinstance(value, Mapping):
-        inner = ", ".join(f"{json.dumps(_key(key))} = {_toml(one)}" for key, one in value.items())
-        return f"{{ {inner} }}" if inner else "{}"
-    if isinstance(value, Severity):
-        return json.dumps(value.label)
-    if isinstance(value, Glob):
-        return json.dumps(value.pattern)
-    if isinstance(value, (list, tuple)):
-        return f"[{', '.join(_toml(one) for one in value)}]"
+    match value:
+        case Mapping():
+            inner = ", ".join(f"{_toml(key)} = {_toml(one)}" for key, one in value.items())
+            return f"{{ {inner} }}" if inner else "{}"
+        case Severity():
+            return json.dumps(value.label)
+        case Glob():
+            return json.dumps(value.pattern)
+        case list() | tuple():
+            return f"[{', '.join(_toml(one) for one in value)}]"
     return json.dumps(value)
-
-
-def _key(key: str | Glob) -> str:
-    return key if isinstance(key, str) else key.pattern
 
 
 def _running(settings: Settings) -> list[str]:

@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Annotated, Any
+
+import msgspec
 
 from archlint.architecture import (
     CONNECTIONS,
@@ -21,7 +23,7 @@ from archlint.architecture import (
     Layers,
 )
 from archlint.config.toml_places import headers, locate
-from archlint.config.values import Value, one_of, string, strings, table, unknown_key
+from archlint.config.values import Value, one_of, string, strings, table, typed, unknown_key
 from archlint.finding import Place
 from archlint.suggestions import did_you_mean
 
@@ -70,6 +72,11 @@ class _Form:
         return f"{words} (and may have {_listed(self.free)})" if self.free else words
 
 
+_Amount = Annotated[int, msgspec.Meta(ge=0)] | Annotated[float, msgspec.Meta(ge=0)]
+_AMOUNTS: Any = _Amount | Annotated[list[_Amount], msgspec.Meta(min_length=1)]
+_TEXTS: Any = str | list[str]
+
+
 def _listed(keys: tuple[str, ...]) -> str:
     return ", ".join(f"`{key}`" for key in keys[:-1]) + f" or `{keys[-1]}`"
 
@@ -112,9 +119,8 @@ def layers(value: Value) -> Layers:
 
 
 def contracts(value: Value) -> tuple[Contract, ...]:
-    if not isinstance(value.value, list) or not all(isinstance(one, dict) for one in value.value):
-        raise value.wrong("a list of tables, each headed by [[contracts]]")
-    return tuple(_contract(value, at) for at in range(len(value.value)))
+    tables = typed(value, list[dict[str, Any]], "a list of tables, each headed by [[contracts]]")
+    return tuple(_contract(value, at) for at in range(len(tables)))
 
 
 def _contract(value: Value, at: int) -> Contract:
@@ -159,18 +165,23 @@ def _globs_of(value: Value) -> Globs:
 def _policy(value: Value) -> tuple[str | float, ...]:
     """The values that are allowed for a policy: one, or a list of them."""
     key = value.path[-1]
-    values = value.value if isinstance(value.value, list) else [value.value]
     if key in NUMBERS:
-        numbers = all(isinstance(one, (int, float)) and not isinstance(one, bool) and one >= 0 for one in values)
-        if not numbers or not values:
-            unit = "messages" if key == "depth" else "seconds"
-            raise value.wrong(f"a number of {unit}, or a list of numbers")
-        return tuple(values)
+        unit = "messages" if key == "depth" else "seconds"
+        return _several(typed(value, _AMOUNTS, f"a number of {unit}, or a list of numbers"))
+    values = _several(value.value)
     for one in values or [None]:
         if one not in POLICIES[key]:
             near = did_you_mean(str(one), POLICIES[key], quote="")
             raise value.error(f"`{'.'.join(value.path)}` must be {' or '.join(POLICIES[key])}{near}")
-    return tuple(values)
+    return values
+
+
+def _several(value: Any) -> tuple[Any, ...]:
+    """A list of TOML as a tuple; a single value as one, too."""
+    match value:
+        case list():
+            return tuple(value)
+    return (value,)
 
 
 def _nodes(value: Value) -> Globs:
@@ -198,7 +209,7 @@ def _check_pattern(value: Value, pattern: str, *, of_nodes: bool) -> None:
 
 
 def _globs(value: Value) -> Globs:
-    return (value.value,) if isinstance(value.value, str) else strings(value, "a string or a list of strings")
+    return _several(typed(value, _TEXTS, "a string or a list of strings"))
 
 
 def _place(value: Value, at: int) -> Place:

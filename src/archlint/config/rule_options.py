@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 from archlint.checks.registry import OptionValue, registered
-from archlint.config.values import Value, boolean, string, strings, table, unknown_key, unknown_rule
+from archlint.config.values import Value, boolean, number, string, strings, table, unknown_key, unknown_rule
 from archlint.rulebook import Rule, find_rule
 
 
@@ -30,12 +30,11 @@ def _option(rule: Rule, defaults: Mapping[str, OptionValue], key: str, given: Va
 
 def _like(default: OptionValue, given: Value) -> OptionValue:
     """A rule's option, of the type that its default has."""
-    if isinstance(default, bool):
-        return boolean(given)
-    if isinstance(default, tuple):
-        return strings(given)
-    if isinstance(default, str):
-        return string(given)
-    if isinstance(given.value, bool) or not isinstance(given.value, (int, float)):
-        raise given.wrong("a number")
-    return given.value
+    match default:
+        case bool():
+            return boolean(given)
+        case tuple():
+            return strings(given)
+        case str():
+            return string(given)
+    return number(given)

@@ -16,6 +16,8 @@ from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+import msgspec
+
 from archlint.config import architecture_tables, rule_options
 from archlint.config import values as read
 from archlint.config.selection import Layer, Selection, resolve
@@ -162,11 +164,24 @@ def read_source(path: Path, named: bool = False, foreign: bool = False) -> Sourc
     return source
 
 
+class _Tools(msgspec.Struct, frozen=True):
+    archlint: dict[str, Any] | None = None
+
+
+class _Pyproject(msgspec.Struct, frozen=True):
+    """What is of interest in a ``pyproject.toml``."""
+
+    tool: _Tools = _Tools()
+
+
 def _own_table(source: Source) -> dict[str, Any] | None:
-    document: Any = _parse(source)
-    for part in source.table:
-        document = document.get(part) if isinstance(document, dict) else None
-    return document if isinstance(document, dict) else None
+    document = _parse(source)
+    if not source.table:
+        return document
+    try:
+        return msgspec.convert(document, _Pyproject).tool.archlint
+    except msgspec.ValidationError:
+        return None
 
 
 def _parse(source: Source) -> dict[str, Any]:
@@ -217,15 +232,17 @@ def _merged(parent: Settings, values: dict[str, Any], source: Source) -> Setting
     """The parent's settings with those of a file on top: tables are merged, everything else is replaced."""
     layer = Layer(values.get("select"), values.get("extend-select", ()), values.get("ignore", ()))
     changes: dict[str, Any] = {"layers": (*parent.layers, layer)}
-    for key, value in values.items():
+    for key in values.keys() - set(_OF_A_LAYER):
         name = _FIELDS.get(key, key.replace("-", "_"))
-        if key == "rules":
-            changes[name] = {
-                code: {**parent.rules.get(code, {}), **value.get(code, {})} for code in (*parent.rules, *value)
-            }
-        elif isinstance(value, dict):
-            changes[name] = {**getattr(parent, name), **value}
-        elif key not in _OF_A_LAYER:
-            changes[name] = value
+        changes[name] = _on_top(getattr(parent, name), values[key], 2 if key == "rules" else 1)
     origins = {**parent.origins, **{key: source.line_of((key,)) for key in values}}
     return replace(parent, **changes, origins=origins)
+
+
+def _on_top(below: Any, value: Any, depth: int) -> Any:
+    """A value in place of the one below it; tables are merged, down to a depth."""
+    match value:
+        case dict() if depth:
+            merged = {key: _on_top(below[key], one, depth - 1) if key in below else one for key, one in value.items()}
+            return {**below, **merged}
+    return value

@@ -7,11 +7,16 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, TypeVar
 
+import msgspec
+
 from archlint.config.toml_places import KeyPath, locate
 from archlint.finding import Severity
 from archlint.globs import Glob
 from archlint.rulebook import codes_of, suggestion
 from archlint.suggestions import did_you_mean
+
+_Kind = TypeVar("_Kind")
+_NUMBER: Any = int | float
 
 
 class ConfigurationError(Exception):
@@ -86,41 +91,50 @@ class Value:
 
 
 def _kind(value: object) -> str:
-    if isinstance(value, list) and value:
-        return f"a list with {_kind(next((v for v in value if not isinstance(v, str)), value[0]))}"
-    kinds = {
-        bool: "a boolean",
-        int: "a number",
-        float: "a number",
-        str: "a string",
-        dict: "a table",
-        list: "a list",
-    }
-    return kinds.get(type(value), "a date or time")
+    match value:
+        case [first, *_]:
+            odd = next((item for item in value if type(item) is not str), first)
+            return f"a list with {_kind(odd)}"
+        case bool():
+            return "a boolean"
+        case int() | float():
+            return "a number"
+        case str():
+            return "a string"
+        case dict():
+            return "a table"
+        case list():
+            return "a list"
+    return "a date or time"
+
+
+def typed(value: Value, kind: type[_Kind], wanted: str) -> _Kind:
+    """The value as what it has to be; ``wanted`` says that in words."""
+    try:
+        return msgspec.convert(value.value, kind)
+    except msgspec.ValidationError:
+        raise value.wrong(wanted) from None
 
 
 def string(value: Value) -> str:
-    if not isinstance(value.value, str):
-        raise value.wrong("a string")
-    return value.value
+    return typed(value, str, "a string")
 
 
 def boolean(value: Value) -> bool:
-    if not isinstance(value.value, bool):
-        raise value.wrong("true or false")
-    return value.value
+    return typed(value, bool, "true or false")
+
+
+def number(value: Value) -> int | float:
+    given: int | float = typed(value, _NUMBER, "a number")
+    return given
 
 
 def strings(value: Value, wanted: str = "a list of strings") -> tuple[str, ...]:
-    if not isinstance(value.value, list) or not all(isinstance(text, str) for text in value.value):
-        raise value.wrong(wanted)
-    return tuple(value.value)
+    return typed(value, tuple[str, ...], wanted)
 
 
 def table(value: Value) -> dict[str, Value]:
-    if not isinstance(value.value, dict):
-        raise value.wrong("a table")
-    return {key: value.at(key) for key in value.value}
+    return {key: value.at(key) for key in typed(value, dict[str, Any], "a table")}
 
 
 def selectors(value: Value) -> tuple[str, ...]:
