@@ -590,7 +590,7 @@ def test_a_thread_of_its_own_helps_a_listener_with_a_node_of_its_own(run: Run):
     """rclpy.spin(node) takes a node from the executor in the listener's thread, as a real rclpy does."""
     lookup = LOOKUP.replace("{timeout}", "Duration(seconds=1)")
     (found,) = run(source(TF.replace("{more}", ", spin_thread=True"), lookup))
-    assert "spin_thread=True does not help here" in found.message
+    assert "spin_thread=True does not help" in found.message
     of_its_own = TF.replace("self{more}", "Node('listener'), spin_thread=True")
     assert run(source(of_its_own, lookup)) == []
 
@@ -709,5 +709,5 @@ def test_the_lookups_of_a_function_are_one_finding(run: Run):
     """
     first, other = run(source(TF.replace("{more}", ""), lookup))
     assert first.code == other.code == "EXE007" and other.place.line == first.place.line + 6
-    asked = [one.place.line for one in first.related if one.message == "here it asks for a transform, too"]
+    asked = [one.place.line for one in first.related if one.message == "it looks up a transform here, too"]
     assert asked == [first.place.line + 2]

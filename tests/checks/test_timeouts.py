@@ -79,7 +79,7 @@ def test_a_method_that_nothing_calls_says_nothing_of_those_that_are(judge: Judge
     [called] = judge("TMO001", text.replace("{call}", "robot.go()"))
     assert called.severity is Severity.INFO
     [ticking] = judge("TMO001", text.replace("{call}", "robot.create_timer(1.0, robot.go)"))
-    assert ticking.severity is Severity.WARNING and ticking.help.startswith("ask without waiting")
+    assert ticking.severity is Severity.WARNING and ticking.help.startswith("check without waiting")
     [uncalled] = judge("TMO001", text.replace("{call}", "pass"))
     assert uncalled.severity is Severity.WARNING
 
@@ -257,10 +257,10 @@ class TestCallWithoutTimeout:
             (
                 SPIN_IN_A_THREAD,
                 "humble",
-                "another thread spins the node: call_async(), and event.wait(timeout=2.0) for an Event that a done "
-                "callback sets",
+                "another thread spins the node: call_async(), and wait with event.wait(timeout=2.0) for an Event "
+                "that a done callback sets",
             ),
-            ("hand_over(node)", "jazzy", "call_async() and go on in a done callback: future.add_done_callback(…)"),
+            ("hand_over(node)", "jazzy", "call_async() and continue in a done callback: future.add_done_callback(…)"),
         ],
         ids=["humble", "later", "an executor that spins later", "another thread", "and in humble", "who knows"],
     )
@@ -283,7 +283,7 @@ class TestCallWithoutTimeout:
         )
         [found] = judge("TMO002", script("\n        ".join(lines)))
 
-        assert found.help == "call_async() and go on in a done callback: future.add_done_callback(…)"
+        assert found.help == "call_async() and continue in a done callback: future.add_done_callback(…)"
 
 
 class TestSpinWithoutTimeout:
@@ -320,9 +320,9 @@ class TestSpinWithoutTimeout:
             "rclpy.spin_until_future_complete(node, result)",
         )
         [found] = judge("TMO003", script("\n        ".join(lines)))
-        assert found.message.endswith("; the same holds for another line of main")
+        assert found.message.endswith("; another line in main() does the same")
         assert [one.message for one in found.related if one.place.line > found.place.line] == [
-            "here it spins without limit, too"
+            "it spins without a timeout here, too"
         ]
         left = [lines[0], lines[1].replace("  # here", "  # archlint: ignore[TMO003]"), lines[2], f"{lines[3]}  # here"]
         judge("TMO003", script("\n        ".join(left)))
@@ -557,8 +557,8 @@ main()
 @pytest.mark.parametrize(
     ("given", "limit", "help_"),
     [
-        ("", "limit", "give ask() a limit where it is called, or a default other than None"),
-        ("", "None", "set timeout_sec, and ask future.done() afterwards"),
+        ("", "limit", "pass ask() a timeout where it is called, or give the parameter a default other than None"),
+        ("", "None", "set timeout_sec, and check future.done() afterwards"),
         ("2.0", "limit", None),
     ],
 )

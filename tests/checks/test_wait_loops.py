@@ -166,9 +166,9 @@ def test_the_loops_of_one_constructor_are_one_finding(judge: Judge):
     [found] = judge("TMO004", DRIVER)
 
     assert found.severity is Severity.INFO
-    assert "'left' ends this loop" in found.message
-    assert found.message.endswith("; the same holds for 2 more loops of Driver.__init__")
-    places = [one.place.line - found.place.line for one in found.related if one.message == "here is another such loop"]
+    assert "ends only when the service 'left' becomes available" in found.message
+    assert found.message.endswith("; 2 more loops in Driver.__init__() do the same")
+    places = [one.place.line - found.place.line for one in found.related if one.message == "another such loop is here"]
     assert places == [2, 4]
 
 

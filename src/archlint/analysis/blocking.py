@@ -63,15 +63,15 @@ Relation = Literal["same group", "other group", "reentrant group", "group not kn
 """How the group of the client is to that of the callback which waits."""
 
 FINE = "works"
-HANGS = "hangs for ever"
-TIMES_OUT = "hangs until the timeout"
+HANGS = "deadlocks"
+TIMES_OUT = "always times out"
 NO_SUCH_ARGUMENT = "raises TypeError (call() has no timeout_sec)"
-GIVES_NONE = "hangs until the timeout and gives None"
-RAISES_TIMEOUT = "hangs until the timeout and raises TimeoutError"
+GIVES_NONE = "always times out and returns None"
+RAISES_TIMEOUT = "always times out and raises TimeoutError"
 RAISES_NESTED = "raises 'Executor is already spinning'"
-STRANDS = "takes the node from its executor, so that none of its callbacks runs again"
-NONE_AT_ONCE = "gives None, for the answer is not there yet"
-UNKNOWN = "may hang"
+STRANDS = "takes the node away from its executor, so none of its callbacks runs again"
+NONE_AT_ONCE = "returns None, because the response has not arrived yet"
+UNKNOWN = "may deadlock"
 
 NESTED_SINCE = {"jazzy": "7.1.9", "kilted": "9.1.5"}
 """The rclpy that first refuses a nested spin: before, these distributions let it in, as humble does."""
@@ -161,7 +161,7 @@ class Verdict:
 
     @property
     def words(self) -> str:
-        """``hangs for ever``; where the distributions and their releases differ, which does what."""
+        """``deadlocks``; where the distributions and their releases differ, which does what."""
         return outcome_words(self.outcomes) + self._before_words()
 
     def _before_words(self) -> str:
@@ -178,13 +178,13 @@ def look_up(form: Form, threads: Threads, relation: Relation, why: str, distros:
     row = MATRIX[form, threads, relation]
     outcomes = {distro: row[distro] for distro in distros}
     if set(outcomes.values()) == {NO_SUCH_ARGUMENT}:
-        why = "the argument came with jazzy"
+        why = "humble does not have this argument"
     changed = any(outcomes.get(distro) == RAISES_NESTED for distro in NESTED_SINCE)
     return Verdict(outcomes, why, row["humble"] if changed else None)
 
 
 def outcome_words(outcomes: Mapping[str, str]) -> str:
-    """The outcomes of all distributions in a phrase: ``hangs for ever in humble and raises … from jazzy on``."""
+    """The outcomes of all distributions in a phrase: ``deadlocks in humble and raises … from jazzy on``."""
     by_outcome: dict[str, list[str]] = {}
     for distro in DISTROS:
         if distro in outcomes:

@@ -56,7 +56,7 @@ def related_to(call: ApiCall, program: Program, client: Creation | None = None) 
     callback = call.context
     yield Related(callback.place, f"{callback.name} is {_plain(callback)}")
     if callback.registered is not None:
-        yield Related(callback.registered, "the callback is handed over here")
+        yield Related(callback.registered, "the callback is registered here")
     yield from related_chain(call)
     yield from related_creation(client)
     yield from related_executor(callback.node, program)

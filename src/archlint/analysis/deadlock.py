@@ -56,17 +56,20 @@ __all__ = [
 
 _TIMED = "rclpy.client.Client.call"
 
-_ONE_HELD = "the executor has one thread, and the {who} holds it, so the answer cannot be taken"
-_GROUP_HELD = "the {who} holds the mutually exclusive group of the client, so the answer cannot be taken"
-_NO_SPIN = "nothing here spins the node with several threads, and one thread cannot wait for itself"
+_ONE_HELD = "the executor's only thread is blocked in this {who}, so the response is never processed"
+_GROUP_HELD = (
+    "the client is in the mutually exclusive callback group of this {who}, so the response is not processed until "
+    "the {who} returns"
+)
+_NO_SPIN = "nothing here spins the node with several threads, and a single thread is blocked while it waits"
 _NO_EXECUTOR = "it is not known which executor spins the node"
 _NO_GROUP = "it is not known which callback group the client is in"
-_THREADS = "several threads and a group apart let the answer in"
-_FREE = "the client is in a group apart, so the answer is let in"
-_NESTED = "its executor is spinning already"
+_THREADS = "another thread processes the response, since the client is in another callback group"
+_FREE = "the client is in another callback group, so the response is processed"
+_NESTED = "its executor is already spinning"
 _STOLEN = "its node is spun by another executor"
-_STOLEN_FROM_US = "the executor that runs this callback spins that node already"
-_OWN_SPIN = "a node and an executor of its own let the answer in"
+_STOLEN_FROM_US = "the executor that runs this callback already spins that node"
+_OWN_SPIN = "a node with an executor of its own processes the response"
 
 
 def judge_wait(
@@ -137,9 +140,9 @@ def _executor_words(use: ExecutorUse) -> str:
     if use.kind == ExecutorKind.MULTI_THREADED:
         return "a MultiThreadedExecutor" + (f" with num_threads={use.threads}" if use.threads is not None else "")
     if use.kind == ExecutorKind.EVENTS:
-        return "an EventsExecutor, which has one thread,"
+        return "an EventsExecutor (one thread)"
     if use.kind == ExecutorKind.UNKNOWN:
-        return "an executor that is not known"
+        return "an unknown executor"
     return "a single-threaded executor"
 
 
@@ -165,10 +168,10 @@ def _judge_two_nodes(
     spinners = program.executors_of(client)
     shared = [use for use in spinners if use in program.executors_of(node)]
     if not shared and any(use.in_thread for use in spinners):
-        why = "another thread spins the client's node, so the answer is let in"
+        why = "another thread spins the client's node, so the response is processed"
         return look_up(form, SEVERAL, OTHER, why, distros)
     if not spinners:
-        return look_up(form, ANY, OTHER, "nothing here spins the client's node meanwhile", distros)
+        return look_up(form, ANY, OTHER, "nothing here spins the client's node during the wait", distros)
     threads = threads_of(node, program)
     return look_up(form, threads, OTHER, _why(form, threads, OTHER, None), distros)
 
@@ -203,7 +206,7 @@ def judge_spin(
         if globally and any(spun in use.nodes for use in running):
             return look_up(LIMITED_STEAL, ANY, relation, _STOLEN_FROM_US, distros)
         if not running or any(spun in use.nodes for use in running):
-            return Verdict(dict.fromkeys(distros, UNKNOWN), "it is not known whether its executor is spinning already")
+            return Verdict(dict.fromkeys(distros, UNKNOWN), "it is not known whether its executor is already spinning")
         return Verdict(dict.fromkeys(distros, FINE), _OWN_SPIN)
     if (globally and running) or _on_one_of_its_own(call, node, running):
         return look_up(steal, ANY, relation, _STOLEN, distros)

@@ -55,8 +55,8 @@ def _kept_out(waiting: Callback, setter: Callback, program: Program) -> str | No
     if setter.role == Role.DONE or not runs_in_executor(setter) or setter.node is not waiting.node:
         return None  # what a done callback sets is judged with the client it belongs to
     if threads_of(waiting.node, program) == ONE:
-        return "the executor has one thread, and this callback holds it"
+        return "the executor's only thread is blocked in this callback"
     grouped = waiting.group is not None and setter.group is not None
     if grouped and group_relation(waiting.group, setter.group) == SAME:
-        return "both are in one mutually exclusive callback group"
+        return "both are in the same mutually exclusive callback group"
     return None

@@ -33,7 +33,7 @@ if TYPE_CHECKING:
     from archlint.model import ApiCall, Program
     from archlint.systems.model import System
 
-_DONE = "send the request with call_async(), return, and go on in a done callback"
+_DONE = "send the request with call_async(), return, and continue in a done callback"
 _GROUP_HELP = (
     "give the client a callback group of its own (callback_group=MutuallyExclusiveCallbackGroup()), or " + _DONE
 )
@@ -86,21 +86,19 @@ def _instead_of_spinning(program: Program, call: ApiCall) -> str:
     if call.looped and call.context.role == Role.EXECUTE:
         return _PAUSE if several else f"spin the node with a MultiThreadedExecutor, and {_PAUSE}"
     if call.looped and call.context.role == Role.SERVICE:
-        return _EVENT if several else "make it an action: its execute callback may take its time under several threads"
-    return "return: whoever spins the node goes on when the callback has ended"
+        return _EVENT if several else "make it an action: its execute callback may take long on a MultiThreadedExecutor"
+    return "return instead: the executor runs the other callbacks once this one has returned"
 
 
-_PAUSE = "pause with time.sleep(…): the executor's other threads run the callbacks meanwhile"
-_EVENT = (
-    "wait for a threading.Event, with a limit: what sets it runs in another thread, if it is in another callback group"
-)
+_PAUSE = "use time.sleep(…) instead: the executor's other threads keep running callbacks"
+_EVENT = "wait for a threading.Event with a timeout; put the callback that sets it into another callback group"
 
 
 @folds("EXE001")
 def _of_one_callback(findings: Sequence[Finding]) -> Finding:
     """The finding for all spins of one callback: it must do without any."""
     first, *others = findings
-    return replace(first, related=(*first.related, *(Related(one.place, "here it spins, too") for one in others)))
+    return replace(first, related=(*first.related, *(Related(one.place, "it spins here, too") for one in others)))
 
 
 # ------------------------------------------------------------------------------------------- EXE002, CBG001
@@ -168,8 +166,8 @@ def _no_answer_yet(system: System, early: EarlyResult) -> Finding:
     return finding(
         "EXE002",
         call.place,
-        f"{callback_words(callback)} reads result() straight after call_async(): {endpoint_words(early.client)} "
-        "cannot have answered yet, so it is None",
+        f"{callback_words(callback)} reads result() right after call_async(): {endpoint_words(early.client)} has "
+        "not responded yet, so it is None",
         help="future.add_done_callback(...) and read the result there",
         related=tuple(related_to(call, early.program, early.client)),
         node=node_name(system, callback.node),
@@ -184,8 +182,7 @@ def _deaf(system: System, wait: EventWait) -> Finding:
         "EXE002",
         call.place,
         f"{callback_words(callback)} waits for an event that {wait.setter.name} sets, and {end}: {wait.why}",
-        help="keep what has come in an attribute and go on in the callback that gets it, or let a thread of "
-        "its own wait",
+        help="store what arrives in an attribute and continue in the callback that receives it",
         related=tuple(related_to(call, wait.program)),
         node=node_name(system, callback.node),
         identity=(callback.name, wait.setter.name, "event"),

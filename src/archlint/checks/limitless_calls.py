@@ -100,13 +100,13 @@ def _is_true(value: facts.Expr) -> bool:
 
 def _limitless_call(system: System, program: Program, call: ApiCall, distros: tuple[str, ...]) -> Finding:
     function = call.api.rpartition(".")[2]
-    answer = "the result of" if call.api == _SEND_GOAL else "the answer of"
+    answer = "the result of" if call.api == _SEND_GOAL else "the response from"
     spinner = _spinner(call, program)
     found = finding(
         "TMO002",
         call.place,
-        f"{function}() waits for {answer} {endpoint_words(call.creation, kind_of(call))} without limit: "
-        "if it is lost, this never returns",
+        f"{function}() waits for {answer} {endpoint_words(call.creation, kind_of(call))} without a timeout: if it "
+        "is lost, this never returns",
         help=_help(call, spinner, distros),
         related=way_to(call, call.creation),
         node=node_name(system, call.node or call.context.node),
@@ -146,11 +146,11 @@ def _help(call: ApiCall, spinner: str, distros: tuple[str, ...]) -> str:
         # rclpy's own function would take the node from its executor for good.
         return f"{sent} and executor.spin_until_future_complete(future, timeout_sec=2.0)"
     if runs_in_executor(call.context) or (spinner == _UNKNOWN and not _goes_on_elsewhere(call)):
-        return f"{sent} and go on in a done callback: future.add_done_callback(…)"
+        return f"{sent} and continue in a done callback: future.add_done_callback(…)"
     if not goal and "humble" not in distros:
         return "call(request, timeout_sec=2.0)"
     who = "in a thread that does not spin" if spinner == _UNKNOWN else "another thread spins the node"
-    return f"{who}: {sent}, and event.wait(timeout=2.0) for an Event that a done callback sets"
+    return f"{who}: {sent}, and wait with event.wait(timeout=2.0) for an Event that a done callback sets"
 
 
 def _goes_on_elsewhere(call: ApiCall) -> bool:

@@ -37,9 +37,9 @@ def rate_sleep_in_callback(system: System, options: Options) -> Iterator[Finding
         finding(
             "EXE004",
             call.place,
-            f"{callback_words(call.context)} sleeps on a Rate and {verdict.words}: the timer that wakes it needs the "
-            f"thread that sleeps{_unless_it_ran(call)}",
-            help="let a timer do the work step by step, or spin the node with a MultiThreadedExecutor",
+            f"{callback_words(call.context)} calls Rate.sleep() and {verdict.words}: the timer that wakes it needs "
+            f"the thread that is sleeping{_unless_it_ran(call)}",
+            help="do the work step by step in a timer callback, or spin the node with a MultiThreadedExecutor",
             related=tuple(related_to(call, program)),
             node=node_name(system, call.context.node),
             identity=(call.context.name, "Rate.sleep"),
@@ -53,7 +53,7 @@ def rate_sleep_in_callback(system: System, options: Options) -> Iterator[Finding
 
 def _unless_it_ran(call: ApiCall) -> str:
     """A Rate remembers that its timer ran while nobody slept: the first sleep after that ends at once."""
-    return "" if call.looped else "; if the timer ran before, it does not sleep at all"
+    return "" if call.looped else "; if the timer has already fired, it does not sleep at all"
 
 
 def _rate_verdict(call: ApiCall, program: Program, options: Options) -> blocking.Verdict:
@@ -74,10 +74,12 @@ def blocking_tf_lookup(system: System, options: Options) -> Iterator[Finding]:
         finding(
             "EXE007",
             call.place,
-            f"{callback_words(call.context)} waits{_limit_words(call)} for a transform that cannot come meanwhile: "
-            f"the listener needs the thread that waits{_in_spite_of(threaded, program)}",
-            help="look up what is there now (no timeout) and try again next time; or wait_for_transform_async(); or "
-            "spin the node with a MultiThreadedExecutor",
+            f"{callback_words(call.context)} waits{_limit_words(call)} for a transform that cannot arrive: the "
+            f"listener needs the thread that is waiting{_in_spite_of(threaded, program)}",
+            help=(
+                "look up the transform without a timeout and try again next time, or spin the node with a "
+                "MultiThreadedExecutor"
+            ),
             related=tuple(related_to(call, program)),
             node=node_name(system, call.context.node),
             identity=(call.context.name, call.api),
@@ -96,16 +98,14 @@ def _in_spite_of(threaded: Sequence[tuple[Program, Blueprint | None]], program: 
     """What became of a thread that the listener was given; the node is that of the callback."""
     if not any(one is program for one, _ in threaded):
         return ""
-    return (
-        " (spin_thread=True does not help here: the executor that spins the node takes it from the listener's thread)"
-    )
+    return " (spin_thread=True does not help: the executor that spins the node takes it from the listener's thread)"
 
 
 @folds("EXE007")
 def _of_one_function(findings: Sequence[Finding]) -> Finding:
     """The finding for all lookups of a function: whether a transform is there, and then what it is."""
     first, *others = findings
-    more = tuple(Related(one.place, "here it asks for a transform, too") for one in others)
+    more = tuple(Related(one.place, "it looks up a transform here, too") for one in others)
     return replace(first, related=(*first.related, *more))
 
 

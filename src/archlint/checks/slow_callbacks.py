@@ -339,7 +339,7 @@ _ANSWERS = frozenset({Role.SERVICE, Role.LIFECYCLE, Role.GOAL, Role.CANCEL, Role
 _INSTEAD = {
     "sleep": "let a timer go on later, instead of sleeping",
     "discovery": "look once, without waiting, and try again from a timer",
-    "message": "subscribe, and go on in the callback",
+    "message": "create a subscription, and continue in its callback",
 }
 
 

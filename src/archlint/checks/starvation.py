@@ -97,7 +97,7 @@ def _pile(system: System, wait: Wait) -> Finding:
     threads = _threads(wait)
     assert callback.creation is not None
     all_ = f"all {threads} threads wait" if threads is not None else "all threads wait"
-    end = "every wait then runs into its limit" if wait.limited else "it then hangs for ever"
+    end = "every wait then runs into its limit" if wait.limited else "it then deadlocks"
     return finding(
         "EXE014",
         call.place,
@@ -188,7 +188,7 @@ def _crowd(system: System, use: ExecutorUse, found: list[Wait]) -> Finding:
         "EXE014",
         place,
         f"{who} {'' if limited else 'may '}wait at the same time, and this executor has {use.threads} threads: none "
-        f"is left then to take an answer, and they {'run into their limits' if limited else 'hang for ever'}",
+        f"is left then to take an answer, and they {'run into their limits' if limited else 'deadlock'}",
         help=f"num_threads={len(found) + 1}: one more than callbacks that wait",
         related=tuple(
             Related(wait.call.place, f"{callback_words(wait.call.context)} waits for {endpoint_words(wait.client)}")

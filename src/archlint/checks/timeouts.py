@@ -48,7 +48,7 @@ _LIMIT = {
 }
 _SPIN = "rclpy.spin_until_future_complete"
 _EXECUTOR_SPIN = "rclpy.executors.Executor.spin_until_future_complete"
-MAKE_IT_EARLIER = "create the client in the constructor, and ask here without waiting whether its server is there"
+MAKE_IT_EARLIER = "create the client in the constructor, and check here without waiting whether its server is available"
 _COMPLETE = tuple(f"rclpy.task.Future.{name}" for name in ("set_result", "set_exception", "cancel"))
 
 
@@ -74,7 +74,7 @@ def _limitless_wait(system: System, call: ApiCall) -> Finding:
     found = finding(
         "TMO001",
         call.place,
-        f"{function}() waits for {awaited} without limit: if it never comes, nothing after this line runs",
+        f"{function}() waits for {awaited} without a timeout: if it never comes, nothing after this line runs",
         help=_help_for_wait(call, function),
         related=way_to(call, call.creation if call.api != WAIT_FOR_MESSAGE else None),
         node=node_name(system, call.node or call.context.node),
@@ -105,11 +105,13 @@ def _help_for_wait(call: ApiCall, function: str) -> str:
         if made_here(call):
             return MAKE_IT_EARLIER
         return (
-            "subscribe, and go on in the callback" if of_message else f"ask without waiting: if not ….{_ready(call)}():"
+            "create a subscription, and continue in its callback"
+            if of_message
+            else f"check without waiting: if not ….{_ready(call)}():"
         )
     if of_message:
-        return f"set a limit and look at the answer: received, message = {function}(…, {_LIMIT[call.api]}=5.0)"
-    return f"set a limit and look at the answer: if not ….{function}({_LIMIT[call.api]}=5.0):"
+        return f"set a timeout and check the result: received, message = {function}(…, {_LIMIT[call.api]}=5.0)"
+    return f"set a timeout and check the result: if not ….{function}({_LIMIT[call.api]}=5.0):"
 
 
 def made_here(call: ApiCall) -> bool:
@@ -180,13 +182,13 @@ def _completed_by(system: System) -> dict[int, set[Role]]:
 def _limitless_spin(system: System, call: ApiCall) -> Finding:
     clients = creations_of(argument(call, "future"))
     client = clients[0] if len({creation.place for creation in clients}) == 1 else None
-    awaited = f"the answer of {endpoint_words(client)}" if client else "the future"
+    awaited = f"the response from {endpoint_words(client)}" if client else "the future"
     if _own_future(call):
         awaited = "the message that completes the future"
     return finding(
         "TMO003",
         call.place,
-        f"spins until {awaited} has come, without limit: if it never comes, the next line never runs",
+        f"spins until {awaited} arrives, without a timeout: if it never does, the next line never runs",
         help=_help_for_spin(call),
         related=way_to(call, client),
         node=node_name(system, call.context.node),
@@ -199,19 +201,22 @@ def _limitless_spin(system: System, call: ApiCall) -> Finding:
 def _help_for_spin(call: ApiCall) -> str:
     """What to write; where the limit is an argument of the function, its callers or its default leave it out."""
     if _passed_on(call):
-        return f"give {call.function.rpartition('.')[2]}() a limit where it is called, or a default other than None"
-    return "set timeout_sec, and ask future.done() afterwards"
+        return (
+            f"pass {call.function.rpartition('.')[2]}() a timeout where it is called, or give the parameter a "
+            "default other than None"
+        )
+    return "set timeout_sec, and check future.done() afterwards"
 
 
 @folds("TMO003")
 def _of_one_function(findings: Sequence[Finding]) -> Finding:
     """The finding for all such spins of a function: an action's goal is sent, and then its result awaited."""
     first, *others = findings
-    lines = "the same holds for another line" if len(others) == 1 else f"the same holds for {len(others)} more lines"
+    lines, do = ("another line", "does") if len(others) == 1 else (f"{len(others)} more lines", "do")
     return replace(
         first,
-        message=f"{first.message}; {lines} of {first.group[1]}",
-        related=(*first.related, *(Related(one.place, "here it spins without limit, too") for one in others)),
+        message=f"{first.message}; {lines} in {first.group[1]}() {do} the same",
+        related=(*first.related, *(Related(one.place, "it spins without a timeout here, too") for one in others)),
         sites=all_sites(findings),
     )
 
@@ -271,9 +276,9 @@ def _ignored(system: System, call: ApiCall) -> Finding:
     return finding(
         "TMO005",
         call.place,
-        f"nobody looks at what {function}() says about {endpoint_words(call.creation, kind_of(call))}: "
-        "when the time is up, the code goes on as if it were there",
-        help=f"look at the answer, and do without the server where it is not there: if not ….{function}(…):",
+        f"the result of {function}() for {endpoint_words(call.creation, kind_of(call))} is ignored: after the "
+        "timeout the code continues as if it were available",
+        help=f"check the result, and handle the case that the server is not available: if not ….{function}(…):",
         related=way_to(call, call.creation),
         node=node_name(system, call.node or call.context.node),
         identity=(call.function, name_of(call.creation), function),

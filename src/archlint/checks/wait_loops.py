@@ -59,14 +59,14 @@ def _endless(system: System, calls: Sequence[ApiCall]) -> Finding:
     kind = "action" if call.api.startswith("rclpy.action.") else "service"
     missing = endpoint_words(call.creation, kind)
     ready = "server_is_ready" if kind == "action" else "service_is_ready"
-    stands = "the callback never returns, and its thread is lost" if in_callback else "the node never goes on"
+    stands = "the callback does not return and blocks its thread" if in_callback else "the node does nothing else"
     found = finding(
         "TMO004",
         call.place,
-        f"only the appearance of {missing} ends this loop: without it {stands}",
-        help=f"ask without waiting, and do without it: if not ….{ready}():"
+        f"this loop ends only when {missing} becomes available: until then {stands}",
+        help=f"check without waiting, and handle the case that it is missing: if not ….{ready}():"
         if in_callback
-        else "let the loop end with ROS: while rclpy.ok() and not …:",
+        else "end the loop when ROS shuts down: while rclpy.ok() and not …:",
         related=way_to(call, call.creation),
         node=node_name(system, call.node or call.context.node),
         identity=(call.function, "" if call.creation is None else call.creation.name.text or "", "loop"),
@@ -78,11 +78,11 @@ def _endless(system: System, calls: Sequence[ApiCall]) -> Finding:
 def _of_one_function(findings: Sequence[Finding]) -> Finding:
     """The finding for all such loops that a program comes to one after the other as it starts."""
     first, *others = findings
-    loops = "the same holds for another loop" if len(others) == 1 else f"the same holds for {len(others)} more loops"
+    loops, do = ("another loop", "does") if len(others) == 1 else (f"{len(others)} more loops", "do")
     return replace(
         first,
-        message=f"{first.message}; {loops} of {first.group[1]}",
-        related=(*first.related, *(Related(one.place, "here is another such loop") for one in others)),
+        message=f"{first.message}; {loops} in {first.group[1]}() {do} the same",
+        related=(*first.related, *(Related(one.place, "another such loop is here") for one in others)),
     )
 
 
