@@ -2,14 +2,16 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from pathlib import Path
 
-from archlint.launch.load import LaunchLoader
+from archlint.launch.launches import Launches as WorkspaceLaunches
 from archlint.launch.model import Launched, Started
 from archlint.programs.entry_points import read_installs
 from archlint.syntax.compile import compile_python
 from archlint.syntax.python.deep_stack import call_with_deep_stack
 from archlint.workspace.discovery import find
+from archlint.workspace.model import SourceFile
 from archlint.workspace.tree import SourceTree
 
 PACKAGE = "<package><name>{name}</name><export><build_type>ament_python</build_type></export></package>"
@@ -72,7 +74,9 @@ class Launches:
         self.file("robot/launch/it.launch.yaml", content)
         return self.run("robot/launch/it.launch.yaml", **arguments)
 
-    def loader(self, distro: str | None = None) -> LaunchLoader:
+    def of_workspace(
+        self, distro: str | None = None, relevant: Callable[[SourceFile], bool] = lambda file: True
+    ) -> WorkspaceLaunches:
         workspace = find(["."], working_directory=str(self.root))
         known = {}
 
@@ -83,11 +87,11 @@ class Launches:
 
         tree = SourceTree(self.root)
         installs = read_installs(workspace.packages, workspace.files, facts_of, tree)
-        return LaunchLoader(workspace.files, facts_of, installs, tree, distro=distro)
+        return WorkspaceLaunches(workspace.files, facts_of, installs, tree, relevant, distro=distro)
 
     def run(self, path: str, **arguments: str) -> Launched:
-        loader = self.loader()
-        return call_with_deep_stack(lambda: loader.launch(path, arguments))
+        launches = self.of_workspace()
+        return call_with_deep_stack(lambda: launches.run(path, arguments))
 
 
 def names(launched: Launched) -> list[str]:

@@ -32,7 +32,7 @@ from archlint.engine.loading import systems_of as systems_of_workspace
 from archlint.engine.pipeline import store_of
 from archlint.engine.request import Request
 from archlint.finding import Place
-from archlint.launch.load import LaunchLoader
+from archlint.launch.files import LaunchFiles
 from archlint.launch.model import Launched
 from archlint.systems.model import System
 from archlint.workspace.tree import SourceTree
@@ -122,9 +122,10 @@ def measure(root: Path) -> tuple[Counter[str], Counter[str], list[str]]:
     kinds: Counter[str] = Counter()
     told: list[str] = []
     unfollowed: set[str] = set()
-    loader = systems[0].workspace.loader if systems and systems[0].workspace is not None else None
-    if loader is None:
+    index = systems[0].workspace if systems else None
+    if index is None:
         return files, kinds, told
+    launch_files = index.launch_files
     for system in systems:
         assert system.launched is not None
         how, reasons = level(system.launched)
@@ -132,7 +133,7 @@ def measure(root: Path) -> tuple[Counter[str], Counter[str], list[str]]:
         unfollowed.update(gap.place.file for gap in system.launched.not_followed())
         if how != "fully":
             told.append(f"{how}: {system.launched.file}: {'; '.join(sorted(set(reasons)))[:200]}")
-    files["ROS 1"] = sum(loader.frontend(path).ros1 for path in frontends(loader))
+    files["ROS 1"] = sum(launch_files.frontend(path).ros1 for path in frontends(launch_files))
     places = accounted(systems)
     made = {
         (place.file, line)
@@ -140,8 +141,8 @@ def measure(root: Path) -> tuple[Counter[str], Counter[str], list[str]]:
         for place in (system.launched.made if system.launched is not None else ())
         for line in range(place.line, place.end_line + 1)
     }
-    for path in loader.launch_files():
-        if path.endswith((".launch", ".xml")) and loader.frontend(path).ros1:
+    for path in launch_files.all():
+        if path.endswith((".launch", ".xml")) and launch_files.frontend(path).ros1:
             continue
         for line in actions_in(path):
             kind = places.get((path, line))
@@ -154,8 +155,8 @@ def measure(root: Path) -> tuple[Counter[str], Counter[str], list[str]]:
     return files, kinds, told
 
 
-def frontends(loader: LaunchLoader) -> list[str]:
-    return [path for path in loader.launch_files() if path.endswith((".launch", ".xml"))]
+def frontends(launch_files: LaunchFiles) -> list[str]:
+    return [path for path in launch_files.all() if path.endswith((".launch", ".xml"))]
 
 
 def main() -> None:

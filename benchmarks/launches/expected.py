@@ -14,7 +14,7 @@ from archlint.engine.compiling import compiled
 from archlint.engine.inputs import find_files, parts_of
 from archlint.engine.pipeline import store_of
 from archlint.engine.request import Request
-from archlint.launch.load import LaunchLoader
+from archlint.launch.launches import Launches
 from archlint.launch.model import Launched, OpenParameters, ParameterFileUse, ParameterSetting, Started
 from archlint.model import Text
 from archlint.programs.entry_points import read_installs
@@ -68,31 +68,31 @@ class Checkout:
         workspace = find_files(request)
         facts = compiled(request, workspace, store_of(request))
         tree = SourceTree(Path.cwd(), Path(workspace.root))
-        self.loaders: list[LaunchLoader] = []
+        self.parts: list[Launches] = []
         for part in parts_of(request, workspace):
             installs = read_installs(part.packages, part.files, facts.facts_of, tree)
             old = frozenset(package.name for package in part.packages if package.ros1)
-            loader = LaunchLoader(
+            launches = Launches(
                 part.files, facts.facts_of, installs, tree, facts.relevant, ros1_packages=old, distro=DISTRO
             )
-            self.loaders.append(loader)
+            self.parts.append(launches)
 
     def launch(self, file: str, arguments: Mapping[str, str]) -> tuple[Launched | None, list[Row]]:
         """A launch file under arguments; None where archlint takes it for none."""
-        for loader in self.loaders:
-            if loader.is_launch_file(file):
-                launched = loader.launch(file, arguments)
+        for launches in self.parts:
+            if launches.files.can_be_launched(file):
+                launched = launches.run(file, arguments)
                 apart = {include.place for include in launched.included if include.own_process}
                 started = [
                     one
                     for one in launched.started
                     if one.kind != "process" and not one.dormant and not apart & {*one.includes}
                 ]
-                return launched, [self._row(loader, launched, one) for one in started]
+                return launched, [self._row(launches, launched, one) for one in started]
         return None, []
 
-    def _row(self, loader: LaunchLoader, launched: Launched, started: Started) -> Row:
-        shown = _Shown(loader)
+    def _row(self, launches: Launches, launched: Launched, started: Started) -> Row:
+        shown = _Shown(launches)
         uses = [one for one in started.parameters if isinstance(one, ParameterFileUse)]
         given = started.namespace is not None
         fields: dict[str, object] = {
@@ -101,7 +101,7 @@ class Checkout:
             "name": None if started.name is None else shown.text(started.name),
             "namespace": shown.text(started.namespace) if given and started.namespace is not None else None,
             "remaps": [[shown.text(one.source), shown.text(one.target)] for one in started.remaps],
-            "parameters": self._parameters(loader, started, shown),
+            "parameters": self._parameters(launches, started, shown),
         }
         fields["files"] = [_file(use, shown) for use in uses]
         why = [one.reason for one in started.parameters if isinstance(one, OpenParameters)]
@@ -115,14 +115,14 @@ class Checkout:
         )
 
     @staticmethod
-    def _parameters(loader: LaunchLoader, started: Started, shown: _Shown) -> dict[tuple[str, str], object]:
+    def _parameters(launches: Launches, started: Started, shown: _Shown) -> dict[tuple[str, str], object]:
         if started.kind == "component":
             name = started.name.text if started.name is not None else None
             namespace = started.namespace.text if started.namespace is not None else "/"
             full = names.join(namespace or "/", name) if name else None
-            rows = [("", one.name, one.value) for one in applied(started, full, loader.parameters)]
+            rows = [("", one.name, one.value) for one in applied(started, full, launches.files.parameters)]
         else:
-            rows = [(one.key, one.name, one.value) for one in settings_of(started, None, loader.parameters)]
+            rows = [(one.key, one.name, one.value) for one in settings_of(started, None, launches.files.parameters)]
         return {
             (key.strip("/"), name): Unknown(value.reason) if isinstance(value, NotKnown) else shown(value)
             for key, name, value in rows
@@ -151,8 +151,8 @@ def _path(start: str, rest: str) -> str:
 
 
 class _Shown:
-    def __init__(self, loader: LaunchLoader) -> None:
-        folders = ((installs.folder, name) for name, installs in loader.installs.items())
+    def __init__(self, launches: Launches) -> None:
+        folders = ((installs.folder, name) for name, installs in launches.installs.items())
         self._folders = sorted(folders, key=lambda row: (-len(row[0]), row))
 
     def text(self, text: Text) -> object:

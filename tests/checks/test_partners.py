@@ -9,7 +9,7 @@ from archlint.config.options import options_for
 from archlint.config.settings import Settings
 from archlint.engine.judging import judge
 from archlint.finding import Finding, Place
-from archlint.launch.model import FileReference, Gap, Included, Launched, Started
+from archlint.launch.model import FileKind, FileReference, FileStatus, Gap, Included, Launched, Started, StartedKind
 from archlint.ros.qos import Qos
 from archlint.systems.model import Node, System
 from systems.builders import (
@@ -237,11 +237,12 @@ def launched(*nodes: Node, **parts: object) -> System:
 def process(dormant: bool = False) -> Started:
     """``ros2 topic pub /heard …``, which no reader of its words would take for a node."""
     words = ["topic", "pub", "/heard"]
-    return Started("process", unknown(), exact("ros2"), PLACE, PLACE.file, arguments=words, dormant=dormant)
+    return Started(StartedKind.PROCESS, unknown(), exact("ros2"), PLACE, PLACE.file, arguments=words, dormant=dormant)
 
 
 def include(source: str | None) -> Included:
-    found = FileReference("launch", "camera.launch.py", source, "installed" if source else "external", "camera", PLACE)
+    status = FileStatus.INSTALLED if source else FileStatus.EXTERNAL
+    found = FileReference(FileKind.LAUNCH, "camera.launch.py", source, status, "camera", PLACE)
     return Included(found, (), PLACE, PLACE.file)
 
 

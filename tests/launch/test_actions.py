@@ -349,10 +349,10 @@ def test_a_circle_of_includes_ends(launches):
 def test_a_circle_of_includes_is_told_once(launches, first, second, told):
     launches.file("robot/launch/other.launch.xml", f"<launch>{second}</launch>")
     launches.xml(first)
-    loader = launches.loader()
-    for file in loader.launch_files():
-        loader.launch(file)
-    endless = [problem for problem in loader.problems() if "never end" in problem[3]]
+    loaded = launches.of_workspace()
+    for file in loaded.files.all():
+        loaded.run(file)
+    endless = [problem for problem in loaded.files.problems() if "never end" in problem[3]]
     assert [(path, line) for path, line, _, _ in endless] == [("robot/launch/other.launch.xml", 1)] * told
 
 
@@ -887,9 +887,9 @@ def test_substitutions_in_a_parameter_file_keep_what_quotes_say(launches):
         '<node pkg="p" exec="e"><param from="$(find-pkg-share robot)/config/p.yaml" allow_substs="true"/></node>'
         "</launch>",
     )
-    loader = launches.loader()
-    [started] = loader.launch("robot/launch/it.launch.xml").started
-    assert {one.name: one.value for one in settings_of(started, None, loader.parameters)} == {
+    loaded = launches.of_workspace()
+    [started] = loaded.run("robot/launch/it.launch.xml").started
+    assert {one.name: one.value for one in settings_of(started, None, loaded.files.parameters)} == {
         "plain": 5,
         "quoted": "5",
         "empty": "",
@@ -931,9 +931,9 @@ def test_a_file_with_a_variable_of_the_environment_says_so(launches):
         '<launch><arg name="leg" default="left"/><node pkg="p" exec="e">'
         '<param from="$(find-pkg-share robot)/config/p.yaml" allow_substs="true"/></node></launch>',
     )
-    loader = launches.loader()
-    [started] = loader.launch("robot/launch/it.launch.xml").started
-    assert {one.name: one.value for one in settings_of(started, None, loader.parameters)} == {
+    loaded = launches.of_workspace()
+    [started] = loaded.run("robot/launch/it.launch.xml").started
+    assert {one.name: one.value for one in settings_of(started, None, loaded.files.parameters)} == {
         "arm": NotKnown("the environment variable ARM"),
         "leg": NotKnown("the environment variable LEG"),
     }
@@ -992,7 +992,7 @@ def test_the_distribution_decides_only_where_it_is_said(launches, distro, expect
         "name = 'old' if os.environ['ROS_DISTRO'] == 'humble' else 'new'\n"
         "other = 'old' if os.getenv('ROS_DISTRO', 'rolling') == 'humble' else 'new'",
     )
-    one, other, last = launches.loader(distro).launch("robot/launch/it.launch.py").started
+    one, other, last = launches.of_workspace(distro).run("robot/launch/it.launch.py").started
     assert [one.executable.text, other.executable.text] == [expected, expected]
     assert last.executable.text == (f"as_{distro}" if distro else "as_*")
 
@@ -1052,9 +1052,9 @@ def test_a_file_without_nodes_is_for_components(launches):
             f"file = FindPackageShare('robot').find('robot') + '/config/{file}'\n"
             "part = ComposableNode(package='p', plugin='D', name='driver', parameters=[file])",
         )
-        loader = launches.loader()
-        started = loader.launch("robot/launch/it.launch.py").started
-        return [{row.name: row.value for row in settings_of(one, None, loader.parameters)} for one in started]
+        loaded = launches.of_workspace()
+        started = loaded.run("robot/launch/it.launch.py").started
+        return [{row.name: row.value for row in settings_of(one, None, loaded.files.parameters)} for one in started]
 
     assert sorted(given("plain.yaml"), key=len) == [{}, {"rate": 10, "led.number": 24}]  # the container gets nothing
     assert given("nodes.yaml") == [{"led": 1}, {"led": 1}]  # one section is enough: the rest is not read

@@ -20,9 +20,8 @@ from launching import PYTHON, names
 def test_a_file_that_cannot_be_read_is_told_of(launches, path, data, words):
     (launches.root / "robot/launch").mkdir(exist_ok=True)
     (launches.root / "robot" / path).write_bytes(data)
-    loader = launches.loader()
-    loader.relevant = lambda file: False
-    (problem,) = loader.problems()
+    loaded = launches.of_workspace(relevant=lambda file: False)
+    (problem,) = loaded.files.problems()
     assert problem[0] == f"robot/{path}" and words in problem[3]
 
 
@@ -101,12 +100,12 @@ NODE_OF_PYTHON = (
 )
 def test_a_suffix_that_says_nothing(launches, text, nodes):
     launches.file("robot/launch/it.launch", text)
-    loader = launches.loader()
-    assert loader.launch_files() == (["robot/launch/it.launch"] if nodes else [])
-    assert loader.problems() == []
+    loaded = launches.of_workspace()
+    assert loaded.files.all() == (["robot/launch/it.launch"] if nodes else [])
+    assert loaded.files.problems() == []
     assert len(launches.run("robot/launch/it.launch").started) == nodes
 
 
 def test_a_suffix_that_says_nothing_of_a_file_that_is_broken(launches):
     launches.file("robot/launch/it.launch", "launch = <launch>\n")
-    assert [problem[3] for problem in launches.loader().problems()] == ["malformed XML: syntax error"]
+    assert [problem[3] for problem in launches.of_workspace().files.problems()] == ["malformed XML: syntax error"]

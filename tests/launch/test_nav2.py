@@ -38,10 +38,10 @@ def given(launches: Launches, made: str, node: str = "/planner", **arguments: st
     declared = "".join(f"DeclareLaunchArgument({name!r}), " for name in arguments)
     actions = f"[{declared}Node(package='nav', executable='planner', parameters=[made])]"
     launched = launches.python(actions, before, **arguments)
-    loader = launches.loader()
+    loaded = launches.of_workspace()
     (started,) = launched.started
     assert not launched.gaps
-    return {one.name: one.value for one in applied(started, node, loader.parameters)}
+    return {one.name: one.value for one in applied(started, node, loaded.files.parameters)}
 
 
 def test_a_file_that_is_not_rewritten_stays_as_it_is(launches):
@@ -152,7 +152,7 @@ def test_an_included_file_gets_the_made_one(launches):
         f"{IMPORT}\nmade = RewrittenYaml({FILE}, {{'tolerance': '2.5'}}, convert_types=True)",
     )
     (started,) = launched.started
-    found = {one.name: one.value for one in applied(started, "/planner", launches.loader().parameters)}
+    found = {one.name: one.value for one in applied(started, "/planner", launches.of_workspace().files.parameters)}
     assert found["Grid.tolerance"] == 2.5
 
 
@@ -169,7 +169,7 @@ def test_what_cannot_be_known_stays_unknown(launches):
         before = f"{IMPORT}\nfrom of_another_package import rewrites_of_the_robot\nmade = {made}"
         launched = launches.python("[Node(package='nav', executable='planner', parameters=[made])]", before)
         (started,) = launched.started
-        assert not applied(started, "/planner", launches.loader().parameters), made
+        assert not applied(started, "/planner", launches.of_workspace().files.parameters), made
         assert all(getattr(one, "reason", None) or one.reference.source is None for one in started.parameters), made
 
 
@@ -197,5 +197,5 @@ def test_a_path_that_is_put_in_is_not_substituted_again(launches):
         f"{IMPORT}\nfrom launch_ros.descriptions import ParameterFile\nmade = {made}",
     )
     (started,) = launched.started
-    found = {one.name: one.value for one in applied(started, "/planner", launches.loader().parameters)}
+    found = {one.name: one.value for one in applied(started, "/planner", launches.of_workspace().files.parameters)}
     assert found["map"] == "$(find-pkg-share robot)/maps/hall.yaml"

@@ -8,8 +8,9 @@ import pytest
 
 from archlint.config.settings import Settings
 from archlint.engine import pipeline
-from archlint.launch import parameters, substitutions
+from archlint.launch import parameters
 from archlint.launch.run import LaunchRun
+from archlint.launch.substitutions import performing
 
 LAUNCH = """\
 from launch import LaunchDescription
@@ -68,7 +69,7 @@ def test_lists_in_themselves_and_trees_of_lists_end(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, line: str, name: str | None
 ):
     counts = {"texts": 0, "dicts": 0}
-    perform, entries = substitutions._perform, parameters._entries
+    perform, entries = performing._perform, parameters._entries
 
     def count_text(*given):
         counts["texts"] += 1
@@ -78,7 +79,7 @@ def test_lists_in_themselves_and_trees_of_lists_end(
         counts["dicts"] += 1
         return entries(*given)
 
-    monkeypatch.setattr(substitutions, "_perform", count_text)
+    monkeypatch.setattr(performing, "_perform", count_text)
     monkeypatch.setattr(parameters, "_entries", count_dict)
     monkeypatch.chdir(tmp_path)
 

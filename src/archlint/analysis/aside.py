@@ -14,7 +14,6 @@ from archlint.syntax import facts
 from archlint.workspace.test_code import FileRoles
 
 if TYPE_CHECKING:
-    from archlint.launch.load import LaunchLoader
     from archlint.systems.model import WorkspaceIndex
     from archlint.workspace.installed import Installs
 
@@ -60,9 +59,9 @@ def is_not_installed(workspace: WorkspaceIndex | None, file: str) -> bool:
     """Whether a script is in a package that installs programs, but is none of them, and none of them imports it: only
     who knows where it lies can start it.  So it is with what such scripts import that lies in no Python package, with
     scripts beside the packages of a workspace, and what these import."""
-    if workspace is None or workspace.loader is None or file in _in_use(workspace):
+    if workspace is None or file in _in_use(workspace):
         return False
-    package = workspace.loader.package_of(file)
+    package = workspace.package_of(file)
     if package is None and workspace.manifests:
         return file in _stray(workspace) and file not in _reached(workspace)
     installs = None if package is None else workspace.installs.get(package)
@@ -77,17 +76,16 @@ def is_not_installed(workspace: WorkspaceIndex | None, file: str) -> bool:
 
 def import_that_fails(workspace: WorkspaceIndex | None, file: str) -> str | None:
     """The first module of a file's own package that it imports as it starts, and that is not there."""
-    loader = None if workspace is None else workspace.loader
-    package = None if loader is None else loader.package_of(file)
-    found = None if loader is None else loader.facts_at(file)
-    if loader is None or package is None or found is None or package not in loader.top_modules:
+    package = None if workspace is None else workspace.package_of(file)
+    found = None if workspace is None else workspace.facts_at(file)
+    if workspace is None or package is None or found is None or package not in workspace.code.top_modules:
         return None
     imports = (one for one in found.body if isinstance(one, facts.ImportFrom) and not one.level)
     for one in imports:
         top, _, rest = one.module.partition(".")
         if top == package and rest and rest.partition(".")[0] not in _GENERATED:
             names = [one.module, *(f"{one.module}.{name}" for name, _ in one.names)]
-            if all(loader.imported(file, name) is None for name in names):
+            if all(workspace.code.imported(file, name) is None for name in names):
                 return one.module
     return None
 
@@ -98,30 +96,27 @@ _GENERATED = frozenset({"msg", "srv", "action"})
 def _in_no_module(workspace: WorkspaceIndex, file: str) -> bool:
     """Whether a file is in a folder that ``find_packages`` leaves out."""
     folder = posixpath.dirname(file)
-    return workspace.loader is not None and not workspace.loader.tree.is_file(posixpath.join(folder, "__init__.py"))
+    return not workspace.tree.is_file(posixpath.join(folder, "__init__.py"))
 
 
 @once
 def _reached_by_loose(workspace: WorkspaceIndex) -> frozenset[str]:
     """What the scripts import that their packages do not install."""
-    loader = workspace.loader
-    assert loader is not None
-    inside = [file.relative for file, _ in loader.python_facts() if file.kind == "python" and file.package is not None]
+    asked_for = workspace.code.asked_for()
+    inside = [file.relative for file, _ in asked_for if file.kind == "python" and file.package is not None]
     scripts = [path for path in inside if _is_script(workspace, path) and path not in _reached(workspace)]
-    return loader.reached_from(path for path in scripts if is_not_installed(workspace, path))
+    return workspace.code.reached_from(path for path in scripts if is_not_installed(workspace, path))
 
 
 @once
 def _stray(workspace: WorkspaceIndex) -> frozenset[str]:
     """The scripts that lie beside the packages, and all that they import."""
-    loader = workspace.loader
-    assert loader is not None
-    beside = [file.relative for file, _ in loader.python_facts() if file.kind == "python" and file.package is None]
-    return loader.reached_from(path for path in beside if _is_script(workspace, path))
+    beside = [file.relative for file, _ in workspace.code.asked_for() if file.kind == "python" and file.package is None]
+    return workspace.code.reached_from(path for path in beside if _is_script(workspace, path))
 
 
 def _is_script(workspace: WorkspaceIndex, file: str) -> bool:
-    found = None if workspace.loader is None else workspace.loader.facts_at(file)
+    found = workspace.facts_at(file)
     return found is not None and any(
         isinstance(one, facts.If)
         and isinstance(one.test, facts.Compare)
@@ -133,31 +128,33 @@ def _is_script(workspace: WorkspaceIndex, file: str) -> bool:
 
 def _is_named(workspace: WorkspaceIndex, installs: Installs, file: str) -> bool:
     """Whether the files that build the package mention a script, or a launch file does so as a file or a module."""
-    loader = workspace.loader
-    assert loader is not None
     stem = file.rpartition("/")[2].removesuffix(".py")
     same = installs.executables.get(stem)
-    if same is not None and same.module is not None and file not in loader.files_named(same.package, same.module):
+    if (
+        same is not None
+        and same.module is not None
+        and file not in workspace.code.files_named(same.package, same.module)
+    ):
         return False  # that name means another file
     if stem in installs.words or f"{stem}.py" in installs.words or stem in installs.executables:
         return True
     built = [f"{installs.folder}/{name}".removeprefix("./") for name in ("setup.py", "setup.cfg", "pyproject.toml")]
-    if any(loader.mentions(path, stem) for path in built):
+    if any(workspace.code.mentions(path, stem) for path in built):
         return True
     # A launch file starts executables by their names, and this file is none: only as a file or a module can it run.
-    return any(_mentions_file(loader, path, stem) for path in loader.launch_files())
+    return any(_mentions_file(workspace, path, stem) for path in workspace.launch_files.all())
 
 
-def _mentions_file(loader: LaunchLoader, path: str, stem: str) -> bool:
+def _mentions_file(workspace: WorkspaceIndex, path: str, stem: str) -> bool:
     """Whether ``stem.py``, or a module of that name in a package (``robot.stem``), stands anywhere in a file."""
-    text, name = loader.tree.text(path), re.escape(stem)
+    text, name = workspace.tree.text(path), re.escape(stem)
     return text is not None and re.search(rf"(?<!\w){name}\.py(?!\w)|\w\.{name}(?![\w(])", text) is not None
 
 
 @once
 def _reached(workspace: WorkspaceIndex) -> frozenset[str]:
     """The files that installed programs and launch files are, and all that these import."""
-    return frozenset() if workspace.loader is None else workspace.loader.in_use()
+    return workspace.code.in_use()
 
 
 __all__ = ["import_that_fails", "is_aside", "is_disused", "is_not_installed"]

@@ -15,6 +15,7 @@ from typing import TYPE_CHECKING
 from archlint.analysis.comparable import place_of, what_is_compared, whole_node
 from archlint.analysis.comparison_of_ends import Ends, ends_of
 from archlint.analysis.comparison_of_topics import topics_of
+from archlint.launch.model import StartedKind
 from archlint.observed.model import BAG, MISSING, UNEXPECTED, Comparison, Difference, Observed, SeenNode
 from archlint.ros.names import is_hidden, pattern_matches
 from archlint.suggestions import did_you_mean
@@ -156,7 +157,7 @@ class _Comparing:
         for gap in launched.not_followed():
             return f"{gap.place.file}:{gap.place.line} may start it: {gap.reason}"
         for started in launched.started:
-            if started.kind == "process" and not started.dormant:
+            if started.kind == StartedKind.PROCESS and not started.dormant:
                 return f"the process that {started.place.file}:{started.place.line} starts may be it"
         return None
 

@@ -88,7 +88,7 @@ def _defined_and_imported(found: facts.Facts) -> tuple[frozenset[str], tuple[fac
 
 def _ours(workspace: WorkspaceIndex, file: str) -> set[str]:
     """Names of a file that mean something of this workspace."""
-    tops = workspace.loader.top_modules if workspace.loader is not None else frozenset()
+    tops = workspace.code.top_modules
     defined, imports = _defined_and_imported(workspace, file) or (frozenset(), ())
     names = set(defined)
     for item in imports:

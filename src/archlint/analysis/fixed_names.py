@@ -37,7 +37,7 @@ def _kept_by(workspace: WorkspaceIndex, file: str, body: Sequence[facts.Stmt]) -
     """The statements of a file that set what a body loops over: ``self.topics = checked(topics)`` for
     ``for topic in self.topics``."""
     kept = {loop.iterable.attribute for loop in statements_of(body, facts.For)} - {""}
-    found = None if workspace.loader is None else workspace.loader.facts_at(file)
+    found = workspace.facts_at(file)
     for one in everything_in([] if found is None or not kept else found.body, facts.Assign):
         if isinstance(one.value, facts.Call) and any(target.attribute in kept for target in one.targets):
             yield [one]
@@ -63,12 +63,12 @@ def _called(workspace: WorkspaceIndex, file: str, body: Sequence[facts.Stmt]) ->
     """The bodies of the functions that a body gives something to, be they of the same file or imported from one of the
     workspace."""
     given = {one.func.variable for one in calls_in(list(body)) if one.args} - {""}
-    found = None if workspace.loader is None else workspace.loader.facts_at(file)
-    if workspace.loader is None or found is None:
+    found = workspace.facts_at(file)
+    if found is None:
         return
     sources = [(name, name, found) for name in sorted(given)]
     for one in (part for part in found.body if isinstance(part, facts.ImportFrom)):
-        other = workspace.loader.imported(file, one.module, one.level)
+        other = workspace.code.imported(file, one.module, one.level)
         if other is not None:
             sources += [(bound, name, other) for name, bound in one.names if bound in given]
     for _, name, where in sources:
@@ -82,17 +82,14 @@ def is_of_a_model(workspace: WorkspaceIndex | None, name: str) -> bool:
 
 @once
 def _topics_of_models(workspace: WorkspaceIndex) -> frozenset[str]:
-    loader = workspace.loader
-    if loader is None:
-        return frozenset()
-    texts = [loader.tree.text(path) or "" for path in loader.launch_files()]
+    texts = [workspace.tree.text(path) or "" for path in workspace.launch_files.all()]
     bridged = {found[1] for text in texts for found in _BRIDGED.finditer(text)}
     if not bridged:
         return frozenset()
     models = {
-        path for folder in workspace.manifests for path in loader.tree.files_below(folder) if path.endswith(_MODELS)
+        path for folder in workspace.manifests for path in workspace.tree.files_below(folder) if path.endswith(_MODELS)
     }
-    named = {found[1] for path in sorted(models) for found in _TOPIC.finditer(loader.tree.text(path) or "")}
+    named = {found[1] for path in sorted(models) for found in _TOPIC.finditer(workspace.tree.text(path) or "")}
     return frozenset(bridged & named)
 
 

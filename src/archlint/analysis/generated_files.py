@@ -7,7 +7,6 @@ import re
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
-    from archlint.launch.load import LaunchLoader
     from archlint.systems.model import WorkspaceIndex
 
 _TEMPLATES = (".in", ".j2", ".jinja", ".jinja2", ".em", ".erb", ".mako", ".template", ".tmpl", ".xacro")
@@ -22,23 +21,22 @@ def is_generated(workspace: WorkspaceIndex | None, package: str, path: str) -> b
 
     ``path`` starts at the package's share folder.
     """
-    loader = None if workspace is None else workspace.loader
-    installs = None if loader is None else loader.installs.get(package)
-    if workspace is None or loader is None or installs is None:
+    installs = None if workspace is None else workspace.installs.get(package)
+    if workspace is None or installs is None:
         return False
     folder, name = posixpath.split(posixpath.normpath(posixpath.join(installs.folder, path)))
-    if not name or loader.tree.is_folder(folder):
+    if not name or workspace.tree.is_folder(folder):
         return False
-    files = loader.tree.files_below(installs.folder)
+    files = workspace.tree.files_below(installs.folder)
     made_of = {f"{stem}{ending}" for stem in (name, posixpath.splitext(name)[0]) for ending in _TEMPLATES}
-    return any(posixpath.basename(file) in made_of for file in files) or _is_written(workspace, loader, name)
+    return any(posixpath.basename(file) in made_of for file in files) or _is_written(workspace, name)
 
 
-def _is_written(workspace: WorkspaceIndex, loader: LaunchLoader, name: str) -> bool:
+def _is_written(workspace: WorkspaceIndex, name: str) -> bool:
     quoted = re.escape(name)
     writes = re.compile("|".join(form.format(name=quoted) for form in (_OPENED, _WRITTEN)))
     scripts = {
-        path for folder in workspace.manifests for path in loader.tree.files_below(folder) if path.endswith(".py")
+        path for folder in workspace.manifests for path in workspace.tree.files_below(folder) if path.endswith(".py")
     }
-    texts = (loader.tree.text(path) for path in sorted(scripts))
+    texts = (workspace.tree.text(path) for path in sorted(scripts))
     return any(text is not None and name in text and writes.search(text) for text in texts)

@@ -25,35 +25,35 @@ def is_left_over(workspace: WorkspaceIndex | None, endpoint: Endpoint) -> bool:
     """Whether a publisher is kept in an attribute of ``self`` that its file names again at most in methods that nothing
     calls, and no other file of the package that does not set an attribute of that name itself: it says nothing on its
     topic."""
-    if workspace is None or workspace.loader is None or endpoint.kind != EntityKind.PUBLISHER:
+    if workspace is None or endpoint.kind != EntityKind.PUBLISHER:
         return False
-    loader, file, package = workspace.loader, endpoint.place.file, endpoint.node.package
+    code, file, package = workspace.code, endpoint.place.file, endpoint.node.package
     kept = _kept_as(workspace, endpoint.place)
     if kept is None or package is None:
         return False
     name, methods = kept
-    others = [other for other in loader.python_files_of(package) if other != file]
-    if any(loader.mentions(other, method) for other in others for method in methods):
+    others = [other for other in code.files_of(package) if other != file]
+    if any(code.mentions(other, method) for other in others for method in methods):
         return False
-    return not any(loader.mentions(other, name) and not _sets_itself(workspace, other, name) for other in others)
+    return not any(code.mentions(other, name) and not _sets_itself(workspace, other, name) for other in others)
 
 
 def is_dead(workspace: WorkspaceIndex | None, program: Program, call: ApiCall) -> bool:
     """Whether a call is in a method of a program that no Python file here names: that code does not run.  What a
     library offers is for programs that are not here."""
     callback = call.context
-    if workspace is None or workspace.loader is None or callback.role != Role.METHOD or not program.executable:
+    if workspace is None or callback.role != Role.METHOD or not program.executable:
         return False
     if callback.node is None or callback.node.escapes:
         return False
-    loader, file, function = workspace.loader, callback.place.file, callback.function
+    code, file, function = workspace.code, callback.place.file, callback.function
     uses = _uses(workspace, file)
-    package = loader.package_of(file)
+    package = workspace.package_of(file)
     if uses is None or package is None or not isinstance(function, facts.Function):
         return False
     name = function.name
-    others = [other for one in workspace.packages for other in loader.python_files_of(one) if other != file]
-    return not uses.by_name and name in uses.idle and not any(loader.mentions(other, name) for other in others)
+    others = [other for one in workspace.packages for other in code.files_of(one) if other != file]
+    return not uses.by_name and name in uses.idle and not any(code.mentions(other, name) for other in others)
 
 
 def is_never_made(workspace: WorkspaceIndex | None, call: ApiCall) -> bool:
@@ -61,17 +61,17 @@ def is_never_made(workspace: WorkspaceIndex | None, call: ApiCall) -> bool:
     object of it is ever made, whatever its annotations say of the node that it would be handed."""
     owner, _, method = call.function.rpartition(".")
     node, name = call.context.node, owner.rpartition(".")[2]
-    if workspace is None or workspace.loader is None or not name.isidentifier() or not method.isidentifier():
+    if workspace is None or not name.isidentifier() or not method.isidentifier():
         return False
-    loader, file = workspace.loader, call.file
+    code, file = workspace.code, call.file
     found, uses = workspace.facts_at(file), _uses(workspace, file)
-    package = loader.package_of(file)
+    package = workspace.package_of(file)
     if found is None or uses is None or package is None or (node is not None and node.class_name == owner):
         return False
     if uses.by_name or name in uses.names or name in uses.count or not _defines(found, name):
         return False
-    others = [other for one in workspace.packages for other in loader.python_files_of(one) if other != file]
-    return not any(loader.mentions(other, name) for other in others)
+    others = [other for one in workspace.packages for other in code.files_of(one) if other != file]
+    return not any(code.mentions(other, name) for other in others)
 
 
 def _defines(found: facts.Facts, name: str) -> bool:

@@ -42,14 +42,14 @@ def sites_of_name(workspace: WorkspaceIndex | None, given: Place, written: str, 
     place of the name."""
     tree = None if workspace is None else tree_of(workspace, given.file)
     call, name = (None, None) if tree is None else _argument_at(tree, given)
-    if workspace is None or workspace.loader is None or tree is None or call is None or name is None:
+    if workspace is None or tree is None or call is None or name is None:
         return None
     node = _node_of(call)
     statement = statement_before(tree, call)
     same_name = as_code(name)
     if node is None or statement is None or same_name is None:
         return None
-    if not is_node(tree, node, statement, class_elsewhere(workspace.loader, given.file, tree)):
+    if not is_node(tree, node, statement, class_elsewhere(workspace.code, given.file, tree)):
         return None
     function = tree.function_around(statement)
     if _is_parameter(function, name):

@@ -11,8 +11,8 @@ from archlint.ros.distros import DISTROS
 if TYPE_CHECKING:
     from collections.abc import Iterator
 
-    from archlint.launch.load import Tree
     from archlint.systems.model import WorkspaceIndex
+    from archlint.workspace.tree import Tree
 
 _COMPOSE = tuple(f"{name}.{end}" for name in ("docker-compose", "compose") for end in ("yml", "yaml"))
 _FILES = (".gitlab-ci.yml", "Dockerfile", "dockerfile", *_COMPOSE)
@@ -34,11 +34,9 @@ def pinned_distro(workspace: WorkspaceIndex | None) -> tuple[str, str] | None:
 
 @once
 def _pinned(workspace: WorkspaceIndex) -> tuple[str, str] | None:
-    if workspace.loader is None:
-        return None
     named: dict[str, str] = {}
     certain = False
-    for path, text in _texts(workspace.loader.tree):
+    for path, text in _texts(workspace.tree):
         for found in _NAMED.finditer(text):
             named.setdefault(found[1].lower(), path)
             certain = certain or _OF_ROS.search(text[max(0, found.start() - 60) : found.start()]) is not None

@@ -14,7 +14,7 @@ from archlint.syntax.tree import Tree
 from archlint.syntax.walk import called_name
 
 if TYPE_CHECKING:
-    from archlint.launch.load import LaunchLoader
+    from archlint.systems.code import WorkspaceCode
 
 NODE_BASES = frozenset({"Node", "LifecycleNode"})
 _HARMLESS_BASES = frozenset({"ABC", "object"})
@@ -112,13 +112,13 @@ def _derives_plainly(cls: facts.Class) -> bool:
     return bool(bases & NODE_BASES) and bases <= NODE_BASES | _HARMLESS_BASES
 
 
-def class_elsewhere(loader: LaunchLoader, file: str, tree: Tree) -> ClassElsewhere:
+def class_elsewhere(code: WorkspaceCode, file: str, tree: Tree) -> ClassElsewhere:
     """Looks up the classes that a file imports from its own package."""
 
     def find(name: str) -> facts.Class | None:
         for one in tree.of_kind(facts.ImportFrom):
             original = next((original for original, bound in one.names if bound == name), None)
-            found = None if original is None else loader.imported_of_package(file, one.module, one.level)
+            found = None if original is None else code.imported_of_package(file, one.module, one.level)
             if found is not None:
                 classes = [item for item in Tree(found).of_kind(facts.Class) if item.name == original]
                 return classes[0] if len(classes) == 1 else None

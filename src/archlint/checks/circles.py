@@ -75,8 +75,6 @@ def _declared(package: Package, packages: Mapping[str, Package]) -> dict[str, Pl
 def _used(workspace: WorkspaceIndex, options: Options) -> dict[str, dict[str, Place]]:
     """The packages of this workspace that each one uses and does not declare, with the first place."""
     found: dict[str, dict[str, Place]] = {}
-    if workspace.loader is None:
-        return found
     for folder, uses in uses_by_package(workspace, options).items():
         package = workspace.manifests[folder]
         if workspace.packages.get(package.name) is package:  # of two of one name, the other one is not spoken of

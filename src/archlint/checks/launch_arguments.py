@@ -3,27 +3,23 @@
 from __future__ import annotations
 
 import posixpath
-import re
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from itertools import groupby
 from typing import TYPE_CHECKING
 
-from archlint.analysis.completeness import walk
+from archlint.analysis.launch_code import may_read_argument
 from archlint.checks.folding import folds
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.finding import Finding, Related, Severity
 from archlint.launch.model import ParameterFileUse
 from archlint.suggestions import did_you_mean, listed
-from archlint.syntax import facts
-from archlint.syntax.walk import called_name
 
 if TYPE_CHECKING:
     from archlint.finding import Place
-    from archlint.launch.load import LaunchLoader
     from archlint.launch.model import Included, Launched, UndeclaredUse
-    from archlint.systems.model import System
+    from archlint.systems.model import System, WorkspaceIndex
 
 
 @rule("LCH003", scope=Scope.LAUNCH_FILE)
@@ -34,13 +30,10 @@ def undeclared_launch_argument(system: System, options: Options) -> Iterator[Fin
         return
     if not launched.gaps and not _meant_to_be_included(launched):
         yield from _of_one_call(_undeclared_uses(system, launched))
-    loader = system.workspace.loader
-    if loader is None:
-        return
     # One include may be of one of several files, or of all of them: an argument is for the one that takes it.
     told: dict[tuple[object, ...], Finding] = {}
     for place, includes in groupby(launched.included, key=lambda include: include.place):
-        for one in _unknown_arguments(loader, list(includes)):
+        for one in _unknown_arguments(system.workspace, list(includes)):
             first = told.setdefault((place.file, one.message), one)
             if first.place != one.place:  # the same file is included with the same arguments again
                 told[place.file, one.message] = replace(first, related=(*first.related, Related(one.place, "and here")))
@@ -142,13 +135,13 @@ def _meant_to_be_included(launched: Launched) -> bool:
 # ----------------------------------------------------------------------------------------------- includes
 
 
-def _unknown_arguments(loader: LaunchLoader, includes: Sequence[Included]) -> Iterator[Finding]:
+def _unknown_arguments(workspace: WorkspaceIndex, includes: Sequence[Included]) -> Iterator[Finding]:
     """One finding an include, with all the arguments that no file of it takes."""
     given = dict(row for include in includes for row in include.arguments)
     sources = sorted({include.reference.source for include in includes if include.reference.source is not None})
-    targets = [loader.launched_once(source) for source in sources]
     if not given or len(sources) < len({include.reference for include in includes}):
         return
+    targets = [workspace.launched_alone[source] for source in sources]
     if not all(map(_is_known, targets)):
         return
     files = {source for target in targets for source in _files_of(target)}
@@ -157,7 +150,9 @@ def _unknown_arguments(loader: LaunchLoader, includes: Sequence[Included]) -> It
     unknown = [
         name
         for name in given
-        if name not in declared and name not in read and not any(_may_use(loader, file, name) for file in files)
+        if name not in declared
+        and name not in read
+        and not any(may_read_argument(workspace, file, name) for file in files)
     ]
     if unknown:
         yield _finding(sources, unknown, given, declared)
@@ -212,34 +207,3 @@ def _substitutes_in_parameters(target: Launched) -> bool:
         for started in target.started
         for parameter in started.parameters
     )
-
-
-def _may_use(loader: LaunchLoader, file: str, name: str) -> bool:
-    """Whether code that the defaults pass by may read an argument: something in the file says its name that is no
-    key of a dict, and no name of a package, executable or node."""
-    found = loader.facts_at(file)
-    if found is None:
-        text = loader.tree.text(file)
-        return text is None or re.search(rf"\$\([^\n]*(?<!\w){re.escape(name)}(?!\w)", text) is not None
-    return any(_says(item, name) for item in _texts(found.body))
-
-
-def _says(text: str, name: str) -> bool:
-    return text == name or re.search(rf"\$\(.*(?<!\w){re.escape(name)}(?!\w)", text) is not None
-
-
-_NAMES_OF_NODES = frozenset({"package", "executable", "name", "namespace", "plugin", "exec_name"})
-_STARTS = frozenset(
-    {"Node", "LifecycleNode", "ComposableNode", "ComposableLifecycleNode", "ComposableNodeContainer", "ExecuteProcess"}
-)
-
-
-def _texts(body: list[facts.Stmt]) -> Iterator[str]:
-    passed: set[int] = set()
-    for item in walk(body):
-        if isinstance(item, facts.Mapping):
-            passed.update(id(key) for key in item.keys)
-        elif isinstance(item, facts.Call) and called_name(item) in _STARTS:
-            passed.update(id(one.value) for one in item.args if one.keyword in _NAMES_OF_NODES)
-        elif isinstance(item, facts.Literal) and isinstance(item.value, str) and id(item) not in passed:
-            yield item.value

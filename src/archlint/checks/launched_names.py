@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 
 from archlint.checks.registry import finding
 from archlint.finding import Finding, Related
+from archlint.launch.model import StartedKind
 from archlint.ros import names
 from archlint.ros.remapping import RemapRule
 from archlint.systems.model import key_of
@@ -27,7 +28,7 @@ def names_given_by_launch(system: System) -> Iterator[Finding]:
         return
     empty = _wants_a_value(launched)
     for started in launched.started:
-        if started.dormant or started.kind == "process":
+        if started.dormant or started.kind == StartedKind.PROCESS:
             continue
         for one, cause in _bad_names(started):
             if empty and _has_empty_part(one):

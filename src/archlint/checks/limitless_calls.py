@@ -59,10 +59,9 @@ def _waits_apart(system: System, program: Program, call: ApiCall) -> bool:
     the program ends."""
     callback, workspace = call.context, system.workspace
     made = callback.registered
-    loader = None if workspace is None else workspace.loader
-    if callback.role != Role.THREAD or call.chain or call.enclosing_loops or made is None or loader is None:
+    if callback.role != Role.THREAD or call.chain or call.enclosing_loops or made is None or workspace is None:
         return False
-    found = loader.facts_at(made.file)
+    found = workspace.facts_at(made.file)
     return found is not None and _spinner(call, program) != _NOBODY and _is_daemon(found.body, made)
 
 

@@ -6,15 +6,13 @@ import posixpath
 from collections.abc import Iterable, Iterator
 from typing import TYPE_CHECKING
 
-from archlint.analysis.completeness import walk
+from archlint.analysis.entry_points import NoFunction, NoFunctionNamed, NoModule, broken_target
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.finding import Finding
 from archlint.suggestions import did_you_mean, nearest
-from archlint.syntax import facts
 
 if TYPE_CHECKING:
-    from archlint.launch.load import LaunchLoader
     from archlint.systems.model import System, WorkspaceIndex
     from archlint.workspace.installed import Executable
 
@@ -32,7 +30,7 @@ def workspace_of(system: System) -> WorkspaceIndex | None:
 def broken_entry_point(system: System, options: Options) -> Iterator[Finding]:
     """Console scripts whose module or function is not there."""
     workspace = workspace_of(system)
-    if workspace is None or workspace.loader is None:
+    if workspace is None:
         return
     for name in sorted(workspace.installs):
         for executable in workspace.installs[name].executables.values():
@@ -60,54 +58,16 @@ def _wrong(executable: Executable) -> Finding:
     )
 
 
-def _is_on_disk(loader: LaunchLoader, package: str, module: str) -> bool:
-    """Whether a module is there and not read: a pattern of ``.gitignore`` leaves it out."""
-    installs = loader.installs.get(package)
-    path = "/" + module.replace(".", "/")
-    files = [] if installs is None else loader.tree.files_below(installs.folder)
-    below = "" if installs is None or installs.folder == "." else f"{installs.folder}/"
-    return any(f"/{file.removeprefix(below)}".endswith((f"{path}.py", f"{path}/__init__.py")) for file in files)
-
-
 def _broken(workspace: WorkspaceIndex, executable: Executable) -> Iterator[Finding]:
-    assert workspace.loader is not None and executable.module is not None
-    modules = workspace.loader.modules_of(executable.package)
-    if not modules:
-        return
-    module, function = executable.module, executable.function
-    paths = [path for name, path in modules.items() if name == module]
-    paths = paths or workspace.loader.files_named(executable.package, module)
-    if not paths:
-        top = module.partition(".")[0]
-        ours = {name.partition(".")[0] for name in modules}
-        if top not in ours and nearest(top, ours) is None:
-            return  # a module of another distribution
-        if _is_on_disk(workspace.loader, executable.package, module):
-            return
-        parent, _, last = module.rpartition(".")
-        meant = f"; did you mean '{parent}:{last}'?" if function is None and parent in modules else ""
-        yield _entry_finding(executable, f"module '{module}' is not there{meant or _near_module(module, modules)}")
-        return
-    found = workspace.loader.facts_at(paths[0])
-    if found is None or found.problems:
-        return
-    if function is None:
-        if not _runs_when_imported(found.body):
+    match broken_target(workspace, executable):
+        case NoModule(module, function, known):
+            parent, _, last = module.rpartition(".")
+            meant = f"; did you mean '{parent}:{last}'?" if function is None and parent in known else ""
+            yield _entry_finding(executable, f"module '{module}' is not there{meant or _near_module(module, known)}")
+        case NoFunctionNamed(module):
             yield _entry_finding(executable, f"'{module}' is a module, and no function of it is named")
-        return
-    names, open_ = _top_level(found.body)
-    head = function.partition(".")[0]
-    if head not in names and not open_:
-        yield _entry_finding(executable, f"'{module}' has no function '{head}'{did_you_mean(head, names)}")
-
-
-def _runs_when_imported(body: list[facts.Stmt]) -> bool:
-    """Whether a module does more than define names when it is imported: that may be all that it is there for."""
-    loops = (facts.For, facts.While, facts.With, facts.Try)
-    return any(
-        isinstance(item, loops) or (isinstance(item, facts.Expression) and isinstance(item.value, facts.Call))
-        for item in body
-    )
+        case NoFunction(module, function, names):
+            yield _entry_finding(executable, f"'{module}' has no function '{function}'{did_you_mean(function, names)}")
 
 
 def _near_module(module: str, known: Iterable[str]) -> str:
@@ -128,22 +88,3 @@ def _entry_finding(executable: Executable, what: str) -> Finding:
         help="an entry point is 'name = package.module:function'",
         identity=(executable.package, executable.name),
     )
-
-
-def _top_level(body: list[facts.Stmt]) -> tuple[set[str], bool]:
-    """The names that a module binds, and whether there may be more."""
-    names: set[str] = set()
-    open_ = False
-    for item in walk(body):
-        if isinstance(item, (facts.Function, facts.Class)):
-            names.add(item.name)
-        elif isinstance(item, facts.ImportFrom):
-            names.update(bound for _, bound in item.names)
-            open_ = open_ or any(name == "*" for name, _ in item.names)
-        elif isinstance(item, facts.Import):
-            names.add(item.alias or item.module.partition(".")[0])
-        elif isinstance(item, facts.Assign):
-            names.update(target.id for target in item.targets if isinstance(target, facts.Name))
-        elif isinstance(item, facts.Name) and item.id in ("globals", "setattr"):
-            open_ = True
-    return names, open_

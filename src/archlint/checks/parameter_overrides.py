@@ -77,11 +77,10 @@ class _Bundles:
 
     def __init__(self, system: System) -> None:
         self._given: dict[str, list[tuple[Node, Place, bool]]] = {}
-        parameters_of = None if system.workspace is None else system.workspace.parameters_of
-        if parameters_of is None:
+        if system.workspace is None:
             return
         for node in system.nodes:
-            settings = [] if node.started is None else applied(node.started, node.name, parameters_of)
+            settings = [] if node.started is None else applied(node.started, node.name, system.workspace.parameters_of)
             for setting in settings:
                 given = self._given.setdefault(setting.name, [])
                 given.append((node, setting.place, _is_bundled(setting, settings)))

@@ -186,15 +186,14 @@ def _of_the_running_node(value: facts.Expr) -> bool:
 def _elsewhere(workspace: WorkspaceIndex, node: Node, declaration: ParameterDeclaration, name: str) -> bool:
     """Whether a file that knows this one, or that this one knows, speaks of the parameter: a subclass or a
     helper may read it."""
-    loader = workspace.loader
-    if loader is None or node.package is None:
-        return loader is None
+    if node.package is None:
+        return False
     here = declaration.place.file
     return any(
         path != here
-        and loader.mentions(path, name)
-        and (loader.mentions(path, _stem(here)) or loader.mentions(here, _stem(path)))
-        for path in loader.python_files_of(node.package)
+        and workspace.code.mentions(path, name)
+        and (workspace.code.mentions(path, _stem(here)) or workspace.code.mentions(here, _stem(path)))
+        for path in workspace.code.files_of(node.package)
     )
 
 

@@ -3,17 +3,17 @@
 from __future__ import annotations
 
 import posixpath
-import re
 from collections.abc import Iterable, Iterator
 from typing import TYPE_CHECKING
 
-from archlint.analysis.completeness import enclosing_function, in_sight, walk
+from archlint.analysis.completeness import in_sight
+from archlint.analysis.cpp_nodes import names_cpp_node
+from archlint.analysis.declarations import is_guarded, may_be_dynamic, surely_run_both
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.finding import Finding, Place, Related
-from archlint.launch.model import EXTERNAL, ParameterFileUse, Started
+from archlint.launch.model import FileStatus, ParameterFileUse, Started
 from archlint.suggestions import did_you_mean, listed
-from archlint.syntax import facts
 from archlint.systems.overrides import Setting, applied, key_matches
 
 if TYPE_CHECKING:
@@ -73,7 +73,7 @@ def _type_of(value: object) -> str | None:
 def parameter_type_mismatch(system: System, options: Options) -> Iterator[Finding]:
     """Values from outside whose type is not the declared one."""
     for node, settings in set_nodes(system):
-        if _dynamic(system.workspace, node):
+        if may_be_dynamic(system.workspace, node.parameters):
             continue
         declared: dict[str | None, list[ParameterDeclaration]] = {}
         for blueprint in node.blueprints:
@@ -96,13 +96,6 @@ def parameter_type_mismatch(system: System, options: Options) -> Iterator[Findin
                 node=node.name,
                 identity=(node.name or "", setting.name),
             )
-
-
-def _dynamic(workspace: WorkspaceIndex | None, node: Node) -> bool:
-    """Whether a file of the node speaks of dynamic typing: then no type is certain."""
-    files = {declaration.place.file for declaration in node.parameters}
-    loader = None if workspace is None else workspace.loader
-    return loader is None or any(loader.mentions(file, "dynamic_typing") for file in files)
 
 
 def _shown(value: object) -> str:
@@ -128,7 +121,7 @@ def called(node: Node) -> str:
 def set_nodes(system: System) -> Iterator[tuple[Node, list[Setting]]]:
     """The nodes of a launched system whose source is here, with what is set on each."""
     workspace = system.workspace
-    if system.launched is None or workspace is None or workspace.parameters_of is None:
+    if system.launched is None or workspace is None:
         return
     for node in system.nodes:
         if node.started is not None and node.blueprint is not None:
@@ -141,14 +134,14 @@ def set_nodes(system: System) -> Iterator[tuple[Node, list[Setting]]]:
 
 def others_are_not_run(workspace: WorkspaceIndex) -> bool:
     """Whether only one of several launch files was asked for: the others may load the same files."""
-    return workspace.explicit and workspace.loader is not None and len(workspace.loader.launch_files()) > 1
+    return workspace.explicit and len(workspace.launch_files.all()) > 1
 
 
 @rule("PRM005", scope=Scope.SYSTEM)
 def parameters_for_unknown_node(system: System, options: Options) -> Iterator[Finding]:
     """Sections of parameter files for nodes that no launch file which loads them starts."""
     workspace = system.workspace
-    if system.launched is None or workspace is None or workspace.parameters_of is None:
+    if system.launched is None or workspace is None:
         return
     for file in files_of(system):
         started = _names_of_nodes(workspace, file)
@@ -168,7 +161,7 @@ def parameters_for_unknown_node(system: System, options: Options) -> Iterator[Fi
                 continue
             else:
                 meant = did_you_mean(section.key, started)
-                if not meant and (_may_hold_more_nodes(workspace, file) or _is_of_a_cpp_node(workspace, file, last)):
+                if not meant and (_may_hold_more_nodes(workspace, file) or names_cpp_node(workspace, file, last)):
                     continue
                 message += meant
             yield finding("PRM005", Place(file, *section.span), message, help=help, identity=(file, section.key))
@@ -201,22 +194,6 @@ def _may_hold_more_nodes(workspace: WorkspaceIndex, file: str) -> bool:
     )
 
 
-_CPP = (".cpp", ".cc", ".cxx", ".hpp")
-
-
-def _is_of_a_cpp_node(workspace: WorkspaceIndex, file: str, name: str) -> bool:
-    """Whether a C++ source of the package that a parameter file lies in names a node so: one file may serve several
-    programs, of which a launch file starts one."""
-    loader = workspace.loader
-    installs = None if loader is None else workspace.installs.get(loader.package_of(file) or "")
-    if loader is None or installs is None:
-        return False
-    node = re.compile(rf'"{re.escape(name)}"')
-    sources = [path for path in loader.tree.files_below(installs.folder) if path.endswith(_CPP)]
-    texts = (loader.tree.text(path) or "" for path in sources)
-    return any("rclcpp" in text and node.search(text) is not None for text in texts)
-
-
 def _files_of_process(started: Started) -> list[str]:
     uses = [parameter for parameter in started.parameters if isinstance(parameter, ParameterFileUse)]
     return [use.reference.source for use in uses if use.reference.source is not None]
@@ -225,7 +202,7 @@ def _files_of_process(started: Started) -> list[str]:
 def _may_read(include: Included, file: str) -> bool:
     """Whether a launch file that is not here may load a parameter file of this workspace: it is of another package,
     so that it knows the file, or the folder that it lies in, from whoever includes it."""
-    if include.handed is None or include.reference.status != EXTERNAL:
+    if include.handed is None or include.reference.status != FileStatus.EXTERNAL:
         return True
     name = posixpath.basename(file)
     return any(name in text or _is_folder(text) for text in include.handed)
@@ -277,11 +254,11 @@ def _twice(workspace: WorkspaceIndex | None, node: Node, blueprint: Blueprint) -
         before = first.setdefault(name, declaration)
         related: Iterable[Related] = ()
         if before is not declaration:
-            if workspace is None or not _one_path(workspace, before, declaration):
+            if workspace is None or not surely_run_both(workspace, before, declaration):
                 continue
             message = f"parameter '{name}' is declared twice: the second time raises an exception"
             related = [Related(before.place, "it is declared here first")]
-        elif name == "use_sim_time" and not _guarded(workspace, declaration):
+        elif name == "use_sim_time" and not is_guarded(workspace, declaration):
             message = "rclpy declares 'use_sim_time' for every node: declaring it again raises an exception"
         else:
             continue
@@ -294,28 +271,3 @@ def _twice(workspace: WorkspaceIndex | None, node: Node, blueprint: Blueprint) -
             node=node.name,
             identity=(blueprint.class_name, name),
         )
-
-
-def _one_path(workspace: WorkspaceIndex, one: ParameterDeclaration, other: ParameterDeclaration) -> bool:
-    """Whether the constructor surely runs both."""
-    if _guarded(workspace, one) or _guarded(workspace, other):
-        return False
-    return _from_constructor(workspace, one) and _from_constructor(workspace, other)
-
-
-def _from_constructor(workspace: WorkspaceIndex, declaration: ParameterDeclaration) -> bool:
-    if any(frame.caller.rpartition(".")[2] == "__init__" for frame in declaration.chain):
-        return True
-    function = enclosing_function(workspace, declaration.place)
-    return function is not None and function.name == "__init__"
-
-
-def _guarded(workspace: WorkspaceIndex | None, declaration: ParameterDeclaration) -> bool:
-    """Whether the function asks ``has_parameter``, or catches what a second declaration raises."""
-    function = None if workspace is None else enclosing_function(workspace, declaration.place)
-    for item in walk(function.body) if function is not None else ():
-        if isinstance(item, facts.Attribute) and item.attr in ("has_parameter", "undeclare_parameter"):
-            return True
-        if isinstance(item, facts.Try) and item.span[0] <= declaration.place.line <= item.span[2]:
-            return True
-    return False

@@ -107,9 +107,8 @@ _LOSES_NOTHING = frozenset({Role.TIMER, Role.EXECUTE, Role.SERVICE})
 def _is_no_program(system: System, callback: Callback) -> bool:
     """Whether the callback's node is in a script of a package that installs others: nobody starts it."""
     workspace, node = system.workspace, callback.node
-    loader = None if workspace is None else workspace.loader
     file = callback.place.file if node is None else node.place.file
-    return loader is not None and loader.package_of(file) is not None and is_not_installed(workspace, file)
+    return workspace is not None and workspace.package_of(file) is not None and is_not_installed(workspace, file)
 
 
 def _stays(system: System) -> Iterator[_Row]:

@@ -3,25 +3,26 @@
 from __future__ import annotations
 
 import posixpath
-import re
 from collections.abc import Iterator, Mapping, Sequence
 from collections.abc import Set as AbstractSet
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
+from archlint.analysis.ignored import words_ignored_at
+from archlint.analysis.imports import imports_at_start
+from archlint.analysis.manifests import package_around, place_of_a_dependency
 from archlint.checks.packages import workspace_of
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.finding import Edit, Finding, Fix, Place, Related
+from archlint.launch.model import StartedKind
 from archlint.ros import packages
 from archlint.rulebook import rules
 from archlint.suggestions import distance, nearest
-from archlint.syntax import facts
 from archlint.workspace.closure import closure
 from archlint.workspace.manifest import condition_holds
 
 if TYPE_CHECKING:
-    from archlint.launch.load import LaunchLoader
     from archlint.launch.model import Started
     from archlint.systems.model import System, WorkspaceIndex
     from archlint.workspace.model import Package
@@ -42,15 +43,14 @@ class Use:
 def undeclared_dependency(system: System, options: Options) -> Iterator[Finding]:
     """ROS packages that are imported or launched and that package.xml does not name: one finding a package."""
     workspace = workspace_of(system)
-    if workspace is None or workspace.loader is None:
+    if workspace is None:
         return
-    suppressed = _suppressed(workspace.loader)
     by_package = uses_by_package(workspace, options)
     used: dict[str, set[str]] = {}
     for folder, uses in by_package.items():
         used.setdefault(workspace.manifests[folder].name, set()).update(use.needed for use in uses)
     for folder, uses in sorted(by_package.items()):
-        hidden = [use for use in uses if _is_hidden(use, suppressed.get(use.place.file, ()))]
+        hidden = [use for use in uses if _is_hidden(workspace, use)]
         # What a comment allows is a finding of its own, for the comment to hide.
         shown = [use for use in uses if use not in hidden and not _closes_circle(use, workspace, folder, used)]
         for group in (shown, *([use] for use in hidden)):
@@ -64,15 +64,10 @@ def _closes_circle(use: Use, workspace: WorkspaceIndex, folder: str, used: Mappi
     return workspace.manifests[folder].name in _reachable(use.needed, workspace, used)
 
 
-def _suppressed(loader: LaunchLoader) -> dict[str, list[facts.Suppression]]:
-    python = {file.relative: found.suppressions for file, found in loader.python_facts() if found.suppressions}
-    return {**python, **loader.suppressions()}
-
-
-def _is_hidden(use: Use, suppressions: Sequence[facts.Suppression]) -> bool:
+def _is_hidden(workspace: WorkspaceIndex, use: Use) -> bool:
     """Whether a comment hides what the rule says of a place."""
     names = {"PKG001", rules()["PKG001"].name.upper()}
-    return any(one.covers(use.place.line) and any(word.upper() in names for word in one.codes) for one in suppressions)
+    return any(word.upper() in names for word in words_ignored_at(workspace, use.place))
 
 
 def uses_by_package(workspace: WorkspaceIndex, options: Options) -> dict[str, list[Use]]:
@@ -118,7 +113,7 @@ class _Known:
     def home(self, file: str) -> Package | None:
         folder = posixpath.dirname(file) or "."
         if folder not in self._homes:
-            self._homes[folder] = _package_around(self._workspace, folder)
+            self._homes[folder] = package_around(self._workspace, folder)
         return self._homes[folder]
 
     def declares(self, file: str, needed: str) -> bool:
@@ -137,20 +132,6 @@ class _Known:
         first = (needed[:at] for at, letter in enumerate(needed) if letter == "_")
         unread = (one for one in first if one not in self._workspace.packages)
         return any(one in there and one not in packages.table().brings for one in unread)
-
-
-def _package_around(workspace: WorkspaceIndex, folder: str) -> Package | None:
-    """The package whose package.xml is the nearest one upwards from a folder; None where that one makes no package."""
-    assert workspace.loader is not None
-    for _ in range(_LEVELS):
-        if workspace.loader.tree.is_file(posixpath.normpath(posixpath.join(folder, "package.xml"))):
-            return workspace.manifests.get(folder)
-        folder = posixpath.normpath(posixpath.join(folder, ".."))
-    return None
-
-
-_LEVELS = 60
-"""How many folders upwards a package.xml is looked for; the tree answers for nothing above the workspace."""
 
 
 # ------------------------------------------------------------------------------------------- what is declared
@@ -183,25 +164,21 @@ _OF_ROS2_LAUNCH = frozenset({"launch", "launch_ros", "launch_xml", "launch_yaml"
 
 
 def _imported(workspace: WorkspaceIndex) -> Iterator[Use]:
-    loader = workspace.loader
-    assert loader is not None
-
     def has_module(package: str) -> bool:
         return package in workspace.packages and any(
-            module == package or module.startswith(f"{package}.") for module in loader.modules_of(package)
+            module == package or module.startswith(f"{package}.") for module in workspace.code.modules_of(package)
         )
 
-    for file, found in loader.python_facts():
+    for one in imports_at_start(workspace):
+        file = one.file
         if file.package is None or file.kind == "setup_py" or _beside_the_code(file.relative):
             continue
         of_launch = file.kind == "launch_python" or "/launch/" in f"/{file.relative}"
-        for statement in _unguarded(found.body):
-            names = [n for n, _ in statement.names] if isinstance(statement, facts.ImportFrom) else []
-            needed = packages.package_of_module(statement.module, names, has_module)
-            if needed is None or (of_launch and needed in _OF_ROS2_LAUNCH):
-                continue
-            if not loader.is_local(file, statement.module):
-                yield Use(Place(file.relative, *statement.span), needed, "imports")
+        needed = packages.package_of_module(one.module, one.names, has_module)
+        if needed is None or (of_launch and needed in _OF_ROS2_LAUNCH):
+            continue
+        if not workspace.code.is_local(file, one.module):
+            yield Use(one.place, needed, "imports")
 
 
 _BESIDE = frozenset({"test", "tests", "doc", "docs", "example", "examples"})
@@ -214,19 +191,12 @@ def _beside_the_code(path: str) -> bool:
     )
 
 
-def _unguarded(body: list[facts.Stmt]) -> Iterator[facts.Import | facts.ImportFrom]:
-    """The imports of a module that always run: not inside functions, nor where a failure is caught."""
-    for statement in body:
-        if isinstance(statement, facts.Import) or (isinstance(statement, facts.ImportFrom) and not statement.level):
-            yield statement
-
-
 def _launched(workspace: WorkspaceIndex) -> Iterator[Use]:
     for launched in workspace.launched:
         for started in launched.started:
             place = _named_at(started)
             exact = started.package.resolution == "exact" and not started.dormant
-            judged = started.kind in ("node", "container") and not _beside_the_code(place.file)
+            judged = started.kind in (StartedKind.NODE, StartedKind.CONTAINER) and not _beside_the_code(place.file)
             if exact and judged and started.package.text:
                 yield Use(place, started.package.text, "starts a node of", _on_the_way(started, place))
 
@@ -332,20 +302,10 @@ def _fix(workspace: WorkspaceIndex, package: Package, needed: Sequence[str]) -> 
     taken = {d.name for d in package.dependencies if package.format == 1}
     known = workspace.packages.keys() | packages.table().names
     names = [name for name in needed if name in known and name not in taken]
-    text = None if workspace.loader is None else workspace.loader.tree.text(package.manifest.relative)
-    lines = [] if text is None else text.splitlines()
-    in_force = _COMMENT.sub(lambda found: "\n" * found[0].count("\n"), "\n".join(lines)).split("\n")
-    after = [number for number, line in enumerate(in_force, start=1) if _DEPEND.match(line)]
-    after = after or [number for number, line in enumerate(in_force, start=1) if _ABOUT.match(line)]
-    if not after or not names:
+    where = place_of_a_dependency(workspace, package)
+    if where is None or not names:
         return None
-    indent = lines[after[-1] - 1][: -len(lines[after[-1] - 1].lstrip())]
-    place = Place(package.manifest.relative, after[-1] + 1, 1, after[-1] + 1, 1)
+    place, indent = where
     tag = _tag(package)
     edit = Edit(place, "".join(f"{indent}<{tag}>{name}</{tag}>\n" for name in names))
     return Fix("safe", (edit,), f"declare {', '.join(names)}")
-
-
-_DEPEND = re.compile(r"\s*<(?:exec_|run_|build_export_|buildtool_|build_|)depend\b.*</\w*depend>\s*$")
-_ABOUT = re.compile(r"\s*<(?:maintainer|license|url|author)\b.*</(?:maintainer|license|url|author)>\s*$")
-_COMMENT = re.compile(r"<!--.*?-->", re.DOTALL)

@@ -13,6 +13,7 @@ from archlint.checks.near_misses import nearly_equal
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.finding import Finding, Related
+from archlint.launch.model import StartedKind
 from archlint.model import (
     EntityKind,
 )
@@ -125,7 +126,7 @@ def in_sight(system: System) -> bool:
     launched = system.launched
     if launched is None:
         return True
-    processes = any(started.kind == "process" and not started.dormant for started in launched.started)
+    processes = any(started.kind == StartedKind.PROCESS and not started.dormant for started in launched.started)
     elsewhere = any(include.reference.source is None and not include.dormant for include in launched.included)
     return not (processes or elsewhere or launched.gaps)
 

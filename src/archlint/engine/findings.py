@@ -26,11 +26,12 @@ from archlint.observed.words import comparison_notices, comparison_words
 from archlint.render.json import unresolved
 from archlint.report.model import Judged, summarise
 from archlint.syntax.interfaces import interface_problems
+from archlint.systems.model import WorkspaceIndex
 
 if TYPE_CHECKING:
     from archlint.config.settings import Settings
     from archlint.finding import Finding
-    from archlint.launch.load import LaunchLoader
+    from archlint.launch.files import LaunchFiles
     from archlint.syntax.files import FactsOfFiles
     from archlint.systems.model import System
     from archlint.workspace.model import SourceFile, Workspace
@@ -69,15 +70,14 @@ def _joined(judged: Sequence[Judged]) -> Judged:
 def _judged(request: Request, workspace: Workspace, facts: FactsOfFiles, tree: SourceTree) -> Judged:
     known = known_files(request, workspace, facts)
     systems = systems_of(request, workspace, facts, tree)
-    loader = systems[0].workspace.loader if systems[0].workspace is not None else None
-    faults = systems[0].workspace.faults if systems[0].workspace is not None else Faults()
+    index = systems[0].workspace or WorkspaceIndex()
+    faults, launch_files = index.faults, index.launch_files
     imported = [f for f in python_files(workspace) if f not in known and facts.was_read(f) and not facts.is_ros1(f)]
     found = [*_problems(workspace, [*known, *imported], facts), *merged(_rules(request.settings, systems))]
     found.extend(_of_interfaces(workspace, systems, faults))
     by_file = {file.relative: one.suppressions for file in known if (one := facts.facts_of(file)) is not None}
-    if loader is not None:
-        found.extend(unreadable(*problem) for problem in loader.problems())
-        by_file.update(loader.suppressions())
+    found.extend(unreadable(*problem) for problem in launch_files.problems())
+    by_file.update(launch_files.suppressions())
     found.extend(failure(fault) for fault in faults.found())
     outcome = suppressions.apply(_wanted(found, request.settings, workspace), by_file)
     stale = suppressions.stale(outcome.unused, _ran(request, systems), Sources().line)
@@ -94,22 +94,22 @@ def _judged(request: Request, workspace: Workspace, facts: FactsOfFiles, tree: S
         elapsed_s=0.0,
     )
     refused = [suppressions.refusal(file, suppression) for file, suppression in outcome.refused]
-    notices = [*_passed_over(request, workspace, facts, loader)]
+    notices = [*_passed_over(request, workspace, facts, launch_files)]
     if request.launch is not None:
         notices.extend(argument_notices(systems[0]))
     notices.extend(comparison_notices(systems[0].compared))
     notices.extend(without_start(systems, {file.relative for file in workspace.files if file.context}))
-    notices.extend(followed_in_part(systems[0].workspace.cut_short() if systems[0].workspace is not None else []))
+    notices.extend(followed_in_part(index.cut_short()))
     remarks = [*comparison_words(systems[0].compared)]
     return Judged(findings, summary, [*refused, *notices, *_idle(request.settings, systems)], remarks)
 
 
 def _passed_over(
-    request: Request, workspace: Workspace, facts: FactsOfFiles, loader: LaunchLoader | None
+    request: Request, workspace: Workspace, facts: FactsOfFiles, launch_files: LaunchFiles
 ) -> Iterator[str]:
     """What is told of files for ROS 1; raises :class:`NothingToDo` where there are no others."""
     python = [file.relative for file in python_files(workspace) if not file.context and facts.is_ros1(file)]
-    launch = loader.ros1_files() if loader is not None else []
+    launch = launch_files.of_ros1()
     inputs = {file.relative for file in workspace.files if is_input(file)}
     if inputs and inputs <= {*python, *launch}:
         raise NothingToDo(f"nothing to check in {', '.join(request.paths)}: all of it is for ROS 1")

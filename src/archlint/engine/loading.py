@@ -12,16 +12,18 @@ from archlint.config.options import options_for
 from archlint.engine.inputs import is_subset
 from archlint.engine.request import NothingToDo, Request
 from archlint.faults import Faults
-from archlint.launch.load import LaunchLoader
+from archlint.launch.launches import Launches
 from archlint.programs.entry_points import entry_points, read_installs
 from archlint.programs.linker import Linker
 from archlint.ros.interfaces import InterfaceTable
+from archlint.systems.code import WorkspaceCode
 from archlint.systems.instances import assemble
 from archlint.systems.launches import launch_systems
 from archlint.systems.model import System, WorkspaceIndex
 from archlint.systems.shown import only
 
 if TYPE_CHECKING:
+    from archlint.launch.files import LaunchFiles
     from archlint.syntax.files import FactsOfFiles
     from archlint.workspace.model import Workspace
     from archlint.workspace.tree import SourceTree
@@ -42,19 +44,22 @@ def systems_of(request: Request, workspace: Workspace, facts: FactsOfFiles, tree
     [opened] = assemble(programs, workspace, request.settings)
     old = frozenset(package.name for package in workspace.packages if package.ros1)
     distro = request.settings.distro
-    loader = LaunchLoader(workspace.files, facts.facts_of, installs, tree, facts.relevant, faults, old, distro)
-    if request.launch is not None and not loader.is_launch_file(request.launch):
-        raise NothingToDo(_no_launch_file(request, loader))
+    launches = Launches(workspace.files, facts.facts_of, installs, tree, facts.relevant, faults, old, distro)
+    if request.launch is not None and not launches.files.can_be_launched(request.launch):
+        raise NothingToDo(_no_launch_file(request, launches.files))
     systems = launch_systems(
         opened,
         linker,
         entries,
-        loader,
+        launches,
         WorkspaceIndex(
             installs,
             {package.name: package for package in workspace.packages},
             {package.relative: package for package in workspace.packages},
-            loader=loader,
+            code=WorkspaceCode(workspace.files, facts.facts_of, launches.index, tree, installs, facts.relevant),
+            launch_files=launches.files,
+            tree=tree,
+            owners=launches.owners,
             faults=faults,
             interfaces=interfaces,
             is_subset=is_subset(request, workspace),
@@ -68,7 +73,7 @@ def systems_of(request: Request, workspace: Workspace, facts: FactsOfFiles, tree
         distro=distro,
     )
     if not systems:  # only where one launch file was asked for: the open system is always there
-        ros1 = loader.frontend(request.launch or "").ros1
+        ros1 = launches.files.frontend(request.launch or "").ros1
         raise NothingToDo(f"{request.launch} {'is for ROS 1' if ros1 else 'starts nothing that can be read'}")
     if request.observed is not None:
         is_external = options_for(request.settings, ["GRF006"])["GRF006"].is_external
@@ -77,9 +82,9 @@ def systems_of(request: Request, workspace: Workspace, facts: FactsOfFiles, tree
     return systems
 
 
-def _no_launch_file(request: Request, loader: LaunchLoader) -> str:
+def _no_launch_file(request: Request, files: LaunchFiles) -> str:
     """Why the file of ``--launch`` cannot be launched."""
-    for file, line, column, message in loader.problems():
+    for file, line, column, message in files.problems():
         if file == request.launch:
             return f"{file}:{line}:{column}: {message}"
     return f"{request.launch} is no launch file in {', '.join(request.paths)}"

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import re
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from archlint.branches import UnfollowedCondition
@@ -21,23 +20,15 @@ from archlint.interpreter.values import (
     Value,
     alternatives,
 )
+from archlint.launch.objects import argument, kind_of, made_by_base
 from archlint.launch.shapes import OPAQUE, WHERE, shape_of
-from archlint.launch.substitutions import SUBSTITUTIONS, argument, kind_of, made_by_base, perform, truth_of
+from archlint.launch.substitutions.logic import truth_of
+from archlint.launch.tables import SUBSTITUTIONS
+from archlint.launch.verdict import ALWAYS, Verdict
 from archlint.syntax import facts
 
 if TYPE_CHECKING:
     from archlint.launch.run import LaunchRun
-
-
-@dataclass(frozen=True)
-class Verdict:
-    """``holds`` is None where the arguments do not decide; ``branch`` is then the arm that this action is in."""
-
-    holds: bool | None
-    branch: tuple[str, int] | None = None
-
-
-ALWAYS = Verdict(True)
 
 
 def judge(run: LaunchRun, condition: Value | None) -> Verdict:
@@ -50,7 +41,7 @@ def judge(run: LaunchRun, condition: Value | None) -> Verdict:
     if kind in ("IfCondition", "UnlessCondition"):
         expected = kind == "IfCondition"
         given = argument(condition, "predicate_expression")
-        holds = truth_of(perform(run, given))
+        holds = truth_of(run.perform(given))
         if holds is not None:
             return Verdict(holds is expected)
         return Verdict(None, _branch(run, given, expected))
@@ -98,7 +89,7 @@ def _own_predicate(run: LaunchRun, condition: Value) -> Value | None:
 
 
 def _equality(run: LaunchRun, condition: Value, wanted: bool) -> Verdict:
-    name = perform(run, argument(condition, "launch_configuration_name"))
+    name = run.perform(argument(condition, "launch_configuration_name"))
     given = argument(condition, "expected_value")
     if not isinstance(name, Known):
         return Verdict(None, _branch(run, condition, True))
@@ -107,7 +98,7 @@ def _equality(run: LaunchRun, condition: Value, wanted: bool) -> Verdict:
     found = run.launch.configurations.get(text)
     if given is None:
         return Verdict((found is None) is wanted)
-    expected = perform(run, given)
+    expected = run.perform(given)
     verdicts = set()
     for option in alternatives(found) if found is not None else ():
         both = isinstance(option, Known) and isinstance(expected, Known)
@@ -158,7 +149,7 @@ def _branch(run: LaunchRun, expression: Value | None, expected: bool) -> tuple[s
     """The arm of an undecided test.  The same test elsewhere has the same branch."""
     arm = _arm(run, expression, expected)
     if expression is not None:
-        run.note_open_test(arm[0], perform(run, expression))
+        run.note_open_test(arm[0], run.perform(expression))
     return arm
 
 
@@ -216,4 +207,4 @@ def _last(path: str) -> str:
     return path.rpartition(".")[2]
 
 
-__all__ = ["ALWAYS", "Verdict", "judge", "mistaken"]
+__all__ = ["judge", "mistaken"]

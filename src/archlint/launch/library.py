@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from collections.abc import Callable
+from typing import TYPE_CHECKING, Concatenate, ParamSpec
 
 from archlint.interpreter.values import External, Instance, Value
-from archlint.launch import effects, tables
-from archlint.launch.substitutions import SUBSTITUTIONS
+from archlint.launch import calls, calls_in_launches, tables
 from archlint.libraries.api_use import Offers
 from archlint.libraries.library import RosLibrary
 from archlint.libraries.rclpy import names
@@ -14,10 +14,14 @@ from archlint.libraries.rclpy import names
 if TYPE_CHECKING:
     from archlint.interpreter.call_site import CallSite
     from archlint.interpreter.values import ClassValue
+    from archlint.launch.run import LaunchRun
+    from archlint.libraries.run import Run
     from archlint.libraries.tables import Api
 
+_P = ParamSpec("_P")
+
 _ROS = RosLibrary.offers
-_SUBSTITUTIONS = frozenset(f"launch.{name}" for name in SUBSTITUTIONS)
+_SUBSTITUTIONS = frozenset(f"launch.{name}" for name in tables.SUBSTITUTIONS)
 
 
 def _row(path: str) -> Api | None:
@@ -29,15 +33,15 @@ class LaunchLibrary(RosLibrary):
 
     offers = Offers(
         _row,
-        {**_ROS.effects, **effects.EFFECTS},
-        {**_ROS.methods, **effects.METHODS},
-        {**_ROS.plain, **effects.PLAIN},
+        {**_ROS.effects, **calls.EFFECTS},
+        {**_ROS.methods, **calls.METHODS},
+        {**_ROS.plain, **calls.PLAIN},
         _ROS.bases | {"launch_object"},
     )
 
     def attribute_of_object(self, value: Instance, cls: External, name: str) -> Value:
         is_entities = name == "entities" and names.canonical(cls.path) == "launch.LaunchDescription"
-        found = effects.entities(self.run, value) if is_entities else None
+        found = calls.entities(self.run, value) if is_entities else None
         return super().attribute_of_object(value, cls, name) if found is None else found
 
     def is_subclass(self, path: str, cls: Value) -> bool | None:
@@ -50,7 +54,31 @@ class LaunchLibrary(RosLibrary):
         return super().is_ordinary_class(path) or tables.find(path) is not None
 
     def constructing(self, made: Instance, cls: ClassValue, site: CallSite) -> None:
-        effects.note_given(self.run, made, cls, site)
+        calls.note_given(self.run, made, cls, site)
 
 
-__all__ = ["LaunchLibrary"]
+class LaunchFileLibrary(LaunchLibrary):
+    """The same in the run of a launch file."""
+
+    def __init__(self, run: LaunchRun) -> None:
+        super().__init__(run)
+        known = LaunchLibrary.offers
+        self.offers = Offers(
+            known.row,
+            {**known.effects, **{name: _of(run, act) for name, act in calls_in_launches.EFFECTS.items()}},
+            {**known.methods, **{name: _of(run, act) for name, act in calls_in_launches.METHODS.items()}},
+            {**known.plain, **{name: _of(run, act) for name, act in calls_in_launches.PLAIN.items()}},
+            known.bases,
+        )
+
+
+def _of(launch: LaunchRun, act: Callable[Concatenate[LaunchRun, _P], Value]) -> Callable[Concatenate[Run, _P], Value]:
+    """What happens in a launch, for whoever hands in its run as that of any code."""
+
+    def in_launch(run: Run, /, *args: _P.args, **kwargs: _P.kwargs) -> Value:
+        return act(launch, *args, **kwargs)
+
+    return in_launch
+
+
+__all__ = ["LaunchFileLibrary", "LaunchLibrary"]

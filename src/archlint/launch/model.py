@@ -7,13 +7,46 @@ from dataclasses import dataclass, field
 from archlint.branches import BranchArms
 from archlint.finding import Place
 from archlint.model import Text
+from archlint.string_enum import StringEnum
 from archlint.syntax.parameter_files import NotKnown
 
-INSTALLED = "installed"
-NOT_INSTALLED = "not installed"
-MISSING = "missing"
-EXTERNAL = "external"
-UNKNOWN = "unknown"
+
+class FileKind(StringEnum):
+    """What a launch file takes a file for."""
+
+    LAUNCH = "launch"
+    PARAMETERS = "parameters"
+    RVIZ = "rviz"
+
+
+class FileStatus(StringEnum):
+    """Whether a file that a launch file names is where it looks."""
+
+    INSTALLED = "installed"
+    NOT_INSTALLED = "not installed"
+    """It is there, but no rule installs it."""
+    MISSING = "missing"
+    EXTERNAL = "external"
+    """Of a package that is not here."""
+    UNKNOWN = "unknown"
+
+
+class StartedKind(StringEnum):
+    """What a launch file starts."""
+
+    NODE = "node"
+    CONTAINER = "container"
+    COMPONENT = "component"
+    PROCESS = "process"
+    """A command that is no node."""
+
+
+class GapKind(StringEnum):
+    """What could not be followed."""
+
+    LAUNCH = "launch"
+    """An action, or a file."""
+    INCLUDE = "include"
 
 
 @dataclass(frozen=True)
@@ -41,16 +74,12 @@ class ParameterSetting:
 
 @dataclass(frozen=True)
 class FileReference:
-    """A file that a launch file names: ``written`` after substitution, ``source`` where it is in this workspace.
+    """A file that a launch file names: ``written`` after substitution, ``source`` where it is in this workspace."""
 
-    ``status``: ``installed``, ``not installed`` (there, but no rule installs it), ``missing``, ``external`` (of
-    a package that is not here) or ``unknown``.  ``kind`` is ``launch``, ``parameters`` or ``rviz``.
-    """
-
-    kind: str
+    kind: FileKind
     written: str | None
     source: str | None
-    status: str
+    status: FileStatus
     package: str | None
     place: Place
     reason: str | None = None
@@ -119,13 +148,13 @@ class OpenParameters:
 class Started:
     """A process (or a component of one) that a launch file starts.
 
-    ``kind`` is ``node``, ``container``, ``component`` or ``process``.  ``name`` and ``namespace`` are what the
+    ``name`` and ``namespace`` are what the
     launch file gives; None leaves the code's own.  A ``dormant`` one is started under other arguments only.
     ``arguments`` is its command line, None for a word that is not known; of one that is not ``whole_arguments`` not
     even the number of words is.  A ``bare`` one is started by that command line alone.
     """
 
-    kind: str
+    kind: StartedKind
     package: Text
     executable: Text
     place: Place
@@ -212,7 +241,7 @@ class Included:
     @property
     def is_missing(self) -> bool:
         """Whether this launch would read the file, and it is not there."""
-        return self.reference.status == MISSING and not self.dormant and not self.own_process
+        return self.reference.status == FileStatus.MISSING and not self.dormant and not self.own_process
 
 
 @dataclass(frozen=True)
@@ -278,21 +307,20 @@ def why_unknown(reference: FileReference) -> str:
 def _why_not_followed(include: Included) -> str | None:
     """Of a file that is unknown there is a gap already."""
     reference = include.reference
-    if reference.source is not None or reference.status == UNKNOWN:
+    if reference.source is not None or reference.status == FileStatus.UNKNOWN:
         return None
-    if reference.status == MISSING:
+    if reference.status == FileStatus.MISSING:
         return f"'{reference.written}' is not there"
     return f"the package '{reference.package}' is not in this workspace" if reference.package else reference.reason
 
 
 @dataclass(frozen=True)
 class Gap:
-    """What could not be followed: ``kind`` is ``launch`` for an action or a file, ``include`` for an include.  A
-    ``dormant`` one is met under other arguments only."""
+    """What could not be followed.  A ``dormant`` one is met under other arguments only."""
 
     reason: str
     place: Place
-    kind: str = "launch"
+    kind: GapKind = GapKind.LAUNCH
     dormant: bool = False
 
 
@@ -332,7 +360,9 @@ class Launched:
 
     def not_followed(self) -> list[Gap]:
         """What is met on the way through the branches that are taken, and starts what is not seen."""
-        includes = [Gap(why, i.place, "include", i.dormant) for i in self.included if (why := _why_not_followed(i))]
+        includes = [
+            Gap(why, i.place, GapKind.INCLUDE, i.dormant) for i in self.included if (why := _why_not_followed(i))
+        ]
         return [gap for gap in [*self.gaps, *includes] if not gap.dormant]
 
     def condition(self, arms: BranchArms) -> str | None:

@@ -7,6 +7,7 @@ from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from archlint.finding import Place
+from archlint.interpreter import containers
 from archlint.interpreter.values import (
     Builtin,
     DictValue,
@@ -20,8 +21,9 @@ from archlint.interpreter.values import (
     Value,
     reason,
 )
-from archlint.launch.model import OpenParameters, ParameterFileUse, ParameterSetting
-from archlint.launch.substitutions import SUBSTITUTIONS, argument, kind_of, perform
+from archlint.launch.model import FileKind, OpenParameters, ParameterFileUse, ParameterSetting
+from archlint.launch.objects import argument, kind_of
+from archlint.launch.tables import SUBSTITUTIONS
 from archlint.syntax.parameter_files import NotKnown
 from archlint.syntax.safe_yaml import YamlError, YamlReader, plain_scalar
 
@@ -42,8 +44,6 @@ SETTINGS = 4_096
 
 def parameters_of(run: LaunchRun, value: Value | None, place: Place) -> list[Parameter]:
     """What a list of parameters sets, in order."""
-    from archlint.interpreter import containers
-
     if value is None:
         return []
     if isinstance(value, OneOf):
@@ -75,7 +75,7 @@ def _one(run: LaunchRun, item: Value, place: Place) -> Iterator[Parameter]:
     elif isinstance(item, DictValue):
         yield from _entries(run, item, (), place, _Room())
     elif kind == "Parameter":
-        yield setting(run, perform(run, argument(item, "name")), _given(item, "value"), place)
+        yield setting(run, run.perform(argument(item, "name")), _given(item, "value"), place)
     elif kind == "ParameterFile":
         substitutions = argument(item, "allow_substs") == Known(True)
         yield file_use(run, argument(item, "param_file"), place, substitutions)
@@ -88,11 +88,11 @@ def _one(run: LaunchRun, item: Value, place: Place) -> Iterator[Parameter]:
 def file_use(run: LaunchRun, value: Value | None, place: Place, substitutions: bool = False) -> ParameterFileUse:
     if isinstance(value, Known) and value.origin is not None and value.kind == "literal":
         place = value.origin
-    path = perform(run, value)
+    path = run.perform(value)
     made = run.made_files.get(str(path.value)) if isinstance(path, Known) else None
     if made is not None and isinstance(path, Known):
         path = Known(made.source, origin=path.origin)
-    reference = run.reference("parameters", path, place)
+    reference = run.reference(FileKind.PARAMETERS, path, place)
     known: tuple[tuple[str, str], ...] = ()
     if substitutions:
         rows = run.launch.configurations.items()
@@ -115,15 +115,13 @@ class _Room:
 
 
 def _entries(run: LaunchRun, item: DictValue, within: Within, place: Place, room: _Room) -> Iterator[Parameter]:
-    from archlint.interpreter import containers
-
     room.left -= 1
     if room.left < 0 or room.depth >= NESTED:
         yield OpenParameters("more parameters than can be followed", place)
         return
     entries = containers.entries_of(run, item)
     for key, value in entries.entries.values():
-        name = perform(run, key)
+        name = run.perform(key)
         where = key.origin if isinstance(key, Known) and key.origin is not None else place
         if isinstance(name, Known) and within:
             name = Known(f"{within[-1][0]}.{name.value!s}")
@@ -150,7 +148,7 @@ def python_of(run: LaunchRun, value: Value) -> object:
     if kind == "ParameterValue":
         return _typed(run, value)
     if kind in SUBSTITUTIONS:
-        return _of_text(perform(run, value))
+        return _of_text(run.perform(value))
     if isinstance(value, ListValue):
         return _list(run, value)
     return NotKnown(reason(value))
@@ -162,15 +160,13 @@ def _of_text(text: Value) -> object:
 
 def _list(run: LaunchRun, value: ListValue) -> object:
     """A list of constants is an array; one with substitutions among texts is one text."""
-    from archlint.interpreter import containers
-
     items = containers.items_of(run, value)
     if items.open:
         return NotKnown("a list that is not known to its end")
     if any(kind_of(item) in SUBSTITUTIONS for item in items.values):
         if all(kind_of(item) in SUBSTITUTIONS for item in items.values) and len(items.values) > 1:
             return NotKnown("a list of substitutions only")
-        return _of_text(perform(run, value))
+        return _of_text(run.perform(value))
     if any(isinstance(item, ListValue) for item in items.values):
         return NotKnown("no parameter is a list of lists")  # and a list may hold itself
     rows = [python_of(run, item) for item in items.values]
@@ -191,7 +187,7 @@ def _typed(run: LaunchRun, value: Value) -> object:
         return python_of(run, inner)
     if name not in _TYPES:
         return NotKnown(f"a value of the type '{name}'")
-    text = perform(run, inner)
+    text = run.perform(inner)
     if not isinstance(text, Known):
         return NotKnown(reason(text))
     if name == "str":

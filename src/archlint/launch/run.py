@@ -1,29 +1,33 @@
-"""The symbolic run of one launch file: a run with a launch context, and what it has found so far."""
+"""The state of the run of one launch file: a run with a launch context, and what it has found so far.
+
+What a kind of action, substitution or condition does is in rooms of their own, which know the run; it knows none of
+them (:mod:`archlint.launch.launcher` puts them together).
+"""
 
 from __future__ import annotations
 
 import posixpath
-from collections.abc import Iterator, Sequence
+from abc import abstractmethod
+from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
+from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from archlint import model
 from archlint.branches import BranchArms
 from archlint.finding import Place
-from archlint.interpreter import values
+from archlint.interpreter import containers, values
 from archlint.interpreter.call_site import CallSite
-from archlint.interpreter.heap import Store
 from archlint.interpreter.machine import FEW_STEPS, PROGRAM_STEPS
-from archlint.interpreter.modules import Module, ModuleIndex
 from archlint.interpreter.roots import enter_root, module_of
-from archlint.interpreter.values import DictValue, External, Instance, Known, OneOf, Unknown, Value
+from archlint.interpreter.values import DictValue, External, Known, OneOf, Unknown, Value
 from archlint.launch.argument_names import AGAIN, ArgumentNames
-from archlint.launch.conditions import Verdict
 from archlint.launch.context import Context
-from archlint.launch.library import LaunchLibrary
 from archlint.launch.model import (
+    FileKind,
     FileReference,
     Gap,
+    GapKind,
     Launched,
     MadeFile,
     NotACondition,
@@ -34,31 +38,53 @@ from archlint.launch.model import (
     merge,
     once_more,
 )
+from archlint.launch.objects import LaunchObject
 from archlint.libraries.run import Run
 
 if TYPE_CHECKING:
-    from archlint.launch.load import LaunchLoader
+    from archlint.faults import Faults
+    from archlint.interpreter.heap import Store
+    from archlint.interpreter.library import Library
+    from archlint.interpreter.modules import Module, ModuleIndex
+    from archlint.launch.files import LaunchFiles
+    from archlint.launch.paths import LaunchPaths
+    from archlint.launch.verdict import Verdict
 
 
 LAUNCH_STEPS = 400_000
 """How many statements all functions of one launch may run: each OpaqueFunction is a run of its own."""
 
 
+@dataclass(frozen=True)
+class Surroundings:
+    """What all launches of a workspace have in common."""
+
+    index: ModuleIndex
+    store: Store
+    files: LaunchFiles
+    paths: LaunchPaths
+    faults: Faults
+    distro: str | None
+
+
 class LaunchRun(Run):
     """``launch`` is the launch context; ``file`` the launch file whose actions are visited now."""
 
-    def __init__(self, index: ModuleIndex, store: Store, loader: LaunchLoader, file: str, result: Launched) -> None:
+    def __init__(
+        self, library: Callable[[Run], Library], surroundings: Surroundings, file: str, result: Launched
+    ) -> None:
         place = Place(file, 1, 1, 1, 1)
         super().__init__(
-            LaunchLibrary,
-            index,
-            store,
+            library,
+            surroundings.index,
+            surroundings.store,
             model.Program(file, None, file),
             model.Callback(model.Role.LAUNCH, file, place, None, file=file),
         )
-        self.loader = loader
-        self.distro = loader.distro
-        self.faults = loader.faults
+        self.files = surroundings.files
+        self.paths = surroundings.paths
+        self.distro = surroundings.distro
+        self.faults = surroundings.faults
         self.launch = Context()
         self.file = file
         self.result = result
@@ -73,6 +99,8 @@ class LaunchRun(Run):
         self.stack: list[str] = []
         self.includes: list[Place] = []
         """Where the files of the stack are included; nothing for the first."""
+        self.included = 0
+        """How many includes it has come to."""
         self.visiting: list[tuple[int, int]] = []
         """The actions around what is visited now, outermost first, each with the number of its visit."""
         self.names = ArgumentNames()
@@ -92,6 +120,25 @@ class LaunchRun(Run):
         """How deep the text is nested that is performed now, and ``performed`` of how many parts it has been."""
         self.performed = 0
         self.left = LAUNCH_STEPS
+
+    # ------------------------------------------------------------------------------ what the rooms implement
+
+    @abstractmethod
+    def perform(self, value: Value | None) -> Value:
+        """The text of what launch takes for one: a text, a substitution, a path, or a list of these."""
+
+    @abstractmethod
+    def judge(self, condition: Value | None) -> Verdict:
+        """The verdict on a ``condition=`` argument."""
+
+    @abstractmethod
+    def visit(self, entity: Value) -> None:
+        """Run an action, or a list of them."""
+
+    @abstractmethod
+    def include(self, reference: FileReference, plain: bool = False) -> None:
+        """Run an included file in the same context: includes are not scoped.  A ``plain`` include gives no arguments,
+        on which the included file might stop."""
 
     # -------------------------------------------------------------------------------------------- where
 
@@ -114,7 +161,7 @@ class LaunchRun(Run):
     def is_conditional(self) -> bool:
         return self.dormant > 0 or self.undecided > 0 or bool(self.branch_arms)
 
-    def gap(self, reason: str, kind: str = "launch", place: Place | None = None) -> None:
+    def gap(self, reason: str, kind: GapKind = GapKind.LAUNCH, place: Place | None = None) -> None:
         gap = Gap(reason, place or self.place_now, kind, self.is_dormant)
         if gap not in self._seen:
             self._seen.add(gap)
@@ -168,19 +215,21 @@ class LaunchRun(Run):
             self._seen.add(mistake)
             self.result.without_context.append(mistake)
 
-    def reference(self, kind: str, path: Value, place: Place) -> FileReference:
-        found = self.loader.resolve(self, kind, path, place)
+    def reference(self, kind: FileKind, path: Value, place: Place) -> FileReference:
+        found = self.resolve(kind, path, place)
         if found not in self._seen:
             self._seen.add(found)
             self.result.references.append(found)
         return found
 
+    def resolve(self, kind: FileKind, path: Value, place: Place) -> FileReference:
+        """Which file of the workspace a path means."""
+        return self.paths.resolve(kind, path, place, self.file, self.asked_files, self.is_conditional)
+
     # ------------------------------------------------------------------------------------------- values
 
     def items(self, value: Value | None) -> list[Value]:
         """The known items of a list, dict (as pairs) or ``dict.items()``."""
-        from archlint.interpreter import containers
-
         if value is None:
             return []
         if isinstance(value, DictValue):
@@ -192,21 +241,13 @@ class LaunchRun(Run):
         return [] if items is None else list(items.values)
 
     def is_open(self, value: Value) -> bool:
-        from archlint.interpreter import containers
-
         items = containers.iterate(self, value)
         return items is None or not items.whole
 
     def is_closed(self, value: Value) -> bool:
         """Whether all items of a list are there for certain."""
-        from archlint.interpreter import containers
-
         items = containers.iterate(self, value)
         return items is not None and not items.open
-
-    def places_of(self, entity: Instance) -> dict[str, Place]:
-        found = self.store.get(entity.key, "#places")
-        return found if isinstance(found, dict) else {}
 
     # ----------------------------------------------------------------------------------------- branches
 
@@ -313,8 +354,6 @@ class LaunchRun(Run):
         self, function: Value, args: list[Value], kwargs: Value | None, before: Sequence[Value] = ()
     ) -> Value:
         """Call the function of an OpaqueFunction with a launch context; what it sets there stays set."""
-        from archlint.interpreter import containers
-
         context, known = self._context()
         keywords = {}
         if isinstance(kwargs, DictValue):
@@ -333,9 +372,7 @@ class LaunchRun(Run):
 
     def _context(self) -> tuple[Value, DictValue]:
         """The launch context as code sees it, and the dict of its configurations."""
-        from archlint.interpreter import containers
-
-        context = Instance(External("launch.LaunchContext"), self.store.new_key())
+        context = LaunchObject(External("launch.LaunchContext"), self.store.new_key())
         entries = {containers.hashable(Known(n)): (Known(n), v) for n, v in self.launch.configurations.items()}
         known = containers.new_dict(self, {key: row for key, row in entries.items() if key is not None})
         self.store.set(context.key, "launch_configurations", known)

@@ -4,8 +4,9 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from archlint.interpreter import containers
 from archlint.interpreter.values import ClassValue, Instance, Known, ListValue, Value
-from archlint.launch.substitutions import argument, kind_of, perform
+from archlint.launch.objects import GIVEN, LaunchObject, argument, kind_of
 
 if TYPE_CHECKING:
     from archlint.launch.run import LaunchRun
@@ -44,19 +45,14 @@ def _part(run: LaunchRun, value: Value, name: str, depth: int) -> str:
 
 
 def _list(run: LaunchRun, value: ListValue, depth: int) -> str:
-    from archlint.interpreter import containers
-
     items = containers.items_of(run, value)
     return _opaque(run, value) if items.open else "".join(shape_of(run, item, depth + 1) for item in items.values)
 
 
 def _object(run: LaunchRun, value: Instance, depth: int) -> str:
     """``Class(arguments)``, of launch's own, of another package or of this workspace."""
-    from archlint.launch.effects import GIVEN
-
     given: list[tuple[str, Value]] = list(value.arguments.items())
-    rest = run.store.get(value.key, "#rest")
-    given += [("", item) for item in rest] if isinstance(rest, tuple) else []
+    given += [("", item) for item in value.rest] if isinstance(value, LaunchObject) else []
     name, where = value.note or kind_of(value), ""
     if isinstance(value.cls, ClassValue):
         kept = run.store.get(value.key, GIVEN)
@@ -68,7 +64,7 @@ def _object(run: LaunchRun, value: Instance, depth: int) -> str:
 
 
 def _configuration(run: LaunchRun, value: Instance, depth: int) -> str:
-    name = perform(run, argument(value, "variable_name"))
+    name = run.perform(argument(value, "variable_name"))
     return f"\0{run.argument_behind(str(name.value))}\0" if isinstance(name, Known) else _opaque(run, value)
 
 

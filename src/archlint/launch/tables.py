@@ -124,6 +124,47 @@ SIGNATURES: dict[str, str] = {
     "LaunchConfigAsBool": "name",
 }
 
+SUBSTITUTIONS = frozenset(
+    {
+        "LaunchConfiguration",
+        "TextSubstitution",
+        "PathJoinSubstitution",
+        "StringJoinSubstitution",
+        "EnvironmentVariable",
+        "FindPackageShare",
+        "FindPackagePrefix",
+        "ExecutableInPackage",
+        "ThisLaunchFileDir",
+        "ThisLaunchFile",
+        "AnonName",
+        "PythonExpression",
+        "NotSubstitution",
+        "AndSubstitution",
+        "AllSubstitution",
+        "OrSubstitution",
+        "AnySubstitution",
+        "EqualsSubstitution",
+        "NotEqualsSubstitution",
+        "IfElseSubstitution",
+        "BooleanSubstitution",
+        "ParameterValue",
+        "RewrittenYaml",
+        "ReplaceString",
+        "HasNodeParams",
+        "LaunchConfigAsBool",
+        "Command",
+        "FindExecutable",
+        "FileContent",
+        "LocalSubstitution",
+        "ForLoopIndex",
+        "ForEachVar",
+        "ParameterSubstitution",
+    }
+)
+"""The classes whose objects stand for a text that the launch makes."""
+
+CONDITIONS = ("IfCondition", "UnlessCondition", "LaunchConfigurationEquals", "LaunchConfigurationNotEquals")
+
 ALIASES = {
     "PushROSNamespace": "PushRosNamespace",
     "ROSTimer": "RosTimer",

@@ -7,7 +7,7 @@ from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
-from archlint.launch.model import Launched, OpenParameters, ParameterFileUse, ParameterSetting, Started
+from archlint.launch.model import Launched, OpenParameters, ParameterFileUse, ParameterSetting, Started, StartedKind
 from archlint.model import Blueprint, ExecutorKind, Overrides, Program, Text
 from archlint.ros import names
 from archlint.ros.remapping import RemapRule, rules_of_arguments
@@ -52,7 +52,7 @@ class LaunchSystems:
     def system(self, launched: Launched, closed: bool, dependencies: dict[str, frozenset[str]]) -> System:
         nodes: list[Node] = []
         for started in launched.started:
-            if not started.dormant and started.kind != "process":
+            if not started.dormant and started.kind != StartedKind.PROCESS:
                 made = self.nodes(started, launched.file)
                 self._note_doubt(started, made)
                 for node in made:
@@ -138,7 +138,7 @@ class LaunchSystems:
         """The program of an executable, run with parameters and the words of a command line from outside; None
         for one that is not here."""
         package, executable = started.package.text, started.executable.text
-        if package is None or executable is None or started.kind not in ("node", "process"):
+        if package is None or executable is None or started.kind not in (StartedKind.NODE, StartedKind.PROCESS):
             return None
         entry = self.entries.get((package, executable))
         if entry is None:

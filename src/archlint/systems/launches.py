@@ -6,8 +6,8 @@ from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING
 
 from archlint.finding import Place
-from archlint.launch.load import LaunchLoader
-from archlint.launch.model import UNKNOWN, Launched
+from archlint.launch.launches import Launches
+from archlint.launch.model import FileStatus, Launched
 from archlint.model import Blueprint, Program
 from archlint.systems.launched import LaunchSystems, started_pairs
 from archlint.systems.model import System, WorkspaceIndex
@@ -22,7 +22,7 @@ def launch_systems(
     opened: System,
     linker: Linker,
     entries: Sequence[EntryPoint],
-    loader: LaunchLoader,
+    launches: Launches,
     workspace: WorkspaceIndex,
     *,
     closed: bool,
@@ -38,16 +38,15 @@ def launch_systems(
     """
 
     def work() -> list[System]:
-        launched = launches(loader, chosen, arguments)
+        launched = _launched(launches, chosen, arguments)
         workspace.launched = launched
-        workspace.parameters_of = loader.parameters
         workspace.explicit = chosen is not None
-        maker = LaunchSystems(linker, entries, loader.parameters, loader.installs, distro)
+        maker = LaunchSystems(linker, entries, launches.files.parameters, launches.installs, distro)
         dependencies = opened.package_dependencies
         parts = _parts(launched)
         systems = []
         for one in launched:
-            with loader.faults.contained("making the system of this launch file", Place(one.file, 1, 1, 1, 1)):
+            with launches.faults.contained("making the system of this launch file", Place(one.file, 1, 1, 1, 1)):
                 named = chosen is not None or any(glob.matches(one.file) for glob in configured)
                 if one.ros1 or not one.is_launch_file or (configured and not named):
                     continue
@@ -56,7 +55,7 @@ def launch_systems(
                 # The nodes of a part may have their partners beside it.
                 system.closed = (closed and not system.is_included) or (named and _whole(one, system))
                 for values in undecided_arguments(one) if _differs(system) else ():
-                    other = maker.system(loader.launch(one.file, {**one.arguments, **values}), closed, dependencies)
+                    other = maker.system(launches.run(one.file, {**one.arguments, **values}), closed, dependencies)
                     other.closed, other.is_included = system.closed, system.is_included
                     system.alternatives.append((values, other))
                 systems.append(system)
@@ -66,6 +65,7 @@ def launch_systems(
     systems = work()
     found = systems if chosen is not None else [opened, *systems]
     workspace.systems = found
+    workspace.launched_alone = {path: launches.with_defaults(path) for path in _given_arguments(found)}
     for system in found:
         system.workspace = workspace
         for _, other in system.alternatives:
@@ -83,11 +83,20 @@ def _parts(launches_: Sequence[Launched]) -> set[str | None]:
     }
 
 
-def launches(loader: LaunchLoader, chosen: str | None, arguments: Mapping[str, str] | None) -> list[Launched]:
+def _given_arguments(systems: Sequence[System]) -> list[str]:
+    """The launch files that those of some systems include and hand arguments; where one of several files is included,
+    each of these."""
+    includes = [include for system in systems if system.launched is not None for include in system.launched.included]
+    places = {include.place for include in includes if include.arguments}
+    sources = (include.reference.source for include in includes if include.place in places)
+    return sorted({source for source in sources if source is not None})
+
+
+def _launched(launches: Launches, chosen: str | None, arguments: Mapping[str, str] | None) -> list[Launched]:
     """The launch files of the workspace with their defaults, or the chosen one with its arguments."""
     if chosen is not None:
-        return [loader.launch(chosen, arguments)]
-    return [loader.launch(path) for path in loader.launch_files()]
+        return [launches.run(chosen, arguments)]
+    return [launches.run(path) for path in launches.files.all()]
 
 
 def _differs(system: System) -> bool:
@@ -97,7 +106,9 @@ def _differs(system: System) -> bool:
 
 def _whole(launched: Launched, system: System) -> bool:
     """Whether everything that a launch file starts is here and was followed."""
-    included = all(include.reference.status not in (UNKNOWN, "external") for include in launched.included)
+    included = all(
+        include.reference.status not in (FileStatus.UNKNOWN, FileStatus.EXTERNAL) for include in launched.included
+    )
     return included and not launched.gaps and not any(node.external for node in system.nodes)
 
 

@@ -9,7 +9,11 @@ from typing import TYPE_CHECKING, TypeVar
 from archlint import model as program
 from archlint.branches import UnfollowedCondition, exclusive
 from archlint.faults import Faults
+from archlint.launch.files import LaunchFiles
+from archlint.systems.code import WorkspaceCode
+from archlint.workspace.owners import FileOwners
 from archlint.workspace.test_code import FileRoles
+from archlint.workspace.tree import NO_FILES, Tree
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
@@ -17,7 +21,6 @@ if TYPE_CHECKING:
     from archlint.architecture import ConnectionKind
     from archlint.branches import BranchArms
     from archlint.finding import Place
-    from archlint.launch.load import LaunchLoader
     from archlint.launch.model import Launched, Started
     from archlint.model import (
         ApiCall,
@@ -299,9 +302,16 @@ class WorkspaceIndex:
     """All packages by the shown path of their folder: two may have one name."""
     launched: list[Launched] = field(default_factory=list)
     """Every launch file of the workspace, run with its defaults (or the one that was asked for)."""
-    parameters_of: Callable[[str], ParameterFacts] | None = None
+    launched_alone: Mapping[str, Launched] = field(default_factory=dict)
+    """The launch files that others include and hand arguments, run on their own with their defaults."""
     systems: list[System] = field(default_factory=list)
-    loader: LaunchLoader | None = None
+    code: WorkspaceCode = field(default_factory=WorkspaceCode)
+    """The Python files of the workspace."""
+    launch_files: LaunchFiles = field(default_factory=LaunchFiles)
+    """The launch files of the workspace, and the parameter files that they load."""
+    tree: Tree = NO_FILES
+    """All files of the workspace, for analyses."""
+    owners: FileOwners = field(default_factory=FileOwners)
     faults: Faults = field(default_factory=Faults)
     """Where archlint itself failed in this run."""
     interfaces: InterfaceTable | None = None
@@ -319,7 +329,15 @@ class WorkspaceIndex:
 
     def facts_at(self, file: str) -> Facts | None:
         """The facts of a file of the workspace; None where it was not read."""
-        return None if self.loader is None else self.loader.facts_at(file)
+        return self.code.facts_at(file)
+
+    def parameters_of(self, file: str) -> ParameterFacts:
+        """What a parameter file sets."""
+        return self.launch_files.parameters(file)
+
+    def package_of(self, file: str) -> str | None:
+        """The package that a file belongs to."""
+        return self.owners.package_of(file)
 
     @cached_property
     def started_by_launch(self) -> frozenset[object]:

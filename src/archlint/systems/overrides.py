@@ -9,7 +9,7 @@ from functools import lru_cache
 from typing import Any
 
 from archlint.finding import Place
-from archlint.launch.model import OpenParameters, ParameterFileUse, ParameterSetting, Started
+from archlint.launch.model import OpenParameters, ParameterFileUse, ParameterSetting, Started, StartedKind
 from archlint.ros import names
 from archlint.syntax.parameter_files import NotKnown, ParameterFacts, ParameterSection
 from archlint.syntax.safe_yaml import plain_scalar
@@ -106,7 +106,7 @@ def settings_of(started: Started, node: str | None, facts_of: Callable[[str], Pa
 def _sections_for(started: Started, read: ParameterFacts) -> tuple[ParameterSection, ...]:
     """The sections of a parameter file; of one without any, a component takes everything (``to_parameters_list`` of
     launch_ros), and a node nothing."""
-    if read.sections or not read.plain or started.kind != "component":
+    if read.sections or not read.plain or started.kind != StartedKind.COMPONENT:
         return read.sections
     return (ParameterSection(EVERY_NODE, "", read.plain[0].span, read.plain, ("**",)),)
 

@@ -7,9 +7,9 @@ import hashlib
 import os
 import posixpath
 import re
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Protocol
 
 from archlint.disk import read_regular
 
@@ -20,6 +20,42 @@ TEXT_LIMIT = 8_000_000
 """Bytes; a launch or parameter file that is larger is not read."""
 ENTRIES = 20_000
 """How many files one folder listing may name."""
+
+
+class Tree(Protocol):
+    """The files of a workspace by shown paths."""
+
+    def text(self, path: str) -> str | None: ...
+
+    def unreadable(self, path: str) -> str | None: ...
+
+    def is_file(self, path: str) -> bool: ...
+
+    def is_folder(self, path: str) -> bool: ...
+
+    def files_below(self, folder: str) -> Sequence[str]: ...
+
+
+class _NoFiles:
+    """A tree without files."""
+
+    def text(self, path: str) -> str | None:
+        return None
+
+    def unreadable(self, path: str) -> str | None:
+        return None
+
+    def is_file(self, path: str) -> bool:
+        return False
+
+    def is_folder(self, path: str) -> bool:
+        return False
+
+    def files_below(self, folder: str) -> Sequence[str]:
+        return ()
+
+
+NO_FILES: Tree = _NoFiles()
 
 
 class SourceTree:

@@ -10,13 +10,14 @@ from typing import TYPE_CHECKING
 
 from archlint.finding import Place
 from archlint.interpreter.values import Holed, Instance, Known, ListValue, OneOf, Unknown, Value, alternatives, reason
+from archlint.launch.actions.branches import arms_of, each_alternative, verdict_on
+from archlint.launch.actions.included import launch_in_own_process
+from archlint.launch.actions.scopes import remap
 from archlint.launch.context import absolute, prefix_namespace
-from archlint.launch.included import launch_in_own_process
-from archlint.launch.model import OpenParameters, Remap, Started, UnknownAttribute
+from archlint.launch.model import FileKind, OpenParameters, Remap, Started, StartedKind, UnknownAttribute
+from archlint.launch.objects import PAIR_PLACE, argument, has_more_arguments, kind_of, places_of
 from archlint.launch.parameters import Parameter, file_use, parameters_of
-from archlint.launch.scopes import remap
-from archlint.launch.substitutions import argument, kind_of, perform
-from archlint.launch.visiting import arms_of, each_alternative, verdict_on
+from archlint.launch.tables import SIGNATURES
 from archlint.libraries.texts import text_of_value
 from archlint.model import Text
 
@@ -26,7 +27,7 @@ if TYPE_CHECKING:
 
 def node(run: LaunchRun, entity: Instance) -> None:
     kind = kind_of(entity)
-    started = _started(run, entity, "container" if kind == "ComposableNodeContainer" else "node")
+    started = _started(run, entity, StartedKind.CONTAINER if kind == "ComposableNodeContainer" else StartedKind.NODE)
     started.lifecycle = kind == "LifecycleNode"
     run.start(started)
     if kind == "ComposableNodeContainer":
@@ -40,24 +41,24 @@ def _text_of(run: LaunchRun, value: Value, missing: str) -> Text:
     return text_of_value(value, missing)
 
 
-def _started(run: LaunchRun, entity: Instance, kind: str) -> Started:
+def _started(run: LaunchRun, entity: Instance, kind: StartedKind) -> Started:
     _check_keywords(run, entity)
-    executable = argument(entity, "plugin" if kind == "component" else "executable")
+    executable = argument(entity, "plugin" if kind == StartedKind.COMPONENT else "executable")
     namespace = argument(entity, "namespace")
     name = argument(entity, "name")
-    own = None if namespace is None else perform(run, namespace)
+    own = None if namespace is None else run.perform(namespace)
     full = absolute(prefix_namespace(run.launch.namespace, own))
     started = Started(
         kind,
         _package(run, argument(entity, "package")),
-        text_of_value(None if executable is None else perform(run, executable), "no executable is given"),
+        text_of_value(None if executable is None else run.perform(executable), "no executable is given"),
         run.place_now,
         run.file,
-        None if name is None else _text_of(run, perform(run, name), "no name"),
+        None if name is None else _text_of(run, run.perform(name), "no name"),
         None if full is None else _text_of(run, full, "no namespace"),
         branch_arms=run.current_arms,
         dormant=run.is_dormant,
-        places=run.places_of(entity),
+        places=places_of(entity),
     )
     started.remaps = [*(run.launch.remaps or ()), *_remaps(run, argument(entity, "remappings"))]
     words, whole = _texts(run, argument(entity, "arguments"))
@@ -69,18 +70,18 @@ def _started(run: LaunchRun, entity: Instance, kind: str) -> Started:
         *(run.launch.parameters or ()),
         *parameters_of(run, argument(entity, "parameters"), started.places.get("parameters", run.place_now)),
     ]
-    if run.store.get(entity.key, "#open"):
+    if has_more_arguments(entity):
         started.parameters.append(OpenParameters("arguments that are passed by **", run.place_now))
     for word in words:
         if isinstance(word, Known) and str(word.value).endswith(".rviz"):
-            run.reference("rviz", word, started.places.get("arguments", run.place_now))
+            run.reference(FileKind.RVIZ, word, started.places.get("arguments", run.place_now))
     return started
 
 
 def _package(run: LaunchRun, value: Value | None) -> Text:
     if value is None:
         return Text(None, "unknown", reason="no package is given")
-    return text_of_value(perform(run, value), "no package is given")
+    return text_of_value(run.perform(value), "no package is given")
 
 
 def _remaps(run: LaunchRun, value: Value | None) -> list[Remap]:
@@ -88,10 +89,10 @@ def _remaps(run: LaunchRun, value: Value | None) -> list[Remap]:
     for row in run.items(value):
         pair = run.items(row)
         if len(pair) == 2:
-            where = run.store.get(getattr(row, "key", 0), "#place")
+            where = run.store.get(getattr(row, "key", 0), PAIR_PLACE)
             origin = pair[0].origin if isinstance(pair[0], Known) else None
             place = where if isinstance(where, Place) else origin or run.place_now
-            found.append(remap(perform(run, pair[0]), perform(run, pair[1]), place))
+            found.append(remap(run.perform(pair[0]), run.perform(pair[1]), place))
     return found
 
 
@@ -110,11 +111,11 @@ def _texts(run: LaunchRun, value: Value | None) -> tuple[list[Value], bool]:
     if value is None:
         return [], True
     if isinstance(value, Known) or kind_of(value):
-        text = perform(run, value)
+        text = run.perform(value)
         if not isinstance(text, Known):
             return [text], False
         return [Known(word, text.via, text.origin) for word in _split(str(text.value))], True
-    found = [perform(run, item) for item in run.items(value)]
+    found = [run.perform(item) for item in run.items(value)]
     return found, isinstance(value, ListValue) and run.is_closed(value)
 
 
@@ -143,11 +144,9 @@ _KEYWORDS_OF_ALL = frozenset({"condition", "sigterm_timeout", "sigkill_timeout",
 
 
 def _check_keywords(run: LaunchRun, entity: Instance) -> None:
-    from archlint.launch.tables import SIGNATURES
-
     kind = kind_of(entity)
     known = SIGNATURES[kind].replace("*", "").split()
-    places = run.places_of(entity)
+    places = places_of(entity)
     for name in entity.arguments:
         if name not in known and name not in _KEYWORDS_OF_ALL and not name.isdigit() and name in places:
             run.note_unknown_attribute(UnknownAttribute(kind, name, tuple(known), places[name]))
@@ -164,7 +163,7 @@ def _components(run: LaunchRun, entity: Instance, container: Text | None) -> Non
             verdict, own = verdict_on(run, option), arms_of(run, option) - run.code_arms
             kept, run.place_now = run.place_now, option.place or run.place_now
             with run.under(own, verdict, run.place_now):
-                made = _started(run, option, "component")
+                made = _started(run, option, StartedKind.COMPONENT)
                 made.container = container
                 run.start(made)
             run.place_now = kept
@@ -176,7 +175,7 @@ def load(run: LaunchRun, entity: Instance) -> None:
     target = argument(entity, "target_container")
     if kind_of(target):
         target = argument(target, "name") if kind_of(target).endswith("Container") else target
-    text = None if target is None else text_of_value(perform(run, target), "no container")
+    text = None if target is None else text_of_value(run.perform(target), "no container")
     _components(run, entity, text)
 
 
@@ -190,7 +189,7 @@ def process(run: LaunchRun, entity: Instance) -> None:
         words = ["ros2", "run", installed[1], installed[2], *words[1:]]
     if words[:2] == ["ros2", "run"] and len(words) > 3 and words[2] and words[3]:
         started = Started(
-            "node",
+            StartedKind.NODE,
             Text(words[2], "exact"),
             Text(words[3], "exact"),
             run.place_now,
@@ -208,7 +207,7 @@ def process(run: LaunchRun, entity: Instance) -> None:
     else:
         name = Text(words[0], "exact") if words and words[0] else Text(None, "unknown", reason="a command")
         started = Started(
-            "process",
+            StartedKind.PROCESS,
             Text(None, "unknown", reason="a process, not a node"),
             name,
             run.place_now,

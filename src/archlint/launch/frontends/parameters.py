@@ -5,13 +5,15 @@ from __future__ import annotations
 from collections.abc import Hashable
 from typing import TYPE_CHECKING
 
-from archlint.interpreter.values import External, Instance, Known, Unknown, Value
+from archlint.interpreter import containers
+from archlint.interpreter.values import External, Known, Unknown, Value
+from archlint.launch.objects import LaunchObject
 from archlint.launch.parameters import from_yaml
 from archlint.syntax.launch_elements import Element
 from archlint.syntax.parameter_files import NotKnown
 
 if TYPE_CHECKING:
-    from archlint.launch.frontends import Frontend
+    from archlint.launch.frontends.objects import Frontend
 
 
 def read_parameter(frontend: Frontend, element: Element) -> Value | None:
@@ -20,19 +22,17 @@ def read_parameter(frontend: Frontend, element: Element) -> Value | None:
         given = {"param_file": frontend.text(element.attributes["from"])}
         if (element.text("allow_substs") or "").lower() == "true":
             given["allow_substs"] = Known(True)
-        return frontend.make("ParameterFile", frontend.place(element.attributes["from"].span), given, {})
+        return frontend.make("ParameterFile", frontend.place(element.attributes["from"].span), given)
     nested = element.of("param")
     name = frontend.get(element, "name") or Known("")
     if nested:
         return _nested(frontend, element, name)
     value = _value(frontend, element)
-    return frontend.make("Parameter", place, {"name": name, "value": value}, {})
+    return frontend.make("Parameter", place, {"name": name, "value": value})
 
 
 def _nested(frontend: Frontend, element: Element, name: Value) -> Value | None:
     """A parameter with parameters in it: a dict."""
-    from archlint.interpreter import containers
-
     entries: dict[Hashable, tuple[Value, Value]] = {}
     for number, child in enumerate(element.of("param")):
         key = frontend.get(child, "name") or Known("")
@@ -46,7 +46,7 @@ def _nested(frontend: Frontend, element: Element, name: Value) -> Value | None:
     return containers.new_dict(frontend.run, {("#", 0): (name, made)})
 
 
-def set_parameter(frontend: Frontend, element: Element) -> Instance:
+def set_parameter(frontend: Frontend, element: Element) -> LaunchObject:
     """``<set_parameter>``: its value is read as that of ``<param>`` is."""
     given, places = frontend.arguments(element, {"name": "name"})
     given["value"] = _value(frontend, element)
@@ -72,7 +72,7 @@ def _value(frontend: Frontend, element: Element) -> Value:
         given = {"value": frontend.parse(attribute.value, place)}
         if kind is not None:
             given["value_type"] = External(f"builtins.{kind}")
-        return frontend.make("ParameterValue", place, given, {})
+        return frontend.make("ParameterValue", place, given)
     return frontend.text(attribute)
 
 

@@ -9,25 +9,20 @@ from typing import TYPE_CHECKING
 from archlint.interpreter.refusals import is_certain
 from archlint.interpreter.values import DictValue, External, Instance, Known, ListValue, Unknown, Value
 from archlint.launch.model import WithoutContext
-from archlint.launch.substitutions import argument, kind_of, made_by_base, perform
+from archlint.launch.objects import argument, kind_of, made_by_base
 from archlint.syntax import facts
 
 if TYPE_CHECKING:
     from archlint.launch.run import LaunchRun
-    from archlint.libraries.run import Run
 
 _TEXT = "TextSubstitution"
 """Its ``perform`` does not look at the context."""
 
 
 def perform_method(
-    run: Run, receiver: Value, args: list[Value], keywords: dict[str, Value], e: facts.Call | None
+    run: LaunchRun, receiver: Value, args: list[Value], keywords: dict[str, Value], e: facts.Call | None
 ) -> Value:
     """``substitution.perform(context)``."""
-    from archlint.launch.run import LaunchRun
-
-    if not isinstance(run, LaunchRun):
-        return Unknown("a substitution outside of a launch")
     asked = made_by_base(run, receiver) or receiver  # a class of the workspace asks its base
     given = [*args, *keywords.values()]
     wrong = _not_a_context(given[0] if given else None)
@@ -35,12 +30,12 @@ def perform_method(
         _note(run, e, asked, wrong)
         return Unknown("perform() without the launch context")
     if not _is_new_context(given, e):
-        return perform(run, asked)
+        return run.perform(asked)
     if kind_of(asked) == "LaunchConfiguration" and argument(asked, "default") is None:
         _note(run, e, asked, "")
         return Unknown("a launch configuration in a context of its own")
     with _empty_context(run):
-        return perform(run, asked)
+        return run.perform(asked)
 
 
 def _note(run: LaunchRun, e: facts.Call | None, asked: Value, given: str) -> None:

@@ -6,9 +6,9 @@ Source: ``nav2_common/launch`` of ros-navigation/navigation2 (branches jazzy and
 from __future__ import annotations
 
 import re
-from collections.abc import Callable
 from typing import TYPE_CHECKING
 
+from archlint.interpreter import containers
 from archlint.interpreter.values import (
     DictValue,
     External,
@@ -20,8 +20,8 @@ from archlint.interpreter.values import (
     one_of,
     reason,
 )
-from archlint.launch.model import MadeFile, Replacing, Rewriting
-from archlint.launch.substitutions import argument, perform
+from archlint.launch.model import FileKind, MadeFile, Replacing, Rewriting
+from archlint.launch.objects import LaunchObject, argument
 from archlint.syntax.parameter_files import NotKnown
 from archlint.syntax.safe_yaml import YamlError, YamlReader
 
@@ -32,16 +32,16 @@ Pairs = tuple[tuple[str, str | NotKnown], ...]
 Whole = tuple[tuple[str, str], ...]
 
 
-def _rewritten_yaml(run: LaunchRun, value: Instance) -> Value:
+def rewritten_yaml(run: LaunchRun, value: Instance) -> Value:
     change = _rewriting(run, value)
     if isinstance(change, Unknown):
         return change
-    return _made_of(run, perform(run, argument(value, "source_file")), change)
+    return _made_of(run, run.perform(argument(value, "source_file")), change)
 
 
 def _rewriting(run: LaunchRun, value: Instance) -> Rewriting | Unknown:
     parameters, keys, values = (_pairs(run, argument(value, f"{name}_rewrites")) for name in ("param", "key", "value"))
-    root = perform(run, argument(value, "root_key"))
+    root = run.perform(argument(value, "root_key"))
     convert = argument(value, "convert_types") or Known(False)
     whole_keys = None if keys is None else _whole(keys)
     if parameters is None or values is None or whole_keys is None:
@@ -51,12 +51,10 @@ def _rewriting(run: LaunchRun, value: Instance) -> Rewriting | Unknown:
     return Rewriting(parameters, whole_keys, values, str(root.value), bool(convert.value))
 
 
-def _replaced_string(run: LaunchRun, value: Instance) -> Value:
-    from archlint.launch import conditions
-
-    source = perform(run, argument(value, "source_file"))
+def replaced_string(run: LaunchRun, value: Instance) -> Value:
+    source = run.perform(argument(value, "source_file"))
     condition = argument(value, "condition")
-    verdict = None if condition is None else conditions.judge(run, condition)
+    verdict = None if condition is None else run.judge(condition)
     if verdict is not None and verdict.holds is not True:
         return source if verdict.holds is False else Unknown("a file that is changed under a condition")
     pairs = _pairs(run, argument(value, "replacements"))
@@ -73,14 +71,12 @@ _WORDS = re.compile(r"[^\n'\"\\#:{}&*!|>%@`]*")
 
 def _pairs(run: LaunchRun, value: Value | None) -> Pairs | None:
     """A dict of texts; None for a dict that is not known."""
-    from archlint.interpreter import containers
-
     if value is None:
         return ()
     if not isinstance(value, DictValue):
         return None
     entries = containers.entries_of(run, value)
-    rows = [(key, perform(run, text)) for key, text in entries.entries.values()]
+    rows = [(key, run.perform(text)) for key, text in entries.entries.values()]
     if entries.open or not all(isinstance(key, Known) for key, _ in rows):
         return None
     return tuple(
@@ -115,14 +111,14 @@ def _path_of(run: LaunchRun, source: Known, change: Rewriting | Replacing) -> Kn
     return Known(path, source.via, source.origin)
 
 
-def _has_node(run: LaunchRun, value: Instance) -> Value:
+def has_node(run: LaunchRun, value: Instance) -> Value:
     """Whether a node has a key of its own at the top of a parameter file."""
-    path = perform(run, argument(value, "source_file"))
-    node = perform(run, argument(value, "node_name"))
+    path = run.perform(argument(value, "source_file"))
+    node = run.perform(argument(value, "node_name"))
     if not isinstance(path, Known) or not isinstance(node, Known) or str(path.value) in run.made_files:
         return Unknown(reason(path, node))
-    reference = run.reference("parameters", path, value.place or run.place_now)
-    text = None if reference.source is None else run.loader.tree.text(reference.source)
+    reference = run.reference(FileKind.PARAMETERS, path, value.place or run.place_now)
+    text = run.paths.text(reference)
     if text is None:
         return Unknown("the content of a file that is not here")
     try:
@@ -133,24 +129,17 @@ def _has_node(run: LaunchRun, value: Instance) -> Value:
     return Known(str(str(node.value) in keys))
 
 
-def _as_bool(run: LaunchRun, value: Instance) -> Value:
-    read = Instance(
+def as_bool(run: LaunchRun, value: Instance) -> Value:
+    read = LaunchObject(
         External("launch.LaunchConfiguration"),
         value.key,
         value.place,
         {"variable_name": value.arguments.get("name") or Unknown("no name is given")},
+        branch_arms=value.branch_arms if isinstance(value, LaunchObject) else frozenset(),
     )
-    rows = alternatives(perform(run, read))
+    rows = alternatives(run.perform(read))
     return one_of(_bool(row) if isinstance(row, Known) else Unknown(reason(row)) for row in rows)
 
 
 def _bool(value: Known) -> Known:
     return Known(str(str(value.value).strip().lower() in ("true", "1", "yes", "on")))
-
-
-SUBSTITUTIONS: dict[str, Callable[[LaunchRun, Instance], Value]] = {
-    "RewrittenYaml": _rewritten_yaml,
-    "ReplaceString": _replaced_string,
-    "HasNodeParams": _has_node,
-    "LaunchConfigAsBool": _as_bool,
-}

@@ -1,0 +1,106 @@
+"""Console scripts held against the code that they name."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from archlint.suggestions import nearest
+from archlint.syntax import facts
+from archlint.syntax.parts import everything_in
+
+if TYPE_CHECKING:
+    from archlint.systems.model import WorkspaceIndex
+    from archlint.workspace.installed import Executable
+
+
+@dataclass(frozen=True)
+class NoModule:
+    """There is no such module among those of the package."""
+
+    module: str
+    function: str | None
+    known: tuple[str, ...]
+
+
+@dataclass(frozen=True)
+class NoFunctionNamed:
+    """A module is named and no function of it, and importing it does nothing."""
+
+    module: str
+
+
+@dataclass(frozen=True)
+class NoFunction:
+    """The module has no such function among the names that it has."""
+
+    module: str
+    function: str
+    known: frozenset[str]
+
+
+def broken_target(workspace: WorkspaceIndex, executable: Executable) -> NoModule | NoFunctionNamed | NoFunction | None:
+    """What is wrong with what a console script starts; None where it can start, or may be of another distribution."""
+    module, function = executable.module, executable.function
+    modules = workspace.code.modules_of(executable.package)
+    if module is None or not modules:
+        return None
+    paths = [modules[module]] if module in modules else workspace.code.files_named(executable.package, module)
+    if not paths:
+        ours = {name.partition(".")[0] for name in modules}
+        top = module.partition(".")[0]
+        foreign = top not in ours and nearest(top, ours) is None
+        if foreign or _is_on_disk(workspace, executable.package, module):
+            return None
+        return NoModule(module, function, tuple(modules))
+    found = workspace.facts_at(paths[0])
+    if found is None or found.problems:
+        return None
+    if function is None:
+        return None if any(map(_does_something, found.body)) else NoFunctionNamed(module)
+    head = function.partition(".")[0]
+    names = _bound_names(found.body)
+    return None if head in names or _binds_more(found.body) else NoFunction(module, head, names)
+
+
+def _is_on_disk(workspace: WorkspaceIndex, package: str, module: str) -> bool:
+    """Whether a module is there and not read: a pattern of ``.gitignore`` leaves it out."""
+    installs = workspace.installs.get(package)
+    path = "/" + module.replace(".", "/")
+    files = [] if installs is None else workspace.tree.files_below(installs.folder)
+    below = "" if installs is None or installs.folder == "." else f"{installs.folder}/"
+    return any(f"/{file.removeprefix(below)}".endswith((f"{path}.py", f"{path}/__init__.py")) for file in files)
+
+
+def _does_something(statement: facts.Stmt) -> bool:
+    """Whether a statement of a module does more than define a name: that may be all that the module is there for."""
+    match statement:
+        case facts.For() | facts.While() | facts.With() | facts.Try() | facts.Expression(value=facts.Call()):
+            return True
+    return False
+
+
+def _bound_names(body: Sequence[facts.Stmt]) -> frozenset[str]:
+    """The names that a module binds, wherever in it."""
+    names: set[str] = set()
+    for part in everything_in(body):
+        match part:
+            case facts.Function(name=name) | facts.Class(name=name):
+                names.add(name)
+            case facts.ImportFrom(names=bound):
+                names.update(name for _, name in bound)
+            case facts.Import(module=module, alias=alias):
+                names.add(alias or module.partition(".")[0])
+            case facts.Assign(targets=targets):
+                names.update(target.variable for target in targets)
+    return frozenset(names - {""})
+
+
+def _binds_more(body: Sequence[facts.Stmt]) -> bool:
+    """Whether a module may bind names that stand nowhere in it."""
+    stars = (name == "*" for one in everything_in(body, facts.ImportFrom) for name, _ in one.names)
+    return any(stars) or any(one.id in ("globals", "setattr") for one in everything_in(body, facts.Name))
+
+
+__all__ = ["NoFunction", "NoFunctionNamed", "NoModule", "broken_target"]

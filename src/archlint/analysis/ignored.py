@@ -1,0 +1,29 @@
+"""What comments in the source keep quiet."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from typing import TYPE_CHECKING
+
+from archlint.analysis.kept import once
+
+if TYPE_CHECKING:
+    from archlint.finding import Place
+    from archlint.syntax.facts import Suppression
+    from archlint.systems.model import WorkspaceIndex
+
+
+def words_ignored_at(workspace: WorkspaceIndex, place: Place) -> list[str]:
+    """The codes and names of rules that comments keep quiet at a place, as they are written."""
+    known = _suppressions(workspace).get(place.file, ())
+    return [word for one in known if one.covers(place.line) for word in one.codes]
+
+
+@once
+def _suppressions(workspace: WorkspaceIndex) -> Mapping[str, Sequence[Suppression]]:
+    asked_for = workspace.code.asked_for()
+    python = {file.relative: found.suppressions for file, found in asked_for if found.suppressions}
+    return {**python, **workspace.launch_files.suppressions()}
+
+
+__all__ = ["words_ignored_at"]

@@ -1,0 +1,36 @@
+"""What the files of a workspace import as they start."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from archlint.finding import Place
+from archlint.syntax import facts
+
+if TYPE_CHECKING:
+    from archlint.systems.model import WorkspaceIndex
+    from archlint.workspace.model import SourceFile
+
+
+@dataclass(frozen=True)
+class ModuleImport:
+    """``import module``, or ``from module import names``."""
+
+    file: SourceFile
+    module: str
+    names: tuple[str, ...]
+    place: Place
+
+
+def imports_at_start(workspace: WorkspaceIndex) -> Iterator[ModuleImport]:
+    """The imports of each file that always run, relative ones left out: not inside functions, nor where a failure is
+    caught."""
+    for file, found in workspace.code.asked_for():
+        for statement in found.body:
+            match statement:
+                case facts.Import(module=module, span=span):
+                    yield ModuleImport(file, module, (), Place(file.relative, *span))
+                case facts.ImportFrom(module=module, level=0, names=names, span=span):
+                    yield ModuleImport(file, module, tuple(name for name, _ in names), Place(file.relative, *span))

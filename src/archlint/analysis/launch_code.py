@@ -1,0 +1,90 @@
+"""What the code of launch files says beside what a run with their defaults shows."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from archlint.analysis.kept import once, once_for_each_file
+from archlint.syntax import facts
+from archlint.syntax.parts import everything_in
+from archlint.syntax.walk import called_name
+
+if TYPE_CHECKING:
+    from archlint.systems.model import WorkspaceIndex
+
+_WRITERS = frozenset({"write_text", "write_bytes", "copy", "copy2", "copyfile"})
+
+
+def writes_files(workspace: WorkspaceIndex | None, file: str) -> bool:
+    """Whether a launch file may make the files that it names: it opens one to write, or copies one."""
+    return workspace is not None and bool(_writes(workspace, file))
+
+
+@once_for_each_file
+def _writes(found: facts.Facts) -> bool:
+    for call in everything_in(found.body, facts.Call):
+        name = called_name(call)
+        modes = (one.value for one in call.args[1:])
+        texts = (str(mode.value) for mode in modes if isinstance(mode, facts.Literal))
+        if name in _WRITERS or (name == "open" and any(text[:1] in ("w", "a", "x") for text in texts)):
+            return True
+    return False
+
+
+@once
+def words_of_launch_code(workspace: WorkspaceIndex) -> list[frozenset[str]]:
+    """The texts in each launch file in Python: other arguments, or an event, may start what its defaults do not."""
+    return [
+        frozenset(str(literal.value) for literal in everything_in(found.body, facts.Literal))
+        for file, found in workspace.code.asked_for()
+        if file.kind == "launch_python"
+    ]
+
+
+def has_action_for(workspace: WorkspaceIndex, package: str | None, executable: str) -> bool:
+    """Whether a module of a package has an action for an executable that launch files can use."""
+    return any(
+        workspace.code.mentions(path, executable) and workspace.code.mentions(path, "launch_ros")
+        for path in workspace.code.files_of(package or "")
+    )
+
+
+def may_read_argument(workspace: WorkspaceIndex, file: str, name: str) -> bool:
+    """Whether code that the defaults pass by may read a launch argument: something in the file says its name that is
+    no key of a dict, and no name of a package, executable or node."""
+    texts = _texts(workspace, file)
+    if texts is None:
+        text = workspace.tree.text(file)
+        return text is None or re.search(rf"\$\([^\n]*(?<!\w){re.escape(name)}(?!\w)", text) is not None
+    return any(_says(text, name) for text in texts)
+
+
+def _says(text: str, name: str) -> bool:
+    return text == name or re.search(rf"\$\(.*(?<!\w){re.escape(name)}(?!\w)", text) is not None
+
+
+_NAMES_OF_NODES = frozenset({"package", "executable", "name", "namespace", "plugin", "exec_name"})
+_STARTS = frozenset(
+    {"Node", "LifecycleNode", "ComposableNode", "ComposableLifecycleNode", "ComposableNodeContainer", "ExecuteProcess"}
+)
+
+
+@once_for_each_file
+def _texts(found: facts.Facts) -> list[str]:
+    names = {id(name) for name in _names(found)}
+    literals = (one for one in everything_in(found.body, facts.Literal) if id(one) not in names)
+    return [literal.value for literal in literals if isinstance(literal.value, str)]
+
+
+def _names(found: facts.Facts) -> Iterator[facts.Expr | None]:
+    """What names something else than a launch argument."""
+    for mapping in everything_in(found.body, facts.Mapping):
+        yield from mapping.keys
+    for call in everything_in(found.body, facts.Call):
+        if called_name(call) in _STARTS:
+            yield from (one.value for one in call.args if one.keyword in _NAMES_OF_NODES)
+
+
+__all__ = ["has_action_for", "may_read_argument", "words_of_launch_code", "writes_files"]

@@ -1,0 +1,65 @@
+"""LCH005: keywords and attributes that an action of launch does not have."""
+
+from __future__ import annotations
+
+import posixpath
+import re
+from collections.abc import Iterator, Sequence
+from dataclasses import replace
+from typing import TYPE_CHECKING
+
+from archlint.checks.folding import folds
+from archlint.checks.registry import Options, finding, rule
+from archlint.checks.scope import Scope
+from archlint.finding import Finding, Related, Severity
+from archlint.suggestions import did_you_mean
+
+if TYPE_CHECKING:
+    from archlint.systems.model import System
+
+_RENAMED = {
+    "node_name": "name",
+    "node_executable": "executable",
+    "node_namespace": "namespace",
+    "node_plugin": "plugin",
+    "type": "exec",
+    "ns": "namespace",
+    "launch_description_sources": "launch_description_source",
+}
+
+
+@rule("LCH005", scope=Scope.LAUNCH_FILE, in_use=True)
+def unknown_launch_attribute(system: System, options: Options) -> Iterator[Finding]:
+    """Keywords and attributes that an action does not have."""
+    workspace = system.workspace
+    for wrong in system.launched.unknown_attributes if system.launched is not None else ():
+        if workspace is not None and workspace.code.mentions(wrong.place.file, "ROS_DISTRO"):
+            continue  # what one distribution of ROS refuses, another wants
+        renamed = _RENAMED.get(wrong.name)
+        hint = f"; it is called '{renamed}'" if renamed in wrong.known else did_you_mean(wrong.name, wrong.known)
+        in_xml = wrong.action.startswith("<")
+        kind = "attribute" if in_xml else "argument"
+        why = "launch refuses this file as it reads it" if in_xml else "this call raises TypeError"
+        found = finding(
+            "LCH005",
+            wrong.place,
+            f"{wrong.action} has no {kind} '{wrong.name}'{hint}",
+            help=f"{why}, before anything that it describes is started",
+            identity=(wrong.action, wrong.name),
+            group=(wrong.place.file,),
+        )
+        is_old = (
+            wrong.name.startswith("node_") and _OLD_RELEASE.search(posixpath.basename(wrong.place.file)) is not None
+        )
+        yield replace(found, severity=Severity.INFO) if is_old else found
+
+
+_OLD_RELEASE = re.compile(r"(?<![a-z])(?:dashing|eloquent|foxy)(?![a-z])")
+"""The releases whose ``Node`` took ``node_name`` and the like, in the name of a file that is for one of them."""
+
+
+@folds("LCH005")
+def _of_one_file(several: Sequence[Finding]) -> Finding:
+    """One finding for a file, whatever its actions are given that they do not have: launch stops at the first."""
+    others = tuple(Related(one.place, one.message) for one in several[1:])
+    return replace(several[0], related=others)

@@ -1,0 +1,83 @@
+"""LCH001: executables that a launch file starts and that are not installed."""
+
+from __future__ import annotations
+
+import posixpath
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from archlint.checks.registry import Options, finding, rule
+from archlint.checks.scope import Scope
+from archlint.finding import Finding
+from archlint.launch.model import StartedKind
+from archlint.suggestions import did_you_mean, listed
+
+if TYPE_CHECKING:
+    from archlint.systems.model import System, WorkspaceIndex
+    from archlint.workspace.installed import Executable, Installs
+
+
+@rule("LCH001", scope=Scope.LAUNCH_FILE, in_use=True)
+def unknown_executable(system: System, options: Options) -> Iterator[Finding]:
+    """Started executables that their package does not install."""
+    if system.launched is None or system.workspace is None:
+        return
+    for started in system.launched.started:
+        installs = system.workspace.installs.get(started.package.text or "")
+        name = started.executable.text
+        if installs is None or name is None or started.kind not in (StartedKind.NODE, StartedKind.CONTAINER):
+            continue
+        if started.executable.resolution != "exact" or name in installs.executables:
+            continue
+        package = system.workspace.packages.get(installs.package)
+        unread = package is None or package.build_type not in ("ament_python", "ament_cmake")
+        if unread or installs.open_executables or not installs.build_files or name in installs.mentioned:
+            continue
+        hint, help = _instead(installs, name, system.workspace)
+        yield finding(
+            "LCH001",
+            started.places.get("executable", started.place),
+            f"package '{installs.package}' installs no executable '{name}'{hint}",
+            help=help,
+            identity=(installs.package, name),
+        )
+
+
+def _instead(installs: Installs, name: str, workspace: WorkspaceIndex) -> tuple[str, str]:
+    """What to start or to install instead of an executable that is not there: a hint and a line of help."""
+    known = sorted(installs.executables)
+    same = [one for one in known if _stem(installs.executables[one]) == name.removesuffix(".py")]
+    if len(same) == 1:
+        source = installs.executables[same[0]]
+        return f"; {source.script or source.module} is installed as '{same[0]}'", f"start '{same[0]}'"
+    if name in installs.too_deep:
+        where = installs.too_deep[name]
+        return f": it comes to {where}", "launch looks in the folder itself: install(DIRECTORY …/ …), with a slash"
+    owners = [one.package for one in workspace.installs.values() if name in one.executables]
+    if len(owners) == 1:
+        return f"; package '{owners[0]}' installs it", f"start it from package '{owners[0]}'"
+    build = _build_file(installs, workspace)
+    files = workspace.code.files_of(installs.package)
+    there = [file for file in files if posixpath.basename(file) == name]
+    if len(there) == 1:
+        return did_you_mean(name, known), f"{there[0]} is there: install it in {build}"
+    stems = {name, name.removesuffix("_node")} - {_stem(one) for one in installs.executables.values()}
+    meant = [file for file in files if posixpath.basename(file).removesuffix(".py") in stems]
+    if len(meant) == 1:  # nearer than another node of a similar name
+        return f"; {meant[0]} is there, and not installed", f"install it in {build} under the name '{name}'"
+    return did_you_mean(name, known), f"it installs {listed(known)}; add it to {build}, or start one of these"
+
+
+def _stem(executable: Executable) -> str:
+    """The file that an executable runs, by its name alone."""
+    if executable.script is not None:
+        return posixpath.basename(executable.script).removesuffix(".py")
+    return (executable.module or "").rpartition(".")[2]
+
+
+def _build_file(installs: Installs, workspace: WorkspaceIndex) -> str:
+    """The file in which a package names its executables."""
+    package = workspace.packages.get(installs.package)
+    wanted = "setup.py" if package is not None and package.build_type == "ament_python" else "CMakeLists.txt"
+    names = [posixpath.basename(file) for file in installs.build_files]
+    return wanted if wanted in names else names[0]

@@ -1,0 +1,90 @@
+"""LCH004: files that a launch file names and that are not where it looks."""
+
+from __future__ import annotations
+
+import posixpath
+import re
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from archlint.analysis.generated_files import is_generated
+from archlint.analysis.launch_code import writes_files
+from archlint.analysis.missing_files import names_beside
+from archlint.checks.registry import Options, finding, rule
+from archlint.checks.scope import Scope
+from archlint.finding import Finding, Related
+from archlint.launch.model import FileKind, FileStatus
+from archlint.suggestions import did_you_mean, distance, have_same_words
+
+if TYPE_CHECKING:
+    from archlint.finding import Place
+    from archlint.launch.model import FileReference
+    from archlint.systems.model import System, WorkspaceIndex
+
+_WHAT = {
+    FileKind.LAUNCH: "launch file",
+    FileKind.PARAMETERS: "parameter file",
+    FileKind.RVIZ: "RViz configuration",
+}
+
+
+@rule("LCH004", scope=Scope.LAUNCH_FILE, in_use=True)
+def missing_launch_file(system: System, options: Options) -> Iterator[Finding]:
+    """Included files, parameter files and RViz configurations that are not where the launch file looks."""
+    uses: dict[tuple[Place, str | None], list[FileReference]] = {}
+    for reference in system.launched.references if system.launched is not None else ():
+        if reference.status in (FileStatus.MISSING, FileStatus.NOT_INSTALLED) and not reference.optional:
+            uses.setdefault((_decided_at(reference), reference.written), []).append(reference)
+    for (place, written), [reference, *others] in uses.items():
+        files = {place.file, reference.place.file, *(other.place.file for other in others)}
+        if reference.status == FileStatus.MISSING and any(writes_files(system.workspace, file) for file in files):
+            continue
+        what = _WHAT[reference.kind]
+        shown = re.sub(r"^\$\((?:find-pkg-share [\w.-]+|workspace)\)/?", "", written or "")
+        if reference.status == FileStatus.MISSING and is_generated(system.workspace, reference.package or "", shown):
+            continue
+        if reference.status == FileStatus.MISSING:
+            message = f"package '{reference.package}' has no {what} '{_in_package(system, reference, shown)}'"
+            message += _did_you_mean_file(system.workspace, reference.package or "", shown)
+            beside = (written or "").startswith("$(workspace)")
+            start = "folder that this launch file is in" if beside else "package's share folder"
+            help = f"check the path; it starts at the {start}, where the build installs it"
+        else:
+            message = f"package '{reference.package}' does not install the {what} '{shown}'"
+            help = f"{reference.source} is there: install it (data_files in setup.py, install(DIRECTORY …) in CMake)"
+        read = dict.fromkeys(one.place for one in (reference, *others) if one.place != place)
+        yield finding(
+            "LCH004",
+            place,
+            message,
+            help=help,
+            related=[Related(one, "it is used here") for one in read],
+            identity=(reference.package or "", written or ""),
+        )
+
+
+def _in_package(system: System, reference: FileReference, shown: str) -> str:
+    """The path of a file below its package: ``ThisLaunchFileDir()`` gives it below the workspace."""
+    installs = None if system.workspace is None else system.workspace.installs.get(reference.package or "")
+    return shown if installs is None else shown.removeprefix(f"{installs.folder}/")
+
+
+def _decided_at(reference: FileReference) -> Place:
+    """Where the name of a file is written, an argument's default say, unless that is inside of what uses it."""
+    use, given = reference.place, reference.given
+    if given is None or given.file != use.file:
+        return given or use
+    starts = (use.line, use.column) <= (given.line, given.column)
+    ends = (given.end_line, given.end_column) <= (use.end_line, use.end_column)
+    return use if starts and ends else given
+
+
+def _did_you_mean_file(workspace: WorkspaceIndex | None, package: str, shown: str) -> str:
+    """The file beside a missing one whose name is nearest to its name."""
+    beside = [] if workspace is None else names_beside(workspace, package, shown)
+    name = posixpath.basename(posixpath.normpath(shown))
+    limit = max(1, len(name.partition(".")[0]) // 3)  # endings are alike without saying much
+    same = [other for other in beside if have_same_words(name, other)]
+    if len(same) == 1:
+        return f"; did you mean '{same[0]}'?"
+    return did_you_mean(name, [other for other in beside if distance(name, other, limit) <= limit])

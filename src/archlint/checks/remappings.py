@@ -1,0 +1,137 @@
+"""LCH002: remappings of a launch file that do nothing."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from archlint.analysis.completeness import is_whole
+from archlint.checks.registry import Options, finding, rule
+from archlint.checks.scope import Scope
+from archlint.finding import Finding
+from archlint.model import EntityKind
+from archlint.ros import names
+from archlint.ros.well_known import OF_EVERY_NODE
+from archlint.suggestions import did_you_mean, listed
+from archlint.systems.instances import instantiate
+
+if TYPE_CHECKING:
+    from archlint.launch.model import Remap, Started
+    from archlint.systems.model import Node, System
+
+
+@rule("LCH002", scope=Scope.AS_LAUNCHED)
+def dead_remapping(system: System, options: Options) -> Iterator[Finding]:
+    """Remappings whose source is no name of any node of the process."""
+    if system.launched is None:
+        return
+    for started, nodes in _by_started(system):
+        if all(is_whole(system.workspace, node) for node in nodes):
+            for remap in started.remaps:
+                found = [] if remap.group else list(_dead(remap, nodes, started))
+                if found and not _live_elsewhere(system, remap):
+                    yield from found
+
+
+def _by_started(system: System) -> list[tuple[Started, list[Node]]]:
+    """What a launch file starts of code that is here, each with its nodes, and what they may have in it."""
+    found: dict[int, tuple[Started, list[Node]]] = {}
+    for node in system.entries:
+        if node.started is not None and not node.external:
+            found.setdefault(id(node.started), (node.started, []))[1].append(node)
+    return list(found.values())
+
+
+def _live_elsewhere(system: System, remap: Remap) -> bool:
+    """Whether the same line may do something where another launch file includes this one, say in a namespace."""
+    others = system.workspace.systems if system.workspace is not None else []
+    for other in others:
+        if other is system or other.launched is None:
+            continue
+        for started, nodes in _by_started(other):
+            same = [one for one in started.remaps if one.place == remap.place]
+            if not all(is_whole(system.workspace, node) for node in nodes) and same:
+                return True
+            if any(not list(_dead(one, nodes, started)) for one in same):
+                return True
+    return False
+
+
+_PLAIN_SOURCE = re.compile(r"~?/?[A-Za-z_][\w/]*")
+
+
+def _dead(remap: Remap, nodes: list[Node], started: Started) -> Iterator[Finding]:
+    source = remap.source.text
+    if source is None or remap.source.resolution != "exact" or not _PLAIN_SOURCE.fullmatch(source):
+        return
+    if source.startswith("__"):
+        return
+    known: set[str] = set()
+    expanded = ""
+    for node in nodes:
+        own = _before_remapping(node, started)
+        if own is None:
+            return
+        names_of_node, name, namespace = own
+        full = names.expand(source, name, namespace)
+        if not isinstance(full, str) or full in names_of_node or _implicit(full, name, namespace):
+            return
+        expanded = full
+        known |= names_of_node
+    shown = [n.rpartition("/")[2] if "/" not in source.strip("/") and not source.startswith("/") else n for n in known]
+    node_name = nodes[0].name
+    yield finding(
+        "LCH002",
+        remap.place,
+        f"nothing in {node_name} is called '{expanded}', so this remapping does nothing" + did_you_mean(source, shown),
+        help=f"names in it: {listed(sorted(known))}; only whole names match, with their namespace",
+        node=node_name,
+        identity=(node_name or "", expanded),
+    )
+
+
+def _before_remapping(node: Node, started: Started) -> tuple[set[str], str, str] | None:
+    """The names of a node without the launch file's remappings, its own name and its namespace."""
+    if node.blueprint is None or node.name is None:
+        return None
+    plain = instantiate(node.blueprint, node.program, name=started.name, namespace=started.namespace)
+    if plain.name is None or any(endpoint.name is None for endpoint in plain.endpoints):
+        return None
+    namespace, _, name = plain.name.rpartition("/")
+    found: set[str] = set()
+    for endpoint in plain.endpoints:
+        assert endpoint.name is not None
+        found.add(endpoint.name)
+        if endpoint.kind in (EntityKind.ACTION_SERVER, EntityKind.ACTION_CLIENT):
+            found.update(names.action_entities(endpoint.name).values())
+    return found, name, namespace or "/"
+
+
+_SERVICES = frozenset(
+    {
+        "describe_parameters",
+        "get_parameters",
+        "get_parameter_types",
+        "list_parameters",
+        "set_parameters",
+        "set_parameters_atomically",
+        "get_logger_levels",
+        "set_logger_levels",
+        "get_type_description",
+        "transition_event",
+        "change_state",
+        "get_state",
+        "get_available_states",
+        "get_available_transitions",
+        "get_transition_graph",
+    }
+)
+
+
+def _implicit(full: str, name: str, namespace: str) -> bool:
+    """Names that rclpy gives every node.  Remapping /tf is a habit that harms nobody."""
+    if full in OF_EVERY_NODE or full.rpartition("/")[2] in ("tf", "tf_static"):
+        return True
+    below = names.join(namespace, name) + "/"
+    return full.startswith(below) and full[len(below) :] in _SERVICES

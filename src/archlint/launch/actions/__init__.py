@@ -1,0 +1,1 @@
+"""What each action does to the launch context, and what it starts."""

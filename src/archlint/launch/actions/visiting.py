@@ -1,0 +1,161 @@
+"""Going through what a launch file returns: which action is visited when, and under which condition."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import TYPE_CHECKING
+
+from archlint.branches import BranchArms
+from archlint.interpreter import containers
+from archlint.interpreter.values import External, Instance, Known, ListValue, OneOf, Value, reason
+from archlint.launch.actions import included, processes, scopes
+from archlint.launch.actions.branches import arms_of, each_alternative, note_open, verdict_on, version, visit_items
+from archlint.launch.objects import MADE_BY_BASE, kind_of
+from archlint.launch.verdict import ALWAYS
+
+if TYPE_CHECKING:
+    from archlint.launch.run import LaunchRun
+
+VISITS = 20_000
+"""How many actions one launch may visit."""
+
+
+NESTING = 100
+"""How deep actions may stand in each other, includes and functions counted."""
+
+
+Act = Callable[["LaunchRun", Instance], None]
+
+ACTIONS: dict[str, Act] = {
+    "LaunchDescription": included.description,
+    "Branch": included.branch,
+    "GroupAction": scopes.group,
+    "TimerAction": scopes.visit_actions,
+    "RosTimer": scopes.visit_actions,
+    "DeclareLaunchArgument": scopes.declare,
+    "DeclareBooleanLaunchArgument": scopes.declare,
+    "SetLaunchConfiguration": scopes.let,
+    "UnsetLaunchConfiguration": scopes.unset,
+    "SetEnvironmentVariable": scopes.environment,
+    "PushRosNamespace": scopes.push_namespace,
+    "SetRemap": scopes.set_remap,
+    "SetParameter": scopes.set_parameter,
+    "SetUseSimTime": scopes.set_parameter,
+    "SetParametersFromFile": scopes.set_parameters_from_file,
+    "IncludeLaunchDescription": included.include,
+    "PythonLaunchDescriptionSource": included.include,
+    "OpaqueFunction": included.opaque,
+    "RegisterEventHandler": included.event_handler,
+    "Node": processes.node,
+    "LifecycleNode": processes.node,
+    "ComposableNodeContainer": processes.node,
+    "LoadComposableNodes": processes.load,
+    "ExecuteProcess": processes.process,
+}
+"""What each action does to the launch context, and what it starts."""
+
+_IGNORED = frozenset(
+    {
+        "LogInfo",
+        "Shutdown",
+        "EmitEvent",
+        "UnregisterEventHandler",
+        "PushEnvironment",
+        "PopEnvironment",
+        "AppendEnvironmentVariable",
+        "UnsetEnvironmentVariable",
+        "LifecycleTransition",
+        "SetROSLogDir",
+        "OpaqueCoroutine",
+    }
+)
+
+
+def visit(run: LaunchRun, entity: Value) -> None:
+    """Run one entity, or a list of them."""
+    run.visits += 1
+    if run.visits > VISITS or run.nesting >= NESTING:
+        run.gap("more actions than can be followed")
+        return
+    run.nesting += 1
+    try:
+        _visit(run, entity)
+    except (RecursionError, MemoryError):
+        raise  # not for the innermost action, which was only the last straw
+    except Exception as error:
+        place = entity.place if isinstance(entity, Instance) else None
+        run.note_fault("following this action", error, place or run.place_now)
+    finally:
+        run.nesting -= 1
+
+
+def _visit(run: LaunchRun, entity: Value) -> None:
+    if isinstance(entity, (ListValue, OneOf)):
+        _visit_several(run, entity)
+    elif isinstance(entity, Known) and entity.value is None:
+        return
+    elif isinstance(entity, Instance):
+        _visit_one(run, entity)
+    else:
+        run.gap(reason(entity))
+
+
+def _visit_several(run: LaunchRun, entity: ListValue | OneOf) -> None:
+    if isinstance(entity, ListValue):
+        visit_items(run, containers.items_of(run, entity))
+    elif all(isinstance(option, ListValue) for option in entity.values):
+        _visit_versions(run, entity)
+    else:
+        for option in each_alternative(run, entity):
+            run.visit(option)
+
+
+def _visit_versions(run: LaunchRun, entity: OneOf) -> None:
+    """One of several lists: what is in all of them runs, the rest only where its list is the one."""
+    rows = [containers.items_of(run, option) for option in entity.values if isinstance(option, ListValue)]
+    for value in dict.fromkeys(value for row in rows for value in row.values):
+        holding = [number for number, row in enumerate(rows) if value in row.values]
+        own: BranchArms = frozenset()
+        if len(holding) == 1:
+            own = version(run, entity, holding[0])
+        elif len(holding) < len(rows):
+            own = frozenset({(f"some of {run.names.number(entity)}: {holding}", 0)})
+        with run.under(own, ALWAYS, run.place_now):
+            run.visit(value)
+    for row in rows:
+        note_open(run, row)
+
+
+def _visit_one(run: LaunchRun, entity: Instance) -> None:
+    made = run.store.get(entity.key, MADE_BY_BASE)  # of a class that derives from an action
+    if isinstance(made, OneOf):
+        run.visit(made)
+        return
+    entity = _known_by_name(made if isinstance(made, Instance) else entity)
+    kind = kind_of(entity)
+    own = arms_of(run, entity) - run.code_arms
+    verdict = verdict_on(run, entity)
+    place = entity.place or run.place_now
+    kept = run.place_now
+    run.place_now = place
+    run.visiting.append((entity.key, run.visits))
+    try:
+        with run.under(own, verdict, place):
+            act = ACTIONS.get(kind)
+            if act is not None:
+                act(run, entity)
+            elif kind not in _IGNORED:
+                run.gap(f"{entity.note or kind or 'an object'} is no action that is followed")
+    finally:
+        run.visiting.pop()
+        run.place_now = kept
+
+
+def _known_by_name(entity: Instance) -> Instance:
+    """Another library's ``DeclareBooleanLaunchArgument`` and the like declare an argument as launch's own do."""
+    path = entity.cls.path if isinstance(entity.cls, External) else ""
+    name = path.rpartition(".")[2]
+    if path.startswith("launch.") or not (name.startswith("Declare") and name.endswith("LaunchArgument")):
+        return entity
+    arguments = {{"0": "name"}.get(key, key): value for key, value in entity.arguments.items()}
+    return Instance(External("launch.DeclareLaunchArgument"), entity.key, entity.place, arguments)

@@ -1,0 +1,181 @@
+"""Calls of launch's API in any code: the objects that it makes, and what is known of them where nothing is launched."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from archlint.interpreter import containers
+from archlint.interpreter.heap import Items
+from archlint.interpreter.values import (
+    NONE,
+    ClassValue,
+    External,
+    Instance,
+    Known,
+    OneOf,
+    Unknown,
+    Value,
+    alternatives,
+    one_of,
+    reason,
+)
+from archlint.launch.objects import ENTITIES, GIVEN, MADE_BY_BASE, LaunchObject
+from archlint.launch.substitutions.paths import package_share
+from archlint.launch.tables import CONDITIONS, SUBSTITUTIONS
+from archlint.libraries.api_use import argument_places
+from archlint.syntax import facts
+
+if TYPE_CHECKING:
+    from archlint.interpreter.call_site import CallSite
+    from archlint.libraries.api_use import ApiUse
+    from archlint.libraries.run import Run
+
+
+def launch_object(run: Run, call: ApiUse) -> LaunchObject:
+    """An action, substitution, condition … with its arguments by name, where each is written, and the branches
+    of the launch file's own code that it is made in."""
+    made = LaunchObject(
+        External(call.api.path),
+        run.store.new_key(),
+        run.place(call.expression.span) if call.expression is not None and run.activations else None,
+        dict(call.arguments),
+        places=argument_places(run, call.api, call.expression),
+        rest=tuple(call.rest),
+        open=call.open,
+        branch_arms=frozenset(run.branch_arms),
+    )
+    if isinstance(call.receiver, Instance):
+        run.store.set(call.receiver.key, MADE_BY_BASE, made)  # super().__init__(…) of a class derived from an action
+    if call.api.variant == "LaunchDescription":
+        run.store.set(made.key, ENTITIES, _items(run, call.arguments.get("initial_entities")))
+    return made
+
+
+def _items(run: Run, value: Value | None) -> Items:
+    if value is None or value == NONE:
+        return Items(())
+    if isinstance(value, OneOf):
+        return Items((value,))
+    found = containers.iterate(run, value)
+    return Items((value,), True) if found is None else found
+
+
+def _package_path(run: Run, call: ApiUse) -> Value:
+    return Unknown(SEARCH_PATHS if call.api.variant == "search paths" else "the path of an installed package")
+
+
+SEARCH_PATHS = "the environment variable AMENT_PREFIX_PATH"
+
+EFFECTS = {"launch_object": launch_object, "package_path": _package_path}
+"""By the names that the rows of launch's table have."""
+
+
+def _add(run: Run, receiver: Value, args: list[Value], keywords: dict[str, Value], e: facts.Call | None) -> Value:
+    """``LaunchDescription.add_action``."""
+    if not isinstance(receiver, Instance):
+        return NONE
+    known = run.store.get(receiver.key, ENTITIES)
+    items = known if isinstance(known, Items) else Items(())
+    for value in [*args, *keywords.values()]:
+        items = Items((*items.values, _in_branch(run, value)), items.open)
+    run.store.set(receiver.key, ENTITIES, items)
+    return NONE
+
+
+def _in_branch(run: Run, value: Value) -> Value:
+    """An action that is added in a branch of the code is conditional, wherever it was made."""
+    if not run.branch_arms:
+        return value
+    key = run.store.new_key()
+    return LaunchObject(External("launch.Branch"), key, None, {"action": value}, branch_arms=frozenset(run.branch_arms))
+
+
+def _find(run: Run, receiver: Value, args: list[Value], keywords: dict[str, Value], e: facts.Call | None) -> Value:
+    """``FindPackageShare('pkg').find('pkg')``."""
+    given = [*args, *keywords.values()]
+    rows = alternatives(given[0]) if given else ()
+    return one_of(package_share(str(row.value)) if isinstance(row, Known) else Unknown(reason(row)) for row in rows)
+
+
+def _performed(run: Run, receiver: Value, args: list[Value], keywords: dict[str, Value], e: facts.Call | None) -> Value:
+    return Unknown("a substitution outside of a launch")
+
+
+def _evaluated(run: Run, receiver: Value, args: list[Value], keywords: dict[str, Value], e: facts.Call | None) -> Value:
+    return Unknown(UNDECIDED)
+
+
+UNDECIDED = "a condition that the launch arguments do not decide"
+
+METHODS = {
+    "launch.LaunchDescription.add_action": _add,
+    "launch.LaunchDescription.add_entity": _add,
+    "launch.LaunchContext.perform_substitution": _performed,
+    "launch.FindPackageShare.find": _find,
+    "launch.FindPackagePrefix.find": _find,
+    **{f"launch.{name}.perform": _performed for name in SUBSTITUTIONS},
+    **{f"launch.{name}.evaluate": _evaluated for name in CONDITIONS},
+}
+
+
+def _performed_all(run: Run, args: list[Value], keywords: dict[str, Value], e: facts.Call | None) -> Value:
+    return Unknown("a substitution outside of a launch")
+
+
+def _same(run: Run, args: list[Value], keywords: dict[str, Value], e: facts.Call | None) -> Value:
+    return args[0] if args else Unknown("no argument")
+
+
+def _path(run: Run, args: list[Value], keywords: dict[str, Value], e: facts.Call | None) -> Value:
+    return Instance(External("pathlib.Path"), run.store.new_key(), None, {str(i): a for i, a in enumerate(args)})
+
+
+def _path_of_machine(run: Run, args: list[Value], keywords: dict[str, Value], e: facts.Call | None) -> Value:
+    return Unknown("a path of this machine")
+
+
+def _open(run: Run, args: list[Value], keywords: dict[str, Value], e: facts.Call | None) -> Value:
+    return Unknown(reason(*args) if args else "a file")
+
+
+def _yaml(run: Run, args: list[Value], keywords: dict[str, Value], e: facts.Call | None) -> Value:
+    return Unknown("the content of a YAML file")
+
+
+def _nothing(run: Run, args: list[Value], keywords: dict[str, Value], e: facts.Call | None) -> Value:
+    return NONE
+
+
+PLAIN = {
+    **dict.fromkeys(("os.remove", "os.unlink", "os.mkdir", "os.makedirs", "shutil.rmtree", "time.sleep"), _nothing),
+    "open": _open,
+    "yaml.safe_load": _yaml,
+    "yaml.load": _yaml,
+    "yaml.full_load": _yaml,
+    "launch.utilities.perform_substitutions": _performed_all,
+    "launch.utilities.normalize_to_list_of_substitutions": _same,
+    "launch.some_substitutions_type.SomeSubstitutionsType": _same,
+    "pathlib.Path": _path,
+    "pathlib.PurePath": _path,
+    "os.path.abspath": _path_of_machine,
+    "os.path.realpath": _path_of_machine,
+    "os.path.normpath": _path_of_machine,
+}
+
+
+def note_given(run: Run, made: Instance, cls: ClassValue, site: CallSite) -> None:
+    """Keep what the constructor of a class that derives from one of launch's is given, by name or position."""
+    if site.open or not any(path.startswith("launch") for path in cls.external_bases()):
+        return
+    named = sorted(site.keywords.items(), key=lambda row: row[0])
+    rows = [*((str(number), value) for number, value in enumerate(site.args)), *named]
+    run.store.set(made.key, GIVEN, tuple(rows))
+
+
+def entities(run: Run, description: Instance) -> Value | None:
+    """``LaunchDescription.entities``."""
+    actions = run.store.get(description.key, ENTITIES)
+    return containers.new_list(run, actions.values, "list", actions.open) if isinstance(actions, Items) else None
+
+
+__all__ = ["EFFECTS", "METHODS", "PLAIN", "SEARCH_PATHS", "UNDECIDED", "entities", "launch_object", "note_given"]

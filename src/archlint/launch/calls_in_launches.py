@@ -1,0 +1,155 @@
+"""Calls of launch's API, and of what reads files, in a launch: its context and the files of the workspace decide."""
+
+from __future__ import annotations
+
+import posixpath
+from dataclasses import replace
+from typing import TYPE_CHECKING
+
+from archlint.interpreter import containers
+from archlint.interpreter.values import (
+    NONE,
+    External,
+    Instance,
+    Known,
+    Unknown,
+    Value,
+    alternatives,
+    one_of,
+    reason,
+)
+from archlint.launch import calls
+from archlint.launch.model import FileKind
+from archlint.launch.objects import LaunchObject, made_by_base
+from archlint.launch.perform_calls import perform_method
+from archlint.launch.substitutions.paths import package_share
+from archlint.launch.tables import CONDITIONS, SUBSTITUTIONS
+from archlint.syntax import facts
+from archlint.syntax.safe_yaml import YamlError, YamlReader
+
+if TYPE_CHECKING:
+    from archlint.launch.run import LaunchRun
+    from archlint.libraries.api_use import ApiUse
+
+NODES = frozenset({"Node", "LifecycleNode", "ComposableNodeContainer", "ComposableNode", "ComposableLifecycleNode"})
+
+
+def _launch_object(run: LaunchRun, call: ApiUse) -> LaunchObject:
+    """Note, too, where nodes and declarations are made, whether they then become part of the launch or not."""
+    made = calls.launch_object(run, call)
+    name = made.arguments.get("name")
+    if call.api.variant in NODES and made.place is not None:
+        run.result.made.add(made.place)
+    if call.api.variant == "DeclareLaunchArgument" and isinstance(name, Known) and made.place is not None:
+        run.result.written.setdefault((run.file, str(name.value)), made.place)
+    return made
+
+
+def _package_path(run: LaunchRun, call: ApiUse) -> Value:
+    """``get_package_share_directory('pkg')``."""
+    if call.api.variant == "search paths":
+        return Unknown(calls.SEARCH_PATHS)
+    rows: list[Value] = []
+    for option in alternatives(call.get("package_name") or Unknown("no package is given")):
+        name = run.perform(option)
+        if not isinstance(name, Known):
+            rows.append(Unknown(reason(name)))
+        elif call.api.variant == "share":
+            share = package_share(str(name.value))
+            rows.append(replace(share, kind="path") if call.api.path.endswith("_path") else share)
+        else:
+            rows.append(Known(f"$(find-pkg-prefix {name.value!s})"))
+    return one_of(rows)
+
+
+EFFECTS = {"launch_object": _launch_object, "package_path": _package_path}
+
+
+def _perform_argument(
+    run: LaunchRun, receiver: Value, args: list[Value], keywords: dict[str, Value], e: facts.Call | None
+) -> Value:
+    values = [*args, *keywords.values()]
+    asked = values[-1] if values else NONE
+    return run.perform(made_by_base(run, asked) or asked)  # a class of the workspace asks its base
+
+
+def _evaluate(
+    run: LaunchRun, receiver: Value, args: list[Value], keywords: dict[str, Value], e: facts.Call | None
+) -> Value:
+    """``IfCondition(…).evaluate(context)``."""
+    verdict = run.judge(receiver)
+    return Unknown(calls.UNDECIDED) if verdict.holds is None else Known(verdict.holds)
+
+
+METHODS = {
+    "launch.LaunchContext.perform_substitution": _perform_argument,
+    **{f"launch.{name}.perform": perform_method for name in SUBSTITUTIONS},
+    **{f"launch.{name}.evaluate": _evaluate for name in CONDITIONS},
+}
+
+
+def _perform_all(run: LaunchRun, args: list[Value], keywords: dict[str, Value], e: facts.Call | None) -> Value:
+    return _perform_argument(run, NONE, args, keywords, e)
+
+
+def _path(run: LaunchRun, args: list[Value], keywords: dict[str, Value], e: facts.Call | None) -> Value:
+    """``Path(a, b)`` in a launch file is a text for us: launch takes both."""
+    texts = [part.value for part in args if isinstance(part, Known)]
+    if len(texts) != len(args) or not args:
+        return Unknown(reason(*args))
+    return Known(posixpath.join(*map(str, texts)), kind="path")
+
+
+def _same_path(run: LaunchRun, args: list[Value], keywords: dict[str, Value], e: facts.Call | None) -> Value:
+    if args and isinstance(args[0], Known):
+        return Known(posixpath.normpath(str(args[0].value)))
+    return Unknown("a path of this machine")
+
+
+def _open(run: LaunchRun, args: list[Value], keywords: dict[str, Value], e: facts.Call | None) -> Value:
+    """``open(path)`` in a launch file: the file, for whoever loads YAML from it."""
+    if args and isinstance(args[0], Known):
+        return Instance(External("io.TextIOWrapper"), run.store.new_key(), None, {"path": args[0]})
+    return Unknown(reason(*args) if args else "a file")
+
+
+def _load_yaml(run: LaunchRun, args: list[Value], keywords: dict[str, Value], e: facts.Call | None) -> Value:
+    """``yaml.safe_load(file)``: what a YAML file of this workspace holds."""
+    given = args[0] if args else Unknown("no file")
+    path = given.arguments.get("path") if isinstance(given, Instance) else None
+    if path is None:
+        return Unknown("the content of a YAML file")
+    text = run.paths.text(run.resolve(FileKind.PARAMETERS, path, run.place_now))
+    if text is None:
+        return Unknown("the content of a file that is not here")
+    try:
+        reader = YamlReader(text)
+        return _value_of(run, None if reader.root is None else reader.value(reader.root))
+    except (YamlError, RecursionError):
+        return Unknown("the content of a YAML file that is broken")
+
+
+def _value_of(run: LaunchRun, value: object) -> Value:
+    match value:
+        case dict():
+            rows = {containers.hashable(Known(key)): (Known(key), _value_of(run, item)) for key, item in value.items()}
+            return containers.new_dict(run, {key: row for key, row in rows.items() if key is not None})
+        case list():
+            return containers.new_list(run, [_value_of(run, item) for item in value])
+        case None | str() | int() | float():
+            return Known(value)
+    raise AssertionError(value)
+
+
+PLAIN = {
+    "open": _open,
+    "yaml.safe_load": _load_yaml,
+    "yaml.load": _load_yaml,
+    "yaml.full_load": _load_yaml,
+    "launch.utilities.perform_substitutions": _perform_all,
+    "pathlib.Path": _path,
+    "pathlib.PurePath": _path,
+    "os.path.abspath": _same_path,
+    "os.path.realpath": _same_path,
+    "os.path.normpath": _same_path,
+}

@@ -1,0 +1,184 @@
+"""The launch files and parameter files of a workspace, each read once."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Sequence
+from dataclasses import replace
+from typing import TYPE_CHECKING
+
+from archlint.faults import Faults
+from archlint.finding import Place
+from archlint.syntax import facts
+from archlint.syntax.launch_elements import LaunchFacts
+from archlint.syntax.launch_xml import read_launch_xml
+from archlint.syntax.launch_yaml import read_launch_yaml
+from archlint.syntax.parameter_files import ParameterFacts, read_parameters
+from archlint.workspace.owners import FileOwners
+from archlint.workspace.test_code import FileRoles
+from archlint.workspace.tree import NO_FILES, Tree
+
+if TYPE_CHECKING:
+    from archlint.workspace.model import SourceFile
+
+FRONTENDS = (".xml", ".launch", ".yaml", ".yml")
+GENERATE = "generate_launch_description"
+
+Problem = tuple[str, int, int, str]
+"""``(file, line, column, message)``"""
+
+
+class LaunchFiles:
+    """What launch files and the parameter files that they load say, without running anything."""
+
+    def __init__(
+        self,
+        files: Sequence[SourceFile] = (),
+        facts_of: Callable[[SourceFile], facts.Facts | None] = lambda file: None,
+        tree: Tree = NO_FILES,
+        owners: FileOwners | None = None,
+        roles: FileRoles | None = None,
+        relevant: Callable[[SourceFile], bool] = lambda file: True,
+        faults: Faults | None = None,
+        ros1_packages: frozenset[str] = frozenset(),
+    ) -> None:
+        self._files = files
+        self._by_path = {file.relative: file for file in files}
+        self._facts_of = facts_of
+        self._tree = tree
+        self._owners = owners or FileOwners()
+        self._roles = roles or FileRoles()
+        self._relevant = relevant
+        self._faults = faults or Faults()
+        self._ros1_packages = ros1_packages
+        self._frontend_facts: dict[str, LaunchFacts] = {}
+        self._parameter_facts: dict[str, ParameterFacts] = {}
+        self._endless: set[Problem] = set()
+
+    # ----------------------------------------------------------------------------------------- which there are
+
+    def all(self) -> list[str]:
+        """Every launch file of the workspace, sorted."""
+        found = []
+        for file in self._files:
+            if self._roles.is_test(file.relative):
+                continue
+            if file.kind == "launch_python" or (file.kind == "python" and "launch" in file.relative):
+                if self._defines_launch(file):
+                    found.append(file.relative)
+            elif file.kind in ("launch_xml", "launch_yaml") and self.frontend(file.relative).root is not None:
+                found.append(file.relative)
+        return sorted(found)
+
+    def can_be_launched(self, path: str) -> bool:
+        """Whether a file of the workspace is a launch file."""
+        file = self._by_path.get(path)
+        if file is None:
+            return False
+        return self.frontend(path).root is not None if self.is_frontend(path) else self._defines_launch(file)
+
+    def _defines_launch(self, file: SourceFile) -> bool:
+        found = self._facts_of(file)
+        return found is not None and any(map(_makes_description, found.body))
+
+    def is_frontend(self, path: str) -> bool:
+        """Whether a launch file is XML or YAML; a ``.launch`` may be Python."""
+        file = self._by_path.get(path)
+        return path.endswith(FRONTENDS) and (file is None or file.kind != "launch_python")
+
+    # --------------------------------------------------------------------------------------- what is in them
+
+    def source_file(self, path: str) -> SourceFile | None:
+        """A Python file by its shown path."""
+        return self._by_path.get(path)
+
+    def python(self, path: str) -> facts.Facts | None:
+        """The facts of a Python file by its shown path."""
+        file = self._by_path.get(path)
+        return None if file is None else self._facts_of(file)
+
+    def frontend(self, path: str) -> LaunchFacts:
+        """The elements of a launch file in XML or YAML."""
+        if path not in self._frontend_facts:
+            text = self._tree.text(path)
+            found = LaunchFacts(problems=self._unreadable(path))
+            if text is not None:
+                with self._faults.contained("reading this launch file", Place(path, 1, 1, 1, 1)):
+                    found = _read(path, text)
+            package = self._owners.package_of(path) if found.root is not None and not found.decided else None
+            if package is not None:
+                found = replace(found, ros1=package in self._ros1_packages)
+            self._frontend_facts[path] = found
+        return self._frontend_facts[path]
+
+    def parameters(self, path: str) -> ParameterFacts:
+        """What a parameter file sets."""
+        if path not in self._parameter_facts:
+            text = self._tree.text(path)
+            found = ParameterFacts(problems=self._unreadable(path))
+            if text is not None:
+                with self._faults.contained("reading this parameter file", Place(path, 1, 1, 1, 1)):
+                    found = read_parameters(text)
+            self._parameter_facts[path] = found
+        return self._parameter_facts[path]
+
+    def _unreadable(self, path: str) -> tuple[facts.FileProblem, ...]:
+        why = self._tree.unreadable(path)
+        return () if why is None else (facts.FileProblem(1, 1, why),)
+
+    # --------------------------------------------------------------------------------------- what is told of them
+
+    def note_endless(self, place: Place, message: str) -> None:
+        """An include leads back to its own file, and nothing ends that."""
+        self._endless.add((place.file, place.line, place.column, message))
+
+    def problems(self) -> list[Problem]:
+        """What is wrong with each launch file and ``setup.py`` that is broken, and with each parameter file that a
+        launch file loads."""
+        for file in self._files:
+            if file.kind in ("launch_xml", "launch_yaml") and not file.context:
+                self.frontend(file.relative)
+        rows = [(path, one.problems) for path, one in self._frontend_facts.items()]
+        rows += [(path, one.problems) for path, one in self._parameter_facts.items()]
+        for file in self._files:
+            if file.kind in ("launch_python", "setup_py") and not file.context and not self._relevant(file):
+                found = self._facts_of(file)
+                rows.append((file.relative, () if found is None else tuple(found.problems)))
+        broken = {(path, p.line, p.column, p.message) for path, problems in rows for p in problems}
+        return sorted(broken | self._endless)
+
+    def of_ros1(self) -> list[str]:
+        """The launch files that were asked for and are for ROS 1."""
+        context = {file.relative for file in self._files if file.context}
+        return sorted(path for path, one in self._frontend_facts.items() if one.ros1 and path not in context)
+
+    def suppressions(self) -> dict[str, list[facts.Suppression]]:
+        """What XML, YAML and parameter files suppress in place."""
+        rows = [(path, one.suppressions) for path, one in self._frontend_facts.items()]
+        rows += [(path, one.suppressions) for path, one in self._parameter_facts.items()]
+        return {path: list(found) for path, found in rows if found}
+
+
+def _read(path: str, text: str) -> LaunchFacts:
+    """launch tries its parsers one after the other on a file whose suffix says nothing."""
+    if path.endswith((".yaml", ".yml")):
+        return read_launch_yaml(text)
+    if path.endswith(".launch") and not text.lstrip().startswith("<"):
+        if _YAML.search(text):
+            return read_launch_yaml(text)
+        if GENERATE in text:
+            return LaunchFacts()  # Python, for whoever runs it
+    return read_launch_xml(text)
+
+
+_YAML = re.compile(r"^launch\s*:", re.MULTILINE)
+
+
+def _makes_description(statement: facts.Stmt) -> bool:
+    """Whether a statement of a module gives it what launch calls, by its own definition or by an import."""
+    match statement:
+        case facts.Function(name=name):
+            return name == GENERATE
+        case facts.ImportFrom(names=names):
+            return any(name == GENERATE for name, _ in names)
+    return False

@@ -1,0 +1,1 @@
+"""XML and YAML launch files as the same actions that Python makes."""

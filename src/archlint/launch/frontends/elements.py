@@ -1,0 +1,221 @@
+"""The elements of XML and YAML launch files as the actions that Python makes."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Sequence
+from typing import TYPE_CHECKING
+
+from archlint.interpreter import containers
+from archlint.interpreter.values import Known, Unknown, Value
+from archlint.launch.frontends.objects import Frontend
+from archlint.launch.frontends.parameters import read_parameter, set_parameter
+from archlint.launch.frontends.tables import ATTRIBUTES, HARMLESS
+from archlint.launch.frontends.texts import shell_words
+from archlint.launch.model import UnknownAttribute
+from archlint.launch.objects import PAIR_PLACE, LaunchObject
+
+if TYPE_CHECKING:
+    from archlint.finding import Place
+    from archlint.launch.run import LaunchRun
+    from archlint.syntax.launch_elements import Element
+
+
+def actions_of(run: LaunchRun, file: str, root: Element) -> Iterator[Value]:
+    """The actions of a launch file, each when the one before it has run."""
+    yield from _actions(Frontend(run, file), root.children)
+
+
+def _actions(frontend: Frontend, elements: Sequence[Element]) -> Iterator[Value]:
+    for element in elements:
+        build = _ELEMENTS.get(element.tag)
+        if build is None and element.tag not in HARMLESS:
+            yield frontend.make(f"<{element.tag}>", frontend.place(element.span), {})
+        if build is not None:
+            made = build(frontend, element)
+            if made is not None:
+                _condition(frontend, element, made)
+                _check(frontend, element)
+                yield made
+
+
+def _condition(frontend: Frontend, element: Element, made: LaunchObject) -> None:
+    for name, kind in (("if", "IfCondition"), ("unless", "UnlessCondition")):
+        attribute = element.attributes.get(name)
+        if attribute is not None:
+            place = frontend.place(attribute.span)
+            given = {"predicate_expression": frontend.text(attribute)}
+            made.arguments["condition"] = frontend.make(kind, place, given)
+
+
+def _check(frontend: Frontend, element: Element) -> None:
+    known = ATTRIBUTES.get(element.tag)
+    if known is None:
+        return
+    for name, attribute in element.attributes.items():
+        if name not in known and name not in ("if", "unless"):
+            frontend.run.note_unknown_attribute(
+                UnknownAttribute(f"<{element.tag}>", name, tuple(known), frontend.place(attribute.span))
+            )
+
+
+def _node(frontend: Frontend, element: Element, kind: str = "Node") -> LaunchObject:
+    given, places = frontend.arguments(
+        element,
+        {
+            "pkg": "package",
+            "exec": "executable",
+            "executable": "executable",
+            "name": "name",
+            "namespace": "namespace",
+        },
+    )
+    for name, parameter in (("args", "arguments"), ("ros_args", "ros_arguments")):
+        _command_line(frontend, element, name, parameter, given, places)
+    _described(frontend, element, given)
+    return frontend.make(kind, frontend.place(element.span), given, places)
+
+
+def _command_line(
+    frontend: Frontend, element: Element, name: str, parameter: str, given: dict[str, Value], places: dict[str, Place]
+) -> None:
+    """An attribute that holds the words of a command line: text is split as a shell does, what a substitution
+    gives is not."""
+    attribute = element.attributes.get(name)
+    if attribute is None:
+        return
+    places[parameter] = frontend.place(attribute.span)
+    if not isinstance(attribute.value, str):
+        given[parameter] = frontend.text(attribute)
+        return
+    words: list[list[Value]] = [[]]
+    for part in frontend.parts(attribute.value, places[parameter], 0):
+        if not isinstance(part, Known):
+            words[-1].append(part)
+            continue
+        text = str(part.value)
+        pieces = shell_words(text)
+        if not pieces or text[0].isspace():
+            words.append([])
+        for number, piece in enumerate(pieces):
+            words += [[]] if number else []
+            words[-1].append(Known(piece, origin=places[parameter]))
+        if pieces and text[-1].isspace():
+            words.append([])
+    given[parameter] = frontend.list([word[0] if len(word) == 1 else frontend.list(word) for word in words if word])
+
+
+def _described(frontend: Frontend, element: Element, given: dict[str, Value]) -> None:
+    parameters = [read_parameter(frontend, child) for child in element.of("param")]
+    remaps = [_pair(frontend, child, "from", "to") for child in element.of("remap")]
+    if parameters:
+        given["parameters"] = frontend.list([value for value in parameters if value is not None])
+    if remaps:
+        given["remappings"] = frontend.list(remaps)
+
+
+def _pair(frontend: Frontend, element: Element, first: str, second: str) -> Value:
+    values = [frontend.get(element, name) or Known("") for name in (first, second)]
+    made = containers.new_list(frontend.run, values, "tuple")
+    frontend.run.store.set(made.key, PAIR_PLACE, frontend.place(element.span))
+    return made
+
+
+def _container(frontend: Frontend, element: Element) -> LaunchObject:
+    made = _node(frontend, element, "ComposableNodeContainer")
+    made.arguments["composable_node_descriptions"] = _components(frontend, element)
+    return made
+
+
+def _load(frontend: Frontend, element: Element) -> LaunchObject:
+    given, places = frontend.arguments(element, {"target": "target_container"})
+    given["composable_node_descriptions"] = _components(frontend, element)
+    return frontend.make("LoadComposableNodes", frontend.place(element.span), given, places)
+
+
+def _components(frontend: Frontend, element: Element) -> Value:
+    found: list[Value] = []
+    for child in element.of("composable_node", "composable_lifecycle_node"):
+        names = {"pkg": "package", "plugin": "plugin", "name": "name", "namespace": "namespace"}
+        given, places = frontend.arguments(child, names)
+        _described(frontend, child, given)
+        made = frontend.make("ComposableNode", frontend.place(child.span), given, places)
+        _condition(frontend, child, made)
+        _check(frontend, child)
+        found.append(made)
+    return frontend.list(found)
+
+
+def _include(frontend: Frontend, element: Element) -> LaunchObject:
+    file = element.attributes.get("file")
+    place = frontend.place(file.span if file is not None else element.span)
+    location = frontend.text(file) if file is not None else Unknown("an include without a file")
+    source = frontend.make("AnyLaunchDescriptionSource", place, {"launch_file_path": location})
+    rows = [_pair(frontend, child, "name", "value") for child in element.of("arg", "let")]
+    given = {"launch_description_source": source, "launch_arguments": frontend.list(rows)}
+    return frontend.make("IncludeLaunchDescription", place, given, {"launch_description_source": place})
+
+
+def _group(frontend: Frontend, element: Element) -> LaunchObject:
+    given: dict[str, Value] = {"actions": frontend.list(list(_actions(frontend, element.children)))}
+    for name in ("scoped", "forwarding"):
+        text = element.text(name)
+        if text is not None:
+            given[name] = Known(text.lower() not in ("false", "0"))
+    kept = [_pair(frontend, child, "name", "value") for child in element.of("keep")]
+    if kept:
+        given["launch_configurations"] = frontend.dict_of(kept)
+    return frontend.make("GroupAction", frontend.place(element.span), given)
+
+
+def _timer(frontend: Frontend, element: Element) -> LaunchObject:
+    given: dict[str, Value] = {"actions": frontend.list(list(_actions(frontend, element.children)))}
+    return frontend.make("TimerAction", frontend.place(element.span), given)
+
+
+def _argument(frontend: Frontend, element: Element) -> LaunchObject:
+    given, places = frontend.arguments(element, {"name": "name", "default": "default_value"})
+    choices = [frontend.get(child, "value") or Known("") for child in element.of("choice")]
+    if choices:
+        given["choices"] = frontend.list(choices)
+    return frontend.make("DeclareLaunchArgument", frontend.place(element.span), given, places)
+
+
+def _executable(frontend: Frontend, element: Element) -> LaunchObject:
+    given, places = frontend.arguments(element, {"name": "name"})
+    _command_line(frontend, element, "cmd", "cmd", given, places)
+    return frontend.make("ExecuteProcess", frontend.place(element.span), given, places)
+
+
+def _simple(kind: str, **names: str) -> Callable[[Frontend, Element], LaunchObject]:
+    def build(frontend: Frontend, element: Element) -> LaunchObject:
+        given, places = frontend.arguments(element, names)
+        return frontend.make(kind, frontend.place(element.span), given, places)
+
+    return build
+
+
+_LET = _simple("SetLaunchConfiguration", name="name", value="value")
+_PUSH = _simple("PushRosNamespace", namespace="namespace")
+
+_ELEMENTS: dict[str, Callable[[Frontend, Element], LaunchObject | None]] = {
+    "node": _node,
+    "lifecycle_node": lambda frontend, element: _node(frontend, element, "LifecycleNode"),
+    "node_container": _container,
+    "load_composable_node": _load,
+    "include": _include,
+    "group": _group,
+    "timer": _timer,
+    "ros_timer": _timer,
+    "arg": _argument,
+    "bool_arg": _argument,
+    "let": _LET,
+    "push_ros_namespace": _PUSH,
+    "push-ros-namespace": _PUSH,
+    "set_remap": _simple("SetRemap", **{"from": "src", "to": "dst"}),
+    "set_parameter": set_parameter,
+    "set_parameters_from_file": _simple("SetParametersFromFile", filename="filename"),
+    "set_use_sim_time": _simple("SetUseSimTime", value="value"),
+    "set_env": _simple("SetEnvironmentVariable", name="name", value="value"),
+    "unset_env": _simple("UnsetEnvironmentVariable", name="name"),
+    "executable": _executable,
+}

@@ -1,0 +1,69 @@
+"""The launches of a workspace: each is a run of its own, and what launch files say is read once."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from typing import TYPE_CHECKING
+
+from archlint.faults import Faults
+from archlint.interpreter.heap import Store
+from archlint.interpreter.modules import ModuleIndex
+from archlint.interpreter.values import Known
+from archlint.launch.files import LaunchFiles
+from archlint.launch.launcher import Launcher
+from archlint.launch.model import Launched
+from archlint.launch.paths import LaunchPaths
+from archlint.launch.run import Surroundings
+from archlint.workspace.owners import FileOwners
+
+if TYPE_CHECKING:
+    from archlint.syntax.facts import Facts
+    from archlint.workspace.installed import Installs
+    from archlint.workspace.model import SourceFile
+    from archlint.workspace.tree import Tree
+
+
+class Launches:
+    """Runs the launch files of one workspace."""
+
+    def __init__(
+        self,
+        files: Sequence[SourceFile],
+        facts_of: Callable[[SourceFile], Facts | None],
+        installs: Mapping[str, Installs],
+        tree: Tree,
+        relevant: Callable[[SourceFile], bool] = lambda file: True,
+        faults: Faults | None = None,
+        ros1_packages: frozenset[str] = frozenset(),
+        distro: str | None = None,
+    ) -> None:
+        self.installs = installs
+        self.index = ModuleIndex(files, facts_of)
+        self.faults = faults or Faults()
+        self.owners = FileOwners(files, installs)
+        paths = LaunchPaths(installs, tree, self.owners)
+        roles = self.index.roles
+        self.files = LaunchFiles(files, facts_of, tree, self.owners, roles, relevant, self.faults, ros1_packages)
+        self._surroundings = Surroundings(self.index, Store(), self.files, paths, self.faults, distro)
+        self._of_defaults: dict[str, Launched] = {}
+
+    def run(self, path: str, arguments: Mapping[str, str] | None = None) -> Launched:
+        """Run a launch file as ``ros2 launch path name:=value …``; without arguments the defaults hold."""
+        result = Launched(path, self.owners.package_of(path), dict(arguments or {}))
+        run = Launcher(self._surroundings, path, result)
+        for name, value in (arguments or {}).items():
+            run.launch.configurations[name] = Known(value)
+        store = self._surroundings.store
+        depth = store.depth
+        store.push()
+        try:
+            run.enter(path)
+        finally:
+            store.cut(depth)
+        if not arguments:
+            self._of_defaults.setdefault(path, result)
+        return result
+
+    def with_defaults(self, path: str) -> Launched:
+        """A launch file run on its own with its defaults; the same answer each time."""
+        return self._of_defaults.get(path) or self.run(path)

@@ -1,0 +1,117 @@
+"""Path resolution: which file of the workspace a path in a launch file means, and whether it is installed."""
+
+from __future__ import annotations
+
+import posixpath
+import re
+from collections.abc import Mapping
+from typing import TYPE_CHECKING
+
+from archlint.interpreter.values import Known, Unknown, Value, reason
+from archlint.launch.model import FileKind, FileReference, FileStatus
+
+if TYPE_CHECKING:
+    from archlint.finding import Place
+    from archlint.workspace.installed import Installs
+    from archlint.workspace.owners import FileOwners
+    from archlint.workspace.tree import Tree
+
+_SHARE = re.compile(r"^\$\(find-pkg-share ([\w.-]+)\)(.*)$", re.DOTALL)
+
+
+class LaunchPaths:
+    """Paths as launch files have them, which run from where they are installed."""
+
+    def __init__(self, installs: Mapping[str, Installs], tree: Tree, owners: FileOwners) -> None:
+        self._installs = installs
+        self._tree = tree
+        self._owners = owners
+
+    def text(self, reference: FileReference) -> str | None:
+        """The text of a file that a launch file names; None for one that is not here."""
+        return None if reference.source is None else self._tree.text(reference.source)
+
+    def resolve(
+        self,
+        kind: FileKind,
+        path: Value,
+        place: Place,
+        launch_file: str,
+        asked: frozenset[str] | set[str],
+        conditional: bool,
+    ) -> FileReference:
+        """What ``launch_file`` means by a path; ``asked`` are the paths of which its code asks if they are there."""
+        if not isinstance(path, Known) or not str(path.value):
+            return FileReference(kind, None, None, FileStatus.UNKNOWN, None, place, reason(path), conditional)
+        written = str(path.value)
+        shared = _SHARE.match(written)
+        if shared is not None:
+            package, rest = shared[1], posixpath.normpath(shared[2].lstrip("/") or ".")
+            source, status = self._in_package(package, rest)
+        elif written.startswith("$(workspace)/"):
+            package = self._owners.package_of(launch_file)
+            source, status = self._beside(written.removeprefix("$(workspace)/"), package, launch_file)
+        else:
+            return FileReference(
+                kind, written, None, FileStatus.EXTERNAL, None, place, "a path of the machine", conditional
+            )
+        optional = conditional and posixpath.normpath(written) in asked
+        return FileReference(kind, written, source, status, package, place, None, conditional, path.origin, optional)
+
+    def _in_package(self, package: str, rest: str) -> tuple[str | None, FileStatus]:
+        installs = self._installs.get(package)
+        if installs is None:
+            return None, FileStatus.EXTERNAL
+        for source in installs.source_of(f"share/{package}/{rest}"):
+            if self._tree.is_file(source) or self._tree.is_folder(source):
+                return source, FileStatus.INSTALLED
+        direct = posixpath.normpath(posixpath.join(installs.folder, rest))
+        if self._tree.is_file(direct) or self._tree.is_folder(direct):
+            return (
+                direct,
+                FileStatus.INSTALLED if installs.open_files or not installs.build_files else FileStatus.NOT_INSTALLED,
+            )
+        return None, FileStatus.UNKNOWN if installs.open_files or not installs.build_files else FileStatus.MISSING
+
+    def _beside(self, source: str, package: str | None, launch_file: str) -> tuple[str | None, FileStatus]:
+        """A path that starts at the launch file itself."""
+        source = posixpath.normpath(source)
+        if self._tree.is_file(source):
+            return source, FileStatus.INSTALLED
+        installs = self._installs.get(package or "")
+        if installs is None:
+            return None, FileStatus.UNKNOWN
+        # The launch file runs from where it is installed: the same way from there.
+        way = posixpath.relpath(source, posixpath.dirname(launch_file) or ".")
+        for place in (*installs.places_of(launch_file), self._beside_manifest(launch_file, installs)):
+            found, status = self._in_share(posixpath.normpath(posixpath.join(posixpath.dirname(place), way)))
+            if found is not None:
+                return found, status
+        return None, FileStatus.UNKNOWN if installs.open_files else FileStatus.MISSING
+
+    @staticmethod
+    def _beside_manifest(path: str, installs: Installs) -> str:
+        """A file as if the folders of its package were installed as they are."""
+        own = path if installs.folder == "." else path[len(installs.folder) + 1 :]
+        return f"share/{installs.package}/{own}"
+
+    def _in_share(self, path: str) -> tuple[str | None, FileStatus]:
+        """What is installed at a path below the prefix."""
+        share, _, below = path.partition("/")
+        package, _, rest = below.partition("/")
+        return self._in_package(package, rest or ".") if share == "share" and package else (None, FileStatus.MISSING)
+
+    def launch_file_named(self, package: str, name: str) -> Value:
+        """The path of the launch file that ``ros2 launch`` finds: it walks the whole share folder of the package and
+        goes by the name of the file alone; where two have it, it starts neither."""
+        share = f"share/{package}/"
+        installs = self._installs.get(package)
+        if installs is None:
+            return Known(f"$(find-pkg-share {package})/launch/{name}")
+        sources = [path for path in self._tree.files_below(installs.folder) if posixpath.basename(path) == name]
+        there = {place for path in sources for place in installs.places_of(path) if place.startswith(share)}
+        if len(there) > 1:
+            return Unknown(f"{package} installs several files {name}")
+        if not there and len(sources) == 1:  # not installed, or in a way that is not known
+            there = {share + posixpath.relpath(sources[0], installs.folder)}
+        return Known(f"$(find-pkg-share {package})/" + (there.pop().removeprefix(share) if there else f"launch/{name}"))

@@ -1,0 +1,1 @@
+"""Substitutions: what their text is in a launch context."""

@@ -1,0 +1,119 @@
+"""The Python code of a workspace: which files there are in which package, and which of them import which."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from functools import cached_property
+from typing import TYPE_CHECKING
+
+from archlint.interpreter.modules import Module, ModuleIndex
+from archlint.workspace.tree import NO_FILES
+
+if TYPE_CHECKING:
+    from archlint.syntax.facts import Facts
+    from archlint.workspace.installed import Installs
+    from archlint.workspace.model import SourceFile
+    from archlint.workspace.tree import Tree
+
+
+class WorkspaceCode:
+    """Plain look-ups; a file is named by its shown path."""
+
+    def __init__(
+        self,
+        files: Sequence[SourceFile] = (),
+        facts_of: Callable[[SourceFile], Facts | None] = lambda file: None,
+        index: ModuleIndex | None = None,
+        tree: Tree = NO_FILES,
+        installs: Mapping[str, Installs] | None = None,
+        relevant: Callable[[SourceFile], bool] = lambda file: True,
+    ) -> None:
+        self._files = files
+        self._facts_of = facts_of
+        self._index = index or ModuleIndex(files, facts_of)
+        self._tree = tree
+        self._installs = installs or {}
+        self._relevant = relevant
+        self._by_path = {file.relative: file for file in files}
+
+    def facts_at(self, path: str) -> Facts | None:
+        """The facts of a file; None where it was not read."""
+        file = self._by_path.get(path)
+        return None if file is None else self._facts_of(file)
+
+    def asked_for(self) -> list[tuple[SourceFile, Facts]]:
+        """The files that were asked for and that can matter, with their facts."""
+        rows = [(file, self._facts_of(file)) for file in self._files if self._matters(file)]
+        return [(file, found) for file, found in rows if found is not None]
+
+    def _matters(self, file: SourceFile) -> bool:
+        return not file.context and (file.kind == "launch_python" or (file.kind == "python" and self._relevant(file)))
+
+    def mentions(self, path: str, word: str) -> bool:
+        """Whether a word stands anywhere in a file, be it of Python or not."""
+        text = self._tree.text(path)
+        return text is not None and re.search(rf"(?<!\w){re.escape(word)}(?!\w)", text) is not None
+
+    # ------------------------------------------------------------------------------------------ by package
+
+    def modules_of(self, package: str) -> dict[str, str]:
+        """The modules of a package by name, with their paths."""
+        return {
+            file.module: file.relative
+            for file in self._files
+            if file.package == package and file.module and file.kind in ("python", "launch_python")
+        }
+
+    def files_of(self, package: str) -> list[str]:
+        """The Python files of a package that are no launch files, whether they are modules or scripts."""
+        return [file.relative for file in self._files if file.package == package and file.kind == "python"]
+
+    def files_named(self, package: str, module: str) -> list[str]:
+        """Files of a package whose path below the package's folder ends like a module's name."""
+        tail, installs = "/" + module.replace(".", "/"), self._installs.get(package)
+        ends, folder = (f"{tail}.py", f"{tail}/__init__.py"), "" if installs is None else f"{installs.folder}/"
+        own = [file for file in self._files if file.package == package]
+        ending = (file for file in own if f"/{file.relative.removeprefix(folder)}".endswith(ends))
+        return [file.relative for file in own if file.module == module] or [file.relative for file in ending]
+
+    # ------------------------------------------------------------------------------------------ by import
+
+    @cached_property
+    def top_modules(self) -> frozenset[str]:
+        """The first segments of the names under which files of the workspace are imported."""
+        return frozenset(file.module.partition(".")[0] for file in self._files if file.module)
+
+    def is_local(self, file: SourceFile, module: str) -> bool:
+        """Whether an import means a file of the same package."""
+        importer = self._index.module(file)
+        found = None if importer is None else self._index.find(importer, module)
+        return found is not None and found.file.package == file.package
+
+    def imported(self, path: str, name: str, level: int = 0) -> Facts | None:
+        """The facts of the file of the workspace that a file's import of a module leads to; None for foreign ones."""
+        module = self._imported(path, name, level)
+        return None if module is None else module.facts
+
+    def imported_of_package(self, path: str, name: str, level: int = 0) -> Facts | None:
+        """As :meth:`imported`; None for files of other packages, too."""
+        file, module = self._by_path.get(path), self._imported(path, name, level)
+        same = file is not None and module is not None and module.file.package == file.package
+        return module.facts if same and module is not None else None
+
+    def _imported(self, path: str, name: str, level: int) -> Module | None:
+        file = self._by_path.get(path)
+        importer = None if file is None else self._index.module(file)
+        return None if importer is None else self._index.find(importer, name, level)
+
+    def in_use(self) -> frozenset[str]:
+        """The files that installed programs and launch files are, and all that these import."""
+        starts = {file.relative for file in self._files if file.kind == "launch_python"}
+        for one in (each for installs in self._installs.values() for each in installs.executables.values()):
+            starts.update([one.script] if one.script else self.files_named(one.package, one.module or "?"))
+        return self.reached_from(starts)
+
+    def reached_from(self, starts: Iterable[str]) -> frozenset[str]:
+        """Some files, and all that these import."""
+        modules = (self._index.module(self._by_path[path]) for path in sorted(starts) if path in self._by_path)
+        return frozenset[str]().union(*(self._index.imported_by(module) for module in modules if module is not None))
