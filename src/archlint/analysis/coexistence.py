@@ -171,7 +171,9 @@ def has_launch_files(system: System) -> bool:
 
 
 def _starters(node: Node) -> set[tuple[str | None, str]]:
-    return {(node.package, executable) for executable in node.executables}
+    made = [one for one in (node.blueprint, *node.merged) if one is not None]
+    scripts = {(None, file) for one in made for file in one.scripts}
+    return scripts | {(node.package, executable) for executable in node.executables}
 
 
 def are_alternatives(system: System, one: Node, other: Node) -> bool:

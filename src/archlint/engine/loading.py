@@ -15,6 +15,7 @@ from archlint.faults import Faults
 from archlint.launch.launches import Launches
 from archlint.programs.entry_points import entry_points, read_installs
 from archlint.programs.linker import Linker
+from archlint.programs.scripts import forget_names
 from archlint.ros.interfaces import InterfaceTable
 from archlint.systems.code import WorkspaceCode
 from archlint.systems.instances import assemble
@@ -41,6 +42,7 @@ def systems_of(request: Request, workspace: Workspace, facts: FactsOfFiles, tree
     linker = Linker(workspace.files, facts.facts_of, facts.relevant, interfaces, faults)
     entries = entry_points(installs, workspace.files)
     programs = linker.run_all(entries)
+    forget_names(programs, linker.started.values(), installs)
     [opened] = assemble(programs, workspace, request.settings)
     old = frozenset(package.name for package in workspace.packages if package.ros1)
     distro = request.settings.distro

@@ -170,6 +170,8 @@ class Blueprint:
     parameters: list[ParameterDeclaration] = field(default_factory=list)
     callbacks: list[Callback] = field(default_factory=list)
     executables: tuple[str, ...] = ()
+    scripts: tuple[str, ...] = ()
+    """The files that start it and that no package installs."""
     executor: ExecutorKind = ExecutorKind.NONE
     test: bool = False
     """True where the node is defined in test code: never judged together with others."""
