@@ -17,43 +17,47 @@ _CLOCKS = frozenset({"time", "monotonic", "perf_counter"})
 
 def limit_of(run: Run, loop: facts.While | facts.For) -> float | None:
     """The seconds after which a loop of the function that runs now ends in any case; None where nobody knows."""
-    if not isinstance(loop, facts.While):
-        return None
-    test = loop.test
-    together = test.values if isinstance(test, facts.Boolean) and test.op == "and" else [test]
-    limits = [_limit(run, one) for one in together]
+    match loop:
+        case facts.While(facts.Boolean("and", tests)):
+            limits = [_limit(run, test) for test in tests]
+        case facts.While(test):
+            limits = [_limit(run, test)]
+        case _:
+            return None
     return min((limit for limit in limits if limit is not None), default=None)
 
 
 def _limit(run: Run, test: facts.Expr) -> float | None:
-    if not isinstance(test, facts.Compare) or len(test.ops) != 1:
-        return None
-    left, right, op = test.left, test.comparators[0], test.ops[0]
-    if op in (">", ">="):
-        left, right = right, left
-    elif op not in ("<", "<="):
-        return None
-    if isinstance(left, facts.Binary) and left.op == "-" and _is_clock(left.left):
-        return _seconds(run, right)
-    if _is_clock(left) and isinstance(right, facts.Name):
-        return _until(run, right.id)
+    match test:
+        case facts.Compare(left, ["<" | "<="], [right]) | facts.Compare(right, [">" | ">="], [left]):
+            pass
+        case _:
+            return None
+    match left:
+        case facts.Binary("-", clock) if _is_clock(clock):
+            return _seconds(run, right)
+        case facts.Call() if _is_clock(left) and right.variable:
+            return _until(run, right.variable)
     return None
 
 
 def _until(run: Run, name: str) -> float | None:
     """How far ahead of the clock a deadline is set."""
     values = [
-        one.value
-        for one in statements_of(run.activation.body)
-        if isinstance(one, facts.Assign) and any(isinstance(t, facts.Name) and t.id == name for t in one.targets)
+        statement.value
+        for statement in statements_of(run.activation.body, facts.Assign)
+        if any(target.variable == name for target in statement.targets)
     ]
-    found = [
-        _seconds(run, value.right)
-        for value in values
-        if isinstance(value, facts.Binary) and value.op == "+" and _is_clock(value.left)
-    ]
-    known = [seconds for seconds in found if seconds is not None]
+    ahead = [_ahead(run, value) for value in values]
+    known = [seconds for seconds in ahead if seconds is not None]
     return max(known) if known and len(known) == len(values) else None
+
+
+def _ahead(run: Run, value: facts.Expr) -> float | None:
+    match value:
+        case facts.Binary("+", clock, seconds) if _is_clock(clock):
+            return _seconds(run, seconds)
+    return None
 
 
 def _is_clock(expression: facts.Expr) -> bool:

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Final
 
 from archlint.syntax import facts
 from archlint.syntax.control_flow import always_raises
+from archlint.syntax.parts import Itself
 from archlint.syntax.walk import called_name, calls_in, parts_of, statements_of
 
 if TYPE_CHECKING:
@@ -52,15 +53,15 @@ def proven_of(run: Run) -> tuple[tuple[facts.Expr, bool], ...]:
 
 
 def _asks(test: facts.Expr) -> set[str]:
-    return {part.id for part in parts_of(test) if isinstance(part, facts.Name)}
+    return {part.id for part in parts_of(test, facts.Name)}
 
 
 def _proven(block: Sequence[facts.Stmt], wanted: facts.Stmt | None) -> list[tuple[facts.Expr, bool]]:
-    at = _layout(_Block(block))[0].get(id(wanted))
+    at = _layout(Itself(block))[0].get(id(wanted))
     if at is None or block[at] is wanted:
         return []
     statement = block[at]
-    inner = next(one for one in statement.blocks if id(wanted) in _layout(_Block(one))[0])
+    inner = next(one for one in statement.blocks if id(wanted) in _layout(Itself(one))[0])
     below = _proven(inner, wanted)
     return [(statement.test, inner is statement.body), *below] if isinstance(statement, facts.If) else below
 
@@ -72,11 +73,11 @@ def is_cleaning_up(run: Run) -> bool:
 
 
 def _cleans_up(block: Sequence[facts.Stmt], wanted: facts.Stmt | None) -> bool:
-    at = _layout(_Block(block))[0].get(id(wanted))
+    at = _layout(Itself(block))[0].get(id(wanted))
     if at is None or block[at] is wanted:
         return False
     statement = block[at]
-    inner = next(one for one in statement.blocks if id(wanted) in _layout(_Block(one))[0])
+    inner = next(one for one in statement.blocks if id(wanted) in _layout(Itself(one))[0])
     if isinstance(statement, facts.Try):
         handled = any(inner is handler.body for handler in statement.handlers)
         if handled and always_raises(inner):
@@ -91,7 +92,7 @@ _ENDS = frozenset({"shutdown", "try_shutdown", "destroy_node"})
 
 def _tests_on_the_way(block: Sequence[facts.Stmt], wanted: facts.Stmt | None) -> list[facts.Expr] | None:
     """The conditions that decide whether a statement of a block is reached; None where there is more to it."""
-    places, exits = _layout(_Block(block))
+    places, exits = _layout(Itself(block))
     at = places.get(id(wanted))
     found: list[facts.Expr] = []
     for number in exits:
@@ -111,14 +112,14 @@ def _tests_on_the_way(block: Sequence[facts.Stmt], wanted: facts.Stmt | None) ->
 def _inner_tests(statement: facts.Stmt, wanted: facts.Stmt | None) -> list[facts.Expr] | None:
     if statement is wanted:
         return []
-    if isinstance(statement, (facts.With, facts.For)):
-        return _tests_on_the_way(statement.body, wanted)
-    if isinstance(statement, facts.Try) and id(wanted) in _layout(_Block(statement.body))[0]:
-        return _tests_on_the_way(statement.body, wanted)
-    if isinstance(statement, facts.If):
-        block = statement.body if id(wanted) in _layout(_Block(statement.body))[0] else statement.orelse
-        inner = _tests_on_the_way(block, wanted)
-        return None if inner is None else [statement.test, *inner]
+    match statement:
+        case facts.With() | facts.For():
+            return _tests_on_the_way(statement.body, wanted)
+        case facts.Try(body) if id(wanted) in _layout(Itself(body))[0]:
+            return _tests_on_the_way(body, wanted)
+        case facts.If(test, body, orelse):
+            inner = _tests_on_the_way(body if id(wanted) in _layout(Itself(body))[0] else orelse, wanted)
+            return None if inner is None else [test, *inner]
     return None
 
 
@@ -126,10 +127,11 @@ def _tests_within(statement: facts.Stmt) -> list[facts.Expr] | None:
     """The conditions of a statement that may leave the function; None where something else than ``if`` decides."""
     found = []
     for one in statements_of([statement]):
-        if isinstance(one, facts.If):
-            found.append(one.test)
-        elif isinstance(one, (facts.Try, facts.While, facts.Match)):
-            return None
+        match one:
+            case facts.If(test):
+                found.append(test)
+            case facts.Try() | facts.While() | facts.Match():
+                return None
     return found
 
 
@@ -140,45 +142,32 @@ def _about_arguments(tests: Sequence[facts.Expr], activation: Activation) -> boo
         return False
     known = {param.name for param in function.ir.params} - {"self", "cls"}
     for statement in statements_of(activation.body):
-        if isinstance(statement, facts.Assign):
-            names = {target.id for target in statement.targets if isinstance(target, facts.Name)}
-            known = known | names if _looks_at(statement.value, known) else known - names
-        elif isinstance(statement, facts.For) and isinstance(statement.target, facts.Name):
-            name = {statement.target.id}
-            known = known | name if _looks_at(statement.iterable, known) else known - name
+        match statement:
+            case facts.Assign(targets, value):
+                names = {target.variable for target in targets}
+            case facts.For(target, value) if target.variable:
+                names = {target.variable}
+            case _:
+                continue
+        known = known | names if _looks_at(value, known) else known - names
     return all(_looks_at(test, known) for test in tests)
 
 
 def _looks_at(expression: facts.Expr, known: set[str]) -> bool:
     """Whether an expression is made of known names, literals, constants and classes, and asks at least one of these
     names."""
-    names = [part.id for part in parts_of(expression) if isinstance(part, facts.Name)]
+    names = [part.id for part in parts_of(expression, facts.Name)]
     asked = [name for name in names if name not in _PLAIN and not name[:1].isupper()]
-    plain = all(isinstance(call.func, facts.Attribute) or called_name(call) in _PLAIN for call in calls_in(expression))
+    plain = all(call.func.attribute or called_name(call) in _PLAIN for call in calls_in(expression))
     return plain and bool(asked) and known.issuperset(asked)
 
 
-class _Block:
-    """A block of statements, equal to itself alone."""
-
-    __slots__ = ("block",)
-
-    def __init__(self, block: Sequence[facts.Stmt]) -> None:
-        self.block = block
-
-    def __hash__(self) -> int:
-        return id(self.block)
-
-    def __eq__(self, other: object) -> bool:
-        return isinstance(other, _Block) and other.block is self.block
-
-
 @lru_cache(maxsize=4096)
-def _layout(key: _Block) -> tuple[dict[int, int], tuple[int, ...]]:
+def _layout(key: Itself[Sequence[facts.Stmt]]) -> tuple[dict[int, int], tuple[int, ...]]:
     """In which statement of a block each statement lies, and those that may leave the function."""
     places: dict[int, int] = {}
     exits: dict[int, None] = {}
-    for number, statement in enumerate(key.block):
+    for number, statement in enumerate(key.fact):
         for one in statements_of([statement]):
             places[id(one)] = number
             if isinstance(one, (facts.Return, facts.Raise)):

@@ -42,19 +42,19 @@ def holder(activations: Sequence[Activation], made: facts.Call | None) -> Activa
 
 def _assigned(ir: facts.Function, statement: facts.Stmt | None, call: facts.Call) -> str | None:
     """The variable of a function that a statement assigns what ``call`` gives to, and nothing else."""
-    if not isinstance(statement, facts.Assign) or statement.value is not call or len(statement.targets) != 1:
-        return None
-    target = statement.targets[0]
-    return target.id if isinstance(target, facts.Name) and target.id in bound_names(ir)[0] else None
+    match statement:
+        case facts.Assign([facts.Name(name)], value) if value is call and name in bound_names(ir)[0]:
+            return name
+    return None
 
 
 def _call_of(activations: Sequence[Activation], callee: Activation, ir: facts.Function) -> facts.Call | None:
     """The call by name that runs a function, where the caller's statement takes what it returns."""
     at = next(number for number, one in enumerate(activations) if one is callee)
-    statement = activations[at - 1].statement if at else None
-    value = statement.value if isinstance(statement, (facts.Assign, facts.Return)) else None
-    called = value.func if isinstance(value, facts.Call) else None
-    return value if isinstance(value, facts.Call) and isinstance(called, facts.Name) and called.id == ir.name else None
+    match activations[at - 1].statement if at else None:
+        case facts.Assign(value=facts.Call(func) as call) | facts.Return(facts.Call(func) as call):
+            return call if func.variable == ir.name else None
+    return None
 
 
 def _functions_of(activation: Activation) -> dict[str, facts.Function]:
@@ -63,17 +63,16 @@ def _functions_of(activation: Activation) -> dict[str, facts.Function]:
 
 
 def _returned(ir: facts.Function, name: str) -> int:
-    returns = (item.value for item in everything_in(ir.body) if isinstance(item, facts.Return))
-    return sum(isinstance(value, facts.Name) and value.id == name for value in returns)
+    values = (item.value for item in everything_in(ir.body, facts.Return))
+    return sum(value is not None and value.variable == name for value in values)
 
 
 def _mentions(ir: facts.Function, name: str) -> int:
-    inner = sum(name in names_in(item) for item in everything_in(ir.body) if isinstance(item, _INNER))
-    return inner + sum(isinstance(item, facts.Name) and item.id == name for item in everything_in(ir.body))
-
-
-_INNER = (facts.Function, facts.Lambda)
-"""What may outlive the function, with the variables that it uses."""
+    # A function inside may outlive this one, with the variables that it uses.
+    inner = (item for kind in (facts.Function, facts.Lambda) for item in everything_in(ir.body, kind))
+    return sum(name in names_in(item) for item in inner) + sum(
+        item.id == name for item in everything_in(ir.body, facts.Name)
+    )
 
 
 def _harmless(ir: facts.Function, name: str, functions: Mapping[str, facts.Function]) -> int:
@@ -81,16 +80,15 @@ def _harmless(ir: facts.Function, name: str, functions: Mapping[str, facts.Funct
     than this with it."""
     count = 0
     for item in everything_in(ir.body):
-        if isinstance(item, facts.Assign):
-            count += sum(isinstance(target, facts.Name) and target.id == name for target in item.targets)
-        elif isinstance(item, facts.Call) and isinstance(item.func, facts.Attribute):
-            owner = item.func.value
-            if isinstance(owner, facts.Name) and owner.id == name:
+        match item:
+            case facts.Assign(targets):
+                count += sum(target.variable == name for target in targets)
+            case facts.Call(facts.Attribute(owner)) if owner.variable == name:
                 count += 1
-            elif isinstance(owner, facts.Name) and owner.id == "rclpy" and item.func.attr.startswith("spin"):
-                count += sum(isinstance(one.value, facts.Name) and one.value.id == name for one in item.args)
-        elif isinstance(item, facts.Call) and isinstance(item.func, facts.Name):
-            count += _lent(item, functions.get(item.func.id), name, functions)
+            case facts.Call(facts.Attribute(facts.Name("rclpy"), method), given) if method.startswith("spin"):
+                count += sum(one.value.variable == name for one in given)
+            case facts.Call(facts.Name(called)):
+                count += _lent(item, functions.get(called), name, functions)
     return count
 
 
@@ -101,7 +99,7 @@ def _lent(call: facts.Call, function: facts.Function | None, name: str, function
     others = {key: one for key, one in functions.items() if one is not function}
     count = 0
     for position, given in enumerate(call.args):
-        if not (isinstance(given.value, facts.Name) and given.value.id == name):
+        if given.value.variable != name:
             continue
         keywords = [one.name for one in function.params if one.name == given.keyword]
         names = keywords if given.keyword else [one.name for one in function.params[position : position + 1]]
