@@ -8,19 +8,19 @@ the arguments of its callers where there are any.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from archlint import model
 from archlint.faults import Faults
 from archlint.finding import Place
 from archlint.interpreter.activation import Activation
+from archlint.interpreter.attributes import get_attribute
 from archlint.interpreter.call_site import CallSite
 from archlint.interpreter.classes import class_lookup
 from archlint.interpreter.heap import Store
 from archlint.interpreter.machine import TEST_STEPS
 from archlint.interpreter.modules import Module, ModuleIndex
-from archlint.interpreter.roots import enter_root
 from archlint.interpreter.values import ClassValue, FunctionValue, Value
 from archlint.launch.library import LaunchLibrary
 from archlint.libraries.interest import interesting
@@ -28,8 +28,10 @@ from archlint.libraries.python import command_line
 from archlint.libraries.rclpy import escapes, node_classes
 from archlint.libraries.run import Run
 from archlint.programs.budget import Budget, cut_short
-from archlint.programs.helpers import Holders, helpers_in, note_holders, note_unfollowed, prune_uncalled, settle_helpers
-from archlint.programs.roots import finish, flags_of, run_callbacks, run_pending
+from archlint.programs.followed import FollowedProgram, Progress
+from archlint.programs.helpers import helpers_in, note_unfollowed, prune_uncalled, settle_helpers
+from archlint.programs.roots import flags_of, run_callbacks, run_pending
+from archlint.programs.top_level import called_alone, definitions, main_guard, place_of
 from archlint.syntax import facts
 from archlint.syntax.parts import names_in
 from archlint.syntax.python.deep_stack import call_with_deep_stack
@@ -49,13 +51,6 @@ class EntryPoint:
     module: str
     function: str | None
     file: SourceFile | None = None
-
-
-@dataclass
-class Linked:
-    """What linking found: programs in a fixed order, and the files that no program reads."""
-
-    programs: list[model.Program] = field(default_factory=list)
 
 
 def link_files(
@@ -91,15 +86,9 @@ class Linker:
         self.interfaces = interfaces
         self.store = Store()
         self.faults = faults or Faults()
-        self.programs: list[model.Program] = []
-        self.budget = Budget()
+        self.progress = Progress()
         self.started: dict[tuple[str | None, str], model.Program] = {}
         """The program of each entry point, by package and executable."""
-        self.ran: set[int] = set()
-        self.made: set[int] = set()
-        """Classes of which an object was made, and their bases."""
-        self.holders: Holders = {}
-        """The nodes that objects of a class were seen to hold in an attribute."""
         self.helpers: list[model.Blueprint] = []
         """What works on nodes that are not known, once all programs have run."""
         self._settled = False
@@ -119,34 +108,31 @@ class Linker:
             for module in chosen:
                 if self._is_started(module, started):
                     continue
-                if _main_guard(module) or module.state == "new":
+                if main_guard(module) or module.state == "new":
                     self.run_script(module)
             self._sweep(chosen, test)
-        prune_uncalled(self.programs)
-        settle_helpers(self.programs, self.holders)
-        note_unfollowed(self.programs, self._names_in_file)
-        self.helpers = helpers_in(self.programs)
+        prune_uncalled(self.progress.programs)
+        settle_helpers(self.progress.programs, self.progress.holders)
+        note_unfollowed(self.progress.programs, self._names_in_file)
+        self.helpers = helpers_in(self.progress.programs)
         self._settled = True
-        self.budget = Budget()  # for what launch files run again
-        return [p for p in self.programs if p.nodes or p.calls or p.callbacks or p.unknown_interfaces or p.field_uses]
+        self.progress.budget = Budget()  # for what launch files run again
+        return [
+            p
+            for p in self.progress.programs
+            if p.nodes or p.calls or p.callbacks or p.unknown_interfaces or p.field_uses
+        ]
 
     def _is_started(self, module: Module, started: dict[str, set[str]]) -> bool:
         """Whether a console script runs this file just as its main guard would."""
         functions = started.get(module.file.path)
-        guard = _main_guard(module)
+        guard = main_guard(module)
         if functions is None:
             return False
         if guard is None or "" in functions:
             return True
-        calls_only = [
-            s.value.func.id
-            for s in guard.body
-            if isinstance(s, facts.Expression)
-            and isinstance(s.value, facts.Call)
-            and isinstance(s.value.func, facts.Name)
-            and not s.value.args
-        ]
-        return len(calls_only) == len(guard.body) and functions.issuperset(calls_only)
+        called = called_alone(guard.body)
+        return called is not None and functions.issuperset(called)
 
     def _relevant_module(self, file: SourceFile) -> Module | None:
         if file.kind not in ("python", "launch_python") or not self.relevant(file):
@@ -184,12 +170,12 @@ class Linker:
         run = Run(LaunchLibrary, self.index, self.store, program, context, self.interfaces, overrides)
         run.at_spin = run_pending
         run.faults = self.faults
-        self.budget.grant(run, TEST_STEPS if self.index.roles.is_test(module.path) else run.left)
+        self.progress.budget.grant(run, TEST_STEPS if self.index.roles.is_test(module.path) else run.left)
         return run
 
     def cut_short(self) -> list[str]:
         """The files of the programs that were followed only in part, for the sake of all the others."""
-        return cut_short(self.programs)
+        return cut_short(self.progress.programs)
 
     def run_entry(
         self,
@@ -203,7 +189,7 @@ class Linker:
         run = self.new_run(entry.executable, module, overrides=overrides)
         run.program.package = entry.package
         ran_before = module.state != "new"
-        with _Program(self, run, module) as root:
+        with FollowedProgram(self.progress, run, module) as root:
             if words is not None:
                 command_line.give_words(run, words)
             run.import_module(module)
@@ -211,10 +197,10 @@ class Linker:
                 function = self._dotted(run, module, entry.function)
                 if function is not None:
                     run.context.name = entry.function
-                    root.place = _place_of(function) or root.place
+                    root.place = place_of(function) or root.place
                     run.call(function)
-            elif _main_guard(module) is not None:
-                _run_block(run, module, _main_guard(module))
+            elif main_guard(module) is not None:
+                _run_block(run, module, main_guard(module))
             elif ran_before:
                 _run_block(run, module, module.facts)
             _make_handed_out(run)
@@ -229,8 +215,6 @@ class Linker:
         return frozenset() if module is None else names_in(module.facts)
 
     def _dotted(self, run: Run, module: Module, name: str) -> Value | None:
-        from archlint.interpreter.attributes import get_attribute
-
         head, *rest = name.split(".")
         value = run.module_attribute(module, head)
         for part in rest:
@@ -241,9 +225,9 @@ class Linker:
         """Run a file as ``python file``: its top level, then what the main guard holds."""
         name = module.path.rpartition("/")[2]
         run = self.new_run(name.removesuffix(".py"), module)
-        guard = _main_guard(module)
+        guard = main_guard(module)
         run.program.executable = guard is not None
-        with _Program(self, run, module, None if guard is None else Place(module.path, *guard.span)):
+        with FollowedProgram(self.progress, run, module, None if guard is None else Place(module.path, *guard.span)):
             run.import_module(module)
             _run_block(run, module, guard)
             _make_handed_out(run)
@@ -261,10 +245,10 @@ class Linker:
 
     def _scope_values(self, module: Module) -> list[Value]:
         run = self.new_run(module.name, module, model.Role.MODULE)
-        with _Program(self, run, module):
+        with FollowedProgram(self.progress, run, module):
             run.import_module(module)
         assert module.scope is not None
-        names = [s.name for s in _definitions(module.facts.body)]
+        names = [s.name for s in definitions(module.facts.body)]
         found = [self.store.get(module.scope.key, name) for name in dict.fromkeys(names)]
         return [value for value in found if isinstance(value, Value)]
 
@@ -281,23 +265,23 @@ class Linker:
         bases = {id(base) for _, cls in classes for base in cls.mro[1:]}
         for last in (False, True):
             for module, cls in classes:
-                if (id(cls) in bases) is last and id(cls) not in self.made:
+                if (id(cls) in bases) is last and id(cls) not in self.progress.made:
                     self._run_class(module, cls)
 
     def _run_class(self, module: Module, cls: ClassValue) -> None:
         run = self.new_run(cls.qualified, module, model.Role.INIT)
         run.program.executable = False
-        with _Program(self, run, module, _place_of(cls)):
+        with FollowedProgram(self.progress, run, module, place_of(cls)):
             init, _ = class_lookup(run, cls, "__init__")
             run.call(cls, CallSite(keywords=flags_of(init)))
 
     def _run_rest(self, modules: list[Module], classes: list[tuple[Module, ClassValue]], test: bool) -> None:
         candidates: list[tuple[Module, ClassValue | FunctionValue]] = [
-            (module, cls) for module, cls in classes if interesting(cls.ir) and id(cls) not in self.made
+            (module, cls) for module, cls in classes if interesting(cls.ir) and id(cls) not in self.progress.made
         ]
         for module in modules:
             for value in self._scope_values(module):
-                if isinstance(value, FunctionValue) and interesting(value.ir) and id(value.ir) not in self.ran:
+                if isinstance(value, FunctionValue) and interesting(value.ir) and id(value.ir) not in self.progress.ran:
                     candidates.append((module, value))
         mentioned: dict[str, int] = {}
         for _, value in candidates:
@@ -309,96 +293,14 @@ class Linker:
                 own = 1 if name in names_in(value.ir) else 0
                 if (mentioned.get(name, 0) > own) is not last:
                     continue
-                if isinstance(value, ClassValue) and id(value) not in self.made:
+                if isinstance(value, ClassValue) and id(value) not in self.progress.made:
                     self._run_class(module, value)
-                elif isinstance(value, FunctionValue) and id(value.ir) not in self.ran:
+                elif isinstance(value, FunctionValue) and id(value.ir) not in self.progress.ran:
                     run = self.new_run(value.qualified, module, model.Role.METHOD)
                     run.program.executable = False
-                    with _Program(self, run, module, _place_of(value)):
+                    with FollowedProgram(self.progress, run, module, place_of(value)):
                         made = run.call(value, CallSite(keywords=flags_of(value)))
                         escapes.escape(run, [made], f"{value.qualified}() returns it, and nothing here calls that")
-
-
-class _Program:
-    """One program on a layer of its own: its callbacks run when the block ends, then the layer goes.
-
-    What is raised inside is noted at ``place``, and what the program has done until then stays."""
-
-    def __init__(self, linker: Linker, run: Run, module: Module, place: Place | None = None) -> None:
-        self.linker = linker
-        self.run = run
-        self.module = module
-        self.place = place or run.context.place
-
-    def __enter__(self) -> _Program:
-        self.depth = self.run.store.depth
-        self.run.store.push()
-        enter_root(self.run, self.module)
-        return self
-
-    def __exit__(self, kind: object, error: BaseException | None, trace: object) -> bool:
-        run = self.run
-        try:
-            if isinstance(error, Exception):
-                self._recover(error)
-            if error is None or isinstance(error, Exception):
-                run_callbacks(run)
-                escapes.settle(run)
-        except Exception as raised:
-            run.note_fault(self._what, raised, self.place)
-        finally:
-            run.activations.clear()
-            note_holders(self.linker.holders, run, run.store.cut(self.depth))
-        self._finish()
-        return isinstance(error, Exception)
-
-    @property
-    def _what(self) -> str:
-        return f"following {self.run.context.name}"
-
-    def _recover(self, error: Exception) -> None:
-        """Where the program failed: its callbacks are run all the same."""
-        run = self.run
-        run.note_fault(self._what, error, self.place)
-        run.activations.clear()
-        run.branch_arms.clear()
-        run.store.merge([run.store.cut(self.depth + 1)])
-        enter_root(run, self.module)
-
-    def _finish(self) -> None:
-        linker, run = self.linker, self.run
-        linker.budget.settle(run)
-        linker.ran |= run.ran
-        for instance in run.instances.values():
-            if isinstance(instance.cls, ClassValue):
-                linker.made.update(id(base) for base in instance.cls.mro)
-        try:
-            finish(run)
-        except Exception as raised:
-            run.note_fault(self._what, raised, self.place)
-        if run.program not in linker.programs:
-            linker.programs.append(run.program)
-
-
-def _place_of(value: Value) -> Place | None:
-    """Where a class or a function is defined."""
-    if isinstance(value, (ClassValue, FunctionValue)):
-        span = value.ir.span if isinstance(value.ir, facts.Lambda) else value.ir.name_span
-        return Place(value.scope.module.path, *span)
-    return None
-
-
-def _main_guard(module: Module) -> facts.If | None:
-    """``if __name__ == '__main__':`` at the top level."""
-    for statement in module.facts.body:
-        if isinstance(statement, facts.If) and isinstance(statement.test, facts.Compare):
-            test = statement.test
-            sides = [test.left, *test.comparators]
-            names = [side.id for side in sides if isinstance(side, facts.Name)]
-            texts = [side.value for side in sides if isinstance(side, facts.Literal)]
-            if names == ["__name__"] and texts == ["__main__"] and test.ops == ["=="]:
-                return statement
-    return None
 
 
 def _run_block(run: Run, module: Module, block: facts.If | facts.Facts | None) -> None:
@@ -418,17 +320,6 @@ def _make_handed_out(run: Run) -> None:
     run.activations[-1].statement = None
     made = run.call(cls)
     escapes.escape(run, [made], "code that is not followed makes it")
-
-
-def _definitions(body: list[facts.Stmt]) -> list[facts.Function | facts.Class]:
-    found: list[facts.Function | facts.Class] = []
-    for statement in body:
-        if isinstance(statement, (facts.Function, facts.Class)):
-            found.append(statement)
-        elif isinstance(statement, (facts.If, facts.Try)):
-            found.extend(_definitions(statement.body))
-            found.extend(_definitions(statement.orelse))
-    return found
 
 
 __all__ = ["EntryPoint", "Linker", "link_files", "run_callbacks"]

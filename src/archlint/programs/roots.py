@@ -16,6 +16,7 @@ from archlint.interpreter.values import (
     Instance,
     Known,
     OneOf,
+    Partial,
     Unknown,
     Value,
 )
@@ -148,8 +149,6 @@ def _fit(value: Value, arguments: tuple[Value, ...]) -> list[Value]:
 
 
 def _function_and_bound(value: Value) -> tuple[facts.Function | facts.Lambda | None, int]:
-    from archlint.interpreter.values import Partial
-
     if isinstance(value, FunctionValue):
         return value.ir, 0
     if isinstance(value, BoundMethod):

@@ -1,0 +1,53 @@
+"""What stands at the top level of a module: its main guard, its definitions."""
+
+from __future__ import annotations
+
+from archlint.finding import Place
+from archlint.interpreter.modules import Module
+from archlint.interpreter.values import ClassValue, FunctionValue, Value
+from archlint.syntax import facts
+
+
+def main_guard(module: Module) -> facts.If | None:
+    """``if __name__ == '__main__':``."""
+    for statement in module.facts.body:
+        match statement:
+            case facts.If(facts.Compare(left, ["=="], [right])):
+                if {left.variable, right.variable} == {"__name__", ""} and "__main__" in (left.text, right.text):
+                    return statement
+    return None
+
+
+def called_alone(body: list[facts.Stmt]) -> list[str] | None:
+    """The functions that a block calls without arguments, where it does nothing else."""
+    names = []
+    for statement in body:
+        match statement:
+            case facts.Expression(facts.Call(facts.Name(name), [])):
+                names.append(name)
+            case _:
+                return None
+    return names
+
+
+def definitions(body: list[facts.Stmt]) -> list[facts.Function | facts.Class]:
+    """The functions and classes of a block, those under a condition too."""
+    found: list[facts.Function | facts.Class] = []
+    for statement in body:
+        match statement:
+            case facts.Function() | facts.Class():
+                found.append(statement)
+            case facts.If() | facts.Try():
+                found += [*definitions(statement.body), *definitions(statement.orelse)]
+    return found
+
+
+def place_of(value: Value) -> Place | None:
+    """Where a class or a function is defined."""
+    if isinstance(value, (ClassValue, FunctionValue)):
+        span = value.ir.span if isinstance(value.ir, facts.Lambda) else value.ir.name_span
+        return Place(value.scope.module.path, *span)
+    return None
+
+
+__all__ = ["called_alone", "definitions", "main_guard", "place_of"]
