@@ -6,7 +6,7 @@ from typing import get_args
 
 import pytest
 
-from archlint.fixes.names import _KIND
+from archlint.analysis.name_sites import _INTERFACES
 from archlint.launch.library import LaunchLibrary
 from archlint.libraries import screen, tables
 from archlint.libraries.interest import WORDS as INTERESTING
@@ -44,7 +44,7 @@ def test_what_creates_on_a_node_is_known_everywhere(name):
     """A mixin that calls nothing else is read, and its class is run."""
     assert name.encode() in screen.WORDS
     assert name in NODE_METHODS and name in INTERESTING
-    assert (name in _KIND) == (tables.NODE_ROWS[name].name is not None)
+    assert (name in _INTERFACES) == (tables.NODE_ROWS[name].name is not None)
 
 
 def passes(source: str) -> bool:
