@@ -504,6 +504,19 @@ def post(self, url):
 """
 
 
+def test_a_callback_that_waits_for_the_network_and_sleeps_is_one_finding(run: Run):
+    methods = """
+    def tick(self):
+        time.sleep(2.0)
+        self.post()
+
+    def post(self):
+        self.session.post('http://robot/add')
+    """
+    [found] = run("import requests\n" + source("self.session = requests.Session()\n" + TIMER, methods))
+    assert found.message.endswith("; it waits in another function, too")
+
+
 @pytest.mark.parametrize("method", ["put", "patch", "delete", "head", "request"])
 def test_a_session_waits_in_each_of_its_methods(run: Run, method: str):
     create = "self.session = requests.Session()\n" + TIMER

@@ -75,11 +75,13 @@ def slow_callback(system: System, options: Options) -> Iterator[Finding]:
         known = rows.get(call.place)
         if known is None or len(call.chain) < len(known[1].chain):
             rows[call.place] = (program, call, stay)
-    yield from one_for_each_place(
-        _slow(system, sorted(rows.values(), key=_longest_first))
+    found = [
+        sorted(rows.values(), key=_longest_first)
         for rows in functions.values()
         if not all(_is_left_alone(program, call, stay) for program, call, stay in rows.values())
-    )
+    ]
+    mixed = {id(call.context) for rows in found for _, call, stay in rows[:1] if stay.kind != "network"}
+    yield from one_for_each_place(_slow(system, rows, id(rows[0][1].context) not in mixed) for rows in found)
 
 
 def _longest_first(row: _Row) -> tuple[float, Place]:
@@ -249,7 +251,8 @@ _TAKE_IN = frozenset(
 _ITS_NEXT = {Role.SUBSCRIPTION: "message", Role.TIMER: "turn", Role.SERVICE: "request", Role.EXECUTE: "goal"}
 
 
-def _slow(system: System, rows: Sequence[_Row]) -> Finding:
+def _slow(system: System, rows: Sequence[_Row], only_network: bool) -> Finding:
+    """The finding for a function; ``only_network`` where the callback waits for the network in all that it gets to."""
     (program, call, stay), *others = rows
     callback = call.context
     period = _period(callback)
@@ -277,16 +280,16 @@ def _slow(system: System, rows: Sequence[_Row]) -> Finding:
         ),
         node=node_name(system, callback.node),
         identity=(callback.name, call.api),
-        group=_cause(callback, stay),
+        group=_cause(callback, only_network),
     )
     return replace(found, severity=Severity.INFO) if mild else found
 
 
-def _cause(callback: Callback, stay: Stay) -> tuple[str, ...]:
+def _cause(callback: Callback, only_network: bool) -> tuple[str, ...]:
     """What findings have in common that one change mends: the callback, which has to be taken apart; or a node that
     asks the network in one callback as in the next, and needs another thread for that."""
     node = callback.node
-    if stay.kind == "network" and node is not None:
+    if only_network and node is not None:
         return (*map(str, (node.place.file, node.place.line, node.place.column)), node.class_name)
     return (callback.place.file, str(callback.place.line), str(callback.place.column), callback.name)
 
