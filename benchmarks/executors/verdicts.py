@@ -34,7 +34,7 @@ _SAID = (
     (blocking.TIMES_OUT, NOTHING),
     ("so it is None", NOTHING),
     (blocking.HANGS, HANGS),
-    ("may never come", OPEN),
+    ("may never respond", OPEN),
     ("works here", WORKS),
 )
 """What messages say, the most telling first."""

@@ -101,7 +101,7 @@ class TestEntitiesOfCallbacks:
         ("create", "destroy", "end"),
         [
             ("create_publisher(Empty, 'a', 1)", "made.destroy()", "the next spin raises InvalidHandle"),
-            ("create_client(Trigger, 'a')", "made.destroy()", "destroy() leaves the old one on the node"),
+            ("create_client(Trigger, 'a')", "made.destroy()", "destroy() does not remove the old one from the node"),
             ("create_publisher(Empty, 'a', 1)", "self.destroy_publisher(made)", None),
             ("create_client(Trigger, 'a')", "self.destroy_client(made)", None),
         ],
@@ -259,8 +259,11 @@ class TestSpinning:
     @pytest.mark.parametrize(
         ("uses", "help_"),
         [
-            ("print(self.eye.model)", "make no node for this: take 'model' out of the class"),
-            ("print(self.eye.model(1), self.eye.names)", "make no node for this: take 'model' and 'names' out of"),
+            ("print(self.eye.model)", "do not create a node for this: move 'model' out of the class"),
+            (
+                "print(self.eye.model(1), self.eye.names)",
+                "do not create a node for this: move 'model' and 'names' out of",
+            ),
             ("self.eye.model = 1", "rclpy.spin(node)"),
             ("self.eye.look()", "rclpy.spin(node)"),
             ("self.eye.ask(self.eye.model)", "rclpy.spin(node)"),
@@ -304,14 +307,14 @@ class TestSpinning:
     def test_all_that_never_runs_is_named(self, run: Run):
         others = "self.create_subscription(Empty, 'ready', self.on_ready, 10)\n" + TIMER * 2
         [found] = run(source(others, self.ON_READY, self.main("print('there')")))
-        assert found.message == "nothing spins this node, so its subscription and 2 more never run a callback"
+        assert found.message == "nothing spins this node, so the callbacks of its subscription and 2 more never run"
         assert [one.message for one in found.related] == [
             "the subscription is created here",
             "the timer is created here",
             "the timer is created here",
         ]
         [alone] = run(source(TIMER, self.TICK, self.main("print('there')")))
-        assert alone.message == "nothing spins this node, so its timer never runs a callback"
+        assert alone.message == "nothing spins this node, so the callback of its timer never runs"
 
     ASKING = """\
 self.client = self.create_client(Trigger, 'calibrate')
@@ -325,7 +328,7 @@ rclpy.spin_until_future_complete(self, future, timeout_sec=2.0)
         assert found.code == "EXE008" and "after its constructor" in found.message
         assert [one.message for one in found.related] == [
             "the timer is created here",
-            "the constructor spins for a moment",
+            "the constructor spins only briefly",
         ]
         assert codes(run(source(self.ASKING, self.TICK, ON_ONE_THREAD))) == []
 
@@ -341,7 +344,7 @@ while self.name is None:
         assert codes(run(source(self.WAITING, self.ON_READY, self.main("print(robot.name)")))) == []
         later = self.WAITING + "self.create_timer(5.0, self.tick)\n"
         [found] = run(source(later, self.ON_READY, self.main("print(robot.name)")))
-        assert found.code == "EXE008" and "so its timer no longer runs" in found.message
+        assert found.code == "EXE008" and "so the callback of its timer no longer runs" in found.message
 
     @pytest.mark.parametrize(
         ("body", "lines"),
@@ -407,7 +410,7 @@ while self.name is None:
 
         [finding] = run(source(setup, self.TICK, ON_ONE_THREAD))
 
-        assert finding.message.startswith("2 callback groups in a node that one thread spins")
+        assert finding.message.startswith("2 callback groups in a node that a single thread spins")
         assert finding.related[0].message == "a mutually exclusive group is made here"
         assert finding.related[0].place.line == finding.place.line + 1
 
@@ -568,7 +571,7 @@ class TestCreatedEachTime:
         [found] = [
             one for one in run(source("self.create_service(SetBool, 'c', self.handle)", handle)) if one.code == "EXE005"
         ]
-        assert [one.message for one in found.related][-1] == "here another is created each time"
+        assert [one.message for one in found.related][-1] == "another one is created here each time"
         assert "creates a publisher of 'a' each time" in found.message
 
     def test_a_name_that_is_one_of_many_is_not_quoted(self, run: Run):
@@ -585,7 +588,7 @@ class TestCreatedEachTime:
             one for one in run(source("self.create_service(SetBool, 'c', self.handle)", handle)) if one.code == "EXE005"
         ]
         assert "creates a publisher each time" in found.message
-        assert found.help.startswith("keep what create_publisher() gives in a dict by name")
+        assert found.help.startswith("store the result of create_publisher() in a dict by name")
 
 
 class TestPolling:
@@ -665,7 +668,7 @@ class TestPolling:
         calls = [f"self.ask(self.client{i})" for i in range(3)]
         text = source(self.THREE, self.in_turn(*calls) + helper, self.MAIN)
         [found] = run(text)
-        assert found.code == "SRV005" and "the answers of 3 servers" in found.message
+        assert found.code == "SRV005" and "the responses of 3 servers" in found.message
         assert "self.ask(self.client0)" in text.splitlines()[found.place.line - 1]  # not the one line of the helper
 
     def test_the_goal_and_the_result_of_an_action_are_one_wait(self, run: Run):
@@ -767,9 +770,7 @@ if __name__ == '__main__':
         [found] = [one for one in run(self.file({"a": "a"})) if one.code == "SRV006"]
         assert "which it serves itself" in found.message
 
-    @pytest.mark.parametrize(
-        ("limit", "end"), [("", "ever answers"), (", timeout_sec=1.0", "before its limit is over")]
-    )
+    @pytest.mark.parametrize(("limit", "end"), [("", "ever responds"), (", timeout_sec=1.0", "all of them time out")])
     def test_a_limit_ends_the_waits_and_brings_no_answer(self, run: Run, limit: str, end: str):
         text = self.file({"a": "b", "b": "a"}).replace(", timeout_sec=1.0)", f"{limit})")
         [found] = [one for one in run(text) if one.code == "SRV006"]

@@ -312,7 +312,7 @@ def test_a_handler_that_spins_for_an_answer_is_told_once(run: Run, wait: str):
     method = f"def tick(self, request, response):\n    future = self.client.call_async(Trigger.Request())\n    {wait}\n"
     [found] = run(source(CLIENT + HANDLER, method + "    return response\n"))
     assert found.code == "SRV003"
-    assert "spins until the service 'check' has answered, and its executor is already spinning: this" in found.message
+    assert "spins until the service 'check' has responded, and its executor is already spinning: this" in found.message
 
 
 def test_a_handler_that_spins_for_anything_else_is_told_that_it_spins(run: Run):

@@ -254,10 +254,8 @@ class TestCarefulCode:
         [found] = judge("SRV003", self.careful(self.BOUNDED, more=stops, extra=self.OPEN))
 
         assert found.severity is Severity.WARNING
-        assert found.message.endswith("and so does what is in its callback group: the service 'stop'")
-        assert found.help == (
-            "give the service 'stop' a callback group apart from those that wait here one after the other"
-        )
+        assert found.message.endswith("and the other callbacks of its group cannot run: the service 'stop'")
+        assert found.help == "give the service 'stop' a different callback group from the handlers that wait here"
 
     def test_a_wait_without_a_limit_stays_a_warning(self, judge: Judge):
         body = ("answer = self.motor.call(SetBool.Request())  # here", *self.BOUNDED[1:])
@@ -285,9 +283,9 @@ class TestCarefulCode:
 
         assert found.severity is Severity.WARNING
         assert found.message.endswith(
-            "its own caller waits, and so does what is in its callback group: the service 'stop' and Gripper.look"
+            "its own caller waits, and the other callbacks of its group cannot run: the service 'stop' and Gripper.look"
         )
-        assert found.help.startswith("give the service 'close_gripper' a callback group of its own")
+        assert found.help.startswith("give the service 'close_gripper' its own callback group")
 
     def test_what_is_in_other_groups_waits_for_nothing(self, judge: Judge):
         more = "self.create_service(Trigger, 'stop', self.stop, callback_group=MutuallyExclusiveCallbackGroup())"
@@ -330,8 +328,8 @@ class TestCarefulCode:
         outer, inner = judge("SRV003", self.careful(self.BOUNDED), waits)
 
         assert outer.severity is Severity.WARNING
-        assert "(the handler of /enable_motor waits for /power in its turn)" in outer.message
-        assert outer.help == "let the limit here be longer than what /enable_motor may wait in all"
+        assert "(the handler of /enable_motor itself waits for /power)" in outer.message
+        assert outer.help == "make the timeout here longer than the total time that /enable_motor may wait"
         assert inner.severity is Severity.INFO
 
     def test_a_handler_behind_it_that_answers_at_once(self, judge: Judge):
@@ -355,7 +353,7 @@ class TestOneFindingAHandler:
 
         assert found.severity is Severity.WARNING
         assert "waits for the service 'enable_motor', at 3 places, which works here" in found.message
-        assert found.message.endswith("meanwhile its own caller waits, and one thread less is there for the others")
+        assert found.message.endswith("meanwhile its own caller waits, and one thread is blocked")
         waits = [one.place.line for one in found.related if one.message.startswith("it waits for")]
         assert waits == [found.place.line + 1, found.place.line + 2]
 
@@ -368,9 +366,9 @@ class TestOneFindingAHandler:
 
         assert found.severity is Severity.INFO
         assert found.message.endswith(
-            "but nothing limits the await: if the answer never comes, the handler and its caller wait for ever"
+            "but the await has no timeout: if the response never comes, the handler and its caller wait forever"
         )
-        assert found.help.startswith("end it when a time is up: let a timer")
+        assert found.help.startswith("add a timeout: a timer")
 
     TWO = "self.light = self.create_client(SetBool, 'switch_light', callback_group=self.apart)"
 
@@ -413,8 +411,10 @@ class TestOneFindingAHandler:
         [bounded] = judge("SRV003", gripper([*waits, "return response"], THREADS, client=apart))
 
         assert "and await call_async(…)" in needs.help
-        assert sends.help.startswith("send the request with call_async(), return, and report")
-        assert bounded.help.startswith("keep the limit, and let whoever asks for the service 'close_gripper' wait")
+        assert sends.help.startswith("send the request with call_async(), return, and publish")
+        assert bounded.help.startswith(
+            "keep the timeout, and give the callers of the service 'close_gripper' a longer one"
+        )
 
     def test_what_hangs_hangs_at_the_first_wait(self, judge: Judge):
         [found] = judge("SRV003", gripper(list(self.STEPS)))
@@ -572,7 +572,7 @@ class TestTheWayThere:
             """,
         )
 
-        assert found.related[-1].message == "Relay.on_right, which handles the service 'right', gets there too"
+        assert found.related[-1].message == "Relay.on_right, the handler of the service 'right', gets here too"
 
     def test_the_same_call_in_a_timer_is_another_rules_matter(self, judge: Judge):
         judge(

@@ -91,12 +91,12 @@ def test_a_callback_alone_in_its_group_holds_up_nobody_under_several_threads(run
 def test_what_holds_up_nobody_else_is_information(run: Run):
     listens = "self.create_subscription(Empty, 'stop', self.on_stop, 10)\n"
     [alone] = run(source(listens, "def on_stop(self, message):\n    time.sleep(1.0)\n"))
-    assert alone.severity is Severity.INFO and "its next message waits" in alone.message
+    assert alone.severity is Severity.INFO and "its next message has to wait" in alone.message
     [late] = run(source(ALONE, timer("time.sleep(6.0)")))
     assert late.severity is Severity.INFO and "longer than its period of 5 s" in late.message
     beside = listens + ALONE
     [found] = run(source(beside, timer("time.sleep(1.0)") + "\ndef on_stop(self, message):\n    pass\n"))
-    assert found.severity is Severity.WARNING and "no other callback of the node runs meanwhile" in found.message
+    assert found.severity is Severity.WARNING and "no other callback of the node runs in the meantime" in found.message
 
 
 GO_ON = """
@@ -190,7 +190,7 @@ def test_a_handler_is_not_told_to_go_on_later(run: Run):
     create = "self.create_service(Trigger, 'go', self.go)\n" + TIMER
     method = timer("pass") + "\ndef go(self, request, response):\n    subprocess.run(['make'])\n    return response\n"
     [found] = run(source(create, method))
-    assert found.code == "EXE003" and found.help == "what takes its time is an action: its execute callback may take it"
+    assert found.code == "EXE003" and found.help == "make it an action: its execute callback may take long"
 
 
 def test_a_client_that_is_made_here_has_found_nobody_yet(run: Run):
@@ -211,7 +211,7 @@ def test_a_handler_that_tries_three_times_takes_as_long_as_all_of_them(run: Run)
     [found] = run(source(create, body.format("1.0")))
     assert found.code == "SRV008" and "sleeps for 3 s in all, in a loop: the caller waits meanwhile" in found.message
     [grows] = run(source(create, body.format("1.0 * (attempt + 1)")))
-    assert "for a time that the loop sets: the caller waits meanwhile" in grows.message
+    assert "for a time that depends on the loop: the caller waits meanwhile" in grows.message
 
 
 EXECUTE = """
@@ -347,7 +347,7 @@ def test_the_request_may_say_how_long(run: Run):
 
     for body in ("time.sleep(request.a / 10)", "pause = request.a / 10\n    time.sleep(pause)"):
         message, severity = found(body)
-        assert severity is Severity.INFO and "for as long as the request asks: the caller cannot cancel" in message
+        assert severity is Severity.INFO and "for as long as the request says: the caller cannot cancel" in message
     message, severity = found("time.sleep(load())")
     assert severity is Severity.WARNING and "without knowing for how long" in message
 
@@ -355,24 +355,24 @@ def test_the_request_may_say_how_long(run: Run):
 @pytest.mark.parametrize(
     ("body", "said"),
     [
-        ("time.sleep(request.a)\ntime.sleep(0.25)", "for as long as the request asks"),
+        ("time.sleep(request.a)\ntime.sleep(0.25)", "for as long as the request says"),
         ("time.sleep(request.a)\ntime.sleep(1.25)", "without knowing for how long"),
         ("time.sleep(request.a)\ntime.sleep(load())", "without knowing for how long"),
         ("time.sleep(min(request.a, 0.5))", ""),
         ("time.sleep(max(0.0, min(float(request.a) / 10, 0.9)))", ""),
         ("time.sleep(min(request.a, 5.0))", "sleeps for up to 5 s"),
-        ("time.sleep(min(request.a, request.b))", "for as long as the request asks"),
+        ("time.sleep(min(request.a, request.b))", "for as long as the request says"),
         ("pause = abs(request.a) / 100 if abs(request.a) < 5 else 0.05\ntime.sleep(pause)", ""),
         ("if abs(request.a) < 5:\n    pause = abs(request.a) / 100\nelse:\n    pause = 0.05\ntime.sleep(pause)", ""),
         ("if request.a > 5:\n    pause = 0.1\nelse:\n    pause = request.a * 0.1\ntime.sleep(pause)", ""),
         (
             "if request.a < 5:\n    request.a = request.b\n    pause = request.a / 100\nelse:\n    pause = 0.05\n"
             "time.sleep(pause)",
-            "for as long as the request asks",
+            "for as long as the request says",
         ),
         (
             "if abs(request.a) < 5:\n    pause = 0.05\nelse:\n    pause = abs(request.a) / 100\ntime.sleep(pause)",
-            "for as long as the request asks",
+            "for as long as the request says",
         ),
     ],
 )
@@ -413,7 +413,7 @@ def test_a_loop_may_watch_the_clock(run: Run):
         "    while read() and time.time() < end:\n        time.sleep(0.1)\n    return response\n"
     )
     [found] = run(source(create, method))
-    assert found.code == "SRV008" and "the caller waits meanwhile, and cannot cancel" in found.message
+    assert found.code == "SRV008" and "the caller waits meanwhile and cannot cancel" in found.message
 
 
 @pytest.mark.parametrize(
@@ -425,9 +425,9 @@ def test_a_loop_may_watch_the_clock(run: Run):
         ("end = time.time() + 1.5", "time.time() < end", ""),
         ("start = time.time()", "time.time() - start < 3.0", "sleeps for up to 3 s in all, in a loop"),
         ("end = time.time() + 20.0", "time.time() < end", "sleeps for up to 20 s in all, in a loop"),
-        ("start = time.time()", "time.time() - start < self.limit", "each time round a loop"),
-        ("end = time.time() + 1.5", "time.time() < end or read()", "each time round a loop"),
-        ("start = time.time()", "time.time() - start > 1.5", "each time round a loop"),
+        ("start = time.time()", "time.time() - start < self.limit", "in each iteration of a loop"),
+        ("end = time.time() + 1.5", "time.time() < end or read()", "in each iteration of a loop"),
+        ("start = time.time()", "time.time() - start > 1.5", "in each iteration of a loop"),
     ],
 )
 def test_a_loop_may_watch_the_clock_for_a_moment(run: Run, before: str, test: str, expected: str):
@@ -452,7 +452,7 @@ def test_a_handler_is_told_where_it_takes_long(run: Run):
         return response
     """
     [found] = run(source("self.create_service(SetBool, 'home', self.handle)\n", method))
-    assert "sleeps for 0.05 s each time round a loop" in found.message
+    assert "sleeps for 0.05 s in each iteration of a loop" in found.message
 
 
 MAKES = """
@@ -530,7 +530,7 @@ def test_a_node_that_waits_for_the_network_in_each_handler_is_one_finding(run: R
         "self.create_service(Trigger, 'add', self.add)\nself.create_timer(5.0, print)\n"
     )
     [found] = run("import requests\n" + source(create, ASKS))
-    assert found.code == "EXE003" and found.message.endswith("; so it is with another callback")
+    assert found.code == "EXE003" and found.message.endswith("; the same goes for another callback")
     assert "here Robot.add waits in post(), too" in [row.message for row in found.related]
     assert found.help.startswith("spin the node with a MultiThreadedExecutor")
 

@@ -63,7 +63,7 @@ def stay_of(call: ApiCall) -> Stay | None:
     if call.api == _WAIT_FOR_MESSAGE:
         return Stay("message", longest(argument(call, "time_to_wait")), "waits for a message")
     if call.api == _INPUT:
-        return Stay("keyboard", None, "waits for the keyboard")
+        return Stay("keyboard", None, "waits for keyboard input")
     if call.api in _LOCKS:
         return Stay("lock", None, f"waits for a file lock in {call.api}()") if _waits_for_lock(call) else None
     if call.api in _OUTSIDE:

@@ -89,21 +89,21 @@ def _created(system: System, creation: Creation, callback: Callback, left: bool)
     made = f"{words.get(creation.kind, creation.kind.replace('_', ' '))} {what}".rstrip()
     made = made if what else made.removesuffix(" of").removesuffix(" to")
     gets = "gets here" if creation.guard else "runs"
-    end = "nothing takes the old one away"
+    end = "the old one is never destroyed"
     if left:
         raises = (
             ", and the next spin raises InvalidHandle"
             if creation.kind in (EntityKind.PUBLISHER, EntityKind.SUBSCRIBER)
             else ""
         )
-        end = f"destroy() leaves the old one on the node{raises}"
+        end = f"destroy() does not remove the old one from the node{raises}"
     return finding(
         "EXE005",
         creation.place,
         f"{callback_words(callback)} creates {'an' if made[0] == 'a' else 'a'} {made} each time it {gets}, and {end}",
         help=_once(creation, function, varies),
         related=[
-            Related(callback.place, f"{callback.name} runs again and again"),
+            Related(callback.place, f"{callback.name} runs repeatedly"),
             *(Related(frame.place, f"{frame.caller} calls {frame.callee} here") for frame in creation.chain),
         ],
         node=node_name(system, creation.node),
@@ -114,15 +114,18 @@ def _created(system: System, creation: Creation, callback: Callback, left: bool)
 
 def _once(creation: Creation, function: str, varies: bool) -> str:
     if creation.kind == EntityKind.TIMER:
-        return "create it once, in the constructor, cancel() it there and reset() it here"
+        return "create it once in the constructor, cancel() it there and reset() it here"
     if varies:
-        return f"keep what {function}() gives in a dict by name, and call it only for a name that is not in there yet"
-    return f"call {function}() once, in the constructor, and keep what it gives"
+        return (
+            f"store the result of {function}() in a dict by name, and call it only for names that are not in the "
+            "dict yet"
+        )
+    return f"call {function}() once in the constructor, and store the result"
 
 
 @folds("EXE005")
 def _of_one_function(findings: Sequence[Finding]) -> Finding:
     """The finding for all that a function creates each time: one change mends it."""
     first, *others = findings
-    more = (Related(one.place, "here another is created each time") for one in others if one.place != first.place)
+    more = (Related(one.place, "another one is created here each time") for one in others if one.place != first.place)
     return replace(first, related=(*first.related, *dict.fromkeys(more)))

@@ -34,9 +34,7 @@ if TYPE_CHECKING:
     from archlint.systems.model import System
 
 _DONE = "send the request with call_async(), return, and continue in a done callback"
-_GROUP_HELP = (
-    "give the client a callback group of its own (callback_group=MutuallyExclusiveCallbackGroup()), or " + _DONE
-)
+_GROUP_HELP = "give the client its own callback group (callback_group=MutuallyExclusiveCallbackGroup()), or " + _DONE
 
 
 # --------------------------------------------------------------------------------------------------- EXE001

@@ -83,7 +83,7 @@ def _undecided(system: System, callback: Callback, function: facts.Function) -> 
     for end in open_.values():
         yield _undecided_at(system, callback, Place.of(callback.file, end.span), "ends here", "return")
     if any(not decided for decided, _ in ends.falls):
-        yield _undecided_at(system, callback, callback.place, "can run off its end", "end")
+        yield _undecided_at(system, callback, callback.place, "can reach its end", "end")
 
 
 def _says_it_is_down(test: facts.Expr, truth: bool) -> bool:
@@ -102,9 +102,9 @@ def _undecided_at(system: System, callback: Callback, place: Place, what: str, e
     return finding(
         "ACT003",
         place,
-        f"the execute callback of {endpoint_words(callback.creation)} {what} on a path without succeed(), abort() or "
-        "canceled(): rclpy takes the goal for aborted",
-        help="say on every path how the goal ended",
+        f"the execute callback of {endpoint_words(callback.creation)} {what} on a path without succeed(), abort() "
+        "or canceled(): rclpy then aborts the goal",
+        help="call succeed(), abort() or canceled() on every path",
         related=related_handler(callback, place),
         node=node_name(system, callback.node),
         identity=(callback.name, end),

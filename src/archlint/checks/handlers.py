@@ -55,7 +55,9 @@ def _missing_of_lambdas(system: System) -> Iterator[Finding]:
             if callback.role == Role.SERVICE and isinstance(callback.function, facts.Lambda):
                 what = _no_response(callback.function.body)
                 if what is not None and not system.roles.is_test(callback.file):
-                    yield _missing_at(system, callback, callback.place, f"gives {what}, which is no response", "lambda")
+                    yield _missing_at(
+                        system, callback, callback.place, f"returns {what}, which is not a response", "lambda"
+                    )
 
 
 def _missing(system: System, callback: Callback, function: facts.Function) -> Iterator[Finding]:
@@ -66,9 +68,9 @@ def _missing(system: System, callback: Callback, function: facts.Function) -> It
         what = _no_response(end.value)
         if what is not None:
             place = Place.of(callback.file, end.span)
-            yield _missing_at(system, callback, place, f"returns {what} here, which is no response", "return")
+            yield _missing_at(system, callback, place, f"returns {what} here, which is not a response", "return")
     if ends.falls:
-        yield _missing_at(system, callback, callback.place, "can run off its end without a response", "end")
+        yield _missing_at(system, callback, callback.place, "can reach its end without a response", "end")
 
 
 def _ends_as_created(callback: Callback, function: facts.Function) -> Ends[Known]:
@@ -96,9 +98,9 @@ def _missing_at(system: System, callback: Callback, place: Place, what: str, end
     return finding(
         "SRV007",
         place,
-        f"the handler of {endpoint_words(callback.creation)} {what}: rclpy raises a TypeError, "
-        "and the caller waits in vain",
-        help="return the response on every path; it can say that something went wrong",
+        f"the handler of {endpoint_words(callback.creation)} {what}: rclpy raises a TypeError, and the caller "
+        "never gets a response",
+        help="return the response on every path, also where something went wrong",
         related=related_handler(callback, place),
         node=node_name(system, callback.node),
         identity=(callback.name, end),
@@ -112,7 +114,7 @@ def _no_response(value: facts.Expr | None) -> str | None:
     if isinstance(value, facts.Literal):
         return repr(value.value)
     if isinstance(value, facts.FormatString):
-        return "a text"
+        return "a string"
     if isinstance(value, facts.Sequence):
         return f"a {value.kind}"
     if isinstance(value, facts.Mapping):
@@ -134,5 +136,5 @@ def only_a_stub(body: list[facts.Stmt]) -> bool:
 def related_handler(callback: Callback, place: Place) -> list[Related]:
     found = [] if place == callback.place else [Related(callback.place, f"{callback.name} is the handler")]
     if callback.registered is not None:
-        found.append(Related(callback.registered, "it is handed over here"))
+        found.append(Related(callback.registered, "it is registered here"))
     return found

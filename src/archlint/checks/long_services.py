@@ -37,8 +37,8 @@ SOON = 5.0
 RETRYING = 10.0
 """Seconds of pauses between some attempts, of which the first is to work."""
 
-_AN_ACTION = "what takes its time is an action: it has feedback, a result and cancelling"
-_IF_TOO_LONG = "where that is too long for a caller, make it an action: it has feedback, a result and cancelling"
+_AN_ACTION = "make it an action: a long task then has feedback, a result and cancelling"
+_IF_TOO_LONG = "if that is too long for the caller, make it an action, with feedback, a result and cancelling"
 _Sleep = tuple["ApiCall", Stay]
 
 
@@ -104,23 +104,23 @@ def _how_long(sleeps: Sequence[_Sleep], total: float, asked: bool) -> str:
     """What a handler does, and what its caller has of it."""
     (call, stay), *others = sleeps
     if asked:
-        return "sleeps for as long as the request asks: the caller cannot cancel"
+        return "sleeps for as long as the request says: the caller cannot cancel"
     if math.isinf(total):
         waits = "meanwhile" if watches_the_clock(call) else "without knowing for how long"
-        again = " each time round a loop" if call.looped else ""
-        return f"{stay.words}{again}: the caller waits {waits}, and cannot cancel"
+        again = " in each iteration of a loop" if call.looped else ""
+        return f"{stay.words}{again}: the caller waits {waits} and cannot cancel"
     words = stay.words
     if any(other.place != call.place for other, _ in others):
         up_to = "up to " if any(limit is not None for one, _ in sleeps for limit in one.limits) else ""
         words = f"sleeps for {up_to}{total:.3g} s in all"
     elif call.looped and any(isinstance(loop, facts.For) and _reads(call, loop) for loop in call.loops):
-        words = "sleeps again and again, for a time that the loop sets"
+        words = "sleeps repeatedly, for a time that depends on the loop"
     elif call.looped and math.isinf(in_loops(call, stay)):
-        words += " each time round a loop"
+        words += " in each iteration of a loop"
     elif call.looped:
         up_to = "up to " if any(limit is not None for limit in call.limits) else ""
         words = f"sleeps for {up_to}{total:.3g} s in all, in a loop"
-    return f"{words}: the caller waits meanwhile, and cannot cancel"
+    return f"{words}: the caller waits meanwhile and cannot cancel"
 
 
 def _reads(call: ApiCall, loop: facts.For) -> bool:

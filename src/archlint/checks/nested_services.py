@@ -39,18 +39,18 @@ _OTHERS_SHOWN = 5
 
 _NAMES_SHOWN = 3
 
-_GO_ON = "send the request with call_async(), return, and report the outcome on a topic from the done callback"
-_AWAIT = "make the handler async, give the client a callback group of its own, and await {}: no thread waits"
-_APART = "give {} a callback group of its own, so that the others run meanwhile"
-_NOT_WITH_IT = "give {} a callback group apart from those that wait here one after the other"
-_LONGER = "let the limit here be longer than what {} may wait in all"
-_KEEP = "keep the limit, and let whoever asks for {} wait longer than it"
-_IF_IT_CAN = "where the caller can do without the outcome, return, and report it on a topic from the done callback"
+_GO_ON = "send the request with call_async(), return, and publish the outcome from the done callback"
+_AWAIT = "make the handler async, give the client its own callback group, and await {}"
+_APART = "give {} its own callback group, so that the other callbacks keep running"
+_NOT_WITH_IT = "give {} a different callback group from the handlers that wait here"
+_LONGER = "make the timeout here longer than the total time that {} may wait"
+_KEEP = "keep the timeout, and give the callers of {} a longer one"
+_IF_IT_CAN = "if the caller does not need the outcome, return at once and publish it from the done callback"
 _BOUND = (
-    "end it when a time is up: let a timer in the client's callback group call future.set_result(None), and ask for "
-    "None after the await"
+    "add a timeout: a timer in the client's callback group calls future.set_result(None), and the code after the "
+    "await checks for None"
 )
-_GROUP = "give the client a callback group of its own (callback_group=MutuallyExclusiveCallbackGroup())"
+_GROUP = "give the client its own callback group (callback_group=MutuallyExclusiveCallbackGroup())"
 
 _Row = tuple[Wait, Verdict, "list[Wait]"]
 """A wait, what becomes of it, and the waits of other handlers at the same place."""
@@ -98,7 +98,7 @@ def _nested(system: System, rows: list[_Row]) -> Finding:
             *related_creation(wait.client),
             *related_executor(handler.node, wait.program),
             *(Related(one.call.place, f"it waits for {endpoint_words(one.client)}, too") for one in further),
-            *(Related(edge.wait.call.place, f"here the handler of {edge.server.name} waits") for edge in behind[:1]),
+            *(Related(edge.wait.call.place, f"the handler of {edge.server.name} waits here") for edge in behind[:1]),
             *_other_handlers(handler, others),
         ],
         node=node_name(system, handler.node),
@@ -141,7 +141,7 @@ def _held_up(wait: Wait) -> list[Callback]:
 
 def _waits_for(wait: Wait, verdict: Verdict, awaited: str) -> str:
     if wait.kind == SPIN and not verdict.safe:
-        return f"spins until {awaited} has answered"
+        return f"spins until {awaited} has responded"
     return f"waits for {awaited}"
 
 
@@ -193,7 +193,7 @@ def _other_handlers(first: Callback, waits: list[Wait]) -> Iterator[Related]:
         if handler.name not in seen and len(seen) <= _OTHERS_SHOWN:
             seen.add(handler.name)
             service = endpoint_words(handler.creation)
-            yield Related(handler.place, f"{handler.name}, which handles {service}, gets there too")
+            yield Related(handler.place, f"{handler.name}, the handler of {service}, gets here too")
 
 
 def _outcome(wait: Wait, verdict: Verdict, held_up: Sequence[Callback], behind: Sequence[Edge]) -> str:
@@ -203,7 +203,7 @@ def _outcome(wait: Wait, verdict: Verdict, held_up: Sequence[Callback], behind: 
     if wait.kind == SPIN:
         return f", and {verdict.why}" + ("" if verdict.unknown else f": this {verdict.words}")
     if verdict.unknown:
-        return f", which may never come: {verdict.why}"
+        return f", which may never respond: {verdict.why}"
     return f" and {verdict.words}: {verdict.why}"
 
 
@@ -212,19 +212,22 @@ def _second_level(behind: Sequence[Edge]) -> str:
         return ""
     names = list(dict.fromkeys(edge.target[1] for edge in behind))
     further = f" and {len(names) - 1} more" if len(names) > 1 else ""
-    return f" (the handler of {behind[0].server.name} waits for {names[0]}{further} in its turn)"
+    return f" (the handler of {behind[0].server.name} itself waits for {names[0]}{further})"
 
 
 def _cost(wait: Wait, held_up: Sequence[Callback]) -> str:
     """What a wait costs that ends well."""
     handler = wait.call.context
     if held_up:
-        return f"its own caller waits, and so does what is in its callback group: {_names_of(held_up)}"
+        return f"its own caller waits, and the other callbacks of its group cannot run: {_names_of(held_up)}"
     if wait.kind == AWAIT:
-        return "nothing limits the await: if the answer never comes, the handler and its caller wait for ever"
+        return "the await has no timeout: if the response never comes, the handler and its caller wait forever"
     if handler.group is not None and handler.group.kind == GroupKind.REENTRANT:
-        return "its own caller waits, and as many requests at once as there are threads leave none to take an answer"
-    return "its own caller waits, and one thread less is there for the others"
+        return (
+            "its own caller waits, and as many simultaneous requests as there are threads leave no thread to "
+            "process a response"
+        )
+    return "its own caller waits, and one thread is blocked"
 
 
 def _names_of(callbacks: Sequence[Callback]) -> str:

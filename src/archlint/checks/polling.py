@@ -83,7 +83,7 @@ def _how_often(call: ApiCall, rate: float) -> str | None:
             return None
         return f"{1 / period:g} times a second" if period < 1 else "once a second"
     if callback.role in (Role.MAIN, Role.THREAD) and call.loops and _unpaced(call.loops[-1]) and unguarded(call):
-        return "as fast as the loop goes round"
+        return "in every iteration of the loop"
     return None
 
 
@@ -217,8 +217,8 @@ def _polled(system: System, program: Program, call: ApiCall, how: str) -> Findin
     return finding(
         "SRV004",
         call.place,
-        f"{who} asks {endpoint_words(call.creation)} {how}, always the same: that is data for a topic",
-        help="let the node that has the data publish it, and subscribe",
+        f"{who} sends {endpoint_words(call.creation)} the same request {how}: use a topic for this data",
+        help="let the server publish the data, and subscribe to it",
         related=tuple(
             related_to(call, program, call.creation)
             if runs_in_executor(callback)

@@ -150,11 +150,11 @@ def _in_turn(system: System, steps: list[_Step]) -> Finding:
         "SRV005",
         # A helper with one waiting line is not what makes them several: whoever calls it again and again is.
         first.place if len(lines) == len(steps) else steps[0].line,
-        f"{who} waits for the answers of {_servers(steps)} servers one after the other: the waits add up, "
-        "and one slow server slows all",
+        f"{who} waits for the responses of {_servers(steps)} servers one after the other: the waits add up, and "
+        "one slow server delays all",
         help="send all the requests with call_async() first, and then await their futures"
         if awaits
-        else "send the requests with call_async() and go on when their futures are done",
+        else "send the requests with call_async() and continue when their futures are done",
         related=[
             Related(
                 step.way[-1].place if step.way else step.wait.call.place, f"waits for {endpoint_words(step.client)}"

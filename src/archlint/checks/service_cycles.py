@@ -111,14 +111,14 @@ def _circle(circle: list[Edge]) -> Finding:
     way = " → ".join([names[0], *(edge.target[1] for edge in [turned[-1], *turned[:-1]])])
     alone = len(circle) == 1
     limited = any(edge.wait.limited for edge in circle)
-    end = "none of them has an answer before its limit is over" if limited else "none of them ever answers"
+    end = "all of them time out" if limited else "none of them ever responds"
     return finding(
         "SRV006",
         last.wait.call.place,
         f"the handler of {names[0]} waits for {names[0] if alone else last.target[1]}"
-        + (", which it serves itself" if alone else f", and so the circle closes: {way}")
+        + (", which it serves itself" if alone else f", which closes a circle: {way}")
         + f": {end}",
-        help="let one of them publish what the others ask for",
+        help="let one of them publish the data that the others request",
         related=[
             Related(edge.wait.call.place, f"the handler of {edge.server.name} waits for {edge.target[1]}")
             for edge in ordered

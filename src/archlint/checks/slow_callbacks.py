@@ -259,16 +259,16 @@ def _slow(system: System, rows: Sequence[_Row], only_network: bool) -> Finding:
     if stay.kind == "sleep" and stay.seconds is not None and period is not None and stay.seconds > period:
         end = f", longer than its period of {period:g} s"
     else:
-        end = " each time round a loop" if stay.kind == "sleep" and call.looped else ""
+        end = " in each iteration of a loop" if stay.kind == "sleep" and call.looped else ""
     if others:
         end += f", as {'does another line' if len(others) == 1 else f'do {len(others)} more lines'} of {call.function}"
     held_up = {_waiting(row[1], row[0]) for row in rows}
     mild = _OTHERS not in held_up or all(_answers_in_time(row[1], row[2]) for row in rows)
     meanwhile = _meanwhile(callback, program)
     if held_up == {_NOBODY}:
-        meanwhile = f"the node has nothing else to do meanwhile, but its next {_ITS_NEXT[callback.role]} waits"
+        meanwhile = f"the node has no other callback, but its next {_ITS_NEXT[callback.role]} has to wait"
     elif _OTHERS not in held_up:
-        meanwhile = "whatever else its thread has to run waits"
+        meanwhile = "everything else on its thread has to wait"
     found = finding(
         "EXE003",
         call.place,
@@ -306,7 +306,7 @@ def _of_one_cause(findings: Sequence[Finding]) -> Finding:
         message += f"; it waits in {more}, too"
     if callbacks:
         message += (
-            f"; so it is with {'another callback' if len(callbacks) == 1 else f'{len(callbacks)} more callbacks'}"
+            f"; the same goes for {'another callback' if len(callbacks) == 1 else f'{len(callbacks)} more callbacks'}"
         )
     rows = [row for one in others for row in _rows_of(one, "it" if one in same else one.identity[0])]
     return replace(first, message=message, related=(*first.related, *rows))
@@ -327,20 +327,20 @@ def _instead(call: ApiCall, stay: Stay) -> str:
     if stay.kind == "discovery" and made_here(call):
         return MAKE_IT_EARLIER
     if stay.kind == "discovery" and call.context.role in _ANSWERS - {Role.EXECUTE}:
-        return "look once, without waiting, and answer that it is not there"
+        return "check once without waiting, and respond that it is not available"
     if call.context.role == Role.SERVICE and stay.kind != "network":
-        return "what takes its time is an action: its execute callback may take it"
+        return "make it an action: its execute callback may take long"
     if call.context.role in _ANSWERS:
-        return "spin the node with a MultiThreadedExecutor, and give what must go on a callback group of its own"
-    return _INSTEAD.get(stay.kind, "do it in a thread (or a ThreadPoolExecutor) of your own")
+        return "spin the node with a MultiThreadedExecutor, and give this callback its own callback group"
+    return _INSTEAD.get(stay.kind, "do it in a separate thread or a ThreadPoolExecutor")
 
 
 _ANSWERS = frozenset({Role.SERVICE, Role.LIFECYCLE, Role.GOAL, Role.CANCEL, Role.PARAMETER, Role.EXECUTE})
 """Roles of callbacks that somebody waits for: what they return is the answer."""
 
 _INSTEAD = {
-    "sleep": "let a timer go on later, instead of sleeping",
-    "discovery": "look once, without waiting, and try again from a timer",
+    "sleep": "continue from a timer instead of sleeping",
+    "discovery": "check once without waiting, and try again from a timer",
     "message": "create a subscription, and continue in its callback",
 }
 
@@ -348,7 +348,7 @@ _INSTEAD = {
 def _meanwhile(callback: Callback, program: Program) -> str:
     threads = threads_of(callback.node, program)
     if threads == blocking.SEVERAL:
-        return "no other callback of its group runs meanwhile"
+        return "no other callback of its group runs in the meantime"
     if threads == blocking.ONE:
-        return "no other callback of the node runs meanwhile"
-    return "on an executor with one thread no other callback runs meanwhile"
+        return "no other callback of the node runs in the meantime"
+    return "on a single-threaded executor no other callback runs in the meantime"

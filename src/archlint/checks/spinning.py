@@ -139,21 +139,21 @@ _SHOWN = 5
 def _never_spun(system: System, node: Blueprint, idle: _Idle) -> Finding:
     served = list({one.place: one for one in sorted(idle.served, key=lambda one: one.place)}.values())
     what = _SERVED[served[0].kind] + (f" and {len(served) - 1} more" if len(served) > 1 else "")
-    runs = "run" if len(served) > 1 else "runs"
-    message = f"nothing spins this node, so its {what} never {runs} a callback"
+    callbacks, runs = ("callbacks", "run") if len(served) > 1 else ("callback", "runs")
+    message = f"nothing spins this node, so the {callbacks} of its {what} never {runs}"
     help_ = "rclpy.spin(node), or add it to the executor that spins"
     related = [Related(one.place, f"the {_SERVED[one.kind]} is created here") for one in served[:_SHOWN]]
     if idle.spin is not None:
-        message = f"nothing spins this node after its constructor, so its {what} no longer {runs} a callback"
-        related.append(Related(idle.spin, "the constructor spins for a moment"))
+        message = f"nothing spins this node after its constructor, so the {callbacks} of its {what} no longer {runs}"
+        related.append(Related(idle.spin, "the constructor spins only briefly"))
     if idle.behind is not None:
-        message = f"nothing spins this node before ROS is shut down, so its {what} never {runs} a callback"
+        message = f"nothing spins this node before ROS shuts down, so the {callbacks} of its {what} never {runs}"
         help_ = "add both nodes to one executor: executor.add_node(…) for each, then executor.spin()"
-        related.append(Related(idle.behind, "this spin does not return before, so the next one comes too late"))
+        related.append(Related(idle.behind, "this spin returns only at shutdown, so the next one comes too late"))
     attributes = read_off(system.workspace, node) if idle.spin is idle.behind is None else []
     if attributes:
         names = " and ".join(f"'{name}'" for name in attributes)
-        help_ = f"make no node for this: take {names} out of the class, so that both can make it without the other"
+        help_ = f"do not create a node for this: move {names} out of the class"
     found = finding(
         "EXE008",
         node.made_at or node.place,
@@ -280,8 +280,8 @@ def _useless(system: System, program: Program, node: Blueprint, groups: list[tup
     return finding(
         "CBG002",
         place,
-        f"{what} in a node that one thread spins: nothing runs at the same time there",
-        help=f"spin the node with a MultiThreadedExecutor, or leave the group{'s' if others else ''} out",
+        f"{what} in a node that a single thread spins has no effect: callbacks never run in parallel",
+        help=f"spin the node with a MultiThreadedExecutor, or remove the group{'s' if others else ''}",
         related=[
             *(Related(other, f"a {kind} group is made here") for other, kind in others),
             *related_executor(node, program),

@@ -97,13 +97,14 @@ def _pile(system: System, wait: Wait) -> Finding:
     threads = _threads(wait)
     assert callback.creation is not None
     all_ = f"all {threads} threads wait" if threads is not None else "all threads wait"
-    end = "every wait then runs into its limit" if wait.limited else "it then deadlocks"
+    end = "every wait then times out" if wait.limited else "it then deadlocks"
     return finding(
         "EXE014",
         call.place,
-        f"{callback_words(callback)} runs beside itself every {callback.creation.period:g} s while it waits for "
-        f"{endpoint_words(wait.client)}: if answers are late, {all_}, and none is left to take one: {end}",
-        help="send the request with call_async() and go on in a done callback: that keeps no thread",
+        f"{callback_words(callback)} starts again every {callback.creation.period:g} s while it still waits for "
+        f"{endpoint_words(wait.client)}: if responses are late, {all_}, and no thread is left to process one: "
+        f"{end}",
+        help="send the request with call_async() and continue in a done callback, which blocks no thread",
         related=tuple(related_to(call, wait.program, wait.client)),
         node=node_name(system, callback.node),
         identity=(callback.name, wait.client.name.text or "", call.api),
@@ -187,9 +188,9 @@ def _crowd(system: System, use: ExecutorUse, found: list[Wait]) -> Finding:
     return finding(
         "EXE014",
         place,
-        f"{who} {'' if limited else 'may '}wait at the same time, and this executor has {use.threads} threads: none "
-        f"is left then to take an answer, and they {'run into their limits' if limited else 'deadlock'}",
-        help=f"num_threads={len(found) + 1}: one more than callbacks that wait",
+        f"{who} {'' if limited else 'may '}wait at the same time, and this executor has {use.threads} threads: "
+        f"none is left to process a response, and they {'time out' if limited else 'deadlock'}",
+        help=f"num_threads={len(found) + 1}: one more than there are waiting callbacks",
         related=tuple(
             Related(wait.call.place, f"{callback_words(wait.call.context)} waits for {endpoint_words(wait.client)}")
             for wait in found
