@@ -249,10 +249,10 @@ def test_names_that_several_files_take_from_one_place(named):
 
     assert (found.place.file, found.place.line, found.severity) == ("robot/robot/topics.py", 3, Severity.INFO)
     assert found.message == (
-        "2 names of Topics are absolute and fixed in the code, such as the topic '/robot/words', "
-        "for 2 files that take names from here: no namespace moves them"
+        "2 names of Topics are absolute and fixed in the code, such as the topic '/robot/words', for 2 files that "
+        "import names from here: no namespace applies to them"
     )
-    assert found.help == "leave out the leading '/' here, and all of them follow the namespaces of their nodes"
+    assert found.help == "remove the leading '/' here, so that the nodes' namespaces apply"
 
 
 def test_names_that_one_file_takes_from_another(named):

@@ -161,23 +161,23 @@ def test_layers_that_are_not_neighbours(findings):
     ("keys", "missing"),
     [
         ({"from_": '"/planner"', "to": '"/motor"'}, None),
-        ({"from_": '"/planner"', "to": '"/mux"'}, "nothing goes from /planner to /mux"),
+        ({"from_": '"/planner"', "to": '"/mux"'}, "there is no connection from /planner to /mux"),
         ({"from_": '"/brake"', "to": '"/motor"'}, "there is no node /brake to connect to /motor"),
         ({"topic": '"/cmd_vel"', "subscriber": '"/motor"'}, None),
         ({"topic": '"/stop"', "subscriber": '"/motor"'}, "/motor does not subscribe to /stop"),
         ({"topic": '"/stop"', "publisher": '"/planner"'}, "/planner does not publish /stop"),
         ({"topic": '"/stop"', "subscriber": '"/arm"'}, "there is no node /arm to subscribe to /stop"),
         ({"topic": '"/stop"', "subscriber": '"/m*"'}, "/motor and /mux do not subscribe to /stop"),
-        ({"topic": '"/stop"', "subscriber": '"*"'}, "no node is there to subscribe to /stop"),
+        ({"topic": '"/stop"', "subscriber": '"*"'}, "there is no node to subscribe to /stop"),
         ({"topic": '"/cmd_vel"', "subscriber": '"*"'}, None),
         ({"topic": '"*_vel"', "publisher": '"/planner"'}, "no node /planner is there to publish /planned_vel"),
         ({"service": '"/enable"', "server": '"/motor"', "client": '"*"'}, None),
         ({"service": '"/enable"', "server": '"/mux"'}, "/mux does not serve /enable"),
-        ({"action": '"/move"', "server": '"*"'}, "no node is there to serve /move"),
+        ({"action": '"/move"', "server": '"*"'}, "there is no node to serve /move"),
         ({"from_": '"/planner"', "to": '"/motor"', "service": '"/enable"'}, None),
         (
             {"from_": '"/planner"', "to": '"/motor"', "service": '"/stop"'},
-            "nothing goes from /planner to /motor over /stop",
+            "there is no connection from /planner to /motor over /stop",
         ),
         (
             {"topic": '"/cmd_vel"', "through": '"/mux"'},
@@ -361,7 +361,9 @@ TWO_ROBOTS = tuple(
 )
 
 
-@pytest.mark.parametrize(("closed", "expected"), [(False, []), (True, ["nothing goes from /planner to /brake"])])
+@pytest.mark.parametrize(
+    ("closed", "expected"), [(False, []), (True, ["there is no connection from /planner to /brake"])]
+)
 def test_a_launch_file_that_starts_a_part(findings, closed: bool, expected: list[str]):
     required = contract(kind='"require"', from_='"/planner"', to='"/brake"')
     _, started = launched(*PART, closed=closed)

@@ -58,7 +58,7 @@ def test_the_code_refuses_another_form(judge: Judge, tmp_path: Path, body: str, 
     found = judge("NME001", text if severity is not None else text.replace("  # here", ""))
 
     assert [one.severity for one in found] == ([] if severity is None else [severity])
-    assert all("refuses it in another form" in one.message for one in found if one.severity is Severity.INFO)
+    assert all("rejects it in any other form" in one.message for one in found if one.severity is Severity.INFO)
 
 
 MOVER = """
@@ -107,4 +107,4 @@ def test_the_topic_of_a_model(judge: Judge, tmp_path: Path, model: str, bridged:
     [found] = judge("NME001", MOVER.replace("/ball/words", bridged if model == bridged else "/ball/words"))
 
     assert found.severity is severity
-    assert ("Gazebo fixes it so" in found.message) == (severity is Severity.INFO)
+    assert ("Gazebo dictates it" in found.message) == (severity is Severity.INFO)

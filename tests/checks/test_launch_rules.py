@@ -1827,14 +1827,14 @@ def generate_launch_description():
 def test_one_name_in_two_namespaces(findings):
     (found,) = findings("TOP004", node(namespace="left") + node(exec="hearer"), **TWO_NODES)
     assert found.message.endswith("; both write 'chatter'")
-    assert found.help == "give /hearer and /left/talker one namespace in the launch file"
+    assert found.help == "give /hearer and /left/talker the same namespace in the launch file"
     assert findings("TOP004", node(namespace="left") + node(exec="hearer", namespace="left"), **TWO_NODES) == []
 
 
 def test_one_name_that_the_launch_file_remaps_at_one_end(findings):
     remapped = node('<remap from="chatter" to="chater"/>')
     (found,) = findings("TOP004", remapped + node(exec="hearer"), **TWO_NODES)
-    assert found.help == "write one name at both ends, or remap one to the other in the launch file"
+    assert found.help == "use the same name at both ends, or remap one in the launch file"
 
 
 @pytest.mark.parametrize(("words", "told"), [("sys.argv", 0), ("['verbose:=true']", 1)])
@@ -1856,27 +1856,31 @@ def absolute(*names: str) -> dict[str, str]:
     ("names", "namespaces", "help"),
     [
         (["/left/words"], ["left"], "write 'words': the launch file starts the node in '/left'"),
-        (["/words"], ["left"], "write 'words', which follows the node's namespace, or take the name from a parameter"),
+        (
+            ["/words"],
+            ["left"],
+            "write 'words', to which the node's namespace applies, or take the name from a parameter",
+        ),
         (
             ["/left/words"],
             [""],
-            "write 'left/words', which follows the node's namespace, or take the name from a parameter",
+            "write 'left/words', to which the node's namespace applies, or take the name from a parameter",
         ),
-        (["/lefty/words"], ["left"], "write 'lefty/words', which follows"),
+        (["/lefty/words"], ["left"], "write 'lefty/words', to which"),
         (["/left/words"], ["left", ""], "take the name from a parameter: self.declare_parameter('words_name'"),
         (
             ["/left/words", "/left/more"],
             ["left"],
-            "leave out '/left/', the namespace that the launch file starts the node in",
+            "remove '/left/', the namespace in which the launch file starts the node",
         ),
         (
             ["/left/words", "/arm/state"],
             ["left"],
-            "leave out '/left/', the namespace that the launch file starts the node in, "
+            "remove '/left/', the namespace in which the launch file starts the node, "
             "and take the other names from parameters",
         ),
         (["/left/words", "/arm/state"], ["left", "right"], "take the names from parameters"),
-        (["/words", "/state"], ["left", "right"], "write them without the leading '/'"),
+        (["/words", "/state"], ["left", "right"], "remove the leading '/'"),
     ],
 )
 def test_the_name_to_write_in_the_namespace_that_the_launch_file_gives(findings, names, namespaces, help):

@@ -240,7 +240,8 @@ class TestHardcodedNamesOfOneClass:
         )
 
         assert found.message == (
-            "2 names of Robot are absolute and fixed in the code, such as the topic '/words': no namespace moves them"
+            "2 names of Robot are absolute and fixed in the code, such as the topic '/words': no namespace "
+            "applies to them"
         )
         assert [(one.place.line, one.message) for one in found.related] == [
             (13, "the topic '/words'"),
@@ -475,7 +476,7 @@ class TestInvalidName:
         [found] = judge("NME002", script(*lines, "node.create_client(Trigger, f'{space}/go')"))
         assert "the topic name '//words': " in found.message
         assert found.message.endswith("; the same goes for '//go'")
-        assert found.help == "write it relative, 'words': ROS puts the node's namespace in front, if it has one"
+        assert found.help == "write the relative name 'words': ROS adds the node's namespace"
         [alone] = judge("NME002", script(*lines, "node.create_client(Trigger, 'go')"))
         assert "the same goes" not in alone.message
         judge("NME002", script("node.create_publisher(String, 'words', 10)"))  # the advice works

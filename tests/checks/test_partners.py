@@ -205,7 +205,7 @@ def test_who_is_heard_is_said_where_another_is_not():
     )
     alone = system(node("/bad", publisher("said", qos=BEST_EFFORT)), node("/b", subscriber("said")))
     messages = [one.message.partition(": ")[2] for made in (served, alone) for one in findings(made, "QOS001")]
-    assert messages == ["its messages do not get through, those of /good do", "no message gets through"]
+    assert messages == ["its messages do not arrive, those of /good do", "no message gets through"]
 
 
 @pytest.mark.parametrize(
@@ -329,7 +329,7 @@ def test_in_the_smallest_system_the_node_in_the_middle_is_the_single_point_of_fa
     ends = [node("/sensor", publisher("/scan")), node("/motor", subscriber("/cmd"))]
     [found] = findings(system(middle, *ends), "GRF004")
     assert found.node == "/control"
-    assert found.message == "without /control the system falls into 2 parts: {/motor}, {/sensor}"
+    assert found.message == "without /control the system falls into 2 unconnected parts: {/motor}, {/sensor}"
     assert findings(system(*ends), "GRF004") == []
 
 

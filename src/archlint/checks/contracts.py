@@ -44,10 +44,7 @@ def _not_the_owner(connection: Connection, end: Endpoint, owners: Globs) -> Find
         "OWN003",
         end.place,
         f"{end.node.name} {does} '{connection.name}', which belongs to {' or '.join(owners)}",
-        help=f"let the owner {does.removesuffix('es')} it and send it what this node has to say, or name this node "
-        "under [owners]"
-        if does == "publishes"
-        else "let the owner serve it, or name this node under [owners]",
+        help=f"let the owner {'publish' if does == 'publishes' else 'serve'} it, or list this node under [owners]",
         related=[Related(other.place, f"{other.node.name}, the owner, {does} it here") for other in others],
         node=end.node.name,
         identity=(end.kind, connection.name, end.node.name or ""),
@@ -84,7 +81,7 @@ def _broken(contract: Contract, chosen: Iterable[Link]) -> Iterator[Finding]:
             "ARC001",
             source.place,
             f"{found[0].words()}, which the contract '{contract.name}' forbids",
-            help="take the way that the architecture means: through a node in between, or change the contract",
+            help="connect them through a node in between, or change the contract",
             related=[
                 *(Related(link.target.place, f"{link.target.node.name} is at the other end") for link in found),
                 Related(contract.place, "the contract is here"),
@@ -105,7 +102,7 @@ def _other_types(system: System, contract: Contract) -> Iterator[Finding]:
                 end,
                 f"uses '{connection.name}' as {end.type}",
                 " or ".join(contract.types),
-                "use the type that the contract allows, or change the contract",
+                "use a type that the contract allows, or change the contract",
             )
 
 
@@ -185,8 +182,8 @@ def layer_violation(system: System, options: Options) -> Iterator[Finding]:
         yield finding(
             "ARC002",
             source.place,
-            f"{found[0].words()}: the layers '{high}' and '{low}' are not neighbours",
-            help="go through a node of the layer in between",
+            f"{found[0].words()}: the layers '{high}' and '{low}' are not adjacent",
+            help="connect them through a node of the layer in between",
             related=[Related(link.target.place, f"{link.target.node.name} is at the other end") for link in found],
             node=source.node.name,
             identity=(high, low, source.name or "", source.node.name or ""),

@@ -41,7 +41,7 @@ def name_convention(system: System, options: Options) -> Iterator[Finding]:
             "NME003",
             place,
             f"the {kind} name '{name}' does not match the pattern {options.text(kind)}",
-            help="rename it at both ends, or set the pattern in the configuration",
+            help="rename it at both ends, or change the pattern in the configuration",
             node=found[(place, kind, name)],
             identity=(kind, name),
         )

@@ -33,7 +33,7 @@ def isolated_node(system: System, options: Options) -> Iterator[Finding]:
                 "GRF001",
                 node,
                 f"{node.name} shares no topic, service or action with any other node",
-                "connect it, or drop it; list names under `external` if it talks to something outside",
+                "connect it or remove it, or list names under `external` if it talks to something outside",
             )
 
 
@@ -70,8 +70,7 @@ def hub_bottleneck(system: System, options: Options) -> Iterator[Finding]:
                 node,
                 f"{node.name} receives at least {total:g} messages a second on {topics}"
                 + (f", {len(high)} of them at {options.number('rate'):g} Hz and more" if high else ""),
-                "let the nodes that need a topic subscribe to it themselves, thin out what is only watched, or split "
-                "the node by task",
+                "split the node by task, so that each node subscribes only to what it needs",
                 [end for end in node.of_kind(EntityKind.SUBSCRIBER) if end.name in incoming],
             )
 
@@ -95,8 +94,8 @@ def single_point_of_failure(system: System, options: Options) -> Iterator[Findin
         yield _finding(
             "GRF004",
             node,
-            f"without {node.name} the system falls into {len(parts)} parts: {', '.join(sorted(names)[:3])}",
-            "watch it and restart it (`respawn=True`), or give the parts a second way to reach each other",
+            f"without {node.name} the system falls into {len(parts)} unconnected parts: {', '.join(sorted(names)[:3])}",
+            "restart it when it fails (`respawn=True`), or connect the parts a second way",
         )
 
 

@@ -74,8 +74,8 @@ class _Reason:
 _FIXED = _Reason(
     "fixed",
     "absolute and fixed in the code",
-    ": no namespace moves {it}",
-    "write them without the leading '/', so that they follow the node's namespace, or take them from parameters",
+    ": no namespace applies to {it}",
+    "remove the leading '/', so that the node's namespace applies, or take the names from parameters",
 )
 _PARAMETERS = replace(_FIXED, cure="take the names from parameters")
 """For a node that launch files start in one namespace and another, where a name begins with one of them."""
@@ -83,22 +83,22 @@ _RELATIVE = _Reason("fixed", "fixed in the code", "", "take the names from param
 _DEMANDED = _Reason(
     "demanded",
     "absolute and fixed in the code",
-    ", and the code refuses {it} in another form",
-    "this is fine for one robot; for several, take the names from parameters",
+    ", and the code rejects {it} in any other form",
+    "fine for one robot; for several, take the names from parameters",
     Severity.INFO,
 )
 _PRIVATE = _Reason(
     "private",
     "absolute",
-    ": a node that is not of this workspace makes {it} below its own name",
-    "this is fine while there is one such node; for several, take the names from parameters",
+    ": a node outside this workspace creates {it} below its own name",
+    "fine for one such node; for several, take the names from parameters",
     Severity.INFO,
 )
 _NOT_INSTALLED = _Reason(
     "not installed",
     "absolute and fixed in the code",
     ", in code that no package installs",
-    "write names without the leading '/' if it is to be installed",
+    "remove the leading '/' if the file is to be installed",
     Severity.INFO,
 )
 
@@ -107,8 +107,8 @@ def _shared_by(users: int) -> _Reason:
     return _Reason(
         "shared",
         "absolute and fixed in the code",
-        f", for {users} files that take names from here: no namespace moves {{it}}",
-        "leave out the leading '/' here, and all of them follow the namespaces of their nodes",
+        f", for {users} files that import names from here: no namespace applies to {{it}}",
+        "remove the leading '/' here, so that the nodes' namespaces apply",
         Severity.INFO,
     )
 
@@ -117,8 +117,8 @@ def _of_others(system: str) -> _Reason:
     return _Reason(
         "others",
         "absolute",
-        f": {system} fixes {{it}} so",
-        f"this is fine for one {system}; for several, leave out the leading '/' and start the node in a namespace",
+        f": {system} dictates {{it}}",
+        f"fine for one {system}; for several, remove the leading '/' and start the node in a namespace",
         Severity.INFO,
     )
 
@@ -244,7 +244,7 @@ def _by_namespace(workspace: WorkspaceIndex | None, node: Node) -> _Reason:
     if given != frozenset(repeated[:1]):
         return _PARAMETERS
     start = repeated[0]
-    cure = f"leave out '{start}/', the namespace that the launch file starts the node in"
+    cure = f"remove '{start}/', the namespace in which the launch file starts the node"
     if not all(name.startswith(f"{start}/") for name in written if name.startswith("/")):
         cure += ", and take the other names from parameters"
     return replace(_FIXED, cure=cure, namespace=start)
@@ -277,7 +277,7 @@ def _may_be_meant(name: str, other: Endpoint) -> bool:
 def _help(name: str, reason: _Reason) -> str:
     if reason is _FIXED:
         bare = name.lstrip("/") or "…"
-        return f"write '{bare}', which follows the node's namespace, or take the name from a parameter"
+        return f"write '{bare}', to which the node's namespace applies, or take the name from a parameter"
     if reason.key != _FIXED.key:
         return reason.cure
     start = f"{reason.namespace}/"

@@ -93,8 +93,9 @@ def _bad_names(started: Started) -> Iterator[tuple[Finding, Place | str]]:
                 "NME002",
                 own or started.place,
                 f"ROS rejects the {what} '{shown}': {wrong.message}",
-                help="launch stops with an error when it comes to this node: use letters, digits and '_' only, "
-                "and no digit in front",
+                help=(
+                    "launch stops with an error at this node: use letters, digits and '_' only, with no digit in front"
+                ),
                 identity=(key, shown),
             ),
             own or shown,
@@ -107,8 +108,10 @@ def _bad_names(started: Started) -> Iterator[tuple[Finding, Place | str]]:
                     "NME002",
                     remap.place,
                     message,
-                    help="the process ends before its first node is made, for rcl refuses the rule: a name is made of "
-                    "parts of letters, digits and '_' with '/' between them, and no part starts with a digit",
+                    help=(
+                        "rcl rejects the rule and the process ends before it creates a node: use letters, digits, "
+                        "'_' and '/' only, with no digit after a '/'"
+                    ),
                     identity=("remap", remap.source.text or "", remap.target.text or ""),
                 ),
                 remap.place,

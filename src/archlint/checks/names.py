@@ -54,8 +54,7 @@ def _invalid_node(node: Node) -> Iterator[Finding]:
         "NME002",
         place,
         f"ROS rejects the name of the node '{shown}': {node.error}",
-        help="a node's name is one part of letters, digits and '_' that starts with no digit; its "
-        "namespace is given apart (namespace=…)",
+        help="use letters, digits and '_' only, with no digit in front; give the namespace separately (namespace=…)",
         related=[] if place == blueprint.place else [Related(blueprint.place, "the node is defined here")],
         node=node.name,
         identity=("node", shown),
@@ -82,10 +81,9 @@ def _invalid_endpoints(system: System, node: Node) -> Iterator[Finding]:
             "NME002",
             creation.name_place or creation.place,
             f"ROS rejects the {word} name '{shown}'{default}{complete}: {endpoint.error}",
-            help="a name is made of parts of letters, digits and '_' with '/' between them; no part starts "
-            "with a digit, and '~/' stands only in front"
+            help="use letters, digits, '_' and '/' only, with no digit after a '/'; '~/' may only come first"
             if relative is None
-            else f"write it relative, '{relative}': ROS puts the node's namespace in front, if it has one",
+            else f"write the relative name '{relative}': ROS adds the node's namespace",
             related=_written_elsewhere([endpoint]),
             node=node.name,
             identity=(creation.function, endpoint.kind, shown),

@@ -120,14 +120,14 @@ def _follows_node(end: Endpoint) -> bool:
 def _finding(user: Endpoint, candidates: list[Endpoint]) -> Finding:
     nearest = candidates[0]
     hint = f"did you mean '{nearest.name}'?"
-    help = "write one name at both ends, or remap one to the other in the launch file"
+    help = "use the same name at both ends, or remap one in the launch file"
     if user.written == nearest.written and _follows_node(user) and _follows_node(nearest):
         hint = f"both write '{user.written}'"
-        help = f"give {user.node.name} and {nearest.node.name} one namespace in the launch file"
+        help = f"give {user.node.name} and {nearest.node.name} the same namespace in the launch file"
     return finding(
         "TOP004",
         user.place,
-        f"nobody publishes '{user.name}' and nobody subscribes to '{nearest.name}', which {nearest.node.name} "
+        f"no node publishes '{user.name}', and no node subscribes to '{nearest.name}', which {nearest.node.name} "
         f"publishes with the same type; {hint}",
         help=help,
         related=[Related(end.place, f"{end.node.name} publishes '{end.name}'") for end in candidates],

@@ -84,8 +84,8 @@ def _of_topic(system: System, connection: Connection, owners: list[Endpoint]) ->
         owners,
         f"{_nodes(owners)} publish the topic '{connection.name}'",
         f"publishes '{connection.name}' here",
-        "give each a topic of its own and let one node decide what is said on this one; list it under "
-        "shared-topics if it is meant to be shared",
+        "give each its own topic and let one node arbitrate, or list the topic under shared-topics if it is meant "
+        "to be shared",
     )
     return found if _is_obeyed(connection, owners) else replace(found, severity=Severity.INFO)
 
@@ -112,10 +112,9 @@ def multiple_servers(system: System, options: Options) -> Iterator[Finding]:
                 "OWN002",
                 system,
                 owners,
-                f"{_nodes(owners)} serve the {connection.kind} '{connection.name}': "
-                "a request reaches every one of them",
+                f"{_nodes(owners)} serve the {connection.kind} '{connection.name}': every request reaches all of them",
                 "serves it here",
-                "give each server a name of its own; a private name ('~/…') puts the node's name in front",
+                "give each server its own name, such as a private one ('~/…')",
             )
 
 

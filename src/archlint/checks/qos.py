@@ -59,7 +59,7 @@ def _mismatch(code: str, system: System, pairs: list[tuple[Undelivered, Verdict]
     served = fitting(system, user)
     lost = "no message gets through"
     if served:
-        lost = f"its messages do not get through, those of {served[0].node.name} do"
+        lost = f"its messages do not arrive, those of {served[0].node.name} do"
     proven = _is_proven(system, first)
     if not proven:
         lost += ", if they run together: no launch file here starts both"
@@ -87,12 +87,11 @@ def _is_proven(system: System, pair: Undelivered) -> bool:
 
 
 _ADVICE = {
-    "reliability": "ask for best effort here, or publish reliably; a reliable publisher serves both kinds",
-    "durability": "publish with transient local durability too, or ask for volatile here and do without what "
-    "was sent before",
-    "deadline": "let the publisher offer the deadline that is asked for, or ask for none",
-    "liveliness": "let the publisher assert its liveliness by topic, or ask for automatic liveliness",
-    "liveliness_lease": "let the publisher offer a lease as short as the one that is asked for, or ask for none",
+    "reliability": "subscribe with best effort, or publish with reliable",
+    "durability": "publish with transient local durability, or subscribe with volatile and do without earlier messages",
+    "deadline": "let the publisher offer the requested deadline, or request none",
+    "liveliness": "let the publisher assert its liveliness by topic, or request automatic liveliness",
+    "liveliness_lease": "let the publisher offer a lease no longer than the requested one, or request none",
 }
 
 
@@ -108,12 +107,12 @@ def qos_contradiction(system: System, options: Options) -> Iterator[Finding]:
             profiles.setdefault((end.qos.place or end.place, contradiction), {}).setdefault(end.place, end)
     for (written, contradiction), uses in profiles.items():
         (place, end), *others = uses.items()
-        related = [Related(written, "the profile is written here")] if written != place else []
+        related = [Related(written, "the profile is defined here")] if written != place else []
         yield finding(
             "QOS004",
             place,
             contradiction,
-            help="keep_all takes no depth, and keep_last needs one of at least 1",
+            help="use keep_all without a depth, or keep_last with a depth of at least 1",
             related=[*related, *(Related(other, "it is used here, too") for other, _ in others)],
             node=end.node.name,
             identity=(end.kind, end.name or "", contradiction),
@@ -122,7 +121,7 @@ def qos_contradiction(system: System, options: Options) -> Iterator[Finding]:
 
 def _contradiction(qos: Qos) -> str | None:
     if qos.history == "keep_all" and qos.depth and "depth" in qos.explicit:
-        return f"the profile keeps all messages and gives a depth of {qos.depth}, which has no effect"
+        return f"the profile has history keep_all and a depth of {qos.depth}, which has no effect"
     if qos.history == "keep_last" and qos.depth == 0:
-        return "the profile keeps the last 0 messages: the middleware decides what that means"
+        return "the profile has history keep_last with depth 0: what that means depends on the middleware"
     return None

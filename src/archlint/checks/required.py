@@ -46,8 +46,7 @@ def _finding(contract: Contract, message: str, *related: Related, identity: tupl
         "ARC003",
         contract.place,
         message,
-        help="make the connection, or change the contract; a node that is not in this workspace belongs under "
-        "`external`",
+        help="add the connection, change the contract, or list a node that is not in this workspace under `external`",
         related=related,
         identity=(contract.name, *identity),
     )
@@ -96,7 +95,7 @@ def _missing_link(system: System, contract: Contract) -> str | None:
     if any(_is_named(contract, end) for end in _of_unknown_nodes(system)):
         return None
     over = f" over {' or '.join(contract.names)}" if contract.names else ""
-    return f"nothing goes from {_listed(lost)} to {target}{over}"
+    return f"there is no connection from {_listed(lost)} to {target}{over}"
 
 
 def _missing_end(system: System, contract: Contract) -> str | None:
@@ -128,7 +127,7 @@ def _end_of_no_node(system: System, contract: Contract, globs: Globs, kind: Enti
     if not all(_followed(node, kind) for node in nodes):
         return None
     if not there:
-        return f"no node is there to {does} {name}"
+        return f"there is no node to {does} {name}"
     bare = [one for one in there if not any(is_meant(globs, end.node) for end in _ends(one, kind))]
     return f"no node {' or '.join(globs)} is there to {does} {bare[0].name}" if bare else None
 
@@ -160,7 +159,7 @@ def _around(system: System, contract: Contract, outside: bool) -> Iterator[Findi
 
 def _passes_by(contract: Contract, topic: Connection, end: Endpoint, past: list[Link]) -> Finding:
     through = " or ".join(contract.through)
-    reaches = f"and {past[0].target.node.name} gets it" if past else "and nobody takes it there"
+    reaches = f"and {past[0].target.node.name} gets it" if past else "which no node there subscribes to"
     return _finding(
         contract,
         f"{end.node.name} publishes '{topic.name}' {reaches} without passing {through}, which the contract "

@@ -43,7 +43,7 @@ def topic_without_subscriber(system: System, options: Options) -> Iterator[Findi
                 system,
                 end,
                 f"{end.node.name} publishes '{end.name}', and no node subscribes to it",
-                "subscribe to it, drop the publisher, or list the name under `external` if something outside listens",
+                "subscribe to it, remove the publisher, or list the name under `external`",
             )
 
 
@@ -56,7 +56,7 @@ def topic_without_publisher(system: System, options: Options) -> Iterator[Findin
             system,
             end,
             f"{end.node.name} subscribes to '{end.name}', and no node publishes it: the callback never runs",
-            "publish it, or list the name under `external` if something outside does",
+            "publish it, or list the name under `external`",
         )
 
 
@@ -68,8 +68,8 @@ def client_without_server(system: System, options: Options) -> Iterator[Finding]
             "SRV001",
             system,
             end,
-            f"{end.node.name} calls the service '{end.name}', and no node offers it: no answer ever comes",
-            "start the node that serves it, or list the name under `external` if something outside does",
+            f"{end.node.name} calls the service '{end.name}', and no node offers it: the request never gets a response",
+            "start the node that serves it, or list the name under `external`",
         )
 
 
@@ -81,9 +81,9 @@ def action_client_without_server(system: System, options: Options) -> Iterator[F
             "ACT001",
             system,
             end,
-            f"{end.node.name} sends goals to the action '{end.name}', and no node offers it: "
-            "they are neither accepted nor refused",
-            "start the node that serves it, or list the name under `external` if something outside does",
+            f"{end.node.name} sends goals to the action '{end.name}', and no node offers it: the goals are never "
+            "accepted or rejected",
+            "start the node that serves it, or list the name under `external`",
         )
 
 
