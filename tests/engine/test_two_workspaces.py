@@ -120,34 +120,53 @@ PURE = {
     "ros/packages.py": {"table"},
     "ros/standard_interfaces.py": {"table"},
     "rulebook.py": {"rules"},
-    "systems/overrides.py": {"_pattern"},
+    "syntax/facts.py": {"_decoder"},
 }
-"""What is kept for the process, since it follows from archlint's own files or from a text alone."""
-ROOMS = (
-    "analysis",
-    "checks",
-    "config",
-    "engine",
-    "fixes",
-    "observed",
-    "programs",
-    "render",
-    "report",
-    "ros",
-    "systems",
-)
+"""What is kept for the process, since it follows from archlint's own files alone."""
+PURE_KEYS = re.compile(r"str|frozenset\[str\]|Itself\[.*\]")
+"""Of these alone may anything else that is kept for the process be made: texts, and pieces of source, each known by
+its identity.  What a function says of them is the same in every workspace."""
+FILLED_WHEN_IMPORTED = {"launch/visiting.py": {"ACTIONS"}}
+
+
+def sources() -> list[tuple[str, ast.Module]]:
+    folder = Path(archlint.__file__).parent
+    files = sorted(folder.rglob("*.py"))
+    return [(file.relative_to(folder).as_posix(), ast.parse(file.read_text(encoding="utf-8"))) for file in files]
+
+
+def is_cached(function: ast.FunctionDef) -> bool:
+    return any(re.match(r"(functools\.)?(lru_)?cache\b", ast.unparse(one)) for one in function.decorator_list)
+
+
+def is_made_of_pure_keys(function: ast.FunctionDef) -> bool:
+    """Whether all that a function is given is a pure key: then the cache has nothing of a workspace but its source."""
+    given = [one.annotation for one in function.args.args]
+    return bool(given) and all(one is not None and PURE_KEYS.fullmatch(ast.unparse(one)) for one in given)
 
 
 def test_nothing_of_a_workspace_is_kept_in_a_module():
     """A cache lives on what it is of: a ``System`` or a ``WorkspaceIndex`` (:mod:`archlint.analysis.kept`)."""
-    source = Path(archlint.__file__).parent
-    files = [source / "rulebook.py", *(file for room in ROOMS for file in sorted((source / room).rglob("*.py")))]
     kept: dict[str, set[str]] = {}
-    for file in files:
-        for item in ast.walk(ast.parse(file.read_text(encoding="utf-8"))):
-            if isinstance(item, ast.Global):
-                kept.setdefault(file.relative_to(source).as_posix(), set()).update(item.names)
-            for decorator in getattr(item, "decorator_list", ()):
-                if re.match(r"(functools\.)?(lru_)?cache\b", ast.unparse(decorator)):
-                    kept.setdefault(file.relative_to(source).as_posix(), set()).add(item.name)
+    for file, tree in sources():
+        for item in ast.walk(tree):
+            match item:
+                case ast.Global(names=names):
+                    kept.setdefault(file, set()).update(names)
+                case ast.FunctionDef(name=name) if is_cached(item) and not is_made_of_pure_keys(item):
+                    kept.setdefault(file, set()).add(name)
     assert kept == PURE
+
+
+CONTAINER = re.compile(r"\{\}|\[\]|(set|dict|list)\(\)|(\w+\.)?(defaultdict|deque|Counter|Weak\w+)\(.*\)")
+
+
+def test_no_module_has_a_container_to_be_filled():
+    filled: dict[str, set[str]] = {}
+    for file, tree in sources():
+        for item in tree.body:
+            match item:
+                case ast.Assign(targets=[name], value=value) | ast.AnnAssign(target=name, value=ast.expr() as value):
+                    if CONTAINER.fullmatch(ast.unparse(value)):
+                        filled.setdefault(file, set()).add(ast.unparse(name))
+    assert filled == FILLED_WHEN_IMPORTED

@@ -50,32 +50,13 @@ def statement_before(tree: Tree, call: facts.Call) -> facts.Stmt | None:
     return statement
 
 
-def dotted(expression: facts.Expr | None) -> str | None:
-    """``self.node.future`` as written; None for anything but names and their attributes."""
-    match expression:
-        case facts.Name(id=name):
-            return name
-        case facts.Attribute(value=value, attr=attr):
-            owner = dotted(value)
-            return None if owner is None else f"{owner}.{attr}"
-    return None
-
-
-def last_name(expression: facts.Expr) -> str:
-    """``Node`` for ``rclpy.node.Node``; empty for what is no name."""
-    match expression:
-        case facts.Name(id=name) | facts.Attribute(attr=name):
-            return name
-    return ""
-
-
 # --------------------------------------------------------------------------------------------------------- nodes
 
 
 def is_node(tree: Tree, node: facts.Expr, at: facts.Base, elsewhere: ClassElsewhere | None = None) -> bool:
     """Whether ``self`` is certainly a node, whose other parameters can be seen, here or ``elsewhere``; others must
     be, to create something."""
-    if dotted(node) != "self":
+    if node.dotted != "self":
         return True
     cls = tree.class_around(at)
     return cls is not None and _is_plain_node(tree, cls, frozenset(), elsewhere)
@@ -103,7 +84,7 @@ def _is_plain_node(tree: Tree, cls: facts.Class, seen: frozenset[str], elsewhere
 
 def bases_of(cls: facts.Class) -> list[str]:
     """The last names of what a class derives from."""
-    return [last_name(one.value) if not one.star else "" for one in cls.bases if one.keyword is None]
+    return [one.value.last_name if not one.star else "" for one in cls.bases if one.keyword is None]
 
 
 def _derives_plainly(cls: facts.Class) -> bool:
@@ -129,11 +110,11 @@ def class_elsewhere(code: WorkspaceCode, file: str, tree: Tree) -> ClassElsewher
 
 def own_node(tree: Tree, node: facts.Expr, statement: facts.Stmt) -> bool:
     """Whether a node is ``self``, or one that the same function has just made: nobody else knows it yet."""
-    name = dotted(node)
+    name = node.dotted
     if name == "self":
         return not any(_declares_itself(call) for call in tree.of_kind(facts.Call))
     function = tree.function_around(statement)
-    values = [value for target, value in _assigned_in(tree, function) if dotted(target) == name]
+    values = [value for target, value in _assigned_in(tree, function) if target.dotted == name]
     return len(values) == 1 and _makes_node(values[0])
 
 
@@ -159,7 +140,7 @@ def maker_in_function(tree: Tree, client: str, statement: facts.Stmt) -> str | N
     """The node, a plain name, that made a client: ``node`` for ``client = node.create_client(…)`` in the function
     around and ``ActionClient(node, …)``; None where it is set in another way, or several times."""
     function = tree.function_around(statement)
-    values = [value for target, value in _assigned_in(tree, function) if dotted(target) == client]
+    values = [value for target, value in _assigned_in(tree, function) if target.dotted == client]
     match values:
         case [facts.Call(func=facts.Attribute(attr="create_client", value=facts.Name(id=node)))]:
             return node
@@ -185,7 +166,7 @@ def runs_once(tree: Tree, function: facts.Function | None) -> bool:
     if not is_method(tree, function):
         return tree.class_around(function) is None
     uses = [one for one in tree.of_kind(facts.Attribute) if one.attr == function.name]
-    if len(uses) != 1 or dotted(uses[0].value) != "self":
+    if len(uses) != 1 or uses[0].value.dotted != "self":
         return False
     match tree.parent(uses[0]):
         case facts.Call(func=func) as call if func is uses[0]:
@@ -204,7 +185,7 @@ def as_code(expression: facts.Expr) -> str | None:
         case facts.Literal(value=value):
             return repr(value)
         case facts.Name() | facts.Attribute():
-            return dotted(expression)
+            return expression.dotted or None
         case facts.Binary(op="+", left=left, right=right):
             return _joined("+", left, right)
         case facts.FormatString(parts=parts):

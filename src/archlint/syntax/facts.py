@@ -11,6 +11,8 @@ and the end column is exclusive.
 
 from __future__ import annotations
 
+from functools import cache
+
 import msgspec
 
 from archlint.syntax.expressions import (
@@ -123,16 +125,16 @@ def encode(facts: Facts) -> bytes:
     return msgspec.msgpack.encode(facts)
 
 
-_DECODER: msgspec.msgpack.Decoder[Facts] | None = None
+@cache
+def _decoder() -> msgspec.msgpack.Decoder[Facts]:
+    """Made when a file is first read from the cache, for that takes as long as reading many."""
+    return msgspec.msgpack.Decoder(Facts)
 
 
 def decode(payload: bytes) -> Facts | None:
     """Facts from MessagePack; None for anything damaged, foreign or of another version."""
-    global _DECODER
-    if _DECODER is None:
-        _DECODER = msgspec.msgpack.Decoder(Facts)
     try:
-        facts = _DECODER.decode(payload)
+        facts = _decoder().decode(payload)
     except (msgspec.MsgspecError, ValueError, RecursionError):
         return None
     return facts if facts.version == FACTS_VERSION else None

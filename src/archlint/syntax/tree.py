@@ -24,7 +24,7 @@ class Tree:
         while stack:
             fact = stack.pop()
             self._kinds.setdefault(type(fact), []).append(fact)
-            inside = [child for name in fact.__struct_fields__ for child in _facts_in(getattr(fact, name))]
+            inside = fact.children()
             self._parents.update((id(child), fact) for child in inside)
             stack.extend(reversed(inside))
 
@@ -103,16 +103,6 @@ class Tree:
             and (inside is None or any(outer is inside for outer in self.around(one)))
             for one in self.of_kind(facts.Name)
         )
-
-
-def _facts_in(value: object) -> Iterator[facts.Base]:
-    """The facts that a field of another one holds."""
-    match value:
-        case facts.Base():
-            yield value
-        case list() | tuple():
-            for one in value:
-                yield from _facts_in(one)
 
 
 def _lists(fact: facts.Base) -> Iterator[list[object]]:
