@@ -36,7 +36,10 @@ def _guarded(arguments: list[str]) -> int:
     except KeyboardInterrupt:
         return INTERRUPTED
     except SystemExit as end:  # argparse: --help, or a usage error that it has told
-        return end.code if isinstance(end.code, int) else FAILED
+        match end.code:
+            case int(status):
+                return status
+        return FAILED
     except UsageError as error:
         return _tell(f"error: {error}")
     except Exception as error:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
+from typing import ClassVar
 
 from archlint.branches import BranchArms
 from archlint.finding import Place
@@ -59,6 +60,9 @@ class Remap:
     group: bool = False
 
 
+PARAMS_FILE = "--params-file"
+
+
 @dataclass(frozen=True)
 class ParameterSetting:
     """One parameter that a launch file sets.  ``value`` is plain Python data, or :class:`NotKnown`; ``name`` is None
@@ -70,6 +74,28 @@ class ParameterSetting:
     shared: bool = False
     within: tuple[tuple[str, Place], ...] = ()
     """The keys of the dicts around it, the outermost first: the name that launch makes of each, and its place."""
+    is_open: ClassVar[bool] = False
+    """Whether it stands for parameters of which not even the number is known."""
+
+    @property
+    def followed(self) -> bool:
+        """Whether it is known what is set, be it to a value that is not."""
+        return self.name is not None
+
+    @property
+    def sets_anything(self) -> bool:
+        """Whether any parameter may be set by it."""
+        return not self.followed
+
+    @property
+    def in_dict(self) -> bool:
+        """Whether launch writes it to a file, together with those beside it."""
+        return not self.shared
+
+    @property
+    def option(self) -> str:
+        """How it gets to the command line of the process."""
+        return "-p" if self.shared else PARAMS_FILE
 
 
 @dataclass(frozen=True)
@@ -130,6 +156,17 @@ class ParameterFileUse:
     """The launch configurations that are known where the file is read, for the ``$(var …)`` in it."""
     changes: tuple[Rewriting | Replacing, ...] = ()
     """What the launch changes in the file before a node reads it: it reads another, made of this one."""
+    is_open: ClassVar[bool] = False
+    in_dict: ClassVar[bool] = False
+    option: ClassVar[str] = PARAMS_FILE
+
+    @property
+    def followed(self) -> bool:
+        return self.reference.source is not None
+
+    @property
+    def sets_anything(self) -> bool:
+        return not self.followed
 
 
 Parameters = list["ParameterSetting | ParameterFileUse | OpenParameters"]
@@ -142,6 +179,14 @@ class OpenParameters:
     reason: str
     place: Place
     of_several: bool = False
+    is_open: ClassVar[bool] = True
+    followed: ClassVar[bool] = False
+    in_dict: ClassVar[bool] = False
+    option: ClassVar[str] = PARAMS_FILE
+
+    @property
+    def sets_anything(self) -> bool:
+        return not self.of_several
 
 
 @dataclass(eq=False)

@@ -92,19 +92,22 @@ def _policy(given: str | int | None, words: Sequence[str]) -> str | None:
 
 def observed(data: Any, file: str, text: str, digest: str) -> Observed:
     """Raises :class:`NotOfThisForm` or :class:`Malformed`."""
-    if not isinstance(data, dict):
-        raise NotOfThisForm
-    if "archlint_observed" in data:
-        return _of_recording(_converted(data, _Recording), file, text, digest)
-    if "rosbag2_bagfile_information" in data:
-        return _of_bag(_converted(data, _BagFile).rosbag2_bagfile_information, file, text, digest)
-    if isinstance(data.get("msg"), dict):
-        data = data["msg"]
-    nodes = data.get("nodes")
-    if isinstance(nodes, list) and "..." in nodes:
-        raise Malformed("the message is cut short: let `ros2 topic echo` print all of it with --full-length")
-    if isinstance(nodes, list) and "version" not in data and all(_may_be_message(one) for one in nodes):
-        return _of_monitor(_converted(data, _Graph), file, text, digest)
+    match data:
+        case {"archlint_observed": _}:
+            return _of_recording(_converted(data, _Recording), file, text, digest)
+        case {"rosbag2_bagfile_information": _}:
+            return _of_bag(_converted(data, _BagFile).rosbag2_bagfile_information, file, text, digest)
+        case {"msg": dict() as message}:
+            return _of_message(message, file, text, digest)
+    return _of_message(data, file, text, digest)
+
+
+def _of_message(data: Any, file: str, text: str, digest: str) -> Observed:
+    match data:
+        case {"nodes": list() as nodes} if "..." in nodes:
+            raise Malformed("the message is cut short: let `ros2 topic echo` print all of it with --full-length")
+        case {"nodes": list() as nodes} if "version" not in data and all(_may_be_message(one) for one in nodes):
+            return _of_monitor(_converted(data, _Graph), file, text, digest)
     raise NotOfThisForm
 
 
@@ -267,7 +270,10 @@ class _Graph(Struct):
 
 
 def _may_be_message(node: Any) -> bool:
-    return isinstance(node, dict) and "name" in node and ("publishers" in node or "subscriptions" in node)
+    match node:
+        case {"name": _, "publishers": _} | {"name": _, "subscriptions": _}:
+            return True
+    return False
 
 
 def _of_monitor(data: _Graph, file: str, text: str, digest: str) -> Observed:

@@ -217,7 +217,10 @@ def _setting(setting: Setting) -> dict[str, Any]:
 
 
 def _why_unknown(value: object) -> str | None:
-    return value.reason if isinstance(value, NotKnown) else None
+    match value:
+        case NotKnown(reason=reason):
+            return reason
+    return None
 
 
 _TYPES = {bool: "bool", int: "integer", float: "double", str: "string"}
@@ -225,21 +228,23 @@ _TYPES = {bool: "bool", int: "integer", float: "double", str: "string"}
 
 def type_of(value: object) -> str | None:
     """ROS's name for the type of a parameter's value; None where that is not known."""
-    if isinstance(value, (list, tuple)):
-        kinds = {_TYPES.get(type(item)) for item in value}
-        kind = kinds.pop() if len(kinds) == 1 else None
-        return None if kind is None else f"{kind}_array"
+    match value:
+        case list() | tuple():
+            kinds = {_TYPES.get(type(item)) for item in value}
+            kind = kinds.pop() if len(kinds) == 1 else None
+            return None if kind is None else f"{kind}_array"
     return _TYPES.get(type(value))
 
 
 def _plain(value: object) -> object:
     """A parameter's value in JSON; what JSON has no word for (nan, infinity) is a string."""
-    if isinstance(value, float) and not math.isfinite(value):
-        return str(value)
-    if isinstance(value, (bytes, bytearray, list, tuple)):
-        return [_plain(item) for item in value]
-    if value is None or isinstance(value, (bool, int, float, str)):
-        return value
+    match value:
+        case float() if not math.isfinite(value):
+            return str(value)
+        case bytes() | bytearray() | list() | tuple():
+            return [_plain(item) for item in value]
+        case None | bool() | int() | float() | str():
+            return value
     return None
 
 

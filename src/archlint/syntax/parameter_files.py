@@ -23,6 +23,15 @@ class NotKnown:
     reason: str
 
 
+def first_not_known(values: Iterable[object]) -> NotKnown | None:
+    """The first of some values that is not known."""
+    for value in values:
+        match value:
+            case NotKnown():
+                return value
+    return None
+
+
 @dataclass(frozen=True)
 class ParameterEntry:
     """``name`` with ``.`` between the levels of nested maps, which are the ``path``; ``value`` is plain Python data,

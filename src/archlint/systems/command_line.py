@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from archlint.launch.model import OpenParameters, ParameterFileUse, ParameterSetting, Started
+from archlint.launch.model import Started
 from archlint.model import Text
 
 Word = str | None
@@ -15,7 +15,7 @@ def words_of(started: Started) -> tuple[Word, ...] | None:
         return None
     if started.bare:
         return tuple(started.arguments)
-    if any(isinstance(parameter, OpenParameters) for parameter in started.parameters):
+    if any(parameter.is_open for parameter in started.parameters):
         return None
     found: list[Word] = [*started.arguments, "--ros-args", *started.ros_arguments]
     for rule, text in (("__node", started.name), ("__ns", started.namespace)):
@@ -39,10 +39,7 @@ def _parameters(started: Started) -> list[Word]:
     found: list[Word] = []
     in_dict = False
     for parameter in started.parameters:
-        own = isinstance(parameter, ParameterSetting) and not parameter.shared
-        if isinstance(parameter, ParameterSetting) and parameter.shared:
-            found += ["-p", None]
-        elif isinstance(parameter, ParameterFileUse) or not in_dict:
-            found += ["--params-file", None]
-        in_dict = own
+        if not (parameter.in_dict and in_dict):
+            found += [parameter.option, None]
+        in_dict = parameter.in_dict
     return found

@@ -7,7 +7,7 @@ from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
-from archlint.launch.model import Launched, OpenParameters, ParameterFileUse, ParameterSetting, Started, StartedKind
+from archlint.launch.model import Launched, Started, StartedKind
 from archlint.model import Blueprint, ExecutorKind, Overrides, Program, Text
 from archlint.ros import names
 from archlint.ros.remapping import RemapRule, rules_of_arguments
@@ -206,7 +206,7 @@ def _forget_unknown_remaps(node: Node, started: Started) -> None:
 def _forget_defaults(node: Node, started: Started, parameters_of: Callable[[str], ParameterFacts]) -> None:
     """Parameters that are not known, a file that is not found say, may set whatever the nodes declare: what only their
     defaults name is not known.  What comes after them on the command line holds."""
-    unread = [number for number, one in enumerate(started.parameters) if _sets_anything(one)]
+    unread = [number for number, one in enumerate(started.parameters) if one.sets_anything]
     if not unread or node.blueprint is None or not node.blueprint.use_global_arguments:
         return
     later = replace(started, parameters=started.parameters[unread[-1] + 1 :], arguments=[], ros_arguments=[])
@@ -216,12 +216,6 @@ def _forget_defaults(node: Node, started: Started, parameters_of: Callable[[str]
         if endpoint.resolved and not held.keys() >= decided_by:
             reason = "its parameter may be set by parameters of the launch file that are not known"
             node.endpoints[number] = replace(endpoint, name=None, resolution="unknown", reason=reason)
-
-
-def _sets_anything(given: ParameterSetting | ParameterFileUse | OpenParameters) -> bool:
-    if isinstance(given, ParameterSetting):
-        return given.name is None
-    return given.reference.source is None if isinstance(given, ParameterFileUse) else not given.of_several
 
 
 def _namespace(started: Started) -> str:

@@ -9,9 +9,16 @@ from functools import lru_cache
 from typing import Any
 
 from archlint.finding import Place
-from archlint.launch.model import OpenParameters, ParameterFileUse, ParameterSetting, Started, StartedKind
+from archlint.launch.model import (
+    FileReference,
+    OpenParameters,
+    ParameterFileUse,
+    ParameterSetting,
+    Started,
+    StartedKind,
+)
 from archlint.ros import names
-from archlint.syntax.parameter_files import NotKnown, ParameterFacts, ParameterSection
+from archlint.syntax.parameter_files import NotKnown, ParameterFacts, ParameterSection, first_not_known
 from archlint.syntax.safe_yaml import plain_scalar
 from archlint.systems.rewritten import rewritten
 
@@ -80,27 +87,30 @@ def settings_of(started: Started, node: str | None, facts_of: Callable[[str], Pa
         yield Setting(EVERY_NODE, name, value, started.places.get("arguments", started.place))
     own = _own_key(started)
     for parameter in started.parameters:
-        if isinstance(parameter, ParameterSetting) and parameter.name is not None:
-            key = EVERY_NODE if parameter.shared else own
-            value, place = parameter.value, parameter.place
-            yield Setting(key, parameter.name, value, place, shared=parameter.shared, within=parameter.within)
-        elif isinstance(parameter, ParameterFileUse) and parameter.reference.source is not None:
-            file = parameter.reference.source
-            for section in rewritten(_sections_for(started, facts_of(file)), parameter.changes):
-                nodes = substituted(section.key, parameter)
-                for entry in section.entries:
-                    set_here = substituted(entry.name, parameter)
-                    if set_here is None:
-                        continue  # which parameter it is, nobody can say
-                    yield Setting(
-                        section.key if nodes is None else nodes,
-                        set_here,
-                        entry.value if entry.changed else file_value(entry.value, parameter, entry.quoted),
-                        parameter.place if entry.added else Place(file, *entry.span),
-                        None if entry.added else section.written,
-                        parameter.shared or (entry.added and "*" in section.key),
-                        value_place=parameter.place if entry.changed else None,
-                    )
+        match parameter:
+            case ParameterSetting(name=str(name), value=value, place=place, shared=shared):
+                yield Setting(EVERY_NODE if shared else own, name, value, place, shared=shared, within=parameter.within)
+            case ParameterFileUse(reference=FileReference(source=str(file))):
+                yield from _set_in_file(parameter, file, _sections_for(started, facts_of(file)))
+
+
+def _set_in_file(use: ParameterFileUse, file: str, sections: Sequence[ParameterSection]) -> Iterator[Setting]:
+    """What a parameter file sets, as the launch file uses it."""
+    for section in rewritten(sections, use.changes):
+        nodes = substituted(section.key, use)
+        for entry in section.entries:
+            set_here = substituted(entry.name, use)
+            if set_here is None:
+                continue  # which parameter it is, nobody can say
+            yield Setting(
+                section.key if nodes is None else nodes,
+                set_here,
+                entry.value if entry.changed else file_value(entry.value, use, entry.quoted),
+                use.place if entry.added else Place(file, *entry.span),
+                None if entry.added else section.written,
+                use.shared or (entry.added and "*" in section.key),
+                value_place=use.place if entry.changed else None,
+            )
 
 
 def _sections_for(started: Started, read: ParameterFacts) -> tuple[ParameterSection, ...]:
@@ -128,9 +138,13 @@ def file_value(value: Any, use: ParameterFileUse, quoted: bool = False) -> objec
     """
     if not use.substitutions or "$(" not in str(value):
         return value
-    if isinstance(value, list):
-        return _list_value(value, use)
-    text = substituted(value, use) if isinstance(value, str) else None
+    match value:
+        case list():
+            return _list_value(value, use)
+        case str():
+            text = substituted(value, use)
+        case _:
+            text = None
     if text is None or not _WORDS.fullmatch(text):
         return _not_substituted(value, use)
     if quoted:
@@ -144,7 +158,7 @@ def _list_value(values: list[Any], use: ParameterFileUse) -> object:
     changed = [now for one, now in zip(values, found, strict=True) if now is not one]
     if all(isinstance(now, str) for now in changed):
         return found
-    return next((now for now in changed if isinstance(now, NotKnown)), _not_substituted(values, use))
+    return first_not_known(changed) or _not_substituted(values, use)
 
 
 def _not_substituted(value: object, use: ParameterFileUse) -> NotKnown:

@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from typing import TYPE_CHECKING
 
-from archlint.launch.model import OpenParameters, ParameterFileUse, ParameterSetting
 from archlint.model import ENDPOINT_KINDS, Blueprint, Creation, Overrides, Program, Text, node_key
 from archlint.systems.instances import instantiate
 from archlint.systems.overrides import overrides_of
@@ -92,9 +91,7 @@ def _all_is_known(started: Started) -> bool:
     return (
         None not in words
         and "--params-file" not in words
-        and not any(isinstance(parameter, OpenParameters) for parameter in started.parameters)
-        and all(p.name is not None for p in started.parameters if isinstance(p, ParameterSetting))
-        and all(p.reference.source is not None for p in started.parameters if isinstance(p, ParameterFileUse))
+        and all(parameter.followed for parameter in started.parameters)
     )
 
 

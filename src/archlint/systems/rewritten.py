@@ -12,7 +12,7 @@ from typing import Any
 
 from archlint.launch.model import Replacing, Rewriting
 from archlint.launch.parameters import from_yaml
-from archlint.syntax.parameter_files import ROOT, NotKnown, ParameterEntry, ParameterSection, node_key
+from archlint.syntax.parameter_files import ROOT, NotKnown, ParameterEntry, ParameterSection, first_not_known, node_key
 from archlint.syntax.safe_yaml import plain_scalar, written_and_read
 
 Path = tuple[str, ...]
@@ -23,10 +23,11 @@ def rewritten(
 ) -> Sequence[ParameterSection]:
     """The sections after the changes, one after the other."""
     for change in changes:
-        if isinstance(change, Replacing):
-            sections = [_replaced(section, change.words) for section in sections]
-        else:
-            sections = _rewritten(sections, change)
+        match change:
+            case Replacing(words=words):
+                sections = [_replaced(section, words) for section in sections]
+            case Rewriting():
+                sections = _rewritten(sections, change)
     return sections
 
 
@@ -51,8 +52,13 @@ def _rewritten(sections: Sequence[ParameterSection], change: Rewriting) -> list[
 
 def _value(text: str | NotKnown, convert: bool) -> object:
     """A text as ``RewrittenYaml.convert`` has it, dumped and read by rcl."""
-    if isinstance(text, NotKnown):
-        return text
+    match text:
+        case str():
+            return _read(text, convert)
+    return text
+
+
+def _read(text: str, convert: bool) -> object:
     if convert:
         try:
             return float(text) if "." in text else int(text)
@@ -69,9 +75,12 @@ def _read_back(section: ParameterSection) -> ParameterSection:
 
 
 def _again(value: Any) -> Any:
-    if isinstance(value, list):
-        return [_again(item) for item in value]
-    return written_and_read(value) if isinstance(value, str) else value
+    match value:
+        case list():
+            return [_again(item) for item in value]
+        case str():
+            return written_and_read(value)
+    return value
 
 
 def _by_keys(section: ParameterSection, new: Mapping[str, object]) -> ParameterSection:
@@ -119,15 +128,15 @@ def _revalued(section: ParameterSection, values: Mapping[str, object]) -> Parame
 
 
 def _revalue(value: Any, values: Mapping[str, object]) -> Any:
-    if isinstance(value, list):
-        items = [_revalue(item, values) for item in value]
-        return _if_known(items)
+    match value:
+        case list():
+            return _if_known([_revalue(item, values) for item in value])
     return values.get(str(value), value)
 
 
 def _if_known(items: list[Any]) -> object:
     """A list, or the first of its values that is not known."""
-    return next((item for item in items if isinstance(item, NotKnown)), items)
+    return first_not_known(items) or items
 
 
 def _renamed(section: ParameterSection, names: Mapping[str, str], root: Path) -> ParameterSection:
@@ -157,24 +166,26 @@ def _in_text(text: str, words: Sequence[tuple[str, str]]) -> str:
 
 def _in_value(value: Any, quoted: bool, words: Sequence[tuple[str, str]]) -> Any:
     """The words are replaced in the text of the file, which is read afterwards."""
-    if isinstance(value, list):
-        items = [_in_value(item, quoted, words) for item in value]
-        return _if_known(items)
-    if not any(old in str(value) for old, _ in words):
-        return value
-    if isinstance(value, NotKnown):
-        return value
-    if not isinstance(value, str):
-        return NotKnown("a value that ReplaceString changes")
-    text = _in_text(value, words)
-    return text if quoted else _plain(text)
+    match value:
+        case list():
+            return _if_known([_in_value(item, quoted, words) for item in value])
+        case NotKnown():
+            return value
+        case _ if not any(old in str(value) for old, _ in words):
+            return value
+        case str():
+            text = _in_text(value, words)
+            return text if quoted else _plain(text)
+    return NotKnown("a value that ReplaceString changes")
 
 
 def _plain(text: str) -> object:
     if _PLAIN.fullmatch(text):
         return plain_scalar(text)
-    found = from_yaml(text) if text.startswith("[") and text.endswith("]") else None
-    return found if isinstance(found, list) else NotKnown("a text that YAML may read in several ways")
+    match from_yaml(text) if text.startswith("[") and text.endswith("]") else None:
+        case list() as items:
+            return items
+    return NotKnown("a text that YAML may read in several ways")
 
 
 _PLAIN = re.compile(r"[\w/.<>+$-]+")
