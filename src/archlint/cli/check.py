@@ -103,7 +103,7 @@ def run(arguments: argparse.Namespace) -> int:
         return _show_difference(report, arguments)
     fixed = 0
     if arguments.fix:
-        from archlint.cli.fix import mend
+        from archlint.cli.fix import mend  # with what takes files apart, which most checks do without
 
         outcome = mend(request, report, arguments.unsafe_fixes)
         report, fixed = outcome.report, outcome.count
@@ -122,7 +122,7 @@ def _asks_for_fixes(arguments: argparse.Namespace) -> bool:
 
 def _show_difference(report: Report, arguments: argparse.Namespace) -> int:
     """Print the diff; exit status 1 where there is one, for a run in CI."""
-    from archlint.cli.fix import difference
+    from archlint.cli.fix import difference  # as above
 
     text = difference(report, arguments.unsafe_fixes)
     console.write(text, arguments.file)
@@ -160,7 +160,7 @@ def _tell(report: Report, request: Request, arguments: argparse.Namespace) -> No
 
 def _shape(request: Request) -> str:
     """The architecture pattern of what was checked, with its figures."""
-    from archlint.systems import pattern
+    from archlint.systems import pattern  # with the systems, which a known result does without
 
     try:
         return "\n".join(pattern.words(pattern.figures(graph(request))))

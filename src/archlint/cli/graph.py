@@ -52,7 +52,7 @@ def parser() -> argparse.ArgumentParser:
 
 
 def run(arguments: argparse.Namespace) -> int:
-    from archlint.render.drawing import CannotDraw
+    from archlint.render.drawing import CannotDraw  # `graph --help` does without what draws
 
     format = _format(arguments.format, arguments.file)
     launch, launch_arguments = launch_of(arguments)

@@ -77,7 +77,7 @@ def observed_of(arguments: argparse.Namespace) -> Observed | None:
     """What the file of ``--observed`` says.  Raises :class:`UsageError` where it cannot be read."""
     if arguments.observed is None:
         return None
-    from archlint.observed.read import CannotRead, read
+    from archlint.observed.read import CannotRead, read  # most runs have no recording
 
     try:
         return read(arguments.observed)

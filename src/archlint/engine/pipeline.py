@@ -40,7 +40,7 @@ def check(request: Request) -> Report:
         facts = compiled(request, workspace, store)
         judged = kept.load_again(facts)
         if judged is None:
-            from archlint.engine.findings import judged_in_parts
+            from archlint.engine.findings import judged_in_parts  # all the rules, and what runs the code
 
             judged = call_with_deep_stack(lambda: judged_in_parts(request, workspace, facts, tree))
             if facts.lasting and not any(finding.code == "LNT003" for finding in judged.findings):
@@ -74,7 +74,7 @@ def graph(request: Request, everything: bool = False) -> System:
 
     Raises :class:`NothingToDo`.
     """
-    from archlint.engine.compiling import compiled
+    from archlint.engine.compiling import compiled  # as above: `check` does without them where it can
     from archlint.engine.loading import as_asked_for, combined, systems_of
     from archlint.systems.implicit import with_implicit
 

@@ -12,6 +12,7 @@ from archlint.observed.model import DIFFERENT, MISSING, UNEXPECTED, Difference
 from archlint.observed.words import comparison_words
 from archlint.render import json, look
 from archlint.syntax.parameter_files import NotKnown
+from archlint.systems import pattern
 from archlint.systems.externals import connections_of_externals, remapped_names
 from archlint.systems.model import Connection, Endpoint, Node, System
 from archlint.systems.overrides import Setting
@@ -218,8 +219,6 @@ def _names(endpoints: Sequence[Endpoint], paint: Paint) -> str:
 
 def _shape(system: System, paint: Paint) -> Iterator[str]:
     """Which architecture pattern the system resembles, with its figures."""
-    from archlint.systems import pattern
-
     if system.nodes:
         yield paint("shape", "title")
         yield "\n".join(f"  {paint(line, 'plain')}" for line in pattern.words(pattern.figures(system)))

@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, NamedTuple
 from msgspec import structs
 
 from archlint.faults import INTERNAL_ERROR
+from archlint.syntax import workers
 from archlint.syntax.facts import FACTS_VERSION, Facts, FileProblem, encode
 from archlint.syntax.python import gate
 from archlint.syntax.python.deep_stack import DEEP_LIMIT, STOCK_LIMIT, call_with_deep_stack, recursion_limit
@@ -55,7 +56,6 @@ def compile_sources(sources: Sequence[bytes], jobs: int | None = None, deadline:
     if not sources:
         return []
     import archlint.syntax.python.lowering  # noqa: F401  libcst once, before the processes part
-    from archlint.syntax import workers
 
     if workers.can_fork():
         try:
@@ -75,11 +75,9 @@ def _worker_count(sources: Sequence[bytes], jobs: int | None) -> int:
 
 
 def _compiled(answer: Answer, deadline: float) -> Compiled:
-    from archlint.syntax.workers import TimedOut
-
     if isinstance(answer, bytes):
         return _marked(answer)
-    if isinstance(answer, TimedOut):
+    if isinstance(answer, workers.TimedOut):
         return Compiled(encode(_failed(f"takes longer than {deadline:g} s to parse")), False)
     return Compiled(encode(_failed(CRASHED)), False)
 

@@ -6,11 +6,14 @@ import re
 from collections.abc import Callable, Collection, Iterable, Sequence
 from typing import TYPE_CHECKING, Protocol
 
+from archlint.syntax import facts as model
 from archlint.syntax.cache import Stamp, digest_of
+from archlint.syntax.compile import compile_sources
+from archlint.syntax.facts import FACTS_VERSION, Facts, FileProblem, Span, Stmt, decode, encode
 from archlint.syntax.python import gate
+from archlint.syntax.walk import statements_of
 
 if TYPE_CHECKING:
-    from archlint.syntax.facts import Facts, Span, Stmt
     from archlint.workspace.model import SourceFile
 
 _IRRELEVANT = b"-"
@@ -138,8 +141,6 @@ class FactsOfFiles:
 
     def imports_of(self, file: SourceFile, module: SourceFile) -> Span | None:
         """Where a file imports a module of the workspace; None where it does not."""
-        from archlint.syntax.walk import statements_of
-
         found = self.facts_of(file)
         wanted = _names_of([module])
         for statement in statements_of(found.body) if found is not None else ():
@@ -168,8 +169,6 @@ class FactsOfFiles:
 
     def _compiled_anew(self, file: SourceFile) -> Facts | None:
         """The facts of a file whose entry in the cache says nothing."""
-        from archlint.syntax.compile import compile_sources
-
         data = gate.read_bytes(file.path)
         if isinstance(data, gate.Refusal):
             return None
@@ -206,8 +205,6 @@ class FactsOfFiles:
         return digest, data
 
     def _refuse(self, file: SourceFile, refusal: gate.Refusal) -> None:
-        from archlint.syntax.facts import FACTS_VERSION, Facts, FileProblem, encode
-
         problem = FileProblem(refusal.line, refusal.column, refusal.message)
         # Not readable now: nothing to remember.
         self._payloads[file.path] = encode(Facts(FACTS_VERSION, problems=[problem]))
@@ -215,8 +212,6 @@ class FactsOfFiles:
     def _compile(self, waiting: list[tuple[SourceFile, str, bytes]]) -> None:
         if not waiting:
             return
-        from archlint.syntax.compile import compile_sources
-
         unique: dict[str, bytes] = {}
         for _, digest, data in waiting:
             unique.setdefault(digest, data)
@@ -246,8 +241,6 @@ class FactsOfFiles:
                 waiting.append((file.path, key, data))
         if not waiting:
             return payloads
-        from archlint.syntax.compile import compile_sources
-
         results = compile_sources([data for _, _, data in waiting], self._jobs)
         self.compiled += len(results)
         for (path, key, _), result in zip(waiting, results, strict=True):
@@ -258,21 +251,15 @@ class FactsOfFiles:
         return payloads
 
     def _decoded(self, payload: bytes) -> Facts | None:
-        from archlint.syntax.facts import decode
-
         return decode(payload)
 
 
 def _salt() -> str:
-    from archlint.syntax.facts import FACTS_VERSION
-
     return f"python {FACTS_VERSION}"
 
 
 def _modules_of(statement: Stmt) -> list[bytes]:
     """The modules that a statement may import; none for what is no import."""
-    from archlint.syntax import facts as model
-
     if isinstance(statement, model.Import):
         return [statement.module.encode()]
     if not isinstance(statement, model.ImportFrom):

@@ -13,6 +13,7 @@ import msgspec
 
 from archlint.syntax.facts import Base, FileProblem
 from archlint.syntax.interface_values import PRIMITIVE_TYPES, InvalidValue, Value, parse_primitive, parse_value
+from archlint.syntax.python import gate
 
 SECTIONS = {
     "msg": ("message",),
@@ -114,8 +115,6 @@ def parse_interface(text: str, kind: str) -> Interface:
 
 def interface_problems(path: str) -> list[tuple[int, int, str]]:
     """Line, column and words of all that ``rosidl`` would refuse in an interface file."""
-    from archlint.syntax.python import gate
-
     data = gate.read_bytes(path)
     if isinstance(data, gate.Refusal):
         return [(data.line, data.column, data.message)]
