@@ -3,9 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Annotated, Any
-
-import msgspec
+from typing import TYPE_CHECKING, Any
 
 from archlint.architecture import (
     CONNECTIONS,
@@ -72,8 +70,7 @@ class _Form:
         return f"{words} (and may have {_listed(self.free)})" if self.free else words
 
 
-_Amount = Annotated[int, msgspec.Meta(ge=0)] | Annotated[float, msgspec.Meta(ge=0)]
-_AMOUNTS: Any = _Amount | Annotated[list[_Amount], msgspec.Meta(min_length=1)]
+_AMOUNTS: Any = int | float | list[int | float]
 _TEXTS: Any = str | list[str]
 
 
@@ -167,7 +164,11 @@ def _policy(value: Value) -> tuple[str | float, ...]:
     key = value.path[-1]
     if key in NUMBERS:
         unit = "messages" if key == "depth" else "seconds"
-        return _several(typed(value, _AMOUNTS, f"a number of {unit}, or a list of numbers"))
+        wanted = f"a number of {unit}, or a list of numbers"
+        amounts = _several(typed(value, _AMOUNTS, wanted))
+        if not amounts or not all(amount >= 0 for amount in amounts):
+            raise value.wrong(wanted)
+        return amounts
     values = _several(value.value)
     for one in values or [None]:
         if one not in POLICIES[key]:

@@ -16,8 +16,6 @@ from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-import msgspec
-
 from archlint.config import architecture_tables, rule_options
 from archlint.config import values as read
 from archlint.config.selection import Layer, Selection, resolve
@@ -164,24 +162,14 @@ def read_source(path: Path, named: bool = False, foreign: bool = False) -> Sourc
     return source
 
 
-class _Tools(msgspec.Struct, frozen=True):
-    archlint: dict[str, Any] | None = None
-
-
-class _Pyproject(msgspec.Struct, frozen=True):
-    """What is of interest in a ``pyproject.toml``."""
-
-    tool: _Tools = _Tools()
-
-
 def _own_table(source: Source) -> dict[str, Any] | None:
     document = _parse(source)
     if not source.table:
         return document
-    try:
-        return msgspec.convert(document, _Pyproject).tool.archlint
-    except msgspec.ValidationError:
-        return None
+    match document:
+        case {"tool": {"archlint": dict() as table}}:
+            return table
+    return None
 
 
 def _parse(source: Source) -> dict[str, Any]:

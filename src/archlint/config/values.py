@@ -7,8 +7,6 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, TypeVar
 
-import msgspec
-
 from archlint.config.toml_places import KeyPath, locate
 from archlint.finding import Severity
 from archlint.globs import Glob
@@ -110,6 +108,8 @@ def _kind(value: object) -> str:
 
 def typed(value: Value, kind: type[_Kind], wanted: str) -> _Kind:
     """The value as what it has to be; ``wanted`` says that in words."""
+    import msgspec  # small commands read no configuration, and do without
+
     try:
         return msgspec.convert(value.value, kind)
     except msgspec.ValidationError:
