@@ -285,6 +285,9 @@ def test_nobody_writes_an_action_for_a_moment(run: Run, body: str, expected: lis
 
 
 STEPS = """
+def toggle(self):
+    {toggle}
+
 def handle(self, request, response):
     self.open()
     self.grip()
@@ -316,7 +319,8 @@ def lift(self):
         ("self.simulated", "", "sleeps for 3 s in all"),
         ("not self.simulated", "", "sleeps for 2.5 s in all"),
         ("read()", "", "sleeps for 2.5 s in all"),
-        ("self.simulated", "self.simulated = read()", "sleeps for 1.5 s in all"),  # it may change in between
+        ("self.simulated", "self.simulated = read()", "sleeps for 3 s in all"),
+        ("self.simulated", "self.toggle()", "sleeps for 1.5 s in all"),  # it may change in between
     ],
 )
 def test_what_the_same_condition_leads_to_adds_up(run: Run, grip: str, more: str, said: str):
@@ -324,7 +328,8 @@ def test_what_the_same_condition_leads_to_adds_up(run: Run, grip: str, more: str
         "self.declare_parameter('simulated', True)\nself.simulated = self.get_parameter('simulated').value\n"
         f"{more}\nself.create_service(Trigger, 'home', self.handle)\n"
     )
-    [found] = run(source(create, STEPS.replace("{grip}", grip)))
+    toggle = "self.simulated = read()" if "toggle" in more else "pass"
+    [found] = run(source(create, STEPS.replace("{grip}", grip).replace("{toggle}", toggle)))
     assert found.code == "SRV008" and said in found.message
 
 

@@ -35,16 +35,25 @@ def _condition(workspace: WorkspaceIndex | None, arm: BranchArm) -> BranchArm:
 
 @once_for_each_file
 def _asked(found: facts.Facts) -> dict[tuple[int, int], tuple[str, bool]]:
-    """Where an ``if`` asks nothing but an attribute of ``self`` that is set once, and whether it asks ``not``."""
+    """Where an ``if`` asks nothing but an attribute of ``self`` that is set once, or in constructors alone, and whether
+    it asks ``not``."""
     every = list(walk(found.body))
-    targets = (target for one in every if isinstance(one, facts.Assign) for target in one.targets)
-    sets = Counter(target.attr for target in targets if isinstance(target, facts.Attribute))
+    constructors = [one for one in every if isinstance(one, facts.Function) and one.name == "__init__"]
+    once, later = _assigned(every), _assigned(every)
+    for one in constructors:
+        later.subtract(_assigned(walk(one.body)))
     rows = ((one, _attribute(one.test)) for one in every if isinstance(one, facts.If))
     return {
         (one.span[0], one.span[1]): attribute
         for one, attribute in rows
-        if attribute is not None and sets[attribute[0]] == 1
+        if attribute is not None and (later[attribute[0]] <= 0 or once[attribute[0]] == 1)
     }
+
+
+def _assigned(parts: Iterable[object]) -> Counter[str]:
+    """How often each attribute is assigned in these parts of a file."""
+    targets = (target for one in parts if isinstance(one, facts.Assign) for target in one.targets)
+    return Counter(target.attr for target in targets if isinstance(target, facts.Attribute))
 
 
 def _attribute(test: facts.Expr) -> tuple[str, bool] | None:
