@@ -9,6 +9,7 @@ from archlint.analysis.completeness import facts_at
 from archlint.analysis.kept import once
 from archlint.analysis.left_over import idle_methods, kept_calls
 from archlint.analysis.reach import creations_of
+from archlint.analysis.source_code import SourceCode, source_code
 from archlint.model import (
     EntityKind,
     Role,
@@ -83,7 +84,7 @@ def _publishes(system: System) -> dict[Place, list[ApiCall]]:
 
 def _asks(system: System, owner: Endpoint) -> frozenset[_Word]:
     """The words that a publisher asks; none where it publishes anything without asking, or where that is not seen."""
-    told, workspace, file = _told(owner.node), system.workspace, owner.place.file
+    told, workspace, file = _told(source_code(system), owner.node), system.workspace, owner.place.file
     found = facts_at(workspace, file) if told and workspace is not None else None
     if found is None or workspace is None:
         return frozenset()
@@ -91,11 +92,12 @@ def _asks(system: System, owner: Endpoint) -> frozenset[_Word]:
     cls = _class_around(found, owner.place)
     if kept is None or cls is None:
         return frozenset()
+    code = source_code(system)
     answers = {
-        callback.function.name: (end.kind, end.name)
+        function.name: (end.kind, end.name)
         for end in owner.node.of_kind(EntityKind.SUBSCRIBER, EntityKind.SERVICE)
-        for callback in end.creation.callbacks.values()
-        if isinstance(callback.function, facts.Function) and end.name is not None
+        for function in map(code.function, end.creation.callbacks.values())
+        if isinstance(function, facts.Function) and end.name is not None
     }
     here = {name: words for (file, name), words in told.items() if file == owner.place.file}
     idle = idle_methods(workspace, file)
@@ -145,14 +147,14 @@ def _class_around(found: facts.Facts, place: Place) -> facts.Class | None:
     return max(around, key=lambda one: one.span[0], default=None)
 
 
-def _told(node: Node) -> dict[tuple[str, str], set[_Word]]:
+def _told(code: SourceCode, node: Node) -> dict[tuple[str, str], set[_Word]]:
     """The attributes of ``self``, with their file, that callbacks for such words set."""
     found: dict[tuple[str, str], set[_Word]] = {}
     for end in node.of_kind(EntityKind.SUBSCRIBER, EntityKind.SERVICE):
         if end.type not in _WORDS or end.name is None or _halts(end.name):
             continue
         for callback in end.creation.callbacks.values():
-            for attribute in _sets(callback.function):
+            for attribute in _sets(code.function(callback)):
                 found.setdefault((callback.place.file, attribute), set()).add((end.kind, end.name))
     return found
 

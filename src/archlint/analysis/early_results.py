@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 from archlint.analysis.callback_roles import runs_in_executor
 from archlint.analysis.kept import once
 from archlint.analysis.reach import creations_of, judged_calls, same_expression
+from archlint.analysis.source_code import SourceCode, source_code
 from archlint.libraries.values import FutureValue
 from archlint.syntax import facts
 from archlint.syntax.walk import blocks_of, called_name, calls_in, parts_of
@@ -35,18 +36,18 @@ class EarlyResult:
 @once
 def early_results(system: System) -> list[EarlyResult]:
     """The results that callbacks read straight after they have sent the request."""
-    found = []
+    found, code = [], source_code(system)
     for program, call in judged_calls(system):
         if call.api != _RESULT or not isinstance(call.receiver, FutureValue) or not runs_in_executor(call.context):
             continue
         clients = creations_of(call.receiver)
-        if clients and _straight_after(call):
+        if clients and _straight_after(code, call):
             found.append(EarlyResult(call, clients[0], program))
     return found
 
 
-def _straight_after(call: ApiCall) -> bool:
-    result = call.expression
+def _straight_after(code: SourceCode, call: ApiCall) -> bool:
+    result = code.expression(call)
     if result is None or not isinstance(result.func, facts.Attribute):
         return False
     future = result.func.value
@@ -54,7 +55,7 @@ def _straight_after(call: ApiCall) -> bool:
         return True  # call_async(...).result()
     if not isinstance(future, facts.Name):
         return False
-    return any(_sent_just_before(block, future.id, result) for block in blocks_of(call.body))
+    return any(_sent_just_before(block, future.id, result) for block in blocks_of(code.body(call)))
 
 
 def _sent_just_before(block: Sequence[facts.Stmt], name: str, result: facts.Call) -> bool:

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 
 from archlint.analysis.completeness import enclosing_function
 from archlint.analysis.kept import once
+from archlint.analysis.source_code import code_of
 from archlint.syntax import facts
 from archlint.syntax.parts import everything_in
 from archlint.syntax.walk import called_name, calls_in, parts_of, statements_of
@@ -28,7 +29,7 @@ def must_be_absolute(workspace: WorkspaceIndex | None, endpoint: Endpoint) -> bo
         return False
     made_in = enclosing_function(workspace, endpoint.place)
     bodies: list[tuple[str, Sequence[facts.Stmt]]] = [(endpoint.place.file, [] if made_in is None else made_in.body)]
-    bodies += [(frame.place.file, frame.body) for frame in creation.chain]
+    bodies += [(frame.place.file, code_of(workspace).body_at(frame.place)) for frame in creation.chain]
     bodies += [(endpoint.place.file, one) for one in _kept_by(workspace, endpoint.place.file, bodies[0][1])]
     return any(_demands(body) or any(_demands(one) for one in _called(workspace, file, body)) for file, body in bodies)
 

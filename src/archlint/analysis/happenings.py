@@ -6,6 +6,7 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 from archlint.analysis.reach import creations_of
+from archlint.analysis.source_code import SourceCode, source_code
 from archlint.syntax import facts
 from archlint.syntax.walk import statements_of
 
@@ -35,7 +36,7 @@ def tell_what_happened(system: System, publishers: Sequence[Endpoint]) -> bool:
     for call in system.calls:
         if call.api == _PUBLISH:
             for creation in creations_of(call.receiver):
-                said.setdefault(creation.place, []).append(_only_true(call))
+                said.setdefault(creation.place, []).append(_only_true(source_code(system), call))
     flags = {end.place for end in publishers if end.type == _BOOL}
     return all(place in said and all(said[place]) for place in flags)
 
@@ -54,9 +55,9 @@ def _is_event(topic: str | None) -> bool:
     return topic is not None and not _HAPPENED.isdisjoint(topic.rpartition("/")[2].lower().split("_"))
 
 
-def _only_true(call: ApiCall) -> bool:
+def _only_true(code: SourceCode, call: ApiCall) -> bool:
     """Whether a message of one field that is published is true, whichever way led there."""
-    given = call.expression.args if call.expression is not None else []
+    given = code.arguments(call)
     if len(given) != 1:
         return False
     message = given[0].value
@@ -64,7 +65,7 @@ def _only_true(call: ApiCall) -> bool:
         return [_is_true(one.value) for one in message.args if one.keyword == "data"] == [True]
     if not isinstance(message, facts.Name):
         return False
-    values = [value for one in statements_of(call.body) for value in _values_of(one, message.id)]
+    values = [value for one in statements_of(code.body(call)) for value in _values_of(one, message.id)]
     return bool(values) and all(_is_true(value) for value in values)
 
 

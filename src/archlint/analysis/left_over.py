@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING
 
 from archlint.analysis.completeness import walk
 from archlint.analysis.kept import once_for_each_file
+from archlint.analysis.source_code import code_of
 from archlint.model import (
     EntityKind,
     Role,
@@ -46,7 +47,7 @@ def is_dead(workspace: WorkspaceIndex | None, program: Program, call: ApiCall) -
         return False
     if callback.node is None or callback.node.escapes:
         return False
-    code, file, function = workspace.code, callback.place.file, callback.function
+    code, file, function = workspace.code, callback.place.file, code_of(workspace).function(callback)
     uses = _uses(workspace, file)
     package = workspace.package_of(file)
     if uses is None or package is None or not isinstance(function, facts.Function):

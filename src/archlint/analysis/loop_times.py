@@ -5,16 +5,15 @@ from __future__ import annotations
 import math
 from typing import TYPE_CHECKING
 
-from archlint.analysis.completeness import facts_at, walk
-from archlint.finding import Place
 from archlint.syntax import facts
 from archlint.syntax.parts import names_in
 from archlint.syntax.walk import called_name, calls_in, statements_of
 
 if TYPE_CHECKING:
     from archlint.analysis.sleeps import Stay
+    from archlint.analysis.source_code import Loop, SourceCode
+    from archlint.finding import Place
     from archlint.model import ApiCall
-    from archlint.systems.model import WorkspaceIndex
 
 TINY = 0.01
 """Seconds of a pause between the items of something."""
@@ -24,35 +23,38 @@ _RUNS_EMPTY = frozenset({"in_waiting", "inWaiting", "out_waiting", "empty", "qsi
 _CLOCKS = frozenset({"time", "monotonic", "perf_counter", "now", "time_ns"})
 
 
-def in_loops(call: ApiCall, stay: Stay, unknown: float = math.inf, workspace: WorkspaceIndex | None = None) -> float:
+def in_loops(
+    code: SourceCode, call: ApiCall, stay: Stay, unknown: float = math.inf, *, with_callers: bool = False
+) -> float:
     """How many seconds a sleep takes with the loops around it; what nobody knows has no end.
 
-    Of the loops of callers only those are known that a ``workspace`` has the files of.  ``unknown`` is how often a
-    ``for`` over what is not known is taken to iterate: it has an end, other than a ``while``.
+    The loops of callers have no known end, unless they are looked at, too (``with_callers``).  ``unknown`` is how
+    often a ``for`` over what is not known is taken to iterate: it has an end, other than a ``while``.
     """
     if stay.seconds is None:
         return math.inf
     seconds = stay.seconds
-    for loop, limit in reversed(tuple(zip(call.loops, call.limits, strict=True))):
+    loops = [code.loop_at(place) for place in call.loops]
+    for loop, limit in reversed(tuple(zip(loops, call.limits, strict=True))):
         seconds = seconds * _times(loop, unknown) if limit is None else max(seconds, limit)
     for place in call.enclosing_loops[: max(0, len(call.enclosing_loops) - len(call.loops))]:
-        seconds *= _rounds_at(workspace, place)
+        seconds *= _rounds_at(code, place) if with_callers else math.inf
     seconds = seconds if stay.seconds > 0 else 0.0
-    if math.isinf(seconds) and stay.seconds <= TINY and not any(isinstance(loop, facts.While) for loop in call.loops):
+    if math.isinf(seconds) and stay.seconds <= TINY and not any(isinstance(loop, facts.While) for loop in loops):
         return stay.seconds  # a pause between the bytes or lines of something: it takes many to make it long
     return seconds
 
 
-def _rounds_at(workspace: WorkspaceIndex | None, place: Place) -> float:
+def _rounds_at(code: SourceCode, place: Place) -> float:
     """How often the ``for`` of a caller goes round; for all that is not known, without end."""
-    found = None if workspace is None else facts_at(workspace, place.file)
-    loops = (one for one in walk([] if found is None else found.body) if isinstance(one, facts.For))
-    loop = next((one for one in loops if Place.of(place.file, one.span) == place), None)
-    return math.inf if loop is None else _times(loop, math.inf)
+    loop = code.loop_at(place)
+    return math.inf if isinstance(loop, facts.While) else _times(loop, math.inf)
 
 
-def _times(loop: facts.While | facts.For, unknown: float) -> float:
+def _times(loop: Loop | None, unknown: float) -> float:
     """How often a loop goes round at most."""
+    if loop is None:
+        return math.inf
     if isinstance(loop, facts.While):
         return 1.0 if not _RUNS_EMPTY.isdisjoint(names_in(loop.test)) else math.inf
     if isinstance(loop.iterable, facts.Sequence):
@@ -65,19 +67,19 @@ def _times(loop: facts.While | facts.For, unknown: float) -> float:
     return len(range(*numbers)) if given and len(numbers) == len(given) else unknown
 
 
-def is_retry(call: ApiCall) -> bool:
+def is_retry(code: SourceCode, call: ApiCall) -> bool:
     """Whether a ``for`` that ends as soon as something has worked goes round a call: the pause is the exception."""
-    loop = call.loops[-1] if call.loops else None
+    loop = code.loop(call)
     return isinstance(loop, facts.For) and any(
         isinstance(one, facts.Return) or (isinstance(one, facts.Jump) and one.kind == "break")
         for one in statements_of(loop.body)
     )
 
 
-def reads_until_it_has(call: ApiCall) -> bool:
+def reads_until_it_has(code: SourceCode, call: ApiCall) -> bool:
     """Whether the loop around a call is left with what it has just read: ``frame = camera.read()``, and then
     ``if frame is not None: return frame``.  Then the pauses are for the rare case that nothing comes."""
-    loop = call.loops[-1] if call.loops else None
+    loop = code.loop(call)
     if loop is None:
         return False
     read = {
@@ -96,11 +98,11 @@ def reads_until_it_has(call: ApiCall) -> bool:
     )
 
 
-def watches_the_clock(call: ApiCall) -> bool:
+def watches_the_clock(code: SourceCode, call: ApiCall) -> bool:
     """Whether a loop around a call compares the time with something: ``while time.time() < deadline``."""
     return any(
         isinstance(loop, facts.While) and any(not _CLOCKS.isdisjoint(names_in(one)) for one in _comparisons(loop.test))
-        for loop in call.loops
+        for loop in code.loops(call)
     )
 
 
@@ -110,6 +112,6 @@ def _comparisons(test: facts.Expr) -> list[facts.Expr]:
     return [test] if isinstance(test, facts.Compare) else []
 
 
-def around_future(call: ApiCall) -> bool:
+def around_future(code: SourceCode, call: ApiCall) -> bool:
     """A loop around a future: that wait is what is wrong, not its pace."""
-    return any(isinstance(loop, facts.While) and "done" in names_in(loop.test) for loop in call.loops)
+    return any(isinstance(loop, facts.While) and "done" in names_in(loop.test) for loop in code.loops(call))

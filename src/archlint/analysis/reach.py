@@ -20,6 +20,7 @@ from archlint.model import (
 from archlint.syntax import facts
 
 if TYPE_CHECKING:
+    from archlint.analysis.source_code import SourceCode
     from archlint.model import ApiCall, Blueprint, Program
     from archlint.systems.model import System
 
@@ -62,12 +63,12 @@ def argument(call: ApiCall, name: str) -> Value | None:
     return value if isinstance(value, Value) else None
 
 
-def all_arguments_seen(call: ApiCall) -> bool:
+def all_arguments_seen(code: SourceCode, call: ApiCall) -> bool:
     """False where ``*`` or ``**`` may pass more than can be seen."""
-    return call.expression is None or not any(given.star for given in call.expression.args)
+    return not any(given.star for given in code.arguments(call))
 
 
-def waits_for_ever(call: ApiCall, parameter: str, *, negative: bool = True) -> bool:
+def waits_for_ever(code: SourceCode, call: ApiCall, parameter: str, *, negative: bool = True) -> bool:
     """Whether a call sets no limit: the timeout is missing, None or (where that means the same) below zero.
 
     A limit that cannot be known is taken for one.  So is the default of a function that nothing here calls:
@@ -75,7 +76,7 @@ def waits_for_ever(call: ApiCall, parameter: str, *, negative: bool = True) -> b
     """
     value = argument(call, parameter)
     if value is None:
-        return all_arguments_seen(call)
+        return all_arguments_seen(code, call)
     return all(_no_limit(option, call, negative) for option in alternatives(value))
 
 

@@ -13,6 +13,7 @@ from archlint.syntax import facts
 from archlint.syntax.parts import names_in
 
 if TYPE_CHECKING:
+    from archlint.analysis.source_code import SourceCode
     from archlint.interpreter.values import Value
     from archlint.model import ApiCall
 
@@ -47,11 +48,11 @@ class Stay:
     words: str
 
 
-def stay_of(call: ApiCall) -> Stay | None:
+def stay_of(code: SourceCode, call: ApiCall) -> Stay | None:
     """How a call keeps its thread, if it is one that does."""
     if call.api == SLEEP:
         seconds = longest(argument(call, "seconds"))
-        cap = _cap(call) if seconds is None else None
+        cap = _cap(code, call) if seconds is None else None
         if cap is not None:
             return Stay("sleep", cap, f"sleeps for up to {cap:.3g} s")
         return Stay("sleep", seconds, "sleeps" if seconds is None else f"sleeps for {seconds:.3g} s")
@@ -65,35 +66,35 @@ def stay_of(call: ApiCall) -> Stay | None:
     if call.api == _INPUT:
         return Stay("keyboard", None, "waits for keyboard input")
     if call.api in _LOCKS:
-        return Stay("lock", None, f"waits for a file lock in {call.api}()") if _waits_for_lock(call) else None
+        return Stay("lock", None, f"waits for a file lock in {call.api}()") if _waits_for_lock(code, call) else None
     if call.api in _OUTSIDE:
         name = call.api.rpartition(".")[2] if call.api.startswith("urllib.") else call.api
         if call.api.startswith(_NETWORK):
             return Stay("network", None, f"waits for the network in {name}()")
-        limit = _limit_of_process(call)
+        limit = _limit_of_process(code, call)
         end = "" if limit is None else f" for up to {limit:g} s"
         return Stay("process", limit, f"waits for a process in {name}(){end}")
     return None
 
 
-def _cap(call: ApiCall) -> float | None:
+def _cap(code: SourceCode, call: ApiCall) -> float | None:
     """The seconds that a sleep never goes beyond, whatever it is asked for: ``time.sleep(min(request.a, 5.0))``."""
-    if call.chain or call.expression is None or not call.expression.args or call.context.function is None:
+    function, arguments = code.function(call.context), code.arguments(call)
+    if call.chain or not arguments or function is None:
         return None
-    given = call.expression.args[0]
-    return None if given.star or given.keyword else most(given.value, call.body, call.context.function.params)
+    given = arguments[0]
+    return None if given.star or given.keyword else most(given.value, code.body(call), function.params)
 
 
-def _waits_for_lock(call: ApiCall) -> bool:
+def _waits_for_lock(code: SourceCode, call: ApiCall) -> bool:
     """Whether a lock is asked for by name, and nothing says to come back at once if somebody else has it."""
-    names = {name for one in ([] if call.expression is None else call.expression.args) for name in names_in(one.value)}
+    names = {name for one in code.arguments(call) for name in names_in(one.value)}
     return not names.isdisjoint({"LOCK_EX", "LOCK_SH"}) and names.isdisjoint({"LOCK_NB", "LOCK_UN"})
 
 
-def _limit_of_process(call: ApiCall) -> float | None:
+def _limit_of_process(code: SourceCode, call: ApiCall) -> float | None:
     """The ``timeout`` that a call gives a process: a number in the code, or one that is known."""
-    given = [] if call.expression is None else call.expression.args
-    literal = next((one.value for one in given if one.keyword == "timeout"), None)
+    literal = next((one.value for one in code.arguments(call) if one.keyword == "timeout"), None)
     if isinstance(literal, facts.Literal) and isinstance(literal.value, (int, float)):
         return float(literal.value)
     return longest(argument(call, "timeout"))

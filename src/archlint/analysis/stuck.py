@@ -17,7 +17,6 @@ from archlint.model import Role
 
 if TYPE_CHECKING:
     from archlint.finding import Place
-    from archlint.syntax import facts
     from archlint.systems.model import System
 
 
@@ -62,12 +61,12 @@ def spoken_of(system: System, distros: Sequence[str]) -> frozenset[Place]:
     return frozenset(wait.call.place for wait, _ in found)
 
 
-def nested_spins(system: System, distros: Sequence[str]) -> frozenset[tuple[Place, Place | facts.Span]]:
+def nested_spins(system: System, distros: Sequence[str]) -> frozenset[tuple[Place, Place]]:
     """The spins of service handlers that SRV003 speaks of, each with its handler: the call, or the loop around it."""
     spins = [wait.call for wait, _ in nested_waits(system, distros) if is_spin(wait)]
     loops = [(call, call.loops[-1]) for call in spins if call.loops]
     return frozenset(
-        {(call.context.place, call.place) for call in spins} | {(call.context.place, loop.span) for call, loop in loops}
+        {(call.context.place, call.place) for call in spins} | {(call.context.place, loop) for call, loop in loops}
     )
 
 

@@ -15,6 +15,7 @@ from archlint.analysis.reach import (
     judged_calls,
     same_expression,
 )
+from archlint.analysis.source_code import SourceCode, source_code
 from archlint.interpreter.values import Instance, Known, alternatives
 from archlint.libraries.values import FutureValue
 from archlint.model import Role
@@ -72,11 +73,12 @@ class Wait:
 def waits(system: System) -> list[Wait]:
     """Every wait for an answer outside of test code, in the order of the source."""
     found: list[Wait] = []
+    code = source_code(system)
     signals = _signals(system)
     for program, call in judged_calls(system):
-        for kind, clients in _waits_of(call, signals):
+        for kind, clients in _waits_of(code, call, signals):
             if clients:
-                limited = any(has_limit(call, name) for name in _LIMITS) or _gives_up(call)
+                limited = any(has_limit(call, name) for name in _LIMITS) or _gives_up(code, call)
                 bounded = limited or any(_may_end(argument(call, name)) for name in _LIMITS)
                 found.append(Wait(kind, call, clients[0], program, limited, bounded))
     return found
@@ -90,7 +92,7 @@ def _may_end(limit: Value | None) -> bool:
     )
 
 
-def _waits_of(call: ApiCall, signals: _Signals) -> Iterator[tuple[Form, tuple[Creation, ...]]]:
+def _waits_of(code: SourceCode, call: ApiCall, signals: _Signals) -> Iterator[tuple[Form, tuple[Creation, ...]]]:
     if call.api in BLOCKING_CALLS:
         yield CALL, creations_of(call.receiver)
     elif call.api in SPINS_FOR_FUTURE:
@@ -98,7 +100,7 @@ def _waits_of(call: ApiCall, signals: _Signals) -> Iterator[tuple[Form, tuple[Cr
     elif call.api.endswith(".await"):
         yield AWAIT, creations_of(call.receiver)
     elif call.api == DONE:
-        loop = _loop_until(call)
+        loop = _loop_until(code, call)
         if loop is not None:
             spins = not names_in(loop).isdisjoint({"spin", "spin_once", "spin_until_future_complete"})
             yield SPIN if spins else CALL, creations_of(call.receiver)
@@ -108,19 +110,19 @@ def _waits_of(call: ApiCall, signals: _Signals) -> Iterator[tuple[Form, tuple[Cr
             yield CALL, (client,)
 
 
-def _loop_until(call: ApiCall) -> facts.While | None:
+def _loop_until(code: SourceCode, call: ApiCall) -> facts.While | None:
     """The loop that goes round until a future is done: ``while not future.done()``.  What always leaves its body does
     not wait."""
-    loop = call.loops[-1] if call.loops else None
+    loop = code.loop(call)
     if not isinstance(loop, facts.While) or always_left(loop):
         return None
     asked = [part for part in _conjuncts(loop.test) if isinstance(part, facts.Unary) and part.op == "not"]
-    return loop if any(same_expression(part.operand, call.expression) for part in asked) else None
+    return loop if any(same_expression(part.operand, code.expression(call)) for part in asked) else None
 
 
-def _gives_up(call: ApiCall) -> bool:
+def _gives_up(code: SourceCode, call: ApiCall) -> bool:
     """Whether a loop around a future also ends by itself: a clock or a counter in its test, a way out of its body."""
-    loop = _loop_until(call) if call.api == DONE else None
+    loop = _loop_until(code, call) if call.api == DONE else None
     if loop is None:
         return False
     others = [part for part in _conjuncts(loop.test) if not (isinstance(part, facts.Unary) and part.op == "not")]

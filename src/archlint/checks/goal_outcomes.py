@@ -15,6 +15,7 @@ from archlint.analysis.reach import (
     node_name,
     one_for_each_place,
 )
+from archlint.analysis.source_code import source_code
 from archlint.checks.handlers import handlers_of, only_a_stub, related_handler
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
@@ -171,7 +172,7 @@ def _ended_only_in(system: System, callback: Callback) -> bool:
     if any(function != handler for function, handler in _endings(system)):
         return False
     others = (other for program in system.programs for other in program.callbacks if other.role != Role.EXECUTE)
-    return not any(_ends_some(other.function) for other in others)
+    return not any(_ends_some(source_code(system).function(other)) for other in others)
 
 
 @once

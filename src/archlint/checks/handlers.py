@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 
 from archlint.analysis.assumptions import Known, asked, proven, within
 from archlint.analysis.reach import endpoint_words, node_name, one_for_each_place
+from archlint.analysis.source_code import SourceCode, source_code
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.finding import Finding, Place, Related
@@ -22,12 +23,13 @@ if TYPE_CHECKING:
 
 def handlers_of(system: System, role: Role) -> Iterator[tuple[Callback, facts.Function]]:
     """The functions that are given as callbacks of a role and whose code is all there is to see."""
+    code = source_code(system)
     for program in system.programs:
         for callback in program.callbacks:
-            function = callback.function
-            if callback.role != role or not isinstance(function, facts.Function) or system.roles.is_test(callback.file):
+            if callback.role != role or system.roles.is_test(callback.file):
                 continue
-            if not function.decorators and not function.is_generator:
+            function = code.function(callback)
+            if isinstance(function, facts.Function) and not function.decorators and not function.is_generator:
                 yield callback, function
 
 
@@ -50,10 +52,12 @@ def missing_response(system: System, options: Options) -> Iterator[Finding]:
 
 
 def _missing_of_lambdas(system: System) -> Iterator[Finding]:
+    code = source_code(system)
     for program in system.programs:
         for callback in program.callbacks:
-            if callback.role == Role.SERVICE and isinstance(callback.function, facts.Lambda):
-                what = _no_response(callback.function.body)
+            function = code.function(callback) if callback.role == Role.SERVICE else None
+            if isinstance(function, facts.Lambda):
+                what = _no_response(function.body)
                 if what is not None and not system.roles.is_test(callback.file):
                     yield _missing_at(
                         system, callback, callback.place, f"returns {what}, which is not a response", "lambda"
@@ -63,7 +67,7 @@ def _missing_of_lambdas(system: System) -> Iterator[Finding]:
 def _missing(system: System, callback: Callback, function: facts.Function) -> Iterator[Finding]:
     if only_a_stub(function.body):
         return
-    ends = _ends_as_created(callback, function)
+    ends = _ends_as_created(source_code(system), callback, function)
     for end in {id(one): one for one, states in ends.returns if states}.values():
         what = _no_response(end.value)
         if what is not None:
@@ -73,10 +77,10 @@ def _missing(system: System, callback: Callback, function: facts.Function) -> It
         yield _missing_at(system, callback, callback.place, "can reach its end without a response", "end")
 
 
-def _ends_as_created(callback: Callback, function: facts.Function) -> Ends[Known]:
+def _ends_as_created(code: SourceCode, callback: Callback, function: facts.Function) -> Ends[Known]:
     """The ends of a handler that is there at all: what was asked before its service was created still holds, where it
     asks for a name of the module that the handler does not set."""
-    conditions = callback.creation.proven if callback.creation is not None else ()
+    conditions = code.proven(callback.creation) if callback.creation is not None else ()
     own = {param.name for param in function.params} | {
         part.id
         for one in statements_of(function.body)

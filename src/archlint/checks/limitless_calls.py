@@ -17,6 +17,7 @@ from archlint.analysis.reach import (
     same_expression,
     waits_for_ever,
 )
+from archlint.analysis.source_code import SourceCode, source_code
 from archlint.analysis.stuck import spoken_of
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
@@ -50,7 +51,7 @@ def call_without_timeout(system: System, options: Options) -> Iterator[Finding]:
         for program, call in calls_of(system, (_CALL, _SEND_GOAL))
         if not _waits_apart(system, program, call)
         and call.place not in told
-        and (call.api == _SEND_GOAL or waits_for_ever(call, "timeout_sec", negative=False))
+        and (call.api == _SEND_GOAL or waits_for_ever(source_code(system), call, "timeout_sec", negative=False))
     )
 
 
@@ -106,7 +107,7 @@ def _limitless_call(system: System, program: Program, call: ApiCall, distros: tu
         call.place,
         f"{function}() waits for {answer} {endpoint_words(call.creation, kind_of(call))} without a timeout: if it "
         "is lost, this never returns",
-        help=_help(call, spinner, distros),
+        help=_help(source_code(system), call, spinner, distros),
         related=way_to(call, call.creation),
         node=node_name(system, call.node or call.context.node),
         identity=(call.function, name_of(call.creation), function),
@@ -136,7 +137,7 @@ def _spinner(call: ApiCall, program: Program) -> str:
     return _EXECUTOR if any(node not in use.spells for use in uses) else _NOBODY
 
 
-def _help(call: ApiCall, spinner: str, distros: tuple[str, ...]) -> str:
+def _help(code: SourceCode, call: ApiCall, spinner: str, distros: tuple[str, ...]) -> str:
     goal = call.api == _SEND_GOAL
     sent = "send_goal_async()" if goal else "call_async()"
     if spinner == _NOBODY:
@@ -144,7 +145,7 @@ def _help(call: ApiCall, spinner: str, distros: tuple[str, ...]) -> str:
     if spinner == _EXECUTOR:
         # rclpy's own function would take the node from its executor for good.
         return f"{sent} and executor.spin_until_future_complete(future, timeout_sec=2.0)"
-    if runs_in_executor(call.context) or (spinner == _UNKNOWN and not _goes_on_elsewhere(call)):
+    if runs_in_executor(call.context) or (spinner == _UNKNOWN and not _goes_on_elsewhere(code, call)):
         return f"{sent} and continue in a done callback: future.add_done_callback(…)"
     if not goal and "humble" not in distros:
         return "call(request, timeout_sec=2.0)"
@@ -152,12 +153,14 @@ def _help(call: ApiCall, spinner: str, distros: tuple[str, ...]) -> str:
     return f"{who}: {sent}, and wait with event.wait(timeout=2.0) for an Event that a done callback sets"
 
 
-def _goes_on_elsewhere(call: ApiCall) -> bool:
+def _goes_on_elsewhere(code: SourceCode, call: ApiCall) -> bool:
     """Whether the other branch of an ``if`` sends without waiting: then this one is there for those who want to."""
     sends = {"call_async", "send_goal_async"}
-    for one in statements_of(call.body):
+    for one in statements_of(code.body(call)):
         if isinstance(one, facts.If):
-            here = [any(same_expression(c, call.expression) for c in calls_in(arm)) for arm in (one.body, one.orelse)]
+            here = [
+                any(same_expression(c, code.expression(call)) for c in calls_in(arm)) for arm in (one.body, one.orelse)
+            ]
             there = [any(called_name(c) in sends for c in calls_in(arm)) for arm in (one.orelse, one.body)]
             if (here[0] and there[0]) or (here[1] and there[1]):
                 return True

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
+from functools import partial
 from typing import TYPE_CHECKING
 
 from archlint.analysis.callback_roles import related_to
@@ -12,6 +13,7 @@ from archlint.analysis.conditions import conditions
 from archlint.analysis.loop_times import around_future, in_loops, is_retry, reads_until_it_has, watches_the_clock
 from archlint.analysis.reach import endpoint_words, judged_calls, node_name, one_for_each_place
 from archlint.analysis.sleeps import Stay, stay_of
+from archlint.analysis.source_code import SourceCode, source_code
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.finding import Finding, Related, Severity
@@ -45,21 +47,22 @@ _Sleep = tuple["ApiCall", Stay]
 @rule("SRV008", scope=Scope.CODE, taste=True)
 def long_running_service(system: System, options: Options) -> Iterator[Finding]:
     """Service handlers that sleep, once for long or again and again; one finding a handler."""
+    code = source_code(system)
     handlers: dict[tuple[Program, Place], list[_Sleep]] = {}
     for program, call in judged_calls(system):
-        stay = stay_of(call) if call.context.role == Role.SERVICE else None
-        if stay is not None and stay.kind == "sleep" and not around_future(call):
+        stay = stay_of(code, call) if call.context.role == Role.SERVICE else None
+        if stay is not None and stay.kind == "sleep" and not around_future(code, call):
             handlers.setdefault((program, call.context.place), []).append((call, stay))
     yield from one_for_each_place(
-        _long_service(system, program, sorted(sleeps, key=_endless_first))
+        _long_service(system, program, sorted(sleeps, key=partial(_endless_first, code)))
         for (program, _), sleeps in handlers.items()
         if _in_all(system, sleeps) >= LONG
     )
 
 
-def _endless_first(sleep: _Sleep) -> tuple[bool, Place]:
+def _endless_first(code: SourceCode, sleep: _Sleep) -> tuple[bool, Place]:
     """What has no known end is what makes a handler long."""
-    return (not math.isinf(_seconds(*sleep)), sleep[0].place)
+    return (not math.isinf(_seconds(code, *sleep)), sleep[0].place)
 
 
 def _in_all(system: System, sleeps: Sequence[_Sleep]) -> float:
@@ -68,17 +71,17 @@ def _in_all(system: System, sleeps: Sequence[_Sleep]) -> float:
     ways: dict[BranchArms, dict[Place, float]] = {frozenset(): {}}
     for call, stay in sleeps:
         way = conditions(system.workspace, call.branch_arms)
-        ways.setdefault(way, {})[call.place] = _seconds(call, stay)
+        ways.setdefault(way, {})[call.place] = _seconds(source_code(system), call, stay)
     return max(sum(sum(found.values()) for other, found in ways.items() if other <= way) for way in ways)
 
 
-def _seconds(call: ApiCall, stay: Stay) -> float:
+def _seconds(code: SourceCode, call: ApiCall, stay: Stay) -> float:
     """How long a sleep takes in its loops, each ``for`` over what is not known taken for one round."""
-    seconds = in_loops(call, stay, unknown=1.0)
+    seconds = in_loops(code, call, stay, unknown=1.0)
     limited = any(limit is not None for limit in call.limits)
-    if limited and (seconds <= POLLING or (seconds < RETRYING and reads_until_it_has(call))):
+    if limited and (seconds <= POLLING or (seconds < RETRYING and reads_until_it_has(code, call))):
         return 0.0
-    return 0.0 if is_retry(call) and seconds < RETRYING else seconds
+    return 0.0 if is_retry(code, call) and seconds < RETRYING else seconds
 
 
 def _long_service(system: System, program: Program, sleeps: Sequence[_Sleep]) -> Finding:
@@ -91,7 +94,7 @@ def _long_service(system: System, program: Program, sleeps: Sequence[_Sleep]) ->
     found = finding(
         "SRV008",
         call.place,
-        f"the handler of {endpoint_words(callback.creation)} {_how_long(sleeps, total, asked)}",
+        f"the handler of {endpoint_words(callback.creation)} {_how_long(source_code(system), sleeps, total, asked)}",
         help=_IF_TOO_LONG if soon else _AN_ACTION,
         related=(*related_to(call, program), *further.values()),
         node=node_name(system, callback.node),
@@ -100,22 +103,22 @@ def _long_service(system: System, program: Program, sleeps: Sequence[_Sleep]) ->
     return replace(found, severity=Severity.INFO) if asked or soon else found
 
 
-def _how_long(sleeps: Sequence[_Sleep], total: float, asked: bool) -> str:
+def _how_long(code: SourceCode, sleeps: Sequence[_Sleep], total: float, asked: bool) -> str:
     """What a handler does, and what its caller has of it."""
     (call, stay), *others = sleeps
     if asked:
         return "sleeps for as long as the request says: the caller cannot cancel"
     if math.isinf(total):
-        waits = "meanwhile" if watches_the_clock(call) else "without knowing for how long"
+        waits = "meanwhile" if watches_the_clock(code, call) else "without knowing for how long"
         again = " in each iteration of a loop" if call.looped else ""
         return f"{stay.words}{again}: the caller waits {waits} and cannot cancel"
     words = stay.words
     if any(other.place != call.place for other, _ in others):
         up_to = "up to " if any(limit is not None for one, _ in sleeps for limit in one.limits) else ""
         words = f"sleeps for {up_to}{total:.3g} s in all"
-    elif call.looped and any(isinstance(loop, facts.For) and _reads(call, loop) for loop in call.loops):
+    elif call.looped and any(isinstance(loop, facts.For) and _reads(code, call, loop) for loop in code.loops(call)):
         words = "sleeps repeatedly, for a time that depends on the loop"
-    elif call.looped and math.isinf(in_loops(call, stay)):
+    elif call.looped and math.isinf(in_loops(code, call, stay)):
         words += " in each iteration of a loop"
     elif call.looped:
         up_to = "up to " if any(limit is not None for limit in call.limits) else ""
@@ -123,25 +126,25 @@ def _how_long(sleeps: Sequence[_Sleep], total: float, asked: bool) -> str:
     return f"{words}: the caller waits meanwhile and cannot cancel"
 
 
-def _reads(call: ApiCall, loop: facts.For) -> bool:
+def _reads(code: SourceCode, call: ApiCall, loop: facts.For) -> bool:
     """Whether what a call is given depends on the round: ``sleep(PAUSE * (attempt + 1))``."""
-    return call.expression is not None and not names_in(call.expression).isdisjoint(names_in(loop.target))
+    return not names_in(code.expression(call)).isdisjoint(names_in(loop.target))
 
 
 def _is_as_asked(system: System, sleeps: Sequence[_Sleep]) -> bool:
     """Whether the request says how long a handler sleeps, but for what would be no finding by itself."""
-    others = [sleep for sleep in sleeps if not _as_asked(*sleep)]
+    others = [sleep for sleep in sleeps if not _as_asked(source_code(system), *sleep)]
     return len(others) < len(sleeps) and _in_all(system, others) < LONG
 
 
-def _as_asked(call: ApiCall, stay: Stay) -> bool:
+def _as_asked(code: SourceCode, call: ApiCall, stay: Stay) -> bool:
     """Whether the request says how long a handler sleeps: ``time.sleep(request.seconds)``."""
-    function, bound = call.context.function, call.context.bound_arguments
-    if stay.seconds is not None or call.chain or call.expression is None or not isinstance(function, facts.Function):
+    function, bound = code.function(call.context), call.context.bound_arguments
+    if stay.seconds is not None or call.chain or not isinstance(function, facts.Function):
         return False
     known = {param.name for param in function.params[bound : bound + 1]}
-    for one in statements_of(call.body):
+    for one in statements_of(code.body(call)):
         if isinstance(one, facts.Assign) and not known.isdisjoint(names_in(one.value)):
             known |= {target.id for target in one.targets if isinstance(target, facts.Name)}
-    ends = not any(isinstance(loop, facts.While) for loop in call.loops)
-    return ends and not known.isdisjoint(names_in(call.expression))
+    ends = not any(isinstance(loop, facts.While) for loop in code.loops(call))
+    return ends and not known.isdisjoint(names_in(code.expression(call)))

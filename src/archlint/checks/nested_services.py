@@ -17,6 +17,7 @@ from archlint.analysis.reach import (
     related_creation,
     same_expression,
 )
+from archlint.analysis.source_code import source_code
 from archlint.analysis.stuck import nested_waits
 from archlint.analysis.waits import BLOCKING_CALLS, Wait, waits
 from archlint.checks.registry import Options, finding, rule
@@ -91,7 +92,7 @@ def _nested(system: System, rows: list[_Row]) -> Finding:
         "SRV003",
         call.place,
         f"the handler of {service} {_waits_for(wait, verdict, awaited)}{_outcome(wait, verdict, held_up, behind)}",
-        help=_help(wait, verdict, held_up, behind, bool(rivals)),
+        help=_help(system, wait, verdict, held_up, behind, bool(rivals)),
         related=[
             Related(handler.place, f"{handler.name} handles {service}"),
             *related_chain(call),
@@ -106,24 +107,25 @@ def _nested(system: System, rows: list[_Row]) -> Finding:
     )
     # What becomes of the spin of another node is not always known: that the caller waits, is.
     mild = verdict.safe or (wait.kind == SPIN and verdict.unknown)
-    if verdict.safe and not held_up and not behind and all(_careful(one) for one in (wait, *further)):
+    if verdict.safe and not held_up and not behind and all(_careful(system, one) for one in (wait, *further)):
         return replace(found, severity=Severity.INFO)
     return replace(found, severity=Severity.WARNING) if mild else found
 
 
-def _careful(wait: Wait) -> bool:
+def _careful(system: System, wait: Wait) -> bool:
     """Whether a wait has an end, and what it brings is looked at, or an await holds no thread: there is nothing to do
     but to know of it."""
-    return wait.kind == AWAIT or (wait.bounded and wait.kind != SPIN and not _thrown_away(wait))
+    return wait.kind == AWAIT or (wait.bounded and wait.kind != SPIN and not _thrown_away(system, wait))
 
 
-def _thrown_away(wait: Wait) -> bool:
+def _thrown_away(system: System, wait: Wait) -> bool:
     """Whether nobody looks at the answer: ``self.client.call(request)`` as a line of its own."""
-    statement = wait.call.statement
+    code = source_code(system)
+    statement = code.statement(wait.call)
     return (
         wait.call.api in BLOCKING_CALLS
         and isinstance(statement, facts.Expression)
-        and same_expression(statement.value, wait.call.expression)
+        and same_expression(statement.value, code.expression(wait.call))
     )
 
 
@@ -165,13 +167,20 @@ def _on_one_way(waits: list[Wait]) -> bool:
     return all(longer[: len(shorter)] == shorter for shorter, longer in pairwise(arms))
 
 
-def _help(wait: Wait, verdict: Verdict, held_up: Sequence[Callback], behind: Sequence[Edge], kept_apart: bool) -> str:
+def _help(
+    system: System,
+    wait: Wait,
+    verdict: Verdict,
+    held_up: Sequence[Callback],
+    behind: Sequence[Edge],
+    kept_apart: bool,
+) -> str:
     """What to do: whoever looks at the answer needs it before the handler returns."""
     if wait.kind == AWAIT:
         if verdict.safe and not held_up:
             return _BOUND
         return _IF_IT_CAN if verdict.safe else _GROUP
-    if wait.kind == CALL and _thrown_away(wait):
+    if wait.kind == CALL and _thrown_away(system, wait):
         return _GO_ON
     service = endpoint_words(wait.call.context.creation)
     if verdict.safe and wait.bounded and wait.kind != SPIN:

@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from archlint.analysis.completeness import declares_all, enclosing_function, facts_at, walk
+from archlint.analysis.source_code import source_code
 from archlint.checks.parameters import always_declared, declared_by, followed
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
@@ -36,21 +37,21 @@ def undeclared_parameter(system: System, options: Options) -> Iterator[Finding]:
         calls = [call for call in node.program.calls if call.node is node.blueprint]
         guarded = {_name_of(call) for call in calls if call.api.endswith(".has_parameter")}
         for call in calls:
-            for name, place in _reads(system.workspace, call):
+            for name, place in _reads(system, call):
                 if always_declared(name) or name in declared or name in guarded or call.in_try:
                     continue
                 yield _undeclared(node, call, name, place, declared)
 
 
-def _reads(workspace: WorkspaceIndex | None, call: ApiCall) -> Iterator[tuple[str, Place]]:
+def _reads(system: System, call: ApiCall) -> Iterator[tuple[str, Place]]:
     """The names that a call reads and that cannot be others, each with where the code says it."""
     if call.api == "rclpy.node.Node.get_parameter":
         name = _name_of(call)
         if name is not None:
-            yield name, _where_named(workspace, call)
-    elif call.api == "rclpy.node.Node.get_parameters" and call.expression is not None and call.expression.args:
-        names = call.expression.args[0].value
-        for item in names.elements if isinstance(names, facts.Sequence) else ():
+            yield name, _where_named(system, call)
+    elif call.api == "rclpy.node.Node.get_parameters":
+        names = [given.value for given in source_code(system).arguments(call)[:1]]
+        for item in (item for one in names if isinstance(one, facts.Sequence) for item in one.elements):
             if isinstance(item, facts.Literal) and isinstance(item.value, str):
                 yield item.value, Place(call.place.file, *item.span)
 
@@ -70,7 +71,7 @@ def _undeclared(
     )
 
 
-def _where_named(workspace: WorkspaceIndex | None, call: ApiCall) -> Place:
+def _where_named(system: System, call: ApiCall) -> Place:
     """The read itself, or the call of the helper that does it, whichever says the name."""
     value = call.arguments.get("name")
     origin = value.origin if isinstance(value, Known) else None
@@ -78,16 +79,14 @@ def _where_named(workspace: WorkspaceIndex | None, call: ApiCall) -> Place:
         for frame in reversed(call.chain):
             if _encloses(frame.place, origin):
                 return frame.place
-    return call.chain[-1].place if call.chain and _is_passed_on(workspace, call) else call.place
+    return call.chain[-1].place if call.chain and _is_passed_on(system, call) else call.place
 
 
-def _is_passed_on(workspace: WorkspaceIndex | None, call: ApiCall) -> bool:
+def _is_passed_on(system: System, call: ApiCall) -> bool:
     """Whether the name that is read is a parameter of the function that reads it."""
-    function = None if workspace is None else enclosing_function(workspace, call.place)
-    given = call.expression.args[0].value if call.expression is not None and call.expression.args else None
-    if function is None or not isinstance(given, facts.Name):
-        return False
-    return given.id in {param.name for param in function.params}
+    function = None if system.workspace is None else enclosing_function(system.workspace, call.place)
+    given = source_code(system).arguments(call)[:1]
+    return function is not None and any(one.value.variable in {p.name for p in function.params} for one in given)
 
 
 def _encloses(outer: Place, inner: Place) -> bool:

@@ -15,6 +15,7 @@ from archlint.analysis.reach import (
     related_chain,
     related_creation,
 )
+from archlint.analysis.source_code import Loop, SourceCode, source_code
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.finding import Finding
@@ -55,13 +56,14 @@ _PAUSES = frozenset(
 @rule("SRV004", scope=Scope.AS_LAUNCHED, rate=1.0)
 def service_for_continuous_data(system: System, options: Options) -> Iterator[Finding]:
     """Requests that are sent again and again without an occasion."""
+    code = source_code(system)
     stopped = {call.context.place for _, call in calls_of(system, _ENDS_TIMER)}
     yield from one_for_each_place(
         _polled(system, program, call, how)
         for program, call in calls_of(system, _REQUESTS)
-        if call.creation is not None and call.context.place not in stopped and _always_the_same(call)
+        if call.creation is not None and call.context.place not in stopped and _always_the_same(code, call)
         if _takes_data(program, call.creation)
-        for how in [_how_often(call, options.number("rate"))]
+        for how in [_how_often(code, call, options.number("rate"))]
         if how is not None
     )
 
@@ -74,24 +76,31 @@ def _takes_data(program: Program, client: Creation) -> bool:
     )
 
 
-def _how_often(call: ApiCall, rate: float) -> str | None:
+def _how_often(code: SourceCode, call: ApiCall, rate: float) -> str | None:
     """How often a request is sent, in words; None where that is seldom, or has an occasion."""
     callback = call.context
     if callback.role == Role.TIMER and not call.looped:
         period = callback.creation.period if callback.creation is not None else None
-        if period is None or period <= 0 or period * rate > 1 or not unguarded(call) or notes_that_it_ran(call):
+        if (
+            period is None
+            or period <= 0
+            or period * rate > 1
+            or not unguarded(code, call)
+            or notes_that_it_ran(code, call)
+        ):
             return None
         return f"{1 / period:g} times a second" if period < 1 else "once a second"
-    if callback.role in (Role.MAIN, Role.THREAD) and call.loops and _unpaced(call.loops[-1]) and unguarded(call):
+    if callback.role in (Role.MAIN, Role.THREAD) and _unpaced(code.loop(call)) and unguarded(code, call):
         return "in every iteration of the loop"
     return None
 
 
-def _unpaced(loop: facts.While | facts.For) -> bool:
+def _unpaced(loop: Loop | None) -> bool:
     """Whether a loop goes on for ever and nothing in it waits but the request."""
-    endless = isinstance(loop, facts.While) and (
-        loop.test.truth is True
-        or (all(called_name(c) in _READY for c in calls_in(loop.test)) and any(calls_in(loop.test)))
+    if not isinstance(loop, facts.While):
+        return False
+    endless = loop.test.truth is True or (
+        all(called_name(c) in _READY for c in calls_in(loop.test)) and any(calls_in(loop.test))
     )
     leaves = any(
         isinstance(s, (facts.Return, facts.Raise)) or (isinstance(s, facts.Jump) and s.kind == "break")
@@ -100,12 +109,13 @@ def _unpaced(loop: facts.While | facts.For) -> bool:
     return endless and not leaves and all(called_name(call) not in _PAUSES for call in calls_in(loop.body))
 
 
-def unguarded(call: ApiCall) -> bool:
+def unguarded(code: SourceCode, call: ApiCall) -> bool:
     """Whether nothing but the readiness of the service decides whether the request is sent."""
-    body: Sequence[facts.Stmt] = call.loops[-1].body if call.loops else call.body
-    if call.expression is None or call.chain[1:] or _reached(body, call.expression.span[:2]) is not True:
+    loop = code.loop(call)
+    body = code.body(call) if loop is None else loop.body
+    if call.chain[1:] or _reached(body, (call.place.line, call.place.column)) is not True:
         return False
-    function = call.context.function
+    function = code.function(call.context)
     if not call.chain or not isinstance(function, facts.Function):
         return True
     # What runs calls the function that asks: an occasion may be needed for that, too.
@@ -159,34 +169,34 @@ def _names_a_future(test: facts.Expr) -> bool:
     return "future" in name.lower()
 
 
-def notes_that_it_ran(call: ApiCall) -> bool:
+def notes_that_it_ran(code: SourceCode, call: ApiCall) -> bool:
     """Whether a callback sets a flag: it may be asked before the next request, here or elsewhere."""
     return any(
         isinstance(s, facts.Assign)
         and isinstance(s.value, facts.Literal)
         and isinstance(s.value.value, bool)
         and not all(isinstance(target, facts.Attribute) and target.attr == "data" for target in s.targets)
-        for s in statements_of(call.body)
+        for s in statements_of(code.body(call))
     )
 
 
-def _always_the_same(call: ApiCall) -> bool:
+def _always_the_same(code: SourceCode, call: ApiCall) -> bool:
     """Whether the request is made here and carries nothing but constants."""
     request = argument(call, "request")
-    expression = call.expression
-    if not isinstance(request, MessageValue) or expression is None or not expression.args:
+    arguments = code.arguments(call)
+    if not isinstance(request, MessageValue) or not arguments:
         return False
-    given = expression.args[0].value
+    given = arguments[0].value
     if isinstance(given, facts.Name):
         name = given.id
         made = [
             s.value
-            for s in statements_of(call.body)
+            for s in statements_of(code.body(call))
             if isinstance(s, facts.Assign) and any(isinstance(t, facts.Name) and t.id == name for t in s.targets)
         ]
         filled = [
             s.value
-            for s in statements_of(call.body)
+            for s in statements_of(code.body(call))
             if isinstance(s, (facts.Assign, facts.Augmented))
             and any(_belongs_to(target, name) for target in (s.targets if isinstance(s, facts.Assign) else [s.target]))
         ]

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
+from archlint.analysis.source_code import SourceCode, source_code
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.finding import Finding, Place, Related
@@ -34,10 +35,11 @@ _SENDS = {
 @rule("TOP005", scope=Scope.CODE)
 def published_type_mismatch(system: System, options: Options) -> Iterator[Finding]:
     """Arguments of ``publish`` and its kin that are certainly not of the endpoint's type."""
+    code = source_code(system)
     sites: dict[Place, list[Finding | None]] = {}
     for call in system.calls:
         if call.api in _SENDS:
-            sites.setdefault(call.place, []).append(_judge(call))
+            sites.setdefault(call.place, []).append(_judge(code, call))
     for place in sorted(sites):
         found = sites[place]
         # A call that serves several publishers, or is made in several ways, is wrong where each of them is.
@@ -45,13 +47,13 @@ def published_type_mismatch(system: System, options: Options) -> Iterator[Findin
             yield found[0]
 
 
-def _judge(call: ApiCall) -> Finding | None:
+def _judge(code: SourceCode, call: ApiCall) -> Finding | None:
     argument, section_name = _SENDS[call.api]
     creation = _sender(call)
     given = call.arguments.get(argument)
     if creation is None or creation.type is None or not isinstance(given, Value):
         return None
-    if isinstance(given, Known) and given.value is None and (section_name == "Result" or not _literal(call)):
+    if isinstance(given, Known) and given.value is None and (section_name == "Result" or not _literal(code, call)):
         return None  # no result given, or an attribute that is None until some other callback has set it
     wrong = _wrong(given, creation.type, section_name)
     return None if wrong is None else _finding(call, creation, argument, section_name, wrong)
@@ -67,8 +69,8 @@ def _sender(call: ApiCall) -> Creation | None:
     return creations[0] if len(creations) == 1 else None
 
 
-def _literal(call: ApiCall) -> bool:
-    arguments = [] if call.expression is None else call.expression.args
+def _literal(code: SourceCode, call: ApiCall) -> bool:
+    arguments = code.arguments(call)
     return len(arguments) == 1 and isinstance(arguments[0].value, facts.Literal)
 
 

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 from archlint.analysis.blocking import AWAIT
 from archlint.analysis.callback_roles import callback_words, runs_in_executor
 from archlint.analysis.reach import endpoint_words, node_name, one_for_each_place
+from archlint.analysis.source_code import SourceCode, source_code
 from archlint.analysis.waits import Wait, waits
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
@@ -98,6 +99,7 @@ def _waits_here(statement: facts.Assign, steps: Sequence[_Step]) -> bool:
 
 def _runs(system: System) -> Iterator[list[_Step]]:
     """The waits of each callback, or of each loop of a program, that follow each other for certain."""
+    code = source_code(system)
     by_run: dict[tuple[object, ...], list[_Step]] = {}
     for wait in waits(system):
         call = wait.call
@@ -105,7 +107,7 @@ def _runs(system: System) -> Iterator[list[_Step]]:
             continue
         if call.context.role == Role.SERVICE:
             continue  # SRV003 says of a handler that it waits, and for how many answers
-        if wait.kind != AWAIT and any(_retries(loop) for loop in call.loops):
+        if wait.kind != AWAIT and any(_retries(loop) for loop in code.loops(call)):
             continue
         for way, rounds, clients in ((call.chain, call.enclosing_loops, ()), *call.call_chains):
             # What is in the same arms of all branches runs together or not at all; a program that is no
@@ -113,12 +115,12 @@ def _runs(system: System) -> Iterator[list[_Step]]:
             round_ = rounds[:1] if not runs_in_executor(call.context) else ()
             key = (id(wait.program), id(call.context), call.branch_arms, round_)
             client = clients[0] if clients else wait.client
-            by_run.setdefault(key, []).append(_Step(call.place, way, wait, client, call.body))
+            by_run.setdefault(key, []).append(_Step(call.place, way, wait, client, code.body(call)))
     for steps in by_run.values():
-        yield from _sequences(steps)
+        yield from _sequences(code, steps)
 
 
-def _sequences(steps: list[_Step]) -> Iterator[list[_Step]]:
+def _sequences(code: SourceCode, steps: list[_Step]) -> Iterator[list[_Step]]:
     """One sequence a function that makes the waits, directly or through a helper each."""
     by_function: dict[str, dict[tuple[Place, Place], _Step]] = {}
     for step in steps:
@@ -128,7 +130,7 @@ def _sequences(steps: list[_Step]) -> Iterator[list[_Step]]:
         if way:
             last = way[-1]
             by_caller = by_function.setdefault(f"{last.place.file}:{last.caller}", {})
-            by_caller[last.place, call.place] = replace(step, line=last.place, body=last.body)
+            by_caller[last.place, call.place] = replace(step, line=last.place, body=code.body_at(last.place))
     for found in by_function.values():
         yield [found[key] for key in sorted(found)]
 

@@ -10,6 +10,7 @@ from archlint.analysis.blocking import in_distros
 from archlint.analysis.completeness import facts_at
 from archlint.analysis.pinned import pinned_distro
 from archlint.analysis.reach import node_name, one_for_each_place
+from archlint.analysis.source_code import source_code
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.finding import Finding, Place, Related, Severity
@@ -84,7 +85,7 @@ class _Wrong:
 def _wrong(system: System, callback: Callback, distros: Sequence[str]) -> _Wrong | None:
     if callback.missing is not None:
         return _Wrong(callback, None)
-    function = callback.function
+    function = source_code(system).function(callback)
     if function is None or (isinstance(function, facts.Function) and function.decorators and not _plain(function)):
         return None
     wrong = tuple(distro for distro in distros if not _fits(system, function, callback, distro))
@@ -168,7 +169,7 @@ def _place(wrong: _Wrong) -> Place:
     """Where a callback is handed over; a lambda that a wrapper passes on stands where that is."""
     made, callback = _registered(wrong), wrong.callback
     inside = made.file == callback.place.file and made.line <= callback.place.line <= made.end_line
-    return callback.place if isinstance(callback.function, facts.Lambda) and not inside else made
+    return callback.place if callback.function is not None and callback.function.is_lambda and not inside else made
 
 
 def _registered(wrong: _Wrong) -> Place:

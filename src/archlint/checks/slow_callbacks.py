@@ -15,6 +15,7 @@ from archlint.analysis.deadlock import threads_of
 from archlint.analysis.loop_times import around_future, in_loops
 from archlint.analysis.reach import argument, creations_of, judged_calls, node_name, one_for_each_place
 from archlint.analysis.sleeps import Stay, stay_of
+from archlint.analysis.source_code import SourceCode, source_code
 from archlint.analysis.stuck import clients_of_handlers, functions_that_ask
 from archlint.checks.folding import folds
 from archlint.checks.registry import Options, finding, rule
@@ -78,7 +79,7 @@ def slow_callback(system: System, options: Options) -> Iterator[Finding]:
     found = [
         sorted(rows.values(), key=_longest_first)
         for rows in functions.values()
-        if not all(_is_left_alone(program, call, stay) for program, call, stay in rows.values())
+        if not all(_is_left_alone(source_code(system), program, call, stay) for program, call, stay in rows.values())
     ]
     mixed = {id(call.context) for rows in found for _, call, stay in rows[:1] if stay.kind != "network"}
     yield from one_for_each_place(_slow(system, rows, id(rows[0][1].context) not in mixed) for rows in found)
@@ -95,12 +96,12 @@ _UNSEEN = 1.0
 """Seconds that a sleep is taken for whose time is not known."""
 
 
-def _is_left_alone(program: Program, call: ApiCall, stay: Stay) -> bool:
+def _is_left_alone(code: SourceCode, program: Program, call: ApiCall, stay: Stay) -> bool:
     """Whether nothing at all waits but the callback's own next turn, and a timer that is late loses nothing."""
     period = _period(call.context)
     if call.context.role not in _LOSES_NOTHING or (period is not None and (stay.seconds or 0.0) > period):
         return False
-    return _waiting(call, program) == _NOBODY
+    return _waiting(code, call, program) == _NOBODY
 
 
 _LOSES_NOTHING = frozenset({Role.TIMER, Role.EXECUTE, Role.SERVICE})
@@ -114,11 +115,12 @@ def _is_no_program(system: System, callback: Callback) -> bool:
 
 
 def _stays(system: System) -> Iterator[_Row]:
+    code = source_code(system)
     for program, call in judged_calls(system):
-        stay = stay_of(call) if runs_in_executor(call.context) else None
+        stay = stay_of(code, call) if runs_in_executor(call.context) else None
         if stay is None or _trifle(call) or not _is_long(system, call, stay) or _harmless(call.context, program):
             continue
-        if _is_told_to_end(call, stay) or _is_no_program(system, call.context):
+        if _is_told_to_end(code, call, stay) or _is_no_program(system, call.context):
             continue
         yield program, call, stay
 
@@ -126,27 +128,28 @@ def _stays(system: System) -> Iterator[_Row]:
 def _is_long(system: System, call: ApiCall, stay: Stay) -> bool:
     if stay.kind == "discovery":
         return stay.seconds is not None and stay.seconds > DISCOVERY
-    if around_future(call):
+    if around_future(source_code(system), call):
         return False
     if stay.kind not in ("sleep", "process") or stay.seconds is None:
         return True
-    period, seconds = _period(call.context), in_loops(call, stay, workspace=system.workspace)
+    period, seconds = _period(call.context), in_loops(source_code(system), call, stay, with_callers=True)
     return seconds > MOMENT or (period is not None and seconds > period)
 
 
-def _is_told_to_end(call: ApiCall, stay: Stay) -> bool:
+def _is_told_to_end(code: SourceCode, call: ApiCall, stay: Stay) -> bool:
     """Whether a process that is waited for has just been told to end: ``process.terminate(); process.wait(timeout=1)``.
     Without a limit it has to be killed: only that cannot be ignored."""
-    waited = None if call.expression is None else call.expression.func
+    expression = code.expression(call)
+    waited = None if expression is None else expression.func
     if not isinstance(waited, facts.Attribute) or call.api not in _OF_PROCESS:
         return False
     name, ends = dotted(waited.value), _KILLS if stay.seconds is None else _ENDS
-    ended = (one for one in calls_in(call.body) if isinstance(one.func, facts.Attribute) and one.func.attr in ends)
     return name != "" and any(
         isinstance(one.func, facts.Attribute)
+        and one.func.attr in ends
         and dotted(one.func.value) == name
         and Place.of(call.file, one.span) < call.place
-        for one in ended
+        for one in calls_in(code.body(call))
     )
 
 
@@ -177,14 +180,14 @@ def _harmless(callback: Callback, program: Program) -> bool:
     return not others
 
 
-def _waiting(call: ApiCall, program: Program) -> str:
+def _waiting(code: SourceCode, call: ApiCall, program: Program) -> str:
     """Who waits while a callback keeps its thread: ``others`` that are known, ``nobody``, or ``unknown``."""
     callback = call.context
     node = callback.node
     if node is None:
         return _UNKNOWN
     nodes = [node, *(one for use in program.executors_of(node) for one in use.nodes if one is not node)]
-    if any(_takes_in_more(one, call, program) for one in nodes):
+    if any(_takes_in_more(code, one, call, program) for one in nodes):
         return _OTHERS
     # The transitions of a lifecycle node wait, too, if anybody asks for one.
     known = callback.role in _ITS_NEXT and not node.lifecycle
@@ -192,12 +195,12 @@ def _waiting(call: ApiCall, program: Program) -> str:
     return _NOBODY if whole and all(one.complete for one in nodes) else _UNKNOWN
 
 
-def _takes_in_more(node: Blueprint, call: ApiCall, program: Program) -> bool:
+def _takes_in_more(code: SourceCode, node: Blueprint, call: ApiCall, program: Program) -> bool:
     """Whether an executor has anything to do for a node besides one callback.  What a node sends is no work, nor is
     the answer that nothing is registered for, nor what the callback makes only after it has waited."""
     callback = call.context
     later = {id(one) for one in node.creations if _is_made_after(one, call)}
-    follow = _callbacks_that_follow(node, call)
+    follow = _callbacks_that_follow(code, node, call)
     apart = threads_of(callback.node, program) == blocking.SEVERAL
     entities = (creation for creation in node.creations if creation.kind in _TAKE_IN and not creation.destroyed)
     return any(
@@ -223,19 +226,21 @@ def _is_made_after(creation: Creation, call: ApiCall) -> bool:
     return same and creation.context is call.context and not call.loops and creation.place > call.place
 
 
-def _callbacks_that_follow(node: Blueprint, call: ApiCall) -> list[Callback]:
+def _callbacks_that_follow(code: SourceCode, node: Blueprint, call: ApiCall) -> list[Callback]:
     """The done callbacks of futures that the waiting function makes further down, and of those that these make."""
     follow: list[Callback] = []
     rest = [one for one in node.callbacks if one.role == Role.DONE and one.registered is not None]
-    span = getattr(call.body[-1], "span", None) if call.body and not call.loops else None
+    body = [] if call.loops else code.body(call)
+    span = getattr(body[-1], "span", None) if body else None
     bodies = [] if span is None else [(call.place, span[2])]
     while bodies:
         start, end = bodies.pop()
         for one in [one for one in rest if _is_between(one.registered, start, end)]:
             rest.remove(one)
             follow.append(one)
-            if one.function is not None:
-                bodies.append((one.place, one.function.span[2]))
+            function = code.function(one)
+            if function is not None:
+                bodies.append((one.place, function.span[2]))
     return follow
 
 
@@ -262,7 +267,7 @@ def _slow(system: System, rows: Sequence[_Row], only_network: bool) -> Finding:
         end = " in each iteration of a loop" if stay.kind == "sleep" and call.looped else ""
     if others:
         end += f", as {'does another line' if len(others) == 1 else f'do {len(others)} more lines'} of {call.function}"
-    held_up = {_waiting(row[1], row[0]) for row in rows}
+    held_up = {_waiting(source_code(system), row[1], row[0]) for row in rows}
     mild = _OTHERS not in held_up or all(_answers_in_time(row[1], row[2]) for row in rows)
     meanwhile = _meanwhile(callback, program)
     if held_up == {_NOBODY}:

@@ -13,6 +13,7 @@ from archlint.analysis.completeness import enclosing_function, walk
 from archlint.analysis.deadlock import related_executor, threads_of
 from archlint.analysis.object_uses import read_off
 from archlint.analysis.reach import judged_calls, node_name, one_for_each_place, same_expression
+from archlint.analysis.source_code import FunctionFacts, SourceCode, source_code
 from archlint.analysis.spins import spun_by_several, spun_in_callbacks
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
@@ -29,7 +30,7 @@ from archlint.syntax import facts
 from archlint.syntax.walk import blocks_of, called_name, calls_in, parts_of
 
 if TYPE_CHECKING:
-    from archlint.model import ApiCall, Blueprint, Callback, Creation, Group, Program
+    from archlint.model import ApiCall, Blueprint, Creation, Group, Program
     from archlint.systems.model import System
 
 _SERVED = {
@@ -68,7 +69,7 @@ class _Idle:
 @rule("EXE008", scope=Scope.CODE)
 def node_never_spun(system: System, options: Options) -> Iterator[Finding]:
     """Nodes that wait for work which no executor ever gives them."""
-    judged = [(program, node, _idle(program, node)) for program, node in _judged(system)]
+    judged = [(program, node, _idle(system, program, node)) for program, node in _judged(system)]
     spun = {node.made_at or node.place for _, node, idle in judged if idle is None}
     yield from one_for_each_place(
         _never_spun(system, node, idle)
@@ -84,7 +85,7 @@ def _all_is_seen(program: Program, node: Blueprint) -> bool:
     return not (program.exhausted or unknown or node.escapes) and node.complete
 
 
-def _idle(program: Program, node: Blueprint) -> _Idle | None:
+def _idle(system: System, program: Program, node: Blueprint) -> _Idle | None:
     """Why nothing serves what a node certainly offers; None where something may."""
     served = [c for c in node.creations if c.api in _OWN_API and not c.conditional and not c.destroyed]
     if node.executor == ExecutorKind.NONE:
@@ -92,7 +93,7 @@ def _idle(program: Program, node: Blueprint) -> _Idle | None:
     spells = [spell for use in program.executors if use.spun for spell in use.spells.get(node, ())]
     if not spells or any(node in use.nodes and node not in use.spells for use in program.executors):
         return None
-    behind = [_spin_before(program, spell.place) for spell in spells]
+    behind = [_spin_before(source_code(system), program, spell.place) for spell in spells]
     if served and all(behind):
         return _Idle(served, behind=behind[0])
     if not all(spell.in_constructor and spell.lasting == SpinDuration.A_MOMENT for spell in spells):
@@ -104,31 +105,31 @@ def _idle(program: Program, node: Blueprint) -> _Idle | None:
     return _Idle(served, spin=spells[0].place) if served else None
 
 
-def _spin_before(program: Program, place: Place) -> Place | None:
+def _spin_before(code: SourceCode, program: Program, place: Place) -> Place | None:
     """The ``rclpy.spin(…)`` in front of a spin in the same block: it returns when ROS is shut down, not before."""
     later = next((call for call in program.calls if call.place == place), None)
     if later is None:
         return None
     endless = [call for call in program.calls if call.api == "rclpy.spin" and call.context.role == Role.MAIN]
-    return next((call.place for call in endless if call.file == later.file and _comes_first(call, later)), None)
+    return next((call.place for call in endless if call.file == later.file and _comes_first(code, call, later)), None)
 
 
-def _comes_first(call: ApiCall, later: ApiCall) -> bool:
+def _comes_first(code: SourceCode, call: ApiCall, later: ApiCall) -> bool:
     """Whether a call is a statement of a block that a later one is in, too, and ROS is not started anew between."""
-    for block in blocks_of(call.body):
-        here = [number for one in (call, later) for number in _numbers_in(block, one)]
+    for block in blocks_of(code.body(call)):
+        here = [number for one in (call, later) for number in _numbers_in(block, code.expression(one))]
         if len(here) == 2 and here[0] < here[1]:
             between = block[here[0] : here[1]]
             return all(called_name(one) != "init" for statement in between for one in calls_in(statement))
     return False
 
 
-def _numbers_in(block: Sequence[facts.Stmt], call: ApiCall) -> list[int]:
+def _numbers_in(block: Sequence[facts.Stmt], call: facts.Call | None) -> list[int]:
     """Which statement of a block is just this call."""
     return [
         number
         for number, statement in enumerate(block)
-        if isinstance(statement, facts.Expression) and same_expression(statement.value, call.expression)
+        if isinstance(statement, facts.Expression) and same_expression(statement.value, call)
     ]
 
 
@@ -209,6 +210,7 @@ def _all(system: System) -> Iterator[tuple[Program, Blueprint]]:
 def _needing(system: System) -> set[int]:
     """The nodes (their ``id``) whose groups let something in on one thread, too: the answer that a callback awaits,
     or what a callback that spins waits for."""
+    code = source_code(system)
     awaiting = {
         id(call.context.node)
         for _, call in judged_calls(system)
@@ -219,7 +221,7 @@ def _needing(system: System) -> set[int]:
         id(callback.node)
         for program in system.programs
         for callback in program.callbacks
-        if callback.is_async and runs_in_executor(callback) and _awaits(callback)
+        if callback.is_async and runs_in_executor(callback) and _awaits(code.function(callback))
     }
     return awaiting | spun_in_callbacks(system)
 
@@ -249,8 +251,8 @@ def _spins_if_asked(system: System, program: Program, node: Blueprint, group: Pl
     return not any(one.file == group.file and made_by.span[0] <= one.line <= made_by.span[2] for one in places)
 
 
-def _awaits(callback: Callback) -> bool:
-    return any(isinstance(part, facts.Await) for part in parts_of(callback.function))
+def _awaits(function: FunctionFacts | None) -> bool:
+    return any(isinstance(part, facts.Await) for part in parts_of(function))
 
 
 def _grouped(node: Blueprint) -> Iterator[Group]:

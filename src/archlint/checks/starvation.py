@@ -18,6 +18,7 @@ from archlint.analysis.reach import (
     one_for_each_place,
 )
 from archlint.analysis.sleeps import longest, stay_of
+from archlint.analysis.source_code import SourceCode, source_code
 from archlint.analysis.waits import DONE, Wait, waits
 from archlint.checks.polling import notes_that_it_ran, unguarded
 from archlint.checks.registry import Options, finding, rule
@@ -51,18 +52,19 @@ def thread_starvation(system: System, options: Options) -> Iterator[Finding]:
 @once
 def piling_up(system: System) -> list[Wait]:
     """The waits of timers in reentrant groups that a late answer multiplies, a thread a tick, until none is left."""
+    code = source_code(system)
     stopped = {call.context.place for _, call in calls_of(system, _ENDS_TIMER)}
-    return [wait for wait in _threaded(system) if wait.call.context.place not in stopped and _outruns(wait)]
+    return [wait for wait in _threaded(system) if wait.call.context.place not in stopped and _outruns(code, wait)]
 
 
-def _outruns(wait: Wait) -> bool:
+def _outruns(code: SourceCode, wait: Wait) -> bool:
     """Whether enough ticks come, for certain, while the first still waits."""
     callback, creation = wait.call.context, wait.call.context.creation
     reentrant = callback.group is not None and callback.group.kind == GroupKind.REENTRANT
     period = None if creation is None else creation.period
     if callback.role != Role.TIMER or not reentrant or period is None or not 0 < period <= _OFTEN_S:
         return False
-    if not unguarded(_outside_of_its_loop(wait.call)) or notes_that_it_ran(wait.call):
+    if not unguarded(code, _outside_of_its_loop(wait.call)) or notes_that_it_ran(code, wait.call):
         return False
     if not wait.limited:
         return True
@@ -116,6 +118,7 @@ def _pile(system: System, wait: Wait) -> Finding:
 
 def _crowds(system: System) -> Iterator[tuple[ExecutorUse, list[Wait]]]:
     """The executors with as few threads as there are callbacks that may wait at the same time, one wait for each."""
+    code = source_code(system)
     by_program: dict[int, tuple[Program, list[Wait]]] = {}
     for wait in _threaded(system):
         by_program.setdefault(id(wait.program), (wait.program, []))[1].append(wait)
@@ -129,12 +132,12 @@ def _crowds(system: System) -> Iterator[tuple[ExecutorUse, list[Wait]]]:
             ):
                 slots = _slots(use, [wait for wait in here if not wait.limited])
                 if not slots:
-                    slots = _slots(use, [wait for wait in here if _period(wait) is not None])
-                if 1 < use.threads <= len(slots) and _coincide(slots.values()):
+                    slots = _slots(use, [wait for wait in here if _period(code, wait) is not None])
+                if 1 < use.threads <= len(slots) and _coincide(code, slots.values()):
                     yield use, list(slots.values())
 
 
-def _coincide(found: Collection[Wait]) -> bool:
+def _coincide(code: SourceCode, found: Collection[Wait]) -> bool:
     """Whether waits that end by themselves come at the same time, and again and again: timers of one period that a
     function makes one after the other."""
     if not any(wait.limited for wait in found):
@@ -147,13 +150,13 @@ def _coincide(found: Collection[Wait]) -> bool:
         for call in next(iter(found)).program.calls
         if call.function == timers[0].function and first < call.place < last
     )
-    return len(made) == 1 and not any(stay_of(call) for call in between)
+    return len(made) == 1 and not any(stay_of(code, call) for call in between)
 
 
-def _period(wait: Wait) -> float | None:
+def _period(code: SourceCode, wait: Wait) -> float | None:
     """The period of a timer that waits each time, one wait for each tick."""
     creation = wait.call.context.creation
-    if wait.call.context.role != Role.TIMER or creation is None or not unguarded(_outside_of_its_loop(wait.call)):
+    if wait.call.context.role != Role.TIMER or creation is None or not unguarded(code, _outside_of_its_loop(wait.call)):
         return None
     return creation.period
 

@@ -23,6 +23,7 @@ from archlint.analysis.reach import (
     same_expression,
     waits_for_ever,
 )
+from archlint.analysis.source_code import SourceCode, source_code
 from archlint.analysis.stuck import spoken_of
 from archlint.checks.folding import all_sites, folds
 from archlint.checks.registry import Options, finding, rule
@@ -63,7 +64,7 @@ def wait_without_timeout(system: System, options: Options) -> Iterator[Finding]:
         # What a method that nothing calls gets to, too, says nothing of those that are called.
         if not (call.context.role == Role.METHOD and call.place in called)
         # Below zero a client does not wait at all; wait_for_message() then waits for ever.
-        and waits_for_ever(call, _LIMIT[call.api], negative=call.api == WAIT_FOR_MESSAGE)
+        and waits_for_ever(source_code(system), call, _LIMIT[call.api], negative=call.api == WAIT_FOR_MESSAGE)
         and not is_never_made(system.workspace, call)
     )
 
@@ -132,7 +133,7 @@ def spin_without_timeout(system: System, options: Options) -> Iterator[Finding]:
     yield from one_for_each_place(
         _limitless_spin(system, call)
         for program, call in calls_of(system, (_SPIN, _EXECUTOR_SPIN))
-        if waits_for_ever(call, "timeout_sec") and call.place not in told
+        if waits_for_ever(source_code(system), call, "timeout_sec") and call.place not in told
         if not is_dead(system.workspace, program, call) and not is_never_made(system.workspace, call)
         if not _own_future(call) or _waits_for_a_message(system, call)
         if call.context.role != Role.METHOD or creations_of(argument(call, "future"))
@@ -151,10 +152,11 @@ def _waits_for_a_message(system: System, call: ApiCall) -> bool:
     future = argument(call, "future")
     if not isinstance(future, Instance) or _completed_by(system).get(future.key) != {Role.SUBSCRIPTION}:
         return False
-    given = call.expression.args if call.expression is not None else []
+    code = source_code(system)
+    given = code.arguments(call)
     names = {_dotted(one.value) for one in given} - {""}
-    read = (one.func.value for one in calls_in(call.body) if isinstance(one.func, facts.Attribute))
-    return any(called_name(one) == "result" for one in calls_in(call.body)) and any(
+    read = (one.func.value for one in calls_in(code.body(call)) if isinstance(one.func, facts.Attribute))
+    return any(called_name(one) == "result" for one in calls_in(code.body(call))) and any(
         _dotted(one) in names for one in read
     )
 
@@ -228,22 +230,22 @@ def ignored_wait_result(system: System, options: Options) -> Iterator[Finding]:
     yield from one_for_each_place(
         _ignored(system, call)
         for _, call in calls_of(system, (WAIT_FOR_SERVICE, WAIT_FOR_SERVER))
-        if _thrown_away(call)
+        if _thrown_away(source_code(system), call)
         and not is_never_made(system.workspace, call)
         and has_limit(call, "timeout_sec")
         and asked.isdisjoint(creation.place for creation in creations_of(call.receiver))
     )
 
 
-def _thrown_away(call: ApiCall) -> bool:
+def _thrown_away(code: SourceCode, call: ApiCall) -> bool:
     """Whether nobody looks at what a call says: it stands alone, or in a variable that nobody reads."""
-    statement = call.statement
+    statement, expression = code.statement(call), code.expression(call)
     if isinstance(statement, facts.Expression):
-        return same_expression(statement.value, call.expression)
-    if not isinstance(statement, facts.Assign) or not same_expression(statement.value, call.expression):
+        return same_expression(statement.value, expression)
+    if not isinstance(statement, facts.Assign) or not same_expression(statement.value, expression):
         return False
     names = [target.id for target in statement.targets if isinstance(target, facts.Name)]
-    return len(names) == len(statement.targets) and not _reads(call.body, names)
+    return len(names) == len(statement.targets) and not _reads(code.body(call), names)
 
 
 def _reads(fact: object, names: list[str]) -> bool:
@@ -266,7 +268,7 @@ def _clients_asked_for(system: System) -> set[Place]:
     """Where the clients are created that somebody asks whether their server is there."""
     found: set[Place] = set()
     for _, call in calls_of(system, (*READY, WAIT_FOR_SERVICE, WAIT_FOR_SERVER)):
-        if not _thrown_away(call):
+        if not _thrown_away(source_code(system), call):
             found.update(creation.place for creation in creations_of(call.receiver))
     return found
 

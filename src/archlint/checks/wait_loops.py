@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 from archlint.analysis.callback_roles import runs_in_executor
 from archlint.analysis.left_over import is_dead, is_never_made
 from archlint.analysis.reach import calls_of, creations_of, endpoint_words, has_limit, node_name
+from archlint.analysis.source_code import Loop, source_code
 from archlint.analysis.stuck import clients_of_handlers
 from archlint.checks.folding import folds
 from archlint.checks.registry import Options, finding, rule
@@ -38,17 +39,18 @@ _PASTIMES = frozenset(
 def endless_wait_loop(system: System, options: Options) -> Iterator[Finding]:
     """Loops that go round until a server appears, and that nothing else ends."""
     asked = clients_of_handlers(system, options.distros)
-    loops: dict[tuple[str, facts.Span], list[ApiCall]] = {}
+    code = source_code(system)
+    loops: dict[Place, list[ApiCall]] = {}
     for program, call in calls_of(system, (WAIT_FOR_SERVICE, WAIT_FOR_SERVER, *READY)):
-        if not (call.api in READY or has_limit(call, "timeout_sec")) or not _only_the_server_ends(call):
+        if not (call.api in READY or has_limit(call, "timeout_sec")) or not _only_the_server_ends(code.loop(call)):
             continue
         if is_dead(system.workspace, program, call) or is_never_made(system.workspace, call):
             continue
-        if any(Place.of(call.file, one.span) in program.refused for one in calls_in(call.loops[-1].body)):
+        if any(Place.of(call.file, one.span) in program.refused for one in calls_in(code.loop(call))):
             continue  # an error ends the loop
         # A handler that asks the server afterwards is SRV003's: this is part of the same wait.
         if asked.isdisjoint((call.context.place, client.place) for client in creations_of(call.receiver)):
-            loops.setdefault((call.place.file, call.loops[-1].span), []).append(call)
+            loops.setdefault(call.loops[-1], []).append(call)
     yield from (_endless(system, loops[key]) for key in sorted(loops))
 
 
@@ -86,8 +88,7 @@ def _of_one_function(findings: Sequence[Finding]) -> Finding:
     )
 
 
-def _only_the_server_ends(call: ApiCall) -> bool:
-    loop = call.loops[-1] if call.loops else None
+def _only_the_server_ends(loop: Loop | None) -> bool:
     if not isinstance(loop, facts.While):
         return False
     if _says(loop.test, there=False):

@@ -79,7 +79,7 @@ class Run(Interpreter):
         frames = []
         for caller, callee in zip(self.activations, self.activations[1:], strict=False):
             if callee.call_place is not None:
-                frames.append(model.Frame(caller.qualified, callee.qualified, callee.call_place, caller.body))
+                frames.append(model.Frame(caller.qualified, callee.qualified, callee.call_place))
         return tuple(frames)
 
 

@@ -16,6 +16,10 @@ if TYPE_CHECKING:
     from archlint.libraries.values import MessageValue
 
 
+Lineage = tuple[model.FunctionRef | None, ...]
+"""The functions of the callbacks that led to another, the first one first."""
+
+
 @dataclass(eq=False)
 class Pending:
     """A callback that is still to be run, with what it is called with."""
@@ -23,8 +27,7 @@ class Pending:
     callback: model.Callback
     value: Value
     arguments: tuple[Value, ...]
-    lineage: tuple[int, ...] = ()
-    """The functions (their facts, by identity) of the callbacks that led to it, the first one first."""
+    lineage: Lineage = ()
 
 
 @dataclass(frozen=True)
@@ -89,7 +92,7 @@ class Callbacks:
     """The methods that nothing calls, as they were run."""
     count: int = 0
     """How many callbacks and methods have run."""
-    lineage: tuple[int, ...] = ()
+    lineage: Lineage = ()
     """The functions of the callback that runs now and of those that led to it."""
     registered: dict[tuple[Any, ...], set[Key]] = field(default_factory=dict)
     """Which callbacks were handed over where, and with what each time."""

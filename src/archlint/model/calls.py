@@ -9,7 +9,6 @@ if TYPE_CHECKING:
     from archlint.branches import BranchArm
     from archlint.finding import Place
     from archlint.model.nodes import Blueprint, Callback, Creation, Frame
-    from archlint.syntax import facts
 
 
 @dataclass(eq=False)
@@ -33,12 +32,8 @@ class ApiCall:
     node: Blueprint | None = None
     function: str = ""
     file: str = ""
-    expression: facts.Call | None = None
-    statement: facts.Stmt | None = None
-    loops: tuple[facts.While | facts.For, ...] = ()
+    loops: tuple[Place, ...] = ()
     """The loops of the same function that go round it, outermost first: not those that it always leaves."""
-    body: list[facts.Stmt] = field(default_factory=list)
-    """Body of the enclosing function."""
     conditional: bool = False
     awaited: bool = False
     in_try: bool = False

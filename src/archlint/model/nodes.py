@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Literal
 
@@ -13,7 +12,6 @@ if TYPE_CHECKING:
     from archlint.finding import Place
     from archlint.model.texts import Text
     from archlint.ros.qos import Qos
-    from archlint.syntax import facts
 
 
 GuardKind = Literal["arguments", "state", ""]
@@ -40,8 +38,16 @@ class Frame:
     caller: str
     callee: str
     place: Place
-    body: Sequence[facts.Stmt] = field(default=(), compare=False, repr=False)
-    """Body of the caller."""
+
+
+@dataclass(frozen=True)
+class FunctionRef:
+    """A function, method or lambda of the workspace, by its qualified name and the place of its name; of a lambda, all
+    of it."""
+
+    name: str
+    place: Place
+    is_lambda: bool = False
 
 
 @dataclass(eq=False)
@@ -53,7 +59,8 @@ class Callback:
     """Qualified name for people: ``SensorNode.on_scan``, ``main``, ``<lambda>``."""
     place: Place
     """Where the function is defined."""
-    function: facts.Function | facts.Lambda | None
+    function: FunctionRef | None
+    """None for what is not followed, and for code that is no function."""
     node: Blueprint | None = None
     creation: Creation | None = None
     """The entity whose callback this is."""
@@ -111,8 +118,9 @@ class Creation:
     guard: GuardKind = ""
     """What an ``if`` on the way, decided or not, or an early return asks before the create call is made: ``arguments``
     (nothing but what a callback was called with), ``state`` (anything else), or nothing."""
-    proven: tuple[tuple[facts.Expr, bool], ...] = ()
-    """The conditions around the create call, with how they came out, that ask for no local variable."""
+    proven: tuple[tuple[Place, bool], ...] = ()
+    """The ``if`` statements around the create call whose conditions ask for no local variable, with how these came
+    out."""
     stored: bool = True
     """False where the result of the create call is thrown away."""
     destroyed: bool = False

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING
 
 from archlint.interpreter.heap import Layer
 from archlint.interpreter.values import ClassValue, Instance, Known, OneOf, Unknown, Value, alternatives, one_of
-from archlint.libraries.rclpy.callbacks import GOAL_HANDLE
+from archlint.libraries.rclpy.callbacks import GOAL_HANDLE, function_of
 from archlint.libraries.values import EntityValue, ExecutorValue, NodeValue
 from archlint.syntax import facts
 from archlint.syntax.parts import Source, names_in
@@ -72,7 +72,12 @@ def readers(run: Run, pending: Iterable[Pending], names: Iterable[str]) -> list[
     """The callbacks that read one of these attributes, themselves or in a function of the workspace that they name."""
     wanted = set(names)
     called = _functions(run)
-    return [one for one in pending if not wanted.isdisjoint(_all_names(one.callback.function, called))]
+    return [one for one in pending if not wanted.isdisjoint(_all_names(_code_of(run, one.value), called))]
+
+
+def _code_of(run: Run, value: Value) -> facts.Function | facts.Lambda | None:
+    function = function_of(run, value)
+    return None if function is None else function.ir
 
 
 def _functions(run: Run) -> dict[str, list[facts.Function]]:

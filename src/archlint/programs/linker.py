@@ -31,10 +31,11 @@ from archlint.programs.budget import Budget, cut_short
 from archlint.programs.followed import FollowedProgram, Progress
 from archlint.programs.helpers import helpers_in, note_unfollowed, prune_uncalled, settle_helpers
 from archlint.programs.roots import flags_of, run_callbacks, run_pending
-from archlint.programs.top_level import called_alone, definitions, main_guard, place_of
+from archlint.programs.top_level import called_alone, definitions, place_of
 from archlint.syntax import facts
 from archlint.syntax.parts import names_in
 from archlint.syntax.python.deep_stack import call_with_deep_stack
+from archlint.syntax.walk import main_guard
 from archlint.workspace.test_code import common_folder
 
 if TYPE_CHECKING:
@@ -108,7 +109,7 @@ class Linker:
             for module in chosen:
                 if self._is_started(module, started):
                     continue
-                if main_guard(module) or module.state == "new":
+                if main_guard(module.facts) or module.state == "new":
                     self.run_script(module)
             self._sweep(chosen, test)
         prune_uncalled(self.progress.programs)
@@ -126,7 +127,7 @@ class Linker:
     def _is_started(self, module: Module, started: dict[str, set[str]]) -> bool:
         """Whether a console script runs this file just as its main guard would."""
         functions = started.get(module.file.path)
-        guard = main_guard(module)
+        guard = main_guard(module.facts)
         if functions is None:
             return False
         if guard is None or "" in functions:
@@ -199,8 +200,8 @@ class Linker:
                     run.context.name = entry.function
                     root.place = place_of(function) or root.place
                     run.call(function)
-            elif main_guard(module) is not None:
-                _run_block(run, module, main_guard(module))
+            elif main_guard(module.facts) is not None:
+                _run_block(run, module, main_guard(module.facts))
             elif ran_before:
                 _run_block(run, module, module.facts)
             _make_handed_out(run)
@@ -225,7 +226,7 @@ class Linker:
         """Run a file as ``python file``: its top level, then what the main guard holds."""
         name = module.path.rpartition("/")[2]
         run = self.new_run(name.removesuffix(".py"), module)
-        guard = main_guard(module)
+        guard = main_guard(module.facts)
         run.program.executable = guard is not None
         with FollowedProgram(self.progress, run, module, None if guard is None else Place(module.path, *guard.span)):
             run.import_module(module)

@@ -24,7 +24,7 @@ from archlint.libraries.interest import interesting
 from archlint.libraries.rclpy import escapes, executors
 from archlint.libraries.rclpy.callbacks import describe
 from archlint.libraries.run import Run
-from archlint.libraries.state import Pending
+from archlint.libraries.state import Lineage, Pending
 from archlint.libraries.uses import bare
 from archlint.programs import left_behind
 from archlint.programs.any_time import attributes_at_any_time
@@ -74,7 +74,7 @@ def run_pending(run: Run) -> None:
     open_up(run)
     while run.callbacks.pending:
         pending = run.callbacks.pending.pop(0)
-        if pending.lineage.count(id(pending.callback.function)) >= SELF_STARTS:
+        if pending.lineage.count(pending.callback.function) >= SELF_STARTS:
             run.program.exhausted = True
             continue
         run.callbacks.started.append(pending)
@@ -88,7 +88,7 @@ def run_root(
     arguments: tuple[Value, ...],
     *,
     certain: bool = False,
-    lineage: tuple[int, ...] = (),
+    lineage: Lineage = (),
 ) -> None:
     """Run one callback on the state so far."""
     extra = LATE_STEPS if run.late else EXTRA_STEPS
@@ -102,7 +102,7 @@ def run_root(
     run.left -= run.steps
     run.allowed_steps = max(FEW_STEPS, min(STEPS, run.left))
     run.context = callback
-    run.callbacks.lineage = (*lineage, id(callback.function))
+    run.callbacks.lineage = (*lineage, callback.function)
     run.steps = 0
     run.repeats = {}
     run.runs = {}

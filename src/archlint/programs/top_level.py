@@ -3,19 +3,8 @@
 from __future__ import annotations
 
 from archlint.finding import Place
-from archlint.interpreter.modules import Module
 from archlint.interpreter.values import ClassValue, FunctionValue, Value
 from archlint.syntax import facts
-
-
-def main_guard(module: Module) -> facts.If | None:
-    """``if __name__ == '__main__':``."""
-    for statement in module.facts.body:
-        match statement:
-            case facts.If(facts.Compare(left, ["=="], [right])):
-                if {left.variable, right.variable} == {"__name__", ""} and "__main__" in (left.text, right.text):
-                    return statement
-    return None
 
 
 def called_alone(body: list[facts.Stmt]) -> list[str] | None:
@@ -50,4 +39,4 @@ def place_of(value: Value) -> Place | None:
     return None
 
 
-__all__ = ["called_alone", "definitions", "main_guard", "place_of"]
+__all__ = ["called_alone", "definitions", "place_of"]

@@ -44,4 +44,14 @@ def called_name(call: facts.Call) -> str:
     return call.func.last_name
 
 
-__all__ = ["blocks_of", "called_name", "calls_in", "parts_of", "statements_of"]
+def main_guard(found: facts.Facts) -> facts.If | None:
+    """``if __name__ == '__main__':`` at the top level of a file."""
+    for statement in found.body:
+        match statement:
+            case facts.If(facts.Compare(left, ["=="], [right])):
+                if {left.variable, right.variable} == {"__name__", ""} and "__main__" in (left.text, right.text):
+                    return statement
+    return None
+
+
+__all__ = ["blocks_of", "called_name", "calls_in", "main_guard", "parts_of", "statements_of"]

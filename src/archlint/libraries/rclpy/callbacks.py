@@ -121,7 +121,7 @@ def _is_new(run: Run, key: tuple[Any, ...], callback: model.Callback, given: Ite
     """Whether a callback was not handed over in this way before; one place may do it for several futures, names or
     objects.  One that hands itself over again is not new, whatever it takes along."""
     ways = run.callbacks.registered.setdefault(key, set())
-    if ways and id(callback.function) in run.callbacks.lineage:
+    if ways and callback.function in run.callbacks.lineage:
         return False
     way = tuple(kind_key(run.store, one) for one in given if one is not None)
     if way in ways or len(ways) >= WAYS:
@@ -269,7 +269,8 @@ def describe(run: Run, value: Value, role: model.Role) -> model.Callback:
         span = value.ir.name_span if isinstance(value.ir, facts.Function) else value.ir.span
         place = Place(value.scope.module.path, *span)
         is_async = isinstance(value.ir, facts.Function) and value.ir.is_async
-        return model.Callback(role, value.qualified, place, value.ir, is_async=is_async, file=value.scope.module.path)
+        code = model.FunctionRef(value.qualified, place, isinstance(value.ir, facts.Lambda))
+        return model.Callback(role, value.qualified, place, code, is_async=is_async, file=place.file)
     if isinstance(value, BoundMethod):
         callback = describe(run, value.function, role)
         callback.bound_arguments += 1
@@ -296,6 +297,16 @@ def describe(run: Run, value: Value, role: model.Role) -> model.Callback:
             callback.missing = (value.name or "").removeprefix("missing:")
         return callback
     return model.Callback(role, "?", here, None)
+
+
+def function_of(run: Run, value: Value) -> FunctionValue | None:
+    """The function that a callable runs in the end, whatever is bound to it."""
+    while isinstance(value, (BoundMethod, Partial)):
+        value = value.function
+    if isinstance(value, Instance) and isinstance(value.cls, ClassValue):
+        method = get_attribute(run, value, "__call__")
+        return function_of(run, method) if isinstance(method, BoundMethod) else None
+    return value if isinstance(value, FunctionValue) else None
 
 
 def _missing_method(value: ApiMethod | External) -> str | None:

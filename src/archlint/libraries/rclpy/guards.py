@@ -12,6 +12,7 @@ from archlint.syntax.parts import Itself
 from archlint.syntax.walk import called_name, calls_in, parts_of, statements_of
 
 if TYPE_CHECKING:
+    from archlint.finding import Place
     from archlint.interpreter.activation import Activation
     from archlint.libraries.run import Run
     from archlint.model import GuardKind
@@ -41,14 +42,14 @@ def guard_of(run: Run) -> GuardKind:
     return found
 
 
-def proven_of(run: Run) -> tuple[tuple[facts.Expr, bool], ...]:
-    """The conditions of the ``if`` statements around what runs now, with how they came out; of names that are no
+def proven_of(run: Run) -> tuple[tuple[Place, bool], ...]:
+    """The ``if`` statements around what runs now, with how their conditions came out, that ask for names which are no
     function's own."""
     return tuple(
-        (test, truth)
+        (one.place(statement.span), truth)
         for one in run.activations
-        for test, truth in _proven(one.body, one.statement)
-        if one.scope.kind != "function" or not _asks(test) & (one.scope.bound or frozenset())
+        for statement, truth in _proven(one.body, one.statement)
+        if one.scope.kind != "function" or not _asks(statement.test) & (one.scope.bound or frozenset())
     )
 
 
@@ -56,14 +57,14 @@ def _asks(test: facts.Expr) -> set[str]:
     return {part.id for part in parts_of(test, facts.Name)}
 
 
-def _proven(block: Sequence[facts.Stmt], wanted: facts.Stmt | None) -> list[tuple[facts.Expr, bool]]:
+def _proven(block: Sequence[facts.Stmt], wanted: facts.Stmt | None) -> list[tuple[facts.If, bool]]:
     at = _layout(Itself(block))[0].get(id(wanted))
     if at is None or block[at] is wanted:
         return []
     statement = block[at]
     inner = next(one for one in statement.blocks if id(wanted) in _layout(Itself(one))[0])
     below = _proven(inner, wanted)
-    return [(statement.test, inner is statement.body), *below] if isinstance(statement, facts.If) else below
+    return [(statement, inner is statement.body), *below] if isinstance(statement, facts.If) else below
 
 
 def is_cleaning_up(run: Run) -> bool:

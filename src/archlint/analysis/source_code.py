@@ -1,0 +1,189 @@
+"""The code behind what linking yields: the call that a record stands for, its loops, the function of a callback.
+
+A program names code by its place.  Here a place leads back to the facts of its file: down the statements that hold it,
+so that a look-up costs as much as the code is deep, and each is made once.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING
+
+from archlint.analysis.kept import once
+from archlint.finding import Place
+from archlint.syntax import facts
+from archlint.syntax.walk import main_guard
+
+if TYPE_CHECKING:
+    from archlint.model import ApiCall, Callback, Creation
+    from archlint.systems.model import System, WorkspaceIndex
+
+Loop = facts.While | facts.For
+FunctionFacts = facts.Function | facts.Lambda
+
+
+@dataclass(frozen=True)
+class _Spot:
+    """What is around a place of a file, and what is written there."""
+
+    body: Sequence[facts.Stmt] = ()
+    """The body that runs as one: of the innermost function, class or main guard, or of the module; of a lambda none."""
+    statements: tuple[facts.Stmt, ...] = ()
+    """The statements of that body which hold the place, outermost first."""
+    written: facts.Base | None = None
+    """The call, ``await`` or lambda that fills the place."""
+
+
+@dataclass
+class SourceCode:
+    """The facts of a workspace by place, as far as its files were read."""
+
+    facts_at: Callable[[str], facts.Facts | None]
+    _spots: dict[Place, _Spot] = field(default_factory=dict)
+
+    def expression(self, call: ApiCall) -> facts.Call | None:
+        """The call itself; an ``await`` is one without arguments."""
+        written = self._spot(call.place).written
+        if isinstance(written, facts.Await):
+            return facts.Call(written.value, [], written.span)
+        return written if isinstance(written, facts.Call) else None
+
+    def arguments(self, call: ApiCall) -> Sequence[facts.Argument]:
+        """The arguments of a call as they are written."""
+        expression = self.expression(call)
+        return () if expression is None else expression.args
+
+    def statement(self, call: ApiCall) -> facts.Stmt | None:
+        """The innermost statement that holds a call."""
+        around = self._spot(call.place).statements
+        return around[-1] if around else None
+
+    def body(self, call: ApiCall) -> Sequence[facts.Stmt]:
+        """The body of the function that holds a call."""
+        return self.body_at(call.place)
+
+    def body_at(self, place: Place) -> Sequence[facts.Stmt]:
+        """The body of the function that holds a place."""
+        return self._spot(place).body
+
+    def loops(self, call: ApiCall) -> tuple[Loop, ...]:
+        """The loops of the same function that go round a call, outermost first."""
+        return tuple(loop for loop in map(self.loop_at, call.loops) if loop is not None)
+
+    def loop(self, call: ApiCall) -> Loop | None:
+        """The innermost loop of the same function that goes round a call."""
+        loops = self.loops(call)
+        return loops[-1] if loops else None
+
+    def loop_at(self, place: Place) -> Loop | None:
+        """The loop that fills a place."""
+        return next((one for one in self._filling(place) if isinstance(one, Loop)), None)
+
+    def proven(self, creation: Creation) -> tuple[tuple[facts.Expr, bool], ...]:
+        """The conditions around a create call that ask for no local variable, with how they came out."""
+        return tuple(
+            (one.test, truth)
+            for place, truth in creation.proven
+            for one in self._filling(place)
+            if isinstance(one, facts.If)
+        )
+
+    def function(self, callback: Callback) -> FunctionFacts | None:
+        """The code of a callback; None for what is not followed."""
+        if callback.function is None:
+            return None
+        place = callback.function.place
+        spot = self._spot(place)
+        inner = spot.statements[-1] if spot.statements else None
+        if isinstance(inner, facts.Function) and inner.name_span == _span(place):
+            return inner
+        return spot.written if isinstance(spot.written, facts.Lambda) else None
+
+    def _filling(self, place: Place) -> Iterator[facts.Stmt]:
+        return (one for one in self._spot(place).statements if _fills(one, _span(place)))
+
+    def _spot(self, place: Place) -> _Spot:
+        spot = self._spots.get(place)
+        if spot is None:
+            found = self.facts_at(place.file)
+            spot = self._spots[place] = _Spot() if found is None else _look_up(found, _span(place))
+        return spot
+
+
+def source_code(system: System) -> SourceCode:
+    """The code that a system was made of."""
+    return _NO_CODE if system.workspace is None else code_of(system.workspace)
+
+
+@once
+def code_of(workspace: WorkspaceIndex) -> SourceCode:
+    """The code of a workspace."""
+    return SourceCode(workspace.facts_at)
+
+
+_NO_CODE = SourceCode(lambda file: None)
+
+
+def _look_up(found: facts.Facts, span: facts.Span) -> _Spot:
+    body: Sequence[facts.Stmt] = found.body
+    around: list[facts.Stmt] = []
+    block, statement = _step(span, [body])
+    guard = main_guard(found) if isinstance(statement, facts.If) else None
+    while statement is not None:
+        around.append(statement)
+        if _fills(statement, span) and statement.blocks:
+            break
+        defined = statement.body if isinstance(statement, (facts.Function, facts.Class)) else None
+        block, below = _step(span, statement.blocks if defined is None else [defined])
+        if below is not None and (block is defined or (guard is not None and block is guard.body)):
+            body, around = block, []
+        statement = below
+    written, in_lambda = _written(around[-1], span) if around else (None, False)
+    return _Spot((), (), written) if in_lambda else _Spot(body, tuple(around), written)
+
+
+def _step(span: facts.Span, blocks: Sequence[Sequence[facts.Stmt]]) -> tuple[Sequence[facts.Stmt], facts.Stmt | None]:
+    """The block, and the statement of it, that holds a span."""
+    for block in blocks:
+        for statement in block:
+            if _holds(statement, span):
+                return block, statement
+    return (), None
+
+
+def _written(statement: facts.Stmt, span: facts.Span) -> tuple[facts.Base | None, bool]:
+    """The call, ``await`` or lambda of a statement that fills a span, and whether that is in the body of a lambda."""
+    stack: list[tuple[object, bool]] = [(statement, False)]
+    while stack:
+        item, in_lambda = stack.pop()
+        if isinstance(item, (list, tuple)):
+            stack.extend((one, in_lambda) for one in item if isinstance(one, (facts.Base, list)))
+        elif isinstance(item, facts.Base) and _may_hold(item, span):
+            if isinstance(item, (facts.Call, facts.Await, facts.Lambda)) and item.span == span:
+                return item, in_lambda
+            if isinstance(item, facts.Lambda):
+                stack += [(item.params, in_lambda), (item.body, True)]
+            else:
+                stack.extend((getattr(item, name), in_lambda) for name in item.__struct_fields__)
+    return None, False
+
+
+def _holds(fact: facts.Base, span: facts.Span) -> bool:
+    around: facts.Span | None = getattr(fact, "span", None)
+    return around is not None and around[:2] <= span[:2] and span[2:] <= around[2:]
+
+
+def _fills(fact: facts.Base, span: facts.Span) -> bool:
+    return getattr(fact, "span", None) == span
+
+
+def _may_hold(fact: facts.Base, span: facts.Span) -> bool:
+    return not hasattr(fact, "span") or _holds(fact, span)
+
+
+def _span(place: Place) -> facts.Span:
+    return (place.line, place.column, place.end_line, place.end_column)
+
+
+__all__ = ["FunctionFacts", "Loop", "SourceCode", "code_of", "source_code"]
