@@ -187,22 +187,22 @@ class TestSignatures:
         assert timers.code == service.code == "EXE006"
         assert "Robot.first takes 1 argument (event); so do 2 others of its class" in timers.message
         assert [one.message for one in timers.related[1:]] == [
-            "Robot.second is handed over here",
-            "Robot.third is handed over here",
+            "Robot.second is registered here",
+            "Robot.third is registered here",
         ]
         assert "Robot.stop takes 1 argument (request)" in service.message and "so do" not in service.message
 
     def test_methods_that_are_not_there_are_one_finding(self, run: Run):
         setup = "self.create_timer(1.0, self.first)\nself.create_timer(2.0, self.second)\n"
         [found] = run(source(setup, "def third(self):\n    pass\n"))
-        assert "is to be 'first', and there is no such method; nor is there 'second'" in found.message
+        assert "is 'first', but there is no such method; nor is there 'second'" in found.message
 
     def test_a_wrapper_that_hands_over_many(self, run: Run):
         setup = "self.listen('left', self.on_left)\nself.listen('right', self.on_right)\n"
         methods = "def listen(self, topic, callback):\n    self.create_subscription(Empty, topic, callback, 10)\n\n"
         methods += "def on_left(self):\n    pass\n\ndef on_right(self):\n    pass\n"
         [found] = run(source(setup, methods))
-        assert found.related[-1].message == "Robot.on_right, which gets there too, is defined here"
+        assert found.related[-1].message == "Robot.on_right, which is also registered there, is defined here"
 
     def test_a_lambda_that_a_wrapper_passes_on(self, run: Run):
         setup = "self.listen('left', lambda message, name, side: 1)\n"
@@ -216,7 +216,7 @@ class TestSignatures:
             "self.create_subs",
             "self.listen('rig",
         ]
-        assert found.related[0].message == "it gets to rclpy here"
+        assert found.related[0].message == "it is registered here"
 
 
 class TestSpinning:

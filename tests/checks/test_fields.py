@@ -265,7 +265,9 @@ def test_a_function_that_is_called_with_something_else_too(judge: Judge, set_up:
 def test_a_call_that_passes_the_wrong_message_in_words(judge: Judge):
     text = WINDOW.format(set_up=CONNECT, show="print(message.data)", on_answer="self.show(future.result())  # here")
     [finding] = judge("MSG001", text)
-    assert finding.message == "Gui.show() is given the response of std_srvs/srv/Trigger, which has no field 'data'"
+    assert (
+        finding.message == "Gui.show() is called with the response of std_srvs/srv/Trigger, which has no field 'data'"
+    )
     assert finding.help == "this call raises AttributeError when it runs; the fields are success, message"
     [used] = finding.related
     assert (used.message, used.place.line) == ("'data' is used here", finding.place.line - 6)
@@ -326,8 +328,8 @@ def test_the_wrong_names_of_one_message_are_one_finding(judge: Judge):
     lines = ["print(scan.Ranges)  # here", "print(scan.Header)", "scan.Ranges = []"]
     [found] = judge("MSG001", node(on_scan="\n            ".join(lines)))
     assert found.message == (
-        "sensor_msgs/msg/LaserScan has no fields 'Ranges' and 'Header', used at 3 places of Driver; "
-        "did you mean 'ranges' for 'Ranges' and 'header' for 'Header'?"
+        "sensor_msgs/msg/LaserScan has no fields 'Ranges' and 'Header', used at 3 places of Driver; did you mean "
+        "'ranges' for 'Ranges' and 'header' for 'Header'?"
     )
     assert [(one.place.line, one.message) for one in found.related] == [
         (24, "'Header' is used here"),
@@ -385,8 +387,8 @@ def monitor(kept: str = "", first: str = HERE, origin: str = "origin", allowed: 
 def test_one_wrong_value_is_one_finding(judge: Judge):
     [found] = judge("MSG001", monitor())
     assert found.message == (
-        "nav_msgs/msg/OccupancyGrid has no fields 'resolution' and 'origin', used at 3 places of Monitor; "
-        "did you mean those of 'info'?"
+        "nav_msgs/msg/OccupancyGrid has no fields 'resolution' and 'origin', used at 3 places of Monitor; did you "
+        "mean those of 'info'?"
     )
     assert found.help.startswith("these lines raise AttributeError when they run; the fields are header, info")
     assert [one.message for one in found.related] == ["'origin' is used here", "'resolution' is used here"]
@@ -425,8 +427,8 @@ def test_a_name_of_ros_1(judge: Judge):
 def test_a_constant_in_words(judge: Judge):
     [found] = judge("MSG001", node(on_scan="print(BatteryState.POWER_SUPPLY_STATUS_FUL)  # here"))
     assert found.message == (
-        "sensor_msgs/msg/BatteryState has no constant 'POWER_SUPPLY_STATUS_FUL'; "
-        "did you mean 'POWER_SUPPLY_STATUS_FULL'?"
+        "sensor_msgs/msg/BatteryState has no constant 'POWER_SUPPLY_STATUS_FUL'; did you mean "
+        "'POWER_SUPPLY_STATUS_FULL'?"
     )
 
 
@@ -558,11 +560,11 @@ def shared(*set_up: str, on_any: str = "pass", on_scan: str = "", on_imu: str = 
 def test_a_callback_of_two_subscriptions_of_which_one_lacks_the_field(judge: Judge):
     [found] = judge("MSG001", shared(*BOTH, on_any="print(message.ranges)  # here\nprint(message.angle_min)"))
     assert found.message == (
-        "sensor_msgs/msg/Imu has no field 'ranges', and the topic 'imu' delivers such messages to this code"
+        "sensor_msgs/msg/Imu has no field 'ranges', and the topic 'imu' passes such messages to this code"
     )
     assert [(one.place.line, one.message) for one in found.related] == [
-        (16, "this delivers sensor_msgs/msg/Imu"),
-        (15, "what this delivers has the field"),
+        (16, "this passes sensor_msgs/msg/Imu"),
+        (15, "what this passes has the field"),
     ]
 
 
@@ -685,8 +687,8 @@ def test_a_file_that_the_build_leaves_out_is_to_be_listed(judge: Judge):
     lay_out(judge, interfaces("flags", "msg/A.msg", "msg/B.msg", files=("msg/A.msg", "msg/B.msg", "msg/C.msg")))
     code = "import rclpy\nfrom flags.msg import A, B\nfrom flags.msg import {}  # here\nrclpy.create_node('x')\n"
     [left_out] = judge("MSG002", code.format("C"))
-    assert "msg/C.msg is not given to rosidl_generate_interfaces" in left_out.message
-    assert left_out.help == 'add "msg/C.msg" to rosidl_generate_interfaces in the CMakeLists.txt of flags'
+    assert "msg/C.msg is not listed in rosidl_generate_interfaces()" in left_out.message
+    assert left_out.help == 'add "msg/C.msg" to rosidl_generate_interfaces() in the CMakeLists.txt of flags'
     [unknown] = judge("MSG002", code.format("Unknown"))
     assert unknown.help == "the import fails when the node starts; flags.msg has A, B"
 
@@ -772,10 +774,10 @@ def test_the_parts_of_a_service_that_ros_1_had_apart(judge: Judge):
     code = "import rclpy\nfrom std_srvs.srv import {}  # here\nrclpy.create_node('x')\n"
     [both] = judge("MSG002", code.format("Empty, EmptyRequest, EmptyResponse"))
     assert both.message == "std_srvs defines no services 'EmptyRequest' and 'EmptyResponse'"
-    assert both.help == "ROS 2 has it in the service: import Empty and write Empty.Request()"
+    assert both.help == "in ROS 2 it belongs to the service: import Empty and write Empty.Request()"
     [response] = judge("MSG002", code.format("SetBoolResponse"))
     assert response.message == "std_srvs defines no service 'SetBoolResponse'"
-    assert response.help == "ROS 2 has it in the service: import SetBool and write SetBool.Response()"
+    assert response.help == "in ROS 2 it belongs to the service: import SetBool and write SetBool.Response()"
     [other] = judge("MSG002", code.format("PressRequest"))
     assert other.help.startswith("the import fails when the node starts")
 
@@ -787,6 +789,6 @@ def test_a_misspelt_interface_keeps_its_advice(judge: Judge):
     found = check(Request((".",), load(judge.folder), cached=False, jobs=1)).findings
     (one,) = found  # one statement is one finding
     assert one.message == (
-        "std_srvs defines no services 'SetBol' and 'Triger'; did you mean 'SetBool' by 'SetBol'?; "
-        "did you mean 'Trigger' by 'Triger'?"
+        "std_srvs defines no services 'SetBol' and 'Triger'; did you mean 'SetBool' by 'SetBol'?; did you mean "
+        "'Trigger' by 'Triger'?"
     )

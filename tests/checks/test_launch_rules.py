@@ -149,7 +149,7 @@ def test_an_executable_of_another_workspace(findings):
 def test_an_unknown_executable_is_named_with_the_near_one(findings):
     (found,) = findings("LCH001", node(exec="taker"))
     assert found.message == "package 'robot' installs no executable 'taker'; did you mean 'talker'?"
-    assert found.help == "it installs talker; add it to setup.py, or start one of these"
+    assert found.help == "add it to setup.py, or start one that the package installs: talker"
 
 
 def test_a_long_list_says_that_it_goes_on(findings):
@@ -158,7 +158,7 @@ def test_a_long_list_says_that_it_goes_on(findings):
     (found,) = findings(
         "LCH001", node(exec="zebra"), **{"setup.py": SETUP.replace("'talker = robot.talker:main'", entries)}
     )
-    assert found.help.startswith(f"it installs {', '.join(names[:8])} and 2 more; add it to setup.py")
+    assert found.help.endswith(f"that the package installs: {', '.join(names[:8])} and 2 more")
 
 
 def test_another_name_of_the_same_file_is_the_one_to_start(findings):
@@ -190,7 +190,7 @@ def test_an_executable_of_another_package_of_the_workspace(tmp_path, monkeypatch
 def test_an_executable_whose_file_is_there(findings):
     files = {"CMakeLists.txt": "project(robot)\n" + SCRIPTS, "package.xml": CMAKE, "setup.py": ""}
     (found,) = findings("LCH001", node(exec="steer.py"), **files, **{"scripts/steer.py": TALKER})
-    assert found.help == "scripts/steer.py is there: install it in CMakeLists.txt"
+    assert found.help == "install scripts/steer.py in CMakeLists.txt"
 
 
 @pytest.mark.parametrize(
@@ -201,7 +201,7 @@ def test_an_executable_whose_file_is_there(findings):
             "; scripts/track.py is there, and not installed",
             "install it in CMakeLists.txt under",
         ),
-        (["crack.py"], "; did you mean 'crack_node'?", "it installs crack_node; add it"),
+        (["crack.py"], "; did you mean 'crack_node'?", "add it to"),
     ],
 )
 def test_a_file_of_that_name_is_nearer_than_another_node(findings, scripts, hint, help):
@@ -220,8 +220,8 @@ def test_a_program_in_a_folder_below_is_not_found_by_launch(findings):
     cmake = "project(robot)\ninstall(DIRECTORY scripts DESTINATION lib/robot)\n"
     files = {"CMakeLists.txt": cmake, "package.xml": CMAKE, "setup.py": "", "scripts/drive.py": TALKER}
     (found,) = findings("LCH001", node(exec="drive.py"), **files)
-    assert found.message.endswith("'drive.py': it comes to lib/robot/scripts")
-    assert found.help == "launch looks in the folder itself: install(DIRECTORY …/ …), with a slash"
+    assert found.message.endswith("'drive.py': it is installed as lib/robot/scripts")
+    assert found.help == "install the content of the folder, with a trailing slash: install(DIRECTORY …/ …)"
     files["CMakeLists.txt"] = cmake.replace("scripts", "scripts/")
     assert findings("LCH001", node(exec="drive.py"), **files) == []
 
@@ -339,8 +339,8 @@ def main():
 def test_name_renames_all_nodes_of_an_executable(findings):
     two = TALKER.replace("Talker())", "Talker())\n    rclpy.spin(rclpy.create_node('helper'))")
     (found,) = findings("NME004", node(name="it"), **{"robot/talker.py": two})
-    assert found.message == "name= renames every node of this executable: several are then called '/it'"
-    assert found.help == "leave name= out: then each has the name that its code gives it"
+    assert found.message == "name= renames every node of this executable, so several have the name '/it'"
+    assert found.help == "remove name=, so that each node keeps the name from its code"
     assert sorted((one.place.line, one.message) for one in found.related) == [
         (13, "'talker' is made here"),
         (14, "'helper' is made here"),
@@ -351,10 +351,10 @@ def test_name_renames_all_nodes_of_an_executable(findings):
 def test_an_executable_that_makes_two_nodes_of_one_name(findings):
     two = TALKER.replace("Talker())", "Talker())\n    rclpy.spin(rclpy.create_node('talker'))")
     (found,) = findings("NME004", node(), **{"robot/talker.py": two})
-    assert found.message == "this executable makes several nodes that are called '/talker'"
-    assert found.help == "give each a name of its own in the code"
+    assert found.message == "this executable creates several nodes with the name '/talker'"
+    assert found.help == "give each its own name in the code"
     (found,) = findings("NME004", node(name="it"), **{"robot/talker.py": two})
-    assert found.help == "give each a name of its own in the code, and leave name= out here"
+    assert found.help == "give each its own name in the code, and remove name= here"
 
 
 HERE = '<include file="$(dirname)/{}.launch.xml"/>'
@@ -420,7 +420,7 @@ def test_a_remapping_that_works_where_the_file_is_included_in_a_namespace(findin
 
 def test_a_remapping_is_judged_under_the_nodes_namespace(findings):
     (found,) = findings("LCH002", node('<remap from="/chatter" to="x"/>', namespace="left"))
-    assert "nothing in /left/talker is called '/chatter'" in found.message
+    assert "/left/talker has no name '/chatter'" in found.message
     assert "/left/chatter" in found.help
 
 
@@ -452,11 +452,11 @@ def test_the_advice_is_written_in_the_language_of_the_launch_file(findings):
 
 def test_an_argument_of_an_action_that_it_does_not_have_stops_the_whole_file(findings):
     (xml,) = findings("LCH005", node(nodename="y"))
-    assert xml.help == "launch refuses this file as it reads it, before anything that it describes is started"
+    assert xml.help == "launch rejects this file before anything is started"
     code = "from launch import LaunchDescription\nfrom launch_ros.actions import Node\n\n"
     code += "def generate_launch_description():\n    return LaunchDescription([Node(package='robot', node_name='x')])\n"
     (python,) = findings("LCH005", **{"launch/b.launch.py": code})
-    assert python.help == "this call raises TypeError, before anything that it describes is started"
+    assert python.help == "this call raises TypeError before anything is started"
 
 
 def test_what_the_actions_of_one_file_do_not_have_is_one_finding(findings):
@@ -550,7 +550,7 @@ def test_what_a_later_include_declares_for_itself_is_no_declaration_here(finding
     inner = '<launch><arg name="y" default="a"/></launch>'
     outer = node(name="$(var y)") + '<include file="$(dirname)/inner.launch.xml"/>'
     (found,) = findings("LCH003", outer, **{"launch/inner.launch.xml": inner})
-    assert found.message == "no launch argument 'y' is declared by then, and nothing sets it"
+    assert found.message == "no launch argument 'y' is declared at this point, and nothing sets it"
     assert found.help is not None and found.help.startswith("declare it before it is read")
     assert [one.message for one in found.related] == ["declared here, later"]
 
@@ -570,7 +570,7 @@ def generate_launch_description():
 
 def test_a_declaration_that_is_made_and_never_added(findings):
     (found,) = findings("LCH003", **{"launch/a.launch.py": NEVER_ADDED})
-    assert found.message == "the launch argument 'name' is read, and its declaration is not in the LaunchDescription"
+    assert found.message == "the launch argument 'name' is read, but its declaration is not in the LaunchDescription"
     assert (found.place.line, [one.place.line for one in found.related]) == (8, [7])
 
 
@@ -655,10 +655,10 @@ def included(findings, arguments: str, file: str = "'fast.launch.xml'", before: 
 def test_an_include_is_told_once(findings):
     (one,) = included(findings, "{'sped': '2.0', 'slow': '1', 'rate': '1', 'colour': 'red'}.items()")
     assert one.message == "fast.launch.xml declares none of the launch arguments 'sped', 'slow', 'colour'"
-    assert [other.message for other in one.related] == ["'slow' is given here", "'colour' is given here"]
+    assert [other.message for other in one.related] == ["'slow' is set here", "'colour' is set here"]
     (one,) = included(findings, "{'sped': '2.0'}.items()")
     assert one.message == "fast.launch.xml declares no launch argument 'sped'; did you mean 'speed'?"
-    assert "declares rate, speed" in (one.help or "")
+    assert "declared are rate, speed" in (one.help or "")
 
 
 def test_the_same_mistake_at_two_includes_is_one(findings):
@@ -1209,7 +1209,7 @@ def test_reads_that_may_find_nothing(findings):
 
 def test_a_parameter_that_nobody_reads(findings):
     (found,) = findings("PRM006")
-    assert found.message == "parameter 'rate' is declared and never read"
+    assert found.message == "parameter 'rate' is declared but never read"
 
 
 @pytest.mark.parametrize(
@@ -1247,7 +1247,7 @@ def test_a_parameter_that_a_subclass_in_another_file_reads(findings, first, told
 def test_an_entry_that_is_not_of_the_form_is_told_once(findings, entries, message, help):
     setup = SETUP.replace("'talker = robot.talker:main'", entries)
     (found,) = findings("PKG002", **{"setup.py": setup})
-    assert found.message == f"this entry installs no executable 'talker': {message}"
+    assert found.message == f"this entry does not install an executable 'talker': {message}"
     assert (found.help, found.place.line) == (help, 6)
     assert findings("LCH001", node(exec="talker"), **{"setup.py": setup}) == []
     assert findings("LCH001", node(exec="listener"), **{"setup.py": setup}) != []
@@ -1256,8 +1256,8 @@ def test_an_entry_that_is_not_of_the_form_is_told_once(findings, entries, messag
 @pytest.mark.parametrize(
     ("target", "what"),
     [
-        ("robot.talker", "'robot.talker' is a module, and no function of it is named"),
-        ("robot.talker.main", "module 'robot.talker.main' is not there; did you mean 'robot.talker:main'?"),
+        ("robot.talker", "'robot.talker' is a module, and the entry names no function in it"),
+        ("robot.talker.main", "module 'robot.talker.main' does not exist; did you mean 'robot.talker:main'?"),
     ],
 )
 def test_an_entry_without_a_function(findings, target, what):
@@ -1290,7 +1290,7 @@ def test_a_module_beside_the_python_package_is_not_in_it(tmp_path, monkeypatch):
         (tmp_path / "src/robot" / name).write_text(text)
     (tmp_path / "archlint.toml").write_text('select = ["PKG002"]')
     (found,) = check(Request((".",), load(tmp_path), cached=False, jobs=1)).findings
-    assert "module 'robot.scripts.talker' is not there" in found.message
+    assert "module 'robot.scripts.talker' does not exist" in found.message
 
 
 def test_a_file_that_is_missing_beside_the_launch_file_says_where_it_is_looked_for(tmp_path, monkeypatch):
@@ -1304,14 +1304,14 @@ def test_a_file_that_is_missing_beside_the_launch_file_says_where_it_is_looked_f
     (tmp_path / "archlint.toml").write_text('select = ["LCH004"]')
     (found,) = check(Request((".",), load(tmp_path), cached=False, jobs=1)).findings
     assert found.message == "package 'robot' has no launch file 'launch/gone.launch.xml'"
-    assert "starts at the folder that this launch file is in" in found.help
+    assert "relative to the installed folder of this launch file" in found.help
 
 
 def test_a_module_that_gitignore_hides_is_there(findings):
     files = {"setup.py": SETUP.replace("robot.talker", "robot.bags"), ".gitignore": "bags*\n", "robot/bags.py": TALKER}
     assert findings("PKG002", **files) == []
     (found,) = findings("PKG002", **files | {"setup.py": SETUP.replace("robot.talker", "robot.boxes")})
-    assert "'robot.boxes' is not there" in found.message
+    assert "'robot.boxes' does not exist" in found.message
 
 
 @pytest.mark.parametrize(
@@ -1404,9 +1404,9 @@ def test_a_node_action_without_a_package_needs_none(findings):
 @pytest.mark.parametrize(
     ("target", "words"),
     [
-        ("robot.tlker", "module 'robot.tlker' is not there; did you mean 'robot.talker'?"),
-        ("robot.b", "module 'robot.b' is not there"),
-        ("robt.talker", "module 'robt.talker' is not there; did you mean 'robot.talker'?"),
+        ("robot.tlker", "module 'robot.tlker' does not exist; did you mean 'robot.talker'?"),
+        ("robot.b", "module 'robot.b' does not exist"),
+        ("robt.talker", "module 'robt.talker' does not exist; did you mean 'robot.talker'?"),
     ],
 )
 def test_a_module_that_is_not_there_is_named_with_the_near_one(findings, target, words):
@@ -1448,7 +1448,7 @@ def generate_launch_description():
 )
 def test_what_is_no_condition(findings, condition, what, wrap):
     (one,) = findings("LCH008", **{"launch/it.launch.py": ASKED.format(condition=condition)})
-    assert one.message == f"condition= of this Node is {what}, which is no Condition"
+    assert one.message == f"condition= of this Node is {what}, which is not a Condition"
     assert (one.place.file, one.place.line) == ("launch/it.launch.py", 14)
     assert wrap in (one.help or "")
 
@@ -1571,11 +1571,14 @@ def test_two_launch_actions_are_one_finding_with_all_names(findings):
     main = "\ndef main():\n    rclpy.init()\n    helper = rclpy.create_node('params')\n    rclpy.spin(Talker())\n"
     files = {"robot/talker.py": before + main}
     (found,) = findings("NME004", f"{node()}\n{node()}", **files)
-    assert found.message == "two launch actions start nodes of the same names: /params, /talker"
-    assert found.help == "ROS starts both; give each action a namespace of its own, as name= renames all its nodes"
+    assert found.message == "two launch actions start nodes with the same names: /params, /talker"
+    assert found.help == "give each action its own namespace: name= would rename all its nodes"
     assert findings("NME004", f"{node()}\n{node(namespace='b')}", **files) == []  # the advice works
     (sole,) = findings("NME004", f"{node()}\n{node()}")
-    assert (sole.message, "a name or namespace" in sole.help) == ("two nodes of this system are called '/talker'", True)
+    assert (sole.message, "its own name or namespace" in sole.help) == (
+        "two nodes of this system have the name '/talker'",
+        True,
+    )
 
 
 TWO = """\
@@ -1622,8 +1625,8 @@ def test_one_entry_of_a_list_that_nobody_reads(findings):
     )
     found = findings("PRM006", **{"robot/talker.py": text})
     assert [(one.place.line, one.message) for one in found] == [
-        (9, "parameter 'rate' is declared and never read"),
-        (12, "parameter 'arm.speed' is declared and never read"),
+        (9, "parameter 'rate' is declared but never read"),
+        (12, "parameter 'arm.speed' is declared but never read"),
     ]
 
 
@@ -1697,7 +1700,7 @@ def test_each_bad_name_of_a_launch_file_is_told_where_it_is_given(findings):
     assert told(found) == [
         ("launch/it.launch.xml", 3, "ROS rejects the name of the node 'my-talker'"),
         ("launch/it.launch.xml", 3, "ROS rejects the namespace '/ro bot'"),
-        ("launch/it.launch.xml", 4, "ROS rejects the name '1st' that this remapping gives"),
+        ("launch/it.launch.xml", 4, "ROS rejects the name '1st', the target of this remapping"),
         ("launch/it.launch.xml", 6, "ROS rejects the namespace '/a-b'"),
         ("launch/it.launch.xml", 6, "ROS rejects the name of the node '2nd'"),
     ]
@@ -1708,7 +1711,7 @@ def test_bad_names_in_yaml_and_python(findings):
     found = findings("NME002", **{"launch/two.launch.yaml": YAML})
     assert told(found) == [
         ("launch/two.launch.yaml", 5, "ROS rejects the name of the node 'my-talker'"),
-        ("launch/two.launch.yaml", 8, "ROS rejects the name 'not good' that this remapping gives"),
+        ("launch/two.launch.yaml", 8, "ROS rejects the name 'not good', the target of this remapping"),
     ]
     code = TWO.format(first="None, name='my-talker'", second="None, name=LaunchConfiguration('real')")
     (one,) = findings("NME002", **{"launch/two.launch.yaml": "", "launch/it.launch.py": code})
@@ -2004,9 +2007,9 @@ def generate_launch_description():
 @pytest.mark.parametrize(
     ("line", "said"),
     [
-        ("text = kind.perform({})", "LaunchConfiguration is given a dict, which is no launch context"),
-        ("text = f'{kind.perform(None)}.urdf'", "LaunchConfiguration is given None, which"),
-        ("text = PathJoinSubstitution(['a', kind]).perform({})", "PathJoinSubstitution is given a dict"),
+        ("text = kind.perform({})", "LaunchConfiguration is called with a dict, which is not the launch context"),
+        ("text = f'{kind.perform(None)}.urdf'", "LaunchConfiguration is called with None, which"),
+        ("text = PathJoinSubstitution(['a', kind]).perform({})", "PathJoinSubstitution is called with a dict"),
         ("text = kind.perform(LaunchContext())", "a new LaunchContext, in which no launch argument has a value"),
     ],
 )

@@ -127,7 +127,7 @@ def test_two_actions_of_one_name_are_told(findings, lines, at, related):
 def test_all_nodes_of_one_name_are_told(findings):
     third = "Node(package='robot', executable='talker', name='talker')"
     (found,) = findings([f"nodes += [talker, other, {third}]"])
-    assert found.message.startswith("three nodes of this system are called '/talker'")
+    assert found.message.startswith("three nodes of this system have the name '/talker'")
     assert [(one.place.line, one.message) for one in found.related][1:] == [(11, "another one is started here")]
 
 

@@ -87,11 +87,11 @@ def findings(tmp_path: Path, monkeypatch: pytest.MonkeyPatch):
 def test_a_dict_for_a_parameter_that_the_node_declares_is_told_at_its_key(findings):
     (found,) = findings("{", "'limits': LIMITS,", "'gain': 2.0,", "}")
     assert found.message == (
-        "'limits' is given a dict, which launch takes apart: it sets 'limits.left.min' and 2 more, which "
+        "'limits' is set to a dict, which launch splits: it sets 'limits.left.min' and 2 more, which "
         "/talker does not declare, and 'limits' keeps its default"
     )
     assert (found.place.file, found.place.line) == ("launch/it.launch.py", FIRST + 1)
-    assert found.help == "give it as one text: ParameterValue(json.dumps(…), value_type=str)"
+    assert found.help == "pass it as a string: ParameterValue(json.dumps(…), value_type=str)"
     assert [(one.place.file, one.place.line) for one in found.related] == [("robot/talker.py", 7)]
 
 
@@ -115,8 +115,8 @@ def test_a_number_that_is_given_a_dict(findings):
 def test_a_dict_in_a_parameter_file(findings):
     (found,) = findings("file", yaml="talker:\n  ros__parameters:\n    limits:\n      a: 1.0\n      b: 2.0\n")
     assert (found.place.file, found.place.line) == ("config/p.yaml", 4)
-    assert "which ROS takes apart: it sets 'limits.a' and 1 more" in found.message
-    assert found.help == "give it as one text: put it in quotes"
+    assert "which ROS splits: it sets 'limits.a' and 1 more" in found.message
+    assert found.help == "pass it as a string: put it in quotes"
     quoted = """talker:\n  ros__parameters:\n    limits: '{"a": 1.0}'\n"""
     assert findings("file", yaml=quoted) == []
 
@@ -124,7 +124,7 @@ def test_a_dict_in_a_parameter_file(findings):
 def test_what_one_file_sets_on_one_node_is_one_finding(findings):
     (found,) = findings("{'speed': 1.0,", "'frame': 'map',", "'device': '/dev/ttyS0'}")
     assert found.message == (
-        "/talker declares none of these 3 parameters, so their values are never used: speed, frame, device"
+        "/talker declares none of these 3 parameters, so their values have no effect: speed, frame, device"
     )
     assert found.place.line == FIRST
     assert [(one.place.line, one.message) for one in found.related[:2]] == [

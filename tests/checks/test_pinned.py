@@ -81,6 +81,6 @@ def test_the_advice_settles_it(judge: Judge, tmp_path: Path):
     (tmp_path / "Dockerfile").write_text("FROM ros:jazzy\n")
     [found] = judge("EXE006", LISTENER)
     assert found.message.endswith("; Dockerfile names jazzy alone")
-    assert found.help == 'say in the configuration that the code is for jazzy only: distro = "jazzy"'
+    assert found.help == 'set the distribution in the configuration, if the code is for jazzy only: distro = "jazzy"'
 
     judge("EXE006", LISTENER.replace("  # here", ""), config='distro = "jazzy"')

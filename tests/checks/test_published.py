@@ -54,7 +54,7 @@ SERVER = """
 )
 def test_what_a_goal_is_told(judge: Judge, line: str, given: str):
     [found] = judge("TOP005", SERVER.format(line=line + "  # here"))
-    assert f"is given {given}, but it wants nav2_msgs/action/Spin." in found.message
+    assert f"is called with {given}, but expects nav2_msgs/action/Spin." in found.message
     assert found.related[0].message == "the action server is created here"
 
 
@@ -87,7 +87,7 @@ def test_what_a_goal_may_be_told(judge: Judge, line: str):
 )
 def test_a_wrong_argument(judge: Judge, line: str, given: str):
     [found] = judge("TOP005", NODE.format(line=line + "  # here"))
-    assert f"is given {given}, but it wants" in found.message
+    assert f"is called with {given}, but expects" in found.message
 
 
 @pytest.mark.parametrize(

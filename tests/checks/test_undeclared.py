@@ -345,11 +345,15 @@ def test_no_line_is_asked_for_that_closes_a_circle(lint: Lint):
 def test_a_circle_that_one_package_does_not_declare_is_told_where_it_uses_the_other(lint: Lint):
     (found,) = lint(CIRCLE, code="PKG003")
     assert found.message == (
-        "packages need each other in a circle: talk → arm → hand → talk; 'talk' uses 'arm' here without declaring it"
+        "packages depend on each other in a circle: talk → arm → hand → talk; 'talk' uses 'arm' here without "
+        "declaring it"
     )
     assert (found.place.file, found.place.line) == ("talk/talk/a.py", 2)
     related = [(one.place.file, one.message) for one in found.related]
-    assert related == [("arm/package.xml", "'arm' needs 'hand' here"), ("hand/package.xml", "'hand' needs 'talk' here")]
+    assert related == [
+        ("arm/package.xml", "'arm' depends on 'hand' here"),
+        ("hand/package.xml", "'hand' depends on 'talk' here"),
+    ]
 
 
 def test_two_packages_that_import_each_other(lint: Lint):

@@ -66,7 +66,7 @@ def test_arguments_that_the_launch_file_does_not_know_and_wants_are_told(folder,
     main([command, "--no-cache", "--launch", FILE, "robbot:=bob"])
     assert capsys.readouterr().err.splitlines()[:2] == [
         f"archlint: warning: {FILE} has no argument 'robbot'; did you mean 'robot'?",
-        f"archlint: warning: {FILE} wants a value for 'sim': sim:=true or sim:=false",
+        f"archlint: warning: {FILE} needs a value for 'sim': sim:=true or sim:=false",
     ]
     main([command, "--no-cache", "--launch", FILE, "robot:=bob", "sim:=true"])
     assert "archlint: warning" not in capsys.readouterr().err

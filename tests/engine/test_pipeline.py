@@ -240,7 +240,7 @@ def test_a_broken_interface_is_one_finding_and_information_where_nothing_builds_
     [found] = run().findings
     assert (found.code, found.place.line, found.severity) == ("LNT002", 1, severity)
     assert [one.place.line for one in found.related] == [4]
-    assert ("nothing is built from it" in found.message) == (severity == Severity.INFO)
+    assert ("so it is not built" in found.message) == (severity == Severity.INFO)
 
 
 def test_a_rule_that_raises_is_a_finding_and_the_others_run(add: Add):

@@ -36,8 +36,8 @@ def circular_dependency(system: System, options: Options) -> Iterator[Finding]:
         yield finding(
             "PKG003",
             declared[circle[0]][circle[1]],
-            f"packages need each other in a circle: {' → '.join(circle)}",
-            help="colcon cannot order them; move what both need into a package of its own",
+            f"packages depend on each other in a circle: {' → '.join(circle)}",
+            help="move what both need into a separate package, so that colcon can order them",
             identity=tuple(sorted(circle[:-1])),
         )
     used = _used(workspace, options)
@@ -56,9 +56,10 @@ def _undeclared(circle: list[str], needs: Needs, used: Needs) -> Finding:
     made = finding(
         "PKG003",
         needs[one][other],
-        f"packages need each other in a circle: {' → '.join(names)}; '{one}' uses '{other}' here without declaring it",
-        help="move what both need into a package of its own; colcon could not order them if each declared the other",
-        related=[Related(needs[start][end], f"'{start}' needs '{end}' here") for start, end in others],
+        f"packages depend on each other in a circle: {' → '.join(names)}; '{one}' uses '{other}' here without "
+        "declaring it",
+        help="move what both need into a separate package",
+        related=[Related(needs[start][end], f"'{start}' depends on '{end}' here") for start, end in others],
         identity=tuple(sorted(circle[:-1])),
     )
     return replace(made, severity=Severity.WARNING)

@@ -85,7 +85,7 @@ def _passed_to(system: System, use: FieldUse, hop: Passed) -> Finding:
         found,
         place=hop.call,
         group=(),
-        message=f"{hop.helper}() is given {of}, which{what}",
+        message=f"{hop.helper}() is called with {of}, which{what}",
         help=f"this call raises {_raised([use.access])} when it runs; the fields are {_listed(use.fields)}",
         related=(Related(use.place, f"'{use.name}' is used here"),),
     )
@@ -102,11 +102,11 @@ def _of_one_type(system: System, use: FieldUse, others: Sequence[FieldUse]) -> F
     return replace(
         found,
         group=(),
-        message=f"{found.message}, and {by} delivers such messages to this code",
-        help="give each type a callback of its own, or ask isinstance() before",
+        message=f"{found.message}, and {by} passes such messages to this code",
+        help="use a separate callback for each type, or check isinstance() first",
         related=(
-            Related(use.delivered.place, f"this delivers {use.delivered.type}"),
-            *(Related(place, "what this delivers has the field") for place in having if place != use.delivered.place),
+            Related(use.delivered.place, f"this passes {use.delivered.type}"),
+            *(Related(place, "what this passes has the field") for place in having if place != use.delivered.place),
         ),
     )
 
@@ -197,7 +197,7 @@ def _unknown_interface(one: UnknownInterface) -> Finding:
     hint = f"; there is {moved[0]}" if moved else "" if _part(one) else did_you_mean(one.name, names)
     what = {"msg": "message", "srv": "service", "action": "action"}[one.kind]
     if one.left_out:
-        hint = f": {_file(one)} is not given to rosidl_generate_interfaces in its CMakeLists.txt"
+        hint = f": {_file(one)} is not listed in rosidl_generate_interfaces() of its CMakeLists.txt"
     return finding(
         "MSG002",
         one.place,
@@ -247,9 +247,9 @@ def _file(one: UnknownInterface) -> str:
 def _cure(one: UnknownInterface, names: Sequence[str]) -> str:
     """The import line to write where the interface is found elsewhere, what the build lacks, or what there is."""
     if one.left_out:
-        return f'add "{_file(one)}" to rosidl_generate_interfaces in the CMakeLists.txt of {one.package}'
+        return f'add "{_file(one)}" to rosidl_generate_interfaces() in the CMakeLists.txt of {one.package}'
     if (part := _part(one)) is not None:
-        return f"ROS 2 has it in the service: import {part[0]} and write {part[0]}.{part[1]}()"
+        return f"in ROS 2 it belongs to the service: import {part[0]} and write {part[0]}.{part[1]}()"
     if len(one.elsewhere) == 1 and len(names) == len(one.others):
         return f"write `from {one.elsewhere[0]}.{one.kind} import {one.name}`: that package defines it"
     if one.elsewhere and len(names) == len(one.others):

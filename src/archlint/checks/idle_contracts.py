@@ -26,7 +26,7 @@ def idle_patterns(systems: Sequence[System], options: Options) -> Iterator[str]:
         where = f"{contract.place.file}:{contract.place.line}: the contract '{contract.name}'"
         if contract.kind == REQUIRE:  # where something is missing in a system that it is about, ARC003 says so
             if not any(is_concerned(system, contract) for system in systems):
-                yield f"{where} is not judged: not all that it names is there"
+                yield f"{where} is not checked: some of what it names does not exist"
             continue
         yield from (f"{where} {words}" for words in _of_contract(contract, known))
     layers = options.layers

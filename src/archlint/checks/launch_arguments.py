@@ -63,9 +63,9 @@ def _undeclared_uses(system: System, launched: Launched) -> Iterator[Finding]:
         help = f"declare it before it is read: {_declaration(use)}"
         if later:
             message = f"the launch argument '{use.name}' is read before it is declared"
-            help = "actions run in their order: put the declaration in front"
+            help = "move the declaration in front: actions run in order"
         elif places:
-            message = f"no launch argument '{use.name}' is declared by then, and nothing sets it"
+            message = f"no launch argument '{use.name}' is declared at this point, and nothing sets it"
         related = [Related(place, "it is declared here" if later else "declared here, later") for place in places[:1]]
         yield finding("LCH003", use.place, message, help=help, related=related, identity=(use.file, use.name))
 
@@ -88,7 +88,7 @@ def _its_own_default(use: UndeclaredUse, declaration: Place) -> Finding:
         "LCH003",
         declaration,
         f"the default of the launch argument '{use.name}' is '{use.name}' itself: without a value the launch fails",
-        help="give it a default of its own, or leave the default out where whoever launches it must say the value",
+        help="give it another default, or none if the argument is required",
         related=[Related(use.place, "it is read here")] if use.place != declaration else [],
         identity=(use.file, use.name),
     )
@@ -113,9 +113,9 @@ def _never_added(use: UndeclaredUse, declaration: Place) -> Finding:
     return finding(
         "LCH003",
         use.place,
-        f"the launch argument '{use.name}' is read, and its declaration is not in the LaunchDescription",
-        help="put the declaration into the LaunchDescription, in front of what reads it",
-        related=[Related(declaration, "it is made here, and never added")],
+        f"the launch argument '{use.name}' is read, but its declaration is not in the LaunchDescription",
+        help="add the declaration to the LaunchDescription, before what reads it",
+        related=[Related(declaration, "it is created here and never added")],
         identity=(use.file, use.name),
     )
 
@@ -169,8 +169,8 @@ def _finding(sources: list[str], unknown: list[str], given: dict[str, Place], de
         "LCH003",
         given[first],
         f"{shown} {said}",
-        help=f"the value has no effect: declare the argument there, or leave it out; it declares {listed(declared)}",
-        related=[Related(given[name], f"'{name}' is given here" + did_you_mean(name, declared)) for name in others],
+        help=f"the value has no effect: declare the argument there or remove it; declared are {listed(declared)}",
+        related=[Related(given[name], f"'{name}' is set here" + did_you_mean(name, declared)) for name in others],
         identity=(*sources, *unknown),
     )
     severity = Severity.INFO if set(unknown) <= _HANDED_TO_ALL else found.severity
@@ -185,7 +185,7 @@ _HANDED_TO_ALL = frozenset({"use_sim_time"})
 def _of_one_file(findings: Sequence[Finding]) -> Finding:
     """One finding for an included file that does not take an argument, however many others hand it over."""
     first, *others = findings
-    return replace(first, related=(*first.related, *(Related(one.place, "it is given here, too") for one in others)))
+    return replace(first, related=(*first.related, *(Related(one.place, "it is set here, too") for one in others)))
 
 
 def _is_known(target: Launched) -> bool:

@@ -39,12 +39,12 @@ def unknown_launch_attribute(system: System, options: Options) -> Iterator[Findi
         hint = f"; it is called '{renamed}'" if renamed in wrong.known else did_you_mean(wrong.name, wrong.known)
         in_xml = wrong.action.startswith("<")
         kind = "attribute" if in_xml else "argument"
-        why = "launch refuses this file as it reads it" if in_xml else "this call raises TypeError"
+        why = "launch rejects this file" if in_xml else "this call raises TypeError"
         found = finding(
             "LCH005",
             wrong.place,
             f"{wrong.action} has no {kind} '{wrong.name}'{hint}",
-            help=f"{why}, before anything that it describes is started",
+            help=f"{why} before anything is started",
             identity=(wrong.action, wrong.name),
             group=(wrong.place.file,),
         )

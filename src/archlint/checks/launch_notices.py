@@ -30,4 +30,4 @@ def argument_notices(system: System) -> Iterator[str]:
         own = argument.file == launched.file and not argument.dormant  # whoever includes a file gives it values
         if own and argument.default is None and argument.name not in launched.arguments:
             cases = " or ".join(f"{argument.name}:={value}" for value in launched.undecided.get(argument.name, ()))
-            yield f"{launched.file} wants a value for '{argument.name}'" + (f": {cases}" if cases else "")
+            yield f"{launched.file} needs a value for '{argument.name}'" + (f": {cases}" if cases else "")

@@ -25,7 +25,7 @@ def launch_description(system: System, options: Options) -> Iterator[Finding]:
             "LCH008",
             place,
             f"'{name}' is not defined: this launch file stops with a NameError before it starts anything",
-            help=f"define or import '{name}' above, or put it in quotes if it is meant as text",
+            help=f"define or import '{name}', or put it in quotes if it is meant as a string",
             identity=(place.file, name),
         )
     for mistake in system.launched.mistakes if system.launched is not None else ():
@@ -33,8 +33,8 @@ def launch_description(system: System, options: Options) -> Iterator[Finding]:
         yield finding(
             "LCH008",
             mistake.place,
-            f"condition= of this {mistake.action} is {mistake.what}, which is no Condition",
-            help=f"launch stops with an AttributeError when it comes to this action: write condition={wrap}",
+            f"condition= of this {mistake.action} is {mistake.what}, which is not a Condition",
+            help=f"launch stops with an AttributeError at this action: write condition={wrap}",
             identity=(mistake.action, mistake.what),
             group=(mistake.place.file, mistake.what),
         )
@@ -43,18 +43,18 @@ def launch_description(system: System, options: Options) -> Iterator[Finding]:
 
 
 def _without_context(failing: WithoutContext) -> Finding:
-    given = f"is given {failing.given}, which is no launch context" if failing.given else _NEW
+    given = f"is called with {failing.given}, which is not the launch context" if failing.given else _NEW
     return finding(
         "LCH008",
         failing.place,
         f"perform() of this {failing.substitution} {given}: the launch stops here with an exception",
-        help="call it in the function of an OpaqueFunction, which is given the launch context",
+        help="call it in the function of an OpaqueFunction, which receives the launch context",
         identity=(failing.substitution, failing.given),
         group=(failing.place.file, "perform"),
     )
 
 
-_NEW = "is given a new LaunchContext, in which no launch argument has a value"
+_NEW = "is called with a new LaunchContext, in which no launch argument has a value"
 
 
 @folds("LCH008", across_systems=True)

@@ -52,7 +52,10 @@ def _instead(installs: Installs, name: str, workspace: WorkspaceIndex) -> tuple[
         return f"; {source.script or source.module} is installed as '{same[0]}'", f"start '{same[0]}'"
     if name in installs.too_deep:
         where = installs.too_deep[name]
-        return f": it comes to {where}", "launch looks in the folder itself: install(DIRECTORY …/ …), with a slash"
+        return (
+            f": it is installed as {where}",
+            "install the content of the folder, with a trailing slash: install(DIRECTORY …/ …)",
+        )
     owners = [one.package for one in workspace.installs.values() if name in one.executables]
     if len(owners) == 1:
         return f"; package '{owners[0]}' installs it", f"start it from package '{owners[0]}'"
@@ -60,12 +63,12 @@ def _instead(installs: Installs, name: str, workspace: WorkspaceIndex) -> tuple[
     files = workspace.code.files_of(installs.package)
     there = [file for file in files if posixpath.basename(file) == name]
     if len(there) == 1:
-        return did_you_mean(name, known), f"{there[0]} is there: install it in {build}"
+        return did_you_mean(name, known), f"install {there[0]} in {build}"
     stems = {name, name.removesuffix("_node")} - {_stem(one) for one in installs.executables.values()}
     meant = [file for file in files if posixpath.basename(file).removesuffix(".py") in stems]
     if len(meant) == 1:  # nearer than another node of a similar name
         return f"; {meant[0]} is there, and not installed", f"install it in {build} under the name '{name}'"
-    return did_you_mean(name, known), f"it installs {listed(known)}; add it to {build}, or start one of these"
+    return did_you_mean(name, known), f"add it to {build}, or start one that the package installs: {listed(known)}"
 
 
 def _stem(executable: Executable) -> str:

@@ -39,7 +39,7 @@ def names_given_by_launch(system: System) -> Iterator[Finding]:
             if one.message != found[key].message:
                 others.append(Related(started.place, one.message))
             elif started.place not in (found[key].place, others[0].place):
-                others.append(Related(started.place, "this one is in it, too"))
+                others.append(Related(started.place, "this one is part of it, too"))
     for key, one in found.items():
         yield finding(one.code, one.place, one.message, help=one.help, related=told[key][1:], identity=one.identity)
 
@@ -127,10 +127,10 @@ def _refused(remap: Remap) -> str | None:
     except ValueError as error:
         wrong = names.validate_topic_name(target.text)
         if wrong is not None:
-            return f"ROS rejects the name '{target.text}' that this remapping gives: {wrong.message}"
+            return f"ROS rejects the name '{target.text}', the target of this remapping: {wrong.message}"
         wrong = names.validate_topic_name(source.text)
         if wrong is not None:
-            return f"ROS rejects the name '{source.text}' that this remapping is for: {wrong.message}"
+            return f"ROS rejects the name '{source.text}', the source of this remapping: {wrong.message}"
         return f"ROS rejects this remapping: {error}"
     return None
 

@@ -47,11 +47,11 @@ def missing_launch_file(system: System, options: Options) -> Iterator[Finding]:
             message = f"package '{reference.package}' has no {what} '{_in_package(system, reference, shown)}'"
             message += _did_you_mean_file(system.workspace, reference.package or "", shown)
             beside = (written or "").startswith("$(workspace)")
-            start = "folder that this launch file is in" if beside else "package's share folder"
-            help = f"check the path; it starts at the {start}, where the build installs it"
+            start = "installed folder of this launch file" if beside else "package's installed share folder"
+            help = f"check the path; it is relative to the {start}"
         else:
             message = f"package '{reference.package}' does not install the {what} '{shown}'"
-            help = f"{reference.source} is there: install it (data_files in setup.py, install(DIRECTORY …) in CMake)"
+            help = f"install {reference.source} (data_files in setup.py, install(DIRECTORY …) in CMake)"
         read = dict.fromkeys(one.place for one in (reference, *others) if one.place != place)
         yield finding(
             "LCH004",

@@ -104,7 +104,7 @@ def _of_one_namespace(several: Sequence[Finding]) -> Finding:
     first, *others = several
     written = list(dict.fromkeys(one.identity[2] for one in others if one.identity[2] != first.identity[2]))
     more = f"; the same goes for {listed([repr(name) for name in written])}" if written else ""
-    related = [Related(one.place, f"'{one.identity[2]}' is given here") for one in others]
+    related = [Related(one.place, f"'{one.identity[2]}' is used here") for one in others]
     return replace(first, message=first.message + more, related=(*first.related, *related))
 
 

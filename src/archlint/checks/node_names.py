@@ -125,9 +125,9 @@ def _of_an_include(before: Place, place: Place, file: str, several: list[Twins])
         "NME004",
         place,
         f"this system includes {posixpath.basename(file)} twice, which starts {starts}",
-        help="include it once, or each time in a namespace of its own",
+        help="include it once, or in a different namespace each time",
         related=[
-            Related(before, "it is included here before"),
+            Related(before, "it is first included here"),
             *(Related(one.launch_place, f"{one.name} is started here") for one, _ in several[:1] if one.launch_place),
         ],
         node=names[0],
@@ -143,19 +143,19 @@ def _of_two_actions(system: System, several: list[Twins]) -> Iterator[Finding]:
         return
     names = [twin.name or "" for twin, _ in several]
     more = _namesakes(system, one, other) if len(names) == 1 else []
-    shared = f"{_COUNTS.get(len(more), 'many')} nodes of this system are called '{names[0]}'"
+    shared = f"{_COUNTS.get(len(more), 'many')} nodes of this system have the name '{names[0]}'"
     if len(names) > 1:
-        shared = f"two launch actions start nodes of the same names: {', '.join(names)}"
+        shared = f"two launch actions start nodes with the same names: {', '.join(names)}"
     if one.launch_place == here:
-        shared = f"this line makes several actions, and each starts a node that is called '{names[0]}'"
+        shared = f"this line creates several actions, and each starts a node with the name '{names[0]}'"
     sole = all(sum(node.started is twin.started for node in system.nodes) == 1 for twin in (one, other))
     yield finding(
         "NME004",
         here,
         shared,
-        help=f"ROS starts {'them all' if more else 'both'}; give each a name or namespace of its own"
+        help="give each its own name or namespace"
         if sole
-        else "ROS starts both; give each action a namespace of its own, as name= renames all its nodes",
+        else "give each action its own namespace: name= would rename all its nodes",
         related=[
             *([Related(one.launch_place, "the other one is started here")] if one.launch_place != here else []),
             *(Related(place, "another one is started here") for place in more),
@@ -184,16 +184,16 @@ def _of_one_process(one: Node, other: Node) -> Iterator[Finding]:
         return
     renamed = one.started is not None and one.started.name is not None
     apart = _own_name(one) != _own_name(other)
-    message = f"this executable makes several nodes that are called '{one.name}'"
+    message = f"this executable creates several nodes with the name '{one.name}'"
     if renamed:
-        message = f"name= renames every node of this executable: several are then called '{one.name}'"
+        message = f"name= renames every node of this executable, so several have the name '{one.name}'"
     yield finding(
         "NME004",
         other.launch_place,
         message,
-        help="leave name= out: then each has the name that its code gives it"
+        help="remove name=, so that each node keeps the name from its code"
         if renamed and apart
-        else "give each a name of its own in the code" + (", and leave name= out here" if renamed else ""),
+        else "give each its own name in the code" + (", and remove name= here" if renamed else ""),
         related=list(dict.fromkeys(related for node in (one, other) for related in _made(node))),
         node=one.name,
         identity=(one.name or "",),

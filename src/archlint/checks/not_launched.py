@@ -40,7 +40,8 @@ def node_not_launched(system: System, options: Options) -> Iterator[Finding]:
             "GRF002",
             blueprint.place,
             f"no launch file of this workspace starts {shown}",
-            help=f"it runs with `ros2 run {_run_package(node)} {min(name for _, name in runs)}` only",
+            help="add it to a launch file, or run it with "
+            f"`ros2 run {_run_package(node)} {min(name for _, name in runs)}`",
             node=node.name,
             identity=(blueprint.class_name,),
         )

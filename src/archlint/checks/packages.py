@@ -52,7 +52,7 @@ def _wrong(executable: Executable) -> Finding:
     return finding(
         "PKG002",
         executable.place,
-        f"this entry installs no executable '{executable.name}': {executable.wrong}",
+        f"this entry does not install an executable '{executable.name}': {executable.wrong}",
         help=f"write '{executable.name} = {target}'" + ("," if "comma" in executable.wrong else ""),
         identity=(executable.package, executable.name),
     )
@@ -63,9 +63,9 @@ def _broken(workspace: WorkspaceIndex, executable: Executable) -> Iterator[Findi
         case NoModule(module, function, known):
             parent, _, last = module.rpartition(".")
             meant = f"; did you mean '{parent}:{last}'?" if function is None and parent in known else ""
-            yield _entry_finding(executable, f"module '{module}' is not there{meant or _near_module(module, known)}")
+            yield _entry_finding(executable, f"module '{module}' does not exist{meant or _near_module(module, known)}")
         case NoFunctionNamed(module):
-            yield _entry_finding(executable, f"'{module}' is a module, and no function of it is named")
+            yield _entry_finding(executable, f"'{module}' is a module, and the entry names no function in it")
         case NoFunction(module, function, names):
             yield _entry_finding(executable, f"'{module}' has no function '{function}'{did_you_mean(function, names)}")
 
@@ -85,6 +85,6 @@ def _entry_finding(executable: Executable, what: str) -> Finding:
         "PKG002",
         executable.place,
         f"the executable '{executable.name}' cannot start: {what}",
-        help="an entry point is 'name = package.module:function'",
+        help="write the entry point as 'name = package.module:function'",
         identity=(executable.package, executable.name),
     )

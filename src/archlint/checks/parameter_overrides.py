@@ -114,7 +114,7 @@ def _never_used(
     return finding(
         "PRM004",
         setting.place,
-        f"{called(node)} declares no parameter '{setting.name}', so this value is never used{meant}",
+        f"{called(node)} declares no parameter '{setting.name}', so this value has no effect{meant}",
         help=f"it declares {listed(_surely(declared))}",
         related=[Related(blueprint.place, "the node is defined here")],
         node=node.name,
@@ -141,8 +141,9 @@ def _one_for_a_node(several: Sequence[Finding]) -> Finding:
     others = [Related(one.place, f"'{one.identity[1]}'") for one in several[1 : SHOWN + 1]]
     return replace(
         first,
-        message=f"{node} declares none of these {len(names)} parameters, so their values are never used: "
-        f"{listed(names)}",
+        message=(
+            f"{node} declares none of these {len(names)} parameters, so their values have no effect: {listed(names)}"
+        ),
         related=(*others, *first.related),
         identity=(first.identity[0], *names),
     )
@@ -176,11 +177,11 @@ def _taken_apart(node: Node, name: str, place: Place, parts: Sequence[Setting]) 
     if text:
         # Without its type, launch_ros reads a text as YAML and comes to a dict again.
         wrapped = "ParameterValue(json.dumps(…), value_type=str)"
-        advice = f"give it as one text: {wrapped}" if in_launch else "give it as one text: put it in quotes"
+        advice = f"pass it as a string: {wrapped}" if in_launch else "pass it as a string: put it in quotes"
     return finding(
         "PRM004",
         place,
-        f"'{name}' is given a dict, which {'launch' if in_launch else 'ROS'} takes apart: it sets "
+        f"'{name}' is set to a dict, which {'launch' if in_launch else 'ROS'} splits: it sets "
         f"'{parts[0].name}'{more}, which {called(node)} does not declare, and '{name}' keeps its default",
         help=advice,
         related=[Related(row.place, f"'{name}' is declared here") for row in rows[:1]],

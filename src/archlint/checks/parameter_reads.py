@@ -63,8 +63,8 @@ def _undeclared(
     return finding(
         "PRM003",
         place,
-        f"parameter '{name}' is read and {node.blueprint.class_name} never declares it" + did_you_mean(name, declared),
-        help=f"declare it first, with a default: self.declare_parameter('{name}', …)",
+        f"parameter '{name}' is read, but {node.blueprint.class_name} never declares it" + did_you_mean(name, declared),
+        help=f"declare it first: self.declare_parameter('{name}', …)",
         related=[] if _encloses(call.place, place) else [Related(call.place, "it is read here")],
         node=node.name,
         identity=(node.blueprint.class_name, name),
@@ -128,8 +128,8 @@ def unused_parameter(system: System, options: Options) -> Iterator[Finding]:
             yield finding(
                 "PRM006",
                 declaration.place,
-                f"parameter '{name}' is declared and never read",
-                help="read it with get_parameter, or remove it: whoever sets it expects something to change",
+                f"parameter '{name}' is declared but never read",
+                help="read it with get_parameter(), or remove the declaration",
                 node=node.name,
                 identity=(blueprint.class_name, name),
             )

@@ -105,12 +105,12 @@ def _shown(value: object) -> str:
 
 def _write(value: object, wanted: str | None) -> str:
     if wanted == "double" and isinstance(value, int):
-        return f"write {float(value)}: rclpy does not turn an integer into a double"
+        return f"write {float(value)}: rclpy does not convert an integer to a double"
     if wanted == "double_array" and isinstance(value, list):
-        return "write each number with a decimal point: rclpy does not turn integers into doubles"
+        return "write each number with a decimal point: rclpy does not convert integers to doubles"
     if wanted == "string":
-        return "put it in quotes; in a launch file wrap it: ParameterValue(…, value_type=str)"
-    return f"give it a value of type {wanted}: the node stops with an exception when it declares the parameter"
+        return "put it in quotes, or in a launch file wrap it: ParameterValue(…, value_type=str)"
+    return f"set a value of type {wanted}: the node raises an exception when it declares the parameter"
 
 
 def called(node: Node) -> str:
@@ -153,10 +153,10 @@ def parameters_for_unknown_node(system: System, options: Options) -> Iterator[Fi
             last = section.key.rpartition("/")[2]
             right = sorted(name for name in started if name.rpartition("/")[2] == last)
             message = f"no launch file that loads this file starts a node '{section.key}'"
-            help = f"the nodes that get this file: {listed(sorted(started))}"
+            help = f"nodes that load this file: {listed(sorted(started))}"
             if right:
                 message += f"; did you mean '{right[0]}'?"
-                help = f"a key is the full name: write '{right[0]}:', or '/**/{last}:' for any namespace"
+                help = f"the key must be the full name: write '{right[0]}:', or '/**/{last}:' for any namespace"
             elif others_are_not_run(workspace):
                 continue
             else:
@@ -256,7 +256,7 @@ def _twice(workspace: WorkspaceIndex | None, node: Node, blueprint: Blueprint) -
         if before is not declaration:
             if workspace is None or not surely_run_both(workspace, before, declaration):
                 continue
-            message = f"parameter '{name}' is declared twice: the second time raises an exception"
+            message = f"parameter '{name}' is declared twice: the second declaration raises an exception"
             related = [Related(before.place, "it is declared here first")]
         elif name == "use_sim_time" and not is_guarded(workspace, declaration):
             message = "rclpy declares 'use_sim_time' for every node: declaring it again raises an exception"
@@ -266,7 +266,7 @@ def _twice(workspace: WorkspaceIndex | None, node: Node, blueprint: Blueprint) -
             "PRM008",
             declaration.place,
             message,
-            help="declare it once; where a base class may have done so, ask has_parameter() first",
+            help="declare it once, or check has_parameter() first",
             related=list(related),
             node=node.name,
             identity=(blueprint.class_name, name),

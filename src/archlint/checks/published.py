@@ -99,7 +99,7 @@ def _finding(call: ApiCall, creation: Creation, argument: str, section_name: str
     return finding(
         "TOP005",
         call.argument_places.get(argument, call.place),
-        f"{method}() is given {given}, but it wants {wanted}",
+        f"{method}() is called with {given}, but expects {wanted}",
         help=f"rclpy raises TypeError when this line runs; pass an object of {wanted}",
         related=[Related(creation.place, f"the {creation.kind.replace('_', ' ')} is created here")],
         node=creation.node.name.text,

@@ -34,8 +34,8 @@ if TYPE_CHECKING:
     from archlint.systems.model import System
 
 _REPORT = (
-    f"please report it on {issue_tracker()} with this message, the version that `archlint --version` prints "
-    "and, if you may share it, the smallest file that shows it"
+    f"please report it on {issue_tracker()} with this message, the output of `archlint --version` and, if you may "
+    "share it, the smallest file that shows it"
 )
 
 OptionValue = bool | int | float | str | tuple[str, ...]
@@ -209,5 +209,5 @@ def unreadable_interface(file: str, problems: Sequence[tuple[int, int, str]], bu
     one = replace(unreadable(file, *first), related=related)
     if built:
         return one
-    message = f"{one.message}; the CMakeLists.txt of its package does not list this file, so nothing is built from it"
+    message = f"{one.message}; the CMakeLists.txt of its package does not list this file, so it is not built"
     return replace(one, message=message, severity=Severity.INFO)

@@ -84,8 +84,8 @@ def _dead(remap: Remap, nodes: list[Node], started: Started) -> Iterator[Finding
     yield finding(
         "LCH002",
         remap.place,
-        f"nothing in {node_name} is called '{expanded}', so this remapping does nothing" + did_you_mean(source, shown),
-        help=f"names in it: {listed(sorted(known))}; only whole names match, with their namespace",
+        f"{node_name} has no name '{expanded}', so this remapping has no effect" + did_you_mean(source, shown),
+        help=f"use a full name of the node: {listed(sorted(known))}",
         node=node_name,
         identity=(node_name or "", expanded),
     )

@@ -109,9 +109,9 @@ def _missing(system: System, first: _Wrong, others: Sequence[_Wrong]) -> Finding
     return finding(
         "EXE006",
         callback.registered,
-        f"{_what(callback)} is to be '{callback.missing}', and there is no such method{nor}",
-        help="define it, or name the one that is meant",
-        related=[Related(_place(one), f"'{one.callback.missing}' is handed over here") for one in others],
+        f"{_what(callback)} is '{callback.missing}', but there is no such method{nor}",
+        help="define the method, or correct its name",
+        related=[Related(_place(one), f"'{one.callback.missing}' is registered here") for one in others],
         node=node_name(system, callback.node),
         identity=(callback.role, callback.missing or ""),
     )
@@ -131,7 +131,7 @@ def _misfit(system: System, first: _Wrong, others: Sequence[_Wrong], distros: Se
         related=[
             Related(callback.place, f"{callback.name} is defined here")
             if _place(first) != callback.place
-            else Related(_registered(first), "it gets to rclpy here"),
+            else Related(_registered(first), "it is registered here"),
             *(_further(first, one) for one in others),
         ],
         node=node_name(system, callback.node),
@@ -149,7 +149,7 @@ def _settled(system: System, found: Finding, wrong_in: Sequence[str]) -> Finding
     return replace(
         found,
         message=f"{found.message}; {file} names {distro} alone",
-        help=f'say in the configuration that the code is for {distro} only: distro = "{distro}"',
+        help=f'set the distribution in the configuration, if the code is for {distro} only: distro = "{distro}"',
         severity=Severity.INFO,
     )
 
@@ -157,8 +157,8 @@ def _settled(system: System, found: Finding, wrong_in: Sequence[str]) -> Finding
 def _further(first: _Wrong, other: _Wrong) -> Related:
     """A wrapper hands over several callbacks in one line: then their definitions tell more."""
     if _place(first) == _place(other):
-        return Related(other.callback.place, f"{other.callback.name}, which gets there too, is defined here")
-    return Related(_place(other), f"{other.callback.name} is handed over here")
+        return Related(other.callback.place, f"{other.callback.name}, which is also registered there, is defined here")
+    return Related(_place(other), f"{other.callback.name} is registered here")
 
 
 def _what(callback: Callback) -> str:
@@ -228,7 +228,7 @@ def _takes(function: facts.Function | facts.Lambda, callback: Callback) -> str:
     positional = [param for param in function.params if param.kind in ("positional_only", "normal")]
     names = [p.name for p in positional[callback.bound_arguments :] if p.name not in callback.bound_keywords]
     if len(positional) < callback.bound_arguments:
-        return "does not even take self"
+        return "does not take self"
     named = _named_only(function, callback.bound_keywords)
     needs = f" and needs {' and '.join(f'{name}=…' for name in named)} by name" if named else ""
     if not names:
