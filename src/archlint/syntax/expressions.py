@@ -2,12 +2,17 @@
 
 from __future__ import annotations
 
+import typing
 from typing import ClassVar, Union
 
 import msgspec
 
 Span = tuple[int, int, int, int]
 Constant = Union[str, int, float, bool, None]
+Star = typing.Literal["", "*", "**"]
+DisplayKind = typing.Literal["tuple", "list", "set"]
+ComprehensionKind = typing.Literal["list", "set", "dict", "generator"]
+ParamKind = typing.Literal["positional_only", "normal", "star", "keyword_only", "double_star"]
 
 
 class Base(msgspec.Struct, frozen=True, array_like=True, gc=False):
@@ -152,11 +157,11 @@ class Attribute(Base, frozen=True, tag="attr"):
 
 
 class Argument(Base, frozen=True):
-    """One argument of a call.  ``star`` is ``""``, ``"*"`` or ``"**"``."""
+    """One argument of a call."""
 
     value: Expr
     keyword: str | None = None
-    star: str = ""
+    star: Star = ""
 
 
 class Call(Base, frozen=True, tag="call"):
@@ -243,9 +248,9 @@ class FormatString(Base, frozen=True, tag="fstr"):
 
 
 class Sequence(Base, frozen=True, tag="seq"):
-    """A display; ``kind`` is ``tuple``, ``list`` or ``set``.  May hold :class:`Starred`."""
+    """A display.  May hold :class:`Starred`."""
 
-    kind: str
+    kind: DisplayKind
     elements: list[Expr]
     span: Span
 
@@ -275,9 +280,9 @@ class Generator(Base, frozen=True):
 
 
 class Comprehension(Base, frozen=True, tag="comp"):
-    """``kind`` is ``list``, ``set``, ``dict`` or ``generator``; ``value`` is set for dicts only."""
+    """``value`` is set for dicts only."""
 
-    kind: str
+    kind: ComprehensionKind
     element: Expr
     value: Expr | None
     generators: list[Generator]
@@ -344,9 +349,9 @@ Expr = Union[
 
 
 class Param(Base, frozen=True):
-    """A parameter; ``kind`` is ``positional_only``, ``normal``, ``star``, ``keyword_only`` or ``double_star``."""
+    """A parameter."""
 
     name: str
-    kind: str
+    kind: ParamKind
     default: Expr | None = None
     annotation: Expr | None = None

@@ -11,6 +11,7 @@ and the end column is exclusive.
 
 from __future__ import annotations
 
+import typing
 from functools import cache
 
 import msgspec
@@ -83,7 +84,7 @@ class Suppression(Base, frozen=True):
 
     ``line`` is where the comment stands; ``applies_to`` the first and last line it covers (the next
     statement for a comment on its own line, the whole statement it ends otherwise); ``codes`` as written.
-    ``scope`` is ``line`` or ``file``.  An empty ``codes`` is a refused bare ignore, or words that only look like a
+    An empty ``codes`` is a refused bare ignore, or words that only look like a
     suppression: ``not_understood`` holds them.
     """
 
@@ -92,7 +93,7 @@ class Suppression(Base, frozen=True):
     end_column: int
     applies_to: tuple[int, int]
     codes: list[str]
-    scope: str = "line"
+    scope: typing.Literal["line", "file"] = "line"
     not_understood: str = ""
 
     def covers(self, line: int) -> bool:

@@ -2,11 +2,15 @@
 
 from __future__ import annotations
 
-from typing import ClassVar, Union
+from typing import ClassVar, Literal, Union
 
 import msgspec
 
 from archlint.syntax.expressions import Argument, Base, Expr, Param, Span
+
+PatternKind = Literal["value", "capture", "or", "sequence", "as", "mapping", "entry", "rest", "other"]
+GlobalKind = Literal["global", "nonlocal"]
+JumpKind = Literal["break", "continue", "pass"]
 
 
 class Statement(Base, frozen=True):
@@ -176,14 +180,12 @@ class Try(Statement, frozen=True, tag="try"):
 
 
 class Pattern(Base, frozen=True):
-    """A ``case`` pattern.
-
-    ``kind``: ``value`` (compare with ``value``), ``capture`` (bind ``name``; ``None`` is the wildcard),
+    """A ``case`` pattern: ``value`` (compare with ``value``), ``capture`` (bind ``name``; ``None`` is the wildcard),
     ``or`` (any of ``parts``), ``sequence`` (``parts``), ``as`` (``parts[0]`` bound to ``name``), ``mapping``
     (parts are ``entry`` with a key as ``value`` and a pattern, and at most one ``rest``), ``other``.
     """
 
-    kind: str
+    kind: PatternKind
     value: Expr | None = None
     name: str | None = None
     parts: list[Pattern] = msgspec.field(default_factory=list)
@@ -223,9 +225,9 @@ class ImportFrom(Statement, frozen=True, tag="from"):
 
 
 class Global(Statement, frozen=True, tag="global"):
-    """``global`` and ``nonlocal``; ``kind`` says which."""
+    """``global`` and ``nonlocal``."""
 
-    kind: str
+    kind: GlobalKind
     names: list[str]
 
 
@@ -240,9 +242,9 @@ class Assert(Statement, frozen=True, tag="assert"):
 
 
 class Jump(Statement, frozen=True, tag="jump"):
-    """``break``, ``continue`` or ``pass``."""
+    """A statement that is one word."""
 
-    kind: str
+    kind: JumpKind
     span: Span
 
     @property

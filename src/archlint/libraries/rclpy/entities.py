@@ -24,6 +24,7 @@ from archlint.libraries.rclpy import names as rclpy_names
 from archlint.libraries.rclpy.guards import guard_of, proven_of
 from archlint.libraries.rclpy.interface_types import types_of
 from archlint.libraries.tables import Api
+from archlint.libraries.tables.api import DefaultQos
 from archlint.libraries.texts import text_of_value
 from archlint.libraries.values import EntityValue
 from archlint.syntax import facts
@@ -218,9 +219,11 @@ def rate(run: Run, call: ApiUse) -> Value:
 
 def transform_listener(run: Run, call: ApiUse) -> Value:
     """``TransformListener(buffer, node)`` subscribes to /tf and /tf_static in a reentrant group of its own."""
-    topics = [] if call.api.variant == "static" else [("tf_topic", "/tf", "qos", "tf")]
-    topics.append(("tf_static_topic", "/tf_static", "static_qos", "tf_static_listener"))
-    if call.get("static_only") == Known(True):
+    topics: list[tuple[str, str, str, DefaultQos]] = [
+        ("tf_topic", "/tf", "qos", "tf"),
+        ("tf_static_topic", "/tf_static", "static_qos", "tf_static_listener"),
+    ]
+    if call.api.variant == "static" or call.get("static_only") == Known(True):
         topics = topics[-1:]
     made = []
     for blueprint in nodes.given_nodes(run, call.get("node")):
@@ -237,7 +240,7 @@ def transform_listener(run: Run, call: ApiUse) -> Value:
     return EntityValue(tuple(made), call.api.path, run.store.new_key())
 
 
-def _subscription_of(path: str, qos: str, default: str) -> Api:
+def _subscription_of(path: str, qos: str, default: DefaultQos) -> Api:
     return Api(path, "", "endpoint", kind=model.EntityKind.SUBSCRIBER, qos=qos, default_qos=default)
 
 

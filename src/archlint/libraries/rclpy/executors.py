@@ -24,23 +24,25 @@ _STARTED = (model.Role.INIT, model.Role.MAIN, model.Role.MODULE, model.Role.THRE
 
 
 def make_executor(run: Run, call: ApiUse) -> Value:
-    use = _new_use(run, model.ExecutorKind(call.api.variant), call.get("num_threads"), call)
+    use = _new_use(run, call.api.executor, call.get("num_threads"), call)
     return ExecutorValue(use, call.api.path, run.store.new_key())
 
 
 def adopt_executor(run: Run, api: Api, receiver: Instance, site: CallSite) -> Value:
     """An executor class of ours: ``super().__init__()`` tells which kind it is."""
     threads = site.keywords.get("num_threads", site.args[0] if site.args else None)
-    run.store.set(receiver.key, "#executor", _new_use(run, model.ExecutorKind(api.variant), threads, None))
+    run.store.set(receiver.key, "#executor", _new_use(run, api.executor, threads, None))
     return Known(None)
 
 
-def _new_use(run: Run, kind: model.ExecutorKind, threads: Value | None, call: ApiUse | None) -> model.ExecutorUse:
+def _new_use(
+    run: Run, kind: model.ExecutorKind | None, threads: Value | None, call: ApiUse | None
+) -> model.ExecutorUse:
     count = threads.value if isinstance(threads, Known) and isinstance(threads.value, int) else None
     if kind in (model.ExecutorKind.SINGLE_THREADED, model.ExecutorKind.EVENTS):
         count = 1
     place = run.place(call.expression.span) if call is not None and call.expression is not None else None
-    use = model.ExecutorUse(kind, count, [], place)
+    use = model.ExecutorUse(kind or model.ExecutorKind.UNKNOWN, count, [], place)
     run.program.executors.append(use)
     return use
 

@@ -232,7 +232,7 @@ def create_node(run: Run, call: ApiUse) -> Value:
     if known is None:
         activation = run.activation
         known = new_blueprint(run, activation.qualified, place, key, activation.module.file.package)
-        known.lifecycle = call.api.variant == "lifecycle"
+        known.lifecycle = call.api.lifecycle
         _set_names(run, known, call)
         holder = short_lived.holder(run.activations, call.expression)
         if holder is not None:

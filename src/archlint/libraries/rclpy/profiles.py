@@ -16,6 +16,7 @@ from archlint.ros.qos import Qos
 if TYPE_CHECKING:
     from archlint.libraries.api_use import ApiUse
     from archlint.libraries.run import Run
+    from archlint.libraries.tables.api import DefaultQos
 
 PROFILE = "rclpy.qos.QoSProfile"
 
@@ -39,7 +40,7 @@ PRESETS: dict[str, Qos] = {
     "default": DEFAULT,
 }
 
-_API_DEFAULTS: dict[str, Qos] = {
+_API_DEFAULTS: dict[DefaultQos, Qos] = {
     "": Qos(None, None, None, None),
     "services_default": DEFAULT,
     "default": DEFAULT,
@@ -145,7 +146,7 @@ def _changed(run: Run, value: Value) -> Value:
     return made
 
 
-def resolve(run: Run, value: Value | None, default: str, call: ApiUse) -> Qos:
+def resolve(run: Run, value: Value | None, default: DefaultQos, call: ApiUse) -> Qos:
     """The profile that an argument gives, with the API's default where none is given."""
     if value is None or (isinstance(value, Known) and value.value is None):
         found = _UNKNOWN if call.open else _API_DEFAULTS[default]
@@ -160,7 +161,7 @@ PROFILE_ALTERNATIVES = 8
 """How many profiles one argument may stand for before only what they share is kept."""
 
 
-def resolve_all(run: Run, value: Value | None, default: str, call: ApiUse) -> list[Qos]:
+def resolve_all(run: Run, value: Value | None, default: DefaultQos, call: ApiUse) -> list[Qos]:
     """The profiles that an argument may give: several where a branch decides, or one."""
     found: list[Qos] = []
     for option in alternatives(value) if value is not None else ():

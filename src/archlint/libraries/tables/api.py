@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from functools import cached_property
 from typing import Literal
 
-from archlint.model import EntityKind, Role
+from archlint.model import EntityKind, ExecutorKind, Role
 
 EffectName = Literal[
     "none",
@@ -63,6 +63,11 @@ EffectName = Literal[
 ]
 """What the run does with a call: each is a function, which :mod:`archlint.libraries.offers` puts together."""
 
+DefaultQos = Literal[
+    "", "services_default", "default", "1", "parameter_events", "tf", "tf_static", "tf_static_listener"
+]
+"""The profile of a call that is given none; empty where it must be given one."""
+
 
 @dataclass(frozen=True)
 class Api:
@@ -78,7 +83,11 @@ class Api:
     kind: EntityKind | None = None
     """What it creates."""
     variant: str = ""
-    """Tells calls with the same effect from each other."""
+    """Tells calls with the same effect from each other, by the names that the effect knows."""
+    lifecycle: bool = False
+    """True of what makes a lifecycle node."""
+    executor: ExecutorKind | None = None
+    """The executor that it makes."""
     node: str | None = None
     """Parameter that is the node; None: the object the method is called on."""
     type: str | None = None
@@ -87,7 +96,7 @@ class Api:
     group: str | None = None
     callbacks: tuple[tuple[str, Role], ...] = ()
     """``(parameter, role)``."""
-    default_qos: str = ""
+    default_qos: DefaultQos = ""
     fixed_name: str | None = None
     fixed_type: str | None = None
     returns: str | None = None
@@ -102,7 +111,7 @@ class Api:
     @property
     def creates(self) -> bool:
         """Whether a call makes an endpoint or a timer."""
-        return self.effect in ("endpoint", Role.TIMER)
+        return self.effect in ("endpoint", "timer")
 
     @cached_property
     def params(self) -> tuple[str, ...]:
@@ -118,4 +127,4 @@ class Api:
         return frozenset(word.rstrip("?") for word in self.signature.split() if word.endswith("?"))
 
 
-__all__ = ["Api", "EffectName"]
+__all__ = ["Api", "DefaultQos", "EffectName"]

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from archlint.libraries.tables.api import Api
-from archlint.model import Role
+from archlint.model import ExecutorKind, Role
 
 ROWS = (
     Api("rclpy.spin", "node executor", effect="spin", watched=True),
@@ -14,10 +14,22 @@ ROWS = (
         effect="spin",
         watched=True,
     ),
-    Api("rclpy.executors.SingleThreadedExecutor", "* context", effect="executor", variant="single_threaded"),
-    Api("rclpy.executors.MultiThreadedExecutor", "num_threads * context", effect="executor", variant="multi_threaded"),
-    Api("rclpy.experimental.events_executor.EventsExecutor", "* context", effect="executor", variant="events"),
-    Api("rclpy.executors.Executor", "* context", effect="executor", variant="unknown"),
+    Api(
+        "rclpy.executors.SingleThreadedExecutor", "* context", effect="executor", executor=ExecutorKind.SINGLE_THREADED
+    ),
+    Api(
+        "rclpy.executors.MultiThreadedExecutor",
+        "num_threads * context",
+        effect="executor",
+        executor=ExecutorKind.MULTI_THREADED,
+    ),
+    Api(
+        "rclpy.experimental.events_executor.EventsExecutor",
+        "* context",
+        effect="executor",
+        executor=ExecutorKind.EVENTS,
+    ),
+    Api("rclpy.executors.Executor", "* context", effect="executor", executor=ExecutorKind.UNKNOWN),
     Api("rclpy.executors.Executor.add_node", "node", effect="add_node"),
     Api("rclpy.executors.Executor.spin", effect="executor_spin", watched=True),
     Api("rclpy.executors.Executor.spin_once", "timeout_sec", effect="executor_spin", watched=True),

@@ -9,6 +9,7 @@ from typing import Any
 import libcst as cst
 
 from archlint.syntax import facts
+from archlint.syntax.expressions import ComprehensionKind, DisplayKind, ParamKind
 from archlint.syntax.facts import Expr
 from archlint.syntax.python.lower_texts import TextLowering
 from archlint.syntax.python.operators import LARGEST_INTEGER, folded, operator_text
@@ -210,7 +211,7 @@ class ExpressionLowering:
     def _set(self, node: cst.Set) -> Expr:
         return self._sequence("set", node)
 
-    def _sequence(self, kind: str, node: cst.Tuple | cst.List | cst.Set) -> Expr:
+    def _sequence(self, kind: DisplayKind, node: cst.Tuple | cst.List | cst.Set) -> Expr:
         elements = [
             self._starred(element) if isinstance(element, cst.StarredElement) else self.lower(element.value)
             for element in node.elements
@@ -244,7 +245,7 @@ class ExpressionLowering:
 
     def _comprehension(
         self,
-        kind: str,
+        kind: ComprehensionKind,
         node: cst.BaseComp,
         element: cst.BaseExpression,
         value: cst.BaseExpression | None = None,
@@ -282,7 +283,7 @@ class ExpressionLowering:
             params.append(self._parameter(node.star_kwarg, "double_star"))
         return params
 
-    def _parameter(self, node: cst.Param, kind: str) -> facts.Param:
+    def _parameter(self, node: cst.Param, kind: ParamKind) -> facts.Param:
         annotation = None if node.annotation is None else self.lower(node.annotation.annotation)
         return facts.Param(self.identifier(node.name.value), kind, self.optional(node.default), annotation)
 

@@ -13,6 +13,7 @@ from archlint.syntax.python.lower_expressions import ExpressionLowering
 from archlint.syntax.python.lower_patterns import PatternLowering
 from archlint.syntax.python.operators import operator_text
 from archlint.syntax.python.positions import SpanFinder
+from archlint.syntax.statements import JumpKind
 
 MAX_NESTING = 100
 """Deepest nesting of statements, and longest chain of ``elif``, that is kept."""
@@ -127,11 +128,11 @@ class Lowering(ExpressionLowering):
         body.append(facts.Delete(targets, self.span(node)))
 
     def _jump(self, node: cst.Break | cst.Continue | cst.Pass, body: list[Stmt]) -> None:
-        body.append(facts.Jump(node.__class__.__name__.lower(), self.span(node)))
+        body.append(facts.Jump(_JUMPS[node.__class__], self.span(node)))
 
     def _global(self, node: cst.Global | cst.Nonlocal, body: list[Stmt]) -> None:
         names = [self.identifier(item.name.value) for item in node.names]
-        body.append(facts.Global(node.__class__.__name__.lower(), names))
+        body.append(facts.Global("global" if isinstance(node, cst.Global) else "nonlocal", names))
 
     def _import(self, node: cst.Import, body: list[Stmt]) -> None:
         for name in node.names:
@@ -242,6 +243,9 @@ class Lowering(ExpressionLowering):
     def _whole(self, node: cst.FunctionDef | cst.ClassDef) -> Span:
         """From the first decorator on."""
         return self.spans.between(node.decorators[0], node) if node.decorators else self.span(node)
+
+
+_JUMPS: dict[type[cst.CSTNode], JumpKind] = {cst.Break: "break", cst.Continue: "continue", cst.Pass: "pass"}
 
 
 def _private_prefix(class_name: str) -> str:
