@@ -8,6 +8,7 @@ import sys
 from collections.abc import Iterator, Mapping
 from typing import TYPE_CHECKING
 
+from archlint import cells
 from archlint.cli.exits import CLEAN
 from archlint.cli.options import Parser, add_configuration, add_paths, paths_of, settings_of
 from archlint.finding import Severity
@@ -28,9 +29,9 @@ def parser() -> argparse.ArgumentParser:
 def run(arguments: argparse.Namespace) -> int:
     settings = settings_of(arguments, paths_of(arguments)[0])
     origins = settings.origins
-    rows = [(f"{key} = {_toml(value)}", origins.get(key, "default")) for key, value in _values(settings)]
-    width = min(max(len(text) for text, _ in rows), 60)
-    sys.stdout.write("".join(f"{visible(text):<{width}}  # {visible(origin)}\n" for text, origin in rows))
+    rows = [(visible(f"{key} = {_toml(value)}"), origins.get(key, "default")) for key, value in _values(settings)]
+    width = min(max(cells.width(text) for text, _ in rows), 60)
+    sys.stdout.write("".join(f"{cells.padded(text, width)}  # {visible(origin)}\n" for text, origin in rows))
     sys.stdout.write(f"# rules that run: {', '.join(_running(settings))}\n")
     return CLEAN
 

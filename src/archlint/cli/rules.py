@@ -6,6 +6,7 @@ import argparse
 import sys
 from typing import Any
 
+from archlint import cells
 from archlint.cli.exits import CLEAN
 from archlint.cli.options import Parser
 from archlint.rulebook import Rule, rules
@@ -26,9 +27,7 @@ def run(arguments: argparse.Namespace) -> int:
 def _text(book: list[Rule]) -> str:
     rows = [["code", "name", "severity", "default", "fix", "finds"]]
     rows += [[one.code, one.name, one.severity.label, one.default, one.fix or "-", one.summary] for one in book]
-    widths = [max(map(len, column)) for column in zip(*rows, strict=True)]
-    lines = ("  ".join(map(str.ljust, row, widths)).rstrip() for row in rows)
-    return "".join(f"{line}\n" for line in lines)
+    return "".join(f"{line}\n" for line in cells.columns(rows))
 
 
 def _json(book: list[Rule]) -> str:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from functools import partial
 
+from archlint import cells
 from archlint import model as program
 from archlint.analysis.delivery import undelivered_on
 from archlint.model import Creation, ParameterDeclaration, Role
@@ -263,10 +264,13 @@ def _difference_row(one: Difference) -> Sequence[Cell]:
 def _table(rows: Sequence[Sequence[Cell]], paint: Paint) -> Iterator[str]:
     """Rows with aligned columns, indented by two; the last column is as wide as it is."""
     columns = zip(*rows, strict=True)
-    widths = [max((len(visible(t)) for t, _ in c if len(visible(t)) <= _WIDEST), default=0) for c in columns]
+    widths = [
+        max((width for text, _ in column if (width := cells.width(visible(text))) <= _WIDEST), default=0)
+        for column in columns
+    ]
     for row in rows:
-        cells = [
-            paint(text, style) + " " * (width - len(visible(text)))
+        shown = [
+            paint(text, style) + " " * (width - cells.width(visible(text)))
             for (text, style), width in zip(row, widths, strict=True)
         ]
-        yield "  " + "  ".join(cells).rstrip()
+        yield "  " + "  ".join(shown).rstrip()

@@ -5,11 +5,11 @@ A frame is made of lines, a line of pieces of text with a style, so that it can 
 
 from __future__ import annotations
 
-import unicodedata
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
+from archlint import cells
 from archlint.visible import visible
 
 if TYPE_CHECKING:
@@ -98,8 +98,8 @@ def _source(number: int, text: str, marks: Sequence[Mark], width: int) -> Iterat
         first, end = _columns(mark, len(text))
         before = clipped[0] + _shown(text[start : max(first, start)])
         under = _shown(text[max(first, start) : min(end, stop)])
-        line: Line = [*_gutter(width), ("plain", " " + " " * _cells(before))]
-        line.append((mark.style, ("^" if mark.primary else "-") * max(_cells(under), 1)))
+        line: Line = [*_gutter(width), ("plain", " " + " " * cells.width(before))]
+        line.append((mark.style, ("^" if mark.primary else "-") * max(cells.width(under), 1)))
         if mark.message:
             line.append((mark.style, " " + visible(mark.message)))
         yield line
@@ -124,16 +124,3 @@ def _window(text: str, marks: Sequence[Mark]) -> tuple[int, int]:
 
 def _shown(text: str) -> str:
     return "".join(_TAB if character == "\t" else visible(character) for character in text)
-
-
-def _cells(text: str) -> int:
-    """How many cells of a terminal a text takes: wide characters two, combining ones none."""
-    if text.isascii():
-        return len(text)
-    return sum(_cell(character) for character in text)
-
-
-def _cell(character: str) -> int:
-    if unicodedata.combining(character) or unicodedata.category(character) in ("Mn", "Me"):
-        return 0
-    return 2 if unicodedata.east_asian_width(character) in "WF" else 1
