@@ -6,86 +6,82 @@ import builtins
 from collections.abc import Iterator, Sequence
 
 from archlint.syntax import facts
+from archlint.syntax.parts import everything_in
 from archlint.syntax.walk import statements_of
 
 _ALWAYS = frozenset(dir(builtins)) | {"__file__", "__name__", "__doc__", "__package__", "__spec__", "__loader__"}
-_LATER = (facts.Lambda, facts.Comprehension, facts.Yield, facts.Await)
-"""Parts that run later, or whose names are their own."""
 
 
 def undefined_name(found: facts.Facts, function: str) -> facts.Name | None:
     """The first name that a module, or a ``function`` of it, surely reads and that no line of the file binds."""
-    every = list(_every(found.body))
-    if any(isinstance(one, facts.Opaque) or (isinstance(one, facts.ImportFrom) and _takes_all(one)) for one in every):
+    if _may_bind_anything(found.body):
         return None
-    bound = _ALWAYS.union(*(_bound_by(one) for one in every))
-    if any(isinstance(one, facts.Name) and one.id in _MAKES_NAMES for one in every):
-        return None
-    bodies = [found.body, *(one.body for one in found.body if isinstance(one, facts.Function) and one.name == function)]
-    return next((name for body in bodies for name in _read(body) if name.id not in bound), None)
+    bound = _ALWAYS.union(name for part in everything_in(found.body) for name in _bound_by(part))
+    functions = (one.body for one in found.body if isinstance(one, facts.Function) and one.name == function)
+    return next((name for body in (found.body, *functions) for name in _read(body) if name.id not in bound), None)
 
 
 _MAKES_NAMES = frozenset({"exec", "globals", "vars", "setattr"})
 
 
-def _takes_all(one: facts.ImportFrom) -> bool:
-    return any(name == "*" for name, _ in one.names)
+def _may_bind_anything(body: Sequence[facts.Stmt]) -> bool:
+    stars = (name == "*" for one in everything_in(body, facts.ImportFrom) for name, _ in one.names)
+    makers = (one.id in _MAKES_NAMES for one in everything_in(body, facts.Name))
+    return any(stars) or any(makers) or any(True for _ in everything_in(body, facts.Opaque))
 
 
-def _every(item: object) -> Iterator[object]:
-    """Every part of a file, functions in functions included."""
-    stack = [item]
-    while stack:
-        one = stack.pop()
-        if isinstance(one, (list, tuple)):
-            stack.extend(one)
-        elif isinstance(one, facts.Base):
-            yield one
-            stack.extend(getattr(one, name) for name in one.__struct_fields__)
-
-
-def _bound_by(one: object) -> set[str]:
+def _bound_by(part: facts.Base) -> Sequence[str]:
     """The names that a part binds, in whichever scope."""
-    if isinstance(one, (facts.Function, facts.Class, facts.Param)):
-        return {one.name}
-    if isinstance(one, (facts.Handler, facts.Pattern)):
-        return set() if one.name is None else {one.name}
-    if isinstance(one, facts.Import):
-        return {one.alias or one.module.partition(".")[0]}
-    if isinstance(one, facts.ImportFrom):
-        return {bound for _, bound in one.names}
-    if isinstance(one, facts.Global):
-        return set(one.names)
-    targets: Sequence[object] = one.targets if isinstance(one, facts.Assign) else [getattr(one, "target", None)]
-    return {part.id for part in _every(list(targets)) if isinstance(part, facts.Name)}
+    match part:
+        case facts.Function(name=name) | facts.Class(name=name) | facts.Param(name=name):
+            return [name]
+        case facts.Handler(name=str(name)) | facts.Pattern(name=str(name)):
+            return [name]
+        case facts.Import(module=module, alias=alias):
+            return [alias or module.partition(".")[0]]
+        case facts.ImportFrom(names=names):
+            return [bound for _, bound in names]
+        case facts.Global(names=names):
+            return names
+        case facts.Assign(targets=targets):
+            return [name.id for name in everything_in(targets, facts.Name)]
+        case (
+            facts.Annotated()
+            | facts.Augmented()
+            | facts.For()
+            | facts.WithItem()
+            | facts.Generator()
+            | facts.Assigned()
+        ):
+            return [name.id for name in everything_in(part.target, facts.Name)]
+    return []
 
 
 def _read(body: Sequence[facts.Stmt]) -> Iterator[facts.Name]:
     """The names that a body reads whatever happens, as far as that is certain."""
     for statement in body:
-        if isinstance(statement, (facts.Assign, facts.Annotated, facts.Augmented, facts.Expression, facts.Return)):
-            yield from _names(statement.value)
-        elif isinstance(statement, facts.If):
-            yield from _names(statement.test)
-        elif isinstance(statement, facts.For):
-            yield from _names(statement.iterable)
-        ends = (facts.Return, facts.Raise)
-        if any(isinstance(inner, ends) for inner in statements_of([statement])):
+        match statement:
+            case facts.Assign() | facts.Annotated() | facts.Augmented() | facts.Expression() | facts.Return():
+                yield from _names(statement.value)
+            case facts.If(test=test):
+                yield from _names(test)
+            case facts.For(iterable=iterable):
+                yield from _names(iterable)
+        if any(True for kind in (facts.Return, facts.Raise) for _ in statements_of([statement], kind)):
             return
 
 
 def _names(value: facts.Expr | None) -> Iterator[facts.Name]:
     """The names in an expression that are looked up whenever it is evaluated, in the order of the source."""
-    stack: list[object] = [value]
+    stack: list[facts.Base] = [] if value is None else [value]
     while stack:
-        one = stack.pop()
-        if isinstance(one, facts.Name):
-            yield one
-        elif isinstance(one, facts.Conditional):
-            stack.append(one.test)
-        elif isinstance(one, facts.Boolean):
-            stack.append(one.values[0])
-        elif isinstance(one, (list, tuple)):
-            stack.extend(reversed(one))
-        elif isinstance(one, facts.Base) and not isinstance(one, _LATER):
-            stack.extend(getattr(one, name) for name in reversed(one.__struct_fields__))
+        part = stack.pop()
+        match part:
+            case facts.Name():
+                yield part
+            case facts.Conditional(test=first) | facts.Boolean(values=[first, *_]):
+                stack.append(first)
+            case facts.Lambda() | facts.Comprehension() | facts.Yield() | facts.Await():
+                pass  # they run later, or their names are their own
+            case _:
+                stack.extend(reversed(part.children()))
