@@ -11,16 +11,14 @@ from archlint.interpreter.values import (
     ClassValue,
     External,
     Instance,
-    Known,
     OneOf,
     Unknown,
     Value,
-    alternatives,
-    one_of,
     reason,
 )
-from archlint.launch.objects import ENTITIES, GIVEN, MADE_BY_BASE, LaunchObject
+from archlint.launch.objects import ENTITIES, GIVEN, MADE_BY_BASE, LaunchObject, entities_of, given, launch_object
 from archlint.launch.substitutions.paths import package_share
+from archlint.launch.substitutions.texts import each_text
 from archlint.launch.tables import CONDITIONS, SUBSTITUTIONS
 from archlint.libraries.api_use import argument_places
 from archlint.syntax import facts
@@ -31,12 +29,12 @@ if TYPE_CHECKING:
     from archlint.libraries.run import Run
 
 
-def launch_object(run: Run, call: ApiUse) -> LaunchObject:
+def made_object(run: Run, call: ApiUse) -> LaunchObject:
     """An action, substitution, condition … with its arguments by name, where each is written, and the branches
     of the launch file's own code that it is made in."""
-    made = LaunchObject(
-        External(call.api.path),
+    made = launch_object(
         run.store.new_key(),
+        call.api.variant,
         run.place(call.expression.span) if call.expression is not None and run.activations else None,
         dict(call.arguments),
         places=argument_places(run, call.api, call.expression),
@@ -52,12 +50,13 @@ def launch_object(run: Run, call: ApiUse) -> LaunchObject:
 
 
 def _items(run: Run, value: Value | None) -> Items:
-    if value is None or value == NONE:
-        return Items(())
-    if isinstance(value, OneOf):
-        return Items((value,))
-    found = containers.iterate(run, value)
-    return Items((value,), True) if found is None else found
+    match given(value):
+        case None:
+            return Items(())
+        case OneOf() as several:
+            return Items((several,))
+        case actions:
+            return containers.iterate(run, actions) or Items((actions,), True)
 
 
 def _package_path(run: Run, call: ApiUse) -> Value:
@@ -66,7 +65,7 @@ def _package_path(run: Run, call: ApiUse) -> Value:
 
 SEARCH_PATHS = "the environment variable AMENT_PREFIX_PATH"
 
-EFFECTS = {"launch_object": launch_object, "package_path": _package_path}
+EFFECTS = {"launch_object": made_object, "package_path": _package_path}
 """By the names that the rows of launch's table have."""
 
 
@@ -74,8 +73,7 @@ def _add(run: Run, receiver: Value, args: list[Value], keywords: dict[str, Value
     """``LaunchDescription.add_action``."""
     if not isinstance(receiver, Instance):
         return NONE
-    known = run.store.get(receiver.key, ENTITIES)
-    items = known if isinstance(known, Items) else Items(())
+    items = entities_of(run, receiver) or Items(())
     for value in [*args, *keywords.values()]:
         items = Items((*items.values, _in_branch(run, value)), items.open)
     run.store.set(receiver.key, ENTITIES, items)
@@ -86,15 +84,14 @@ def _in_branch(run: Run, value: Value) -> Value:
     """An action that is added in a branch of the code is conditional, wherever it was made."""
     if not run.branch_arms:
         return value
-    key = run.store.new_key()
-    return LaunchObject(External("launch.Branch"), key, None, {"action": value}, branch_arms=frozenset(run.branch_arms))
+    arms = frozenset(run.branch_arms)
+    return launch_object(run.store.new_key(), "Branch", None, {"action": value}, branch_arms=arms)
 
 
 def _find(run: Run, receiver: Value, args: list[Value], keywords: dict[str, Value], e: facts.Call | None) -> Value:
     """``FindPackageShare('pkg').find('pkg')``."""
-    given = [*args, *keywords.values()]
-    rows = alternatives(given[0]) if given else ()
-    return one_of(package_share(str(row.value)) if isinstance(row, Known) else Unknown(reason(row)) for row in rows)
+    names = [*args, *keywords.values()]
+    return each_text(names[0], package_share) if names else Unknown("no value")
 
 
 def _performed(run: Run, receiver: Value, args: list[Value], keywords: dict[str, Value], e: facts.Call | None) -> Value:
@@ -174,8 +171,8 @@ def note_given(run: Run, made: Instance, cls: ClassValue, site: CallSite) -> Non
 
 def entities(run: Run, description: Instance) -> Value | None:
     """``LaunchDescription.entities``."""
-    actions = run.store.get(description.key, ENTITIES)
-    return containers.new_list(run, actions.values, "list", actions.open) if isinstance(actions, Items) else None
+    actions = entities_of(run, description)
+    return None if actions is None else containers.new_list(run, actions.values, "list", actions.open)
 
 
-__all__ = ["EFFECTS", "METHODS", "PLAIN", "SEARCH_PATHS", "UNDECIDED", "entities", "launch_object", "note_given"]
+__all__ = ["EFFECTS", "METHODS", "PLAIN", "SEARCH_PATHS", "UNDECIDED", "entities", "made_object", "note_given"]

@@ -20,9 +20,9 @@ from archlint.interpreter.values import (
 )
 from archlint.launch import calls
 from archlint.launch.model import FileKind
-from archlint.launch.objects import LaunchObject, made_by_base
+from archlint.launch.objects import LaunchObject, argument, known_text, made_by_base
 from archlint.launch.perform_calls import perform_method
-from archlint.launch.substitutions.paths import package_share
+from archlint.launch.substitutions.paths import package_prefix, package_share
 from archlint.launch.tables import CONDITIONS, SUBSTITUTIONS
 from archlint.syntax import facts
 from archlint.syntax.safe_yaml import YamlError, YamlReader
@@ -36,12 +36,14 @@ NODES = frozenset({"Node", "LifecycleNode", "ComposableNodeContainer", "Composab
 
 def _launch_object(run: LaunchRun, call: ApiUse) -> LaunchObject:
     """Note, too, where nodes and declarations are made, whether they then become part of the launch or not."""
-    made = calls.launch_object(run, call)
-    name = made.arguments.get("name")
-    if call.api.variant in NODES and made.place is not None:
+    made = calls.made_object(run, call)
+    if made.place is None:
+        return made
+    if made.kind in NODES:
         run.result.made.add(made.place)
-    if call.api.variant == "DeclareLaunchArgument" and isinstance(name, Known) and made.place is not None:
-        run.result.written.setdefault((run.file, str(name.value)), made.place)
+    name = known_text(made.arguments.get("name"))
+    if made.kind == "DeclareLaunchArgument" and name is not None:
+        run.result.written.setdefault((run.file, name), made.place)
     return made
 
 
@@ -49,17 +51,18 @@ def _package_path(run: LaunchRun, call: ApiUse) -> Value:
     """``get_package_share_directory('pkg')``."""
     if call.api.variant == "search paths":
         return Unknown(calls.SEARCH_PATHS)
-    rows: list[Value] = []
-    for option in alternatives(call.get("package_name") or Unknown("no package is given")):
-        name = run.perform(option)
-        if not isinstance(name, Known):
-            rows.append(Unknown(reason(name)))
-        elif call.api.variant == "share":
-            share = package_share(str(name.value))
-            rows.append(replace(share, kind="path") if call.api.path.endswith("_path") else share)
-        else:
-            rows.append(Known(f"$(find-pkg-prefix {name.value!s})"))
-    return one_of(rows)
+    options = alternatives(call.get("package_name") or Unknown("no package is given"))
+    return one_of(_path_of(call, run.perform(option)) for option in options)
+
+
+def _path_of(call: ApiUse, name: Value) -> Value:
+    package = known_text(name)
+    if package is None:
+        return Unknown(reason(name))
+    if call.api.variant != "share":
+        return package_prefix(package)
+    share = package_share(package)
+    return replace(share, kind="path") if call.api.path.endswith("_path") else share
 
 
 EFFECTS = {"launch_object": _launch_object, "package_path": _package_path}
@@ -94,16 +97,15 @@ def _perform_all(run: LaunchRun, args: list[Value], keywords: dict[str, Value], 
 
 def _path(run: LaunchRun, args: list[Value], keywords: dict[str, Value], e: facts.Call | None) -> Value:
     """``Path(a, b)`` in a launch file is a text for us: launch takes both."""
-    texts = [part.value for part in args if isinstance(part, Known)]
+    texts = [text for text in map(known_text, args) if text is not None]
     if len(texts) != len(args) or not args:
         return Unknown(reason(*args))
-    return Known(posixpath.join(*map(str, texts)), kind="path")
+    return Known(posixpath.join(*texts), kind="path")
 
 
 def _same_path(run: LaunchRun, args: list[Value], keywords: dict[str, Value], e: facts.Call | None) -> Value:
-    if args and isinstance(args[0], Known):
-        return Known(posixpath.normpath(str(args[0].value)))
-    return Unknown("a path of this machine")
+    path = known_text(args[0]) if args else None
+    return Unknown("a path of this machine") if path is None else Known(posixpath.normpath(path))
 
 
 def _open(run: LaunchRun, args: list[Value], keywords: dict[str, Value], e: facts.Call | None) -> Value:
@@ -115,8 +117,7 @@ def _open(run: LaunchRun, args: list[Value], keywords: dict[str, Value], e: fact
 
 def _load_yaml(run: LaunchRun, args: list[Value], keywords: dict[str, Value], e: facts.Call | None) -> Value:
     """``yaml.safe_load(file)``: what a YAML file of this workspace holds."""
-    given = args[0] if args else Unknown("no file")
-    path = given.arguments.get("path") if isinstance(given, Instance) else None
+    path = argument(args[0], "path") if args else None
     if path is None:
         return Unknown("the content of a YAML file")
     text = run.paths.text(run.resolve(FileKind.PARAMETERS, path, run.place_now))

@@ -7,7 +7,6 @@ from typing import TYPE_CHECKING
 
 from archlint.branches import UnfollowedCondition
 from archlint.interpreter import decisions
-from archlint.interpreter.attributes import get_attribute
 from archlint.interpreter.values import (
     BoundMethod,
     ClassValue,
@@ -20,7 +19,7 @@ from archlint.interpreter.values import (
     Value,
     alternatives,
 )
-from archlint.launch.objects import argument, kind_of, made_by_base
+from archlint.launch.objects import LaunchObject, argument, kind_of, known_text, made_by_base, own_method
 from archlint.launch.shapes import OPAQUE, WHERE, shape_of
 from archlint.launch.substitutions.logic import truth_of
 from archlint.launch.tables import SUBSTITUTIONS
@@ -35,25 +34,25 @@ def judge(run: LaunchRun, condition: Value | None) -> Verdict:
     """The verdict on a ``condition=`` argument."""
     if condition is None:
         return ALWAYS
-    if isinstance(condition, OneOf):
-        return _one_of_several(run, condition)
-    kind = kind_of(condition)
-    if kind in ("IfCondition", "UnlessCondition"):
-        expected = kind == "IfCondition"
-        given = argument(condition, "predicate_expression")
-        holds = truth_of(run.perform(given))
-        if holds is not None:
-            return Verdict(holds is expected)
-        return Verdict(None, _branch(run, given, expected))
-    if kind in ("LaunchConfigurationEquals", "LaunchConfigurationNotEquals"):
-        return _equality(run, condition, kind == "LaunchConfigurationEquals")
+    match condition:
+        case OneOf():
+            return _one_of_several(run, condition)
+        case LaunchObject(kind="IfCondition" | "UnlessCondition" as kind):
+            return _truth(run, condition.argument("predicate_expression"), kind == "IfCondition")
+        case LaunchObject(kind="LaunchConfigurationEquals" | "LaunchConfigurationNotEquals" as kind):
+            return _equality(run, condition, kind == "LaunchConfigurationEquals")
     holds = _asked(run, condition)
     if holds is not None:
         return Verdict(holds)
     base = made_by_base(run, condition)
-    if base is not None and kind_of(base) != "Condition" and _own_predicate(run, condition) is None:
+    if base is not None and base.kind != "Condition" and _own_predicate(run, condition) is None:
         return judge(run, base)
     return Verdict(None, _branch(run, condition, True))
+
+
+def _truth(run: LaunchRun, predicate: Value | None, expected: bool) -> Verdict:
+    holds = truth_of(run.perform(predicate))
+    return Verdict(None, _branch(run, predicate, expected)) if holds is None else Verdict(holds is expected)
 
 
 def _one_of_several(run: LaunchRun, condition: OneOf) -> Verdict:
@@ -79,45 +78,33 @@ def _asked(run: LaunchRun, condition: Value) -> bool | None:
 
 
 def _own_predicate(run: LaunchRun, condition: Value) -> Value | None:
-    if not isinstance(condition, Instance) or not isinstance(condition.cls, ClassValue):
-        return None
-    for name in _PREDICATES:
-        found = get_attribute(run, condition, name)
-        if isinstance(found, BoundMethod) and isinstance(found.function, FunctionValue):
-            return found
+    match condition:
+        case Instance(cls=ClassValue()):
+            return next((found for name in _PREDICATES if (found := own_method(run, condition, name))), None)
     return None
 
 
-def _equality(run: LaunchRun, condition: Value, wanted: bool) -> Verdict:
-    name = run.perform(argument(condition, "launch_configuration_name"))
-    given = argument(condition, "expected_value")
-    if not isinstance(name, Known):
+def _equality(run: LaunchRun, condition: LaunchObject, wanted: bool) -> Verdict:
+    name = run.text_of(condition.argument("launch_configuration_name"))
+    given = condition.argument("expected_value")
+    if name is None:
         return Verdict(None, _branch(run, condition, True))
-    text = str(name.value)
-    run.result.read.add(text)
-    found = run.launch.configurations.get(text)
+    run.result.read.add(name)
+    found = run.launch.configurations.get(name)
     if given is None:
         return Verdict((found is None) is wanted)
-    expected = run.perform(given)
-    verdicts = set()
-    for option in alternatives(found) if found is not None else ():
-        both = isinstance(option, Known) and isinstance(expected, Known)
-        verdicts.add(_same(option, expected) if both else None)
+    expected = run.text_of(given)
     if found is None:
-        verdicts = {False}
+        return Verdict(not wanted)
+    if expected is None:
+        return Verdict(None, _branch(run, condition, True))
+    texts = set(map(known_text, alternatives(found)))
+    verdicts = {None if text is None else text == expected for text in texts}
     if len(verdicts) == 1 and None not in verdicts:
         return Verdict(verdicts.pop() is wanted)
-    if not isinstance(expected, Known):
-        return Verdict(None, _branch(run, condition, True))
-    arm = _arm_of_value(run, run.argument_behind(text), str(expected.value), wanted)
-    if found is not None:
-        run.note_open_test(arm[0], found)
+    arm = _arm_of_value(run, run.argument_behind(name), expected, wanted)
+    run.note_open_test(arm[0], found)
     return Verdict(None, arm)
-
-
-def _same(one: Value, other: Value) -> bool:
-    assert isinstance(one, Known) and isinstance(other, Known)
-    return str(one.value) == str(other.value)
 
 
 def _arm_of_value(run: LaunchRun, name: str, text: str, wanted: bool) -> tuple[str, int]:
@@ -186,20 +173,25 @@ def _known_form(run: LaunchRun, shape: str, expected: bool) -> tuple[str, int] |
 
 def mistaken(run: LaunchRun, condition: Value) -> str | None:
     """What a ``condition=`` is that has no ``evaluate`` for launch to call; None for what has one, or may."""
-    if isinstance(condition, FunctionValue):
-        return "a lambda" if isinstance(condition.ir, facts.Lambda) else f"the function '{condition.qualified}'"
-    if isinstance(condition, (BoundMethod, Partial)):
-        return "a callable"
-    if isinstance(condition, Known):
-        return f"the text '{condition.value}'" if isinstance(condition.value, str) else f"the value {condition.value!r}"
-    if isinstance(condition, ListValue):
-        return f"a {condition.kind}"
-    if kind_of(condition) in SUBSTITUTIONS:
-        return f"a {kind_of(condition)}"
-    if isinstance(condition, Instance) and isinstance(condition.cls, ClassValue):
-        bases = {kind_of(made_by_base(run, condition)), *map(_last, condition.cls.external_bases())}
-        if bases & {"Substitution", *SUBSTITUTIONS} and _own_predicate(run, condition) is None:
-            return f"a {condition.cls.qualified}"
+    match condition:
+        case FunctionValue(ir=facts.Lambda()):
+            return "a lambda"
+        case FunctionValue(qualified=name):
+            return f"the function '{name}'"
+        case BoundMethod() | Partial():
+            return "a callable"
+        case Known(value=str(text)):
+            return f"the text '{text}'"
+        case Known(value=value):
+            return f"the value {value!r}"
+        case ListValue(kind=kind):
+            return f"a {kind}"
+        case LaunchObject(is_substitution=True, kind=kind):
+            return f"a {kind}"
+        case Instance(cls=ClassValue() as cls):
+            bases = {kind_of(made_by_base(run, condition)), *map(_last, cls.external_bases())}
+            if bases & {"Substitution", *SUBSTITUTIONS} and _own_predicate(run, condition) is None:
+                return f"a {cls.qualified}"
     return None
 
 

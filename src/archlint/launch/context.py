@@ -6,6 +6,7 @@ from dataclasses import dataclass, field
 
 from archlint.interpreter.values import Holed, Known, Unknown, Value, alternatives, join_texts, one_of
 from archlint.launch.model import OpenParameters, ParameterFileUse, ParameterSetting, Remap
+from archlint.launch.objects import known_text
 
 Global = list["ParameterSetting | ParameterFileUse | OpenParameters"]
 
@@ -20,6 +21,11 @@ class Context:
     namespace: Value | None = None
     remaps: list[Remap] | None = None
     parameters: Global | None = None
+
+    def known_configurations(self) -> dict[str, str]:
+        """The launch configurations whose text is known."""
+        texts = ((name, known_text(value)) for name, value in self.configurations.items())
+        return {name: text for name, text in texts if text is not None}
 
     def copy(self) -> Context:
         """What ``PushLaunchConfigurations`` and ``PushEnvironment`` keep."""
@@ -72,10 +78,10 @@ def prefix_namespace(base: Value | None, namespace: Value | None) -> Value | Non
 
     The root as ``base`` adds nothing in front of the slash: ``/`` and ``robot`` make ``/robot``.
     """
-    if namespace is None or base is None or _is(base, ""):
+    if namespace is None or base is None or known_text(base) == "":
         found = namespace if namespace is not None else base
         return None if found is None else _stripped(found)
-    if _is(namespace, ""):
+    if known_text(namespace) == "":
         return _stripped(base)
     rows = [_below(one, other) for one in alternatives(base) for other in alternatives(namespace)]
     return _stripped(one_of(rows))
@@ -85,11 +91,11 @@ def _below(base: Value, namespace: Value) -> Value:
     start = _start(namespace)
     if start is None:
         return Unknown(_why(namespace))
-    if start.startswith("/") or _is(base, ""):
+    if start.startswith("/") or known_text(base) == "":
         return namespace
-    if _is(namespace, ""):
+    if known_text(namespace) == "":
         return base
-    return join_texts((Known("") if _is(base, "/") else base, Known("/"), namespace))
+    return join_texts((Known("") if known_text(base) == "/" else base, Known("/"), namespace))
 
 
 def absolute(namespace: Value | None) -> Value | None:
@@ -106,27 +112,29 @@ def absolute(namespace: Value | None) -> Value | None:
     return one_of(rows)
 
 
-def _is(value: Value, text: str) -> bool:
-    return isinstance(value, Known) and value.value == text
-
-
 def _start(value: Value) -> str | None:
     """What a text starts with; None where that is not known."""
-    if isinstance(value, Known):
-        return str(value.value)
-    if isinstance(value, Holed):
-        return value.parts[0]
+    match value:
+        case Known(value=text):
+            return str(text)
+        case Holed(parts=parts):
+            return parts[0]
     return None
 
 
 def _why(value: Value) -> str:
-    return value.reason if isinstance(value, (Unknown, Holed)) else "the namespace is not known"
+    match value:
+        case Unknown(reason=reason) | Holed(reason=reason):
+            return reason
+    return "the namespace is not known"
 
 
 def _stripped(value: Value) -> Value:
     rows: list[Value] = []
     for option in alternatives(value):
-        if isinstance(option, Known) and option.value != "/":
-            option = Known(str(option.value).rstrip("/"), option.via, option.origin, option.kind)
-        rows.append(option)
+        match option:
+            case Known(value=text) if text != "/":
+                rows.append(Known(str(text).rstrip("/"), option.via, option.origin, option.kind))
+            case _:
+                rows.append(option)
     return one_of(rows)

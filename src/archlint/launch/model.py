@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from dataclasses import dataclass, field
 from typing import ClassVar
 
@@ -170,6 +171,11 @@ class ParameterFileUse:
 
 
 Parameters = list["ParameterSetting | ParameterFileUse | OpenParameters"]
+
+
+def files_among(parameters: Iterable[ParameterSetting | ParameterFileUse | OpenParameters]) -> list[ParameterFileUse]:
+    """The parameter files among what sets parameters."""
+    return [one for one in parameters if isinstance(one, ParameterFileUse)]
 
 
 @dataclass(frozen=True)

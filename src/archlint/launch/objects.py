@@ -5,7 +5,10 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
 
-from archlint.interpreter.values import External, Instance, Known, Value
+from archlint.interpreter.attributes import get_attribute
+from archlint.interpreter.heap import Items
+from archlint.interpreter.values import NONE, BoundMethod, External, FunctionValue, Instance, Known, Value
+from archlint.launch.tables import SUBSTITUTIONS
 
 if TYPE_CHECKING:
     from archlint.branches import BranchArms
@@ -29,6 +32,8 @@ PAIR_PLACE = "#place"
 class LaunchObject(Instance):
     """An object of a class that is in launch's tables, with its arguments by the names that its constructor has."""
 
+    kind: str = ""
+    """The name of its class, by which launch's tables know it."""
     places: dict[str, Place] = field(default_factory=dict)
     """Where each argument is written."""
     rest: tuple[Value, ...] = ()
@@ -38,31 +43,88 @@ class LaunchObject(Instance):
     branch_arms: BranchArms = frozenset()
     """The branches of the launch file's own code that it is made in."""
 
+    @property
+    def is_substitution(self) -> bool:
+        """Whether it stands for a text."""
+        return self.kind in SUBSTITUTIONS
+
+    def argument(self, name: str) -> Value | None:
+        """A constructor argument; None where it was not given, or is None."""
+        return given(self.arguments.get(name))
+
+    def given(self, name: str) -> Value:
+        """A constructor argument, ``None`` itself where it was not given."""
+        return self.arguments.get(name, NONE)
+
+
+def launch_object(
+    key: int,
+    kind: str,
+    place: Place | None,
+    arguments: dict[str, Value],
+    *,
+    places: dict[str, Place] | None = None,
+    rest: tuple[Value, ...] = (),
+    open: bool = False,
+    branch_arms: BranchArms = frozenset(),
+) -> LaunchObject:
+    """An object of launch's class of a name."""
+    cls = External(f"{OWN}{kind}")
+    return LaunchObject(cls, key, place, arguments, "", kind, places or {}, rest, open, branch_arms)
+
+
+def given(value: Value | None) -> Value | None:
+    """What an argument or a default is; None for Python's ``None``, which launch takes for nothing."""
+    return None if value == NONE else value
+
 
 def kind_of(value: Value | None) -> str:
-    """``Node`` for an object of launch's or launch_ros' ``Node`` …; empty for anything else."""
-    if isinstance(value, Instance) and isinstance(value.cls, External) and value.cls.path.startswith(OWN):
-        return value.cls.path.removeprefix(OWN)
+    """``Node`` for an object of launch's or launch_ros' ``Node`` …, be it in the tables or not; empty for anything
+    else."""
+    match value:
+        case LaunchObject():
+            return value.kind
+        case Instance(cls=External(path=path)) if path.startswith(OWN):
+            return path.removeprefix(OWN)
     return ""
 
 
 def argument(value: Value | None, name: str) -> Value | None:
-    """A constructor argument; None where it was not given, or is None."""
-    found = value.arguments.get(name) if isinstance(value, Instance) else None
-    return None if isinstance(found, Known) and found.value is None else found
+    """A constructor argument of an object; None where it was not given, or is None."""
+    return given(value.arguments.get(name)) if isinstance(value, Instance) else None
 
 
-def places_of(value: Value | None) -> dict[str, Place]:
-    """Where the arguments of an object are written."""
-    return value.places if isinstance(value, LaunchObject) else {}
+def place_of(value: Value | None) -> Place | None:
+    """Where an object is made."""
+    return value.place if isinstance(value, Instance) else None
 
 
-def made_by_base(machine: Machine, value: Value | None) -> Instance | None:
+def made_by_base(machine: Machine, value: Value | None) -> LaunchObject | None:
     """For an object of a workspace's class that derives from one of launch's: what ``super().__init__()`` made."""
     made = machine.store.get(value.key, MADE_BY_BASE) if isinstance(value, Instance) else None
-    return made if isinstance(made, Instance) else None
+    return made if isinstance(made, LaunchObject) else None
 
 
-def has_more_arguments(value: Value) -> bool:
-    """Whether an object may be given more than is known."""
-    return isinstance(value, LaunchObject) and value.open
+def own_method(machine: Machine, value: Instance, name: str) -> BoundMethod | None:
+    """A method of an object that its class, or one that it derives from in the workspace, defines."""
+    match get_attribute(machine, value, name):
+        case BoundMethod(function=FunctionValue()) as method:
+            return method
+    return None
+
+
+def given_of(machine: Machine, value: Instance) -> tuple[tuple[str, Value], ...] | None:
+    """What the constructor of an object was given, by name or position; None where that is not known in full."""
+    given = machine.store.get(value.key, GIVEN)
+    return given if isinstance(given, tuple) else None
+
+
+def entities_of(machine: Machine, description: Instance) -> Items | None:
+    """The actions of a launch description."""
+    entities = machine.store.get(description.key, ENTITIES)
+    return entities if isinstance(entities, Items) else None
+
+
+def known_text(value: Value | None) -> str | None:
+    """The text that a constant is to launch; None for what is not known in full."""
+    return str(value.value) if isinstance(value, Known) else None

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from archlint.finding import Place
@@ -13,16 +12,14 @@ from archlint.interpreter.values import (
     DictValue,
     External,
     Holed,
-    Instance,
     Known,
     ListValue,
     OneOf,
-    Unknown,
     Value,
     reason,
 )
 from archlint.launch.model import FileKind, OpenParameters, ParameterFileUse, ParameterSetting
-from archlint.launch.objects import argument, kind_of
+from archlint.launch.objects import LaunchObject, kind_of, known_text, place_of
 from archlint.launch.tables import SUBSTITUTIONS
 from archlint.syntax.parameter_files import NotKnown
 from archlint.syntax.safe_yaml import YamlError, YamlReader, plain_scalar
@@ -44,66 +41,56 @@ SETTINGS = 4_096
 
 def parameters_of(run: LaunchRun, value: Value | None, place: Place) -> list[Parameter]:
     """What a list of parameters sets, in order."""
-    if value is None:
-        return []
-    if isinstance(value, OneOf):
-        with run.perhaps():
-            options = [found for option in value.values for found in parameters_of(run, option, place)]
-        return [OpenParameters("one of several lists of parameters", place, of_several=True), *options]
-    items = containers.iterate(run, value) if isinstance(value, ListValue) else None
-    if items is None:
-        if isinstance(value, (DictValue, Known)) or kind_of(value):
+    match value:
+        case None:
+            return []
+        case OneOf(values=options):
+            with run.perhaps():
+                rows = [row for option in options for row in parameters_of(run, option, place)]
+            return [OpenParameters("one of several lists of parameters", place, of_several=True), *rows]
+        case ListValue():
+            items = containers.items_of(run, value)
+            rows = [row for item in items.values for row in _one(run, item, place)]
+            return [*rows, OpenParameters("a list of parameters that is not known", place)] if items.open else rows
+        case DictValue() | Known():
             return list(_one(run, value, place))
-        return [OpenParameters(reason(value), place)]
-    found: list[Parameter] = []
-    for item in items.values:
-        found.extend(_one(run, item, place))
-    if items.open:
-        found.append(OpenParameters("a list of parameters that is not known", place))
-    return found
+    return list(_one(run, value, place)) if kind_of(value) else [OpenParameters(reason(value), place)]
 
 
 def _one(run: LaunchRun, item: Value, place: Place) -> Iterator[Parameter]:
-    kind = kind_of(item)
-    if isinstance(item, Instance) and item.place is not None:
-        place = item.place
-    if isinstance(item, OneOf):
-        yield OpenParameters("one of several parameters", place, of_several=True)
-        with run.perhaps():
-            found = [one for option in item.values for one in _one(run, option, place)]
-        yield from found
-    elif isinstance(item, DictValue):
-        yield from _entries(run, item, (), place, _Room())
-    elif kind == "Parameter":
-        yield setting(run, run.perform(argument(item, "name")), _given(item, "value"), place)
-    elif kind == "ParameterFile":
-        substitutions = argument(item, "allow_substs") == Known(True)
-        yield file_use(run, argument(item, "param_file"), place, substitutions)
-    elif isinstance(item, Known) or kind in SUBSTITUTIONS or isinstance(item, (ListValue, Holed)):
-        yield file_use(run, item, place)
-    else:
-        yield OpenParameters(reason(item), place)
+    place = place_of(item) or place
+    match item:
+        case OneOf(values=options):
+            yield OpenParameters("one of several parameters", place, of_several=True)
+            with run.perhaps():
+                rows = [row for option in options for row in _one(run, option, place)]
+            yield from rows
+        case DictValue():
+            yield from _entries(run, item, (), place, _Room())
+        case LaunchObject(kind="Parameter"):
+            yield setting(run, run.perform(item.argument("name")), item.given("value"), place)
+        case LaunchObject(kind="ParameterFile"):
+            substitutions = item.argument("allow_substs") == Known(True)
+            yield file_use(run, item.argument("param_file"), place, substitutions)
+        case Known() | ListValue() | Holed() | LaunchObject(is_substitution=True):
+            yield file_use(run, item, place)
+        case _:
+            yield OpenParameters(reason(item), place)
 
 
 def file_use(run: LaunchRun, value: Value | None, place: Place, substitutions: bool = False) -> ParameterFileUse:
-    if isinstance(value, Known) and value.origin is not None and value.kind == "literal":
-        place = value.origin
+    match value:
+        case Known(kind="literal", origin=origin) if origin is not None:
+            place = origin
     path = run.perform(value)
-    made = run.made_files.get(str(path.value)) if isinstance(path, Known) else None
-    if made is not None and isinstance(path, Known):
-        path = Known(made.source, origin=path.origin)
+    made = run.made_files.get(known_text(path) or "")
+    match path:
+        case Known(origin=origin) if made is not None:
+            path = Known(made.source, origin=origin)
     reference = run.reference(FileKind.PARAMETERS, path, place)
-    known: tuple[tuple[str, str], ...] = ()
-    if substitutions:
-        rows = run.launch.configurations.items()
-        known = tuple(sorted((name, str(one.value)) for name, one in rows if isinstance(one, Known)))
+    known = sorted(run.launch.known_configurations().items()) if substitutions else ()
     changes = () if made is None else made.changes
-    return ParameterFileUse(reference, place, substitutions, configurations=known, changes=changes)
-
-
-def _given(item: Value, name: str) -> Value:
-    found = item.arguments.get(name) if isinstance(item, Instance) else None
-    return found if found is not None else Known(None)
+    return ParameterFileUse(reference, place, substitutions, configurations=tuple(known), changes=changes)
 
 
 class _Room:
@@ -121,41 +108,48 @@ def _entries(run: LaunchRun, item: DictValue, within: Within, place: Place, room
         return
     entries = containers.entries_of(run, item)
     for key, value in entries.entries.values():
-        name = run.perform(key)
-        where = key.origin if isinstance(key, Known) and key.origin is not None else place
-        if isinstance(name, Known) and within:
-            name = Known(f"{within[-1][0]}.{name.value!s}")
-        if isinstance(value, DictValue) and isinstance(name, Known):
-            room.depth += 1
-            yield from _entries(run, value, (*within, (str(name.value), where)), where, room)
-            room.depth -= 1
-        else:
-            yield replace(setting(run, name, value, where), within=within)
+        name, where = run.perform(key), _written_at(key) or place
+        text = known_text(name)
+        if text is not None and within:
+            text = f"{within[-1][0]}.{text}"
+        match value:
+            case DictValue() if text is not None:
+                room.depth += 1
+                yield from _entries(run, value, (*within, (text, where)), where, room)
+                room.depth -= 1
+            case _:
+                yield ParameterSetting(text, python_of(run, value), where, within=within)
     if entries.open:
         yield OpenParameters("a dict of parameters with entries that are not known", place)
 
 
+def _written_at(key: Value) -> Place | None:
+    return key.origin if isinstance(key, Known) else None
+
+
 def setting(run: LaunchRun, name: Value, value: Value, place: Place) -> ParameterSetting:
-    text = str(name.value) if isinstance(name, Known) else None
-    return ParameterSetting(text, python_of(run, value), place)
+    return ParameterSetting(known_text(name), python_of(run, value), place)
 
 
 def python_of(run: LaunchRun, value: Value) -> object:
     """The value of a parameter, or :class:`NotKnown`: constants as they are, the text of a substitution as YAML."""
-    if isinstance(value, Known):
-        return NotKnown("None is no value of a parameter") if value.value is None else value.value
-    kind = kind_of(value)
-    if kind == "ParameterValue":
-        return _typed(run, value)
-    if kind in SUBSTITUTIONS:
-        return _of_text(run.perform(value))
-    if isinstance(value, ListValue):
-        return _list(run, value)
+    match value:
+        case Known(value=None):
+            return NotKnown("None is no value of a parameter")
+        case Known(value=constant):
+            return constant
+        case LaunchObject(kind="ParameterValue"):
+            return _typed(run, value)
+        case LaunchObject(is_substitution=True):
+            return _of_text(run.perform(value))
+        case ListValue():
+            return _list(run, value)
     return NotKnown(reason(value))
 
 
 def _of_text(text: Value) -> object:
-    return from_yaml(str(text.value)) if isinstance(text, Known) else NotKnown(reason(text))
+    known = known_text(text)
+    return NotKnown(reason(text)) if known is None else from_yaml(known)
 
 
 def _list(run: LaunchRun, value: ListValue) -> object:
@@ -163,9 +157,10 @@ def _list(run: LaunchRun, value: ListValue) -> object:
     items = containers.items_of(run, value)
     if items.open:
         return NotKnown("a list that is not known to its end")
-    if any(kind_of(item) in SUBSTITUTIONS for item in items.values):
-        if all(kind_of(item) in SUBSTITUTIONS for item in items.values) and len(items.values) > 1:
-            return NotKnown("a list of substitutions only")
+    substitutions = sum(kind_of(item) in SUBSTITUTIONS for item in items.values)
+    if substitutions > 1 and substitutions == len(items.values):
+        return NotKnown("a list of substitutions only")
+    if substitutions:
         return _of_text(run.perform(value))
     if any(isinstance(item, ListValue) for item in items.values):
         return NotKnown("no parameter is a list of lists")  # and a list may hold itself
@@ -173,29 +168,40 @@ def _list(run: LaunchRun, value: ListValue) -> object:
     return next((row for row in rows if isinstance(row, NotKnown)), rows)
 
 
-_TYPES = {"str": str, "int": int, "float": float, "bool": bool}
+TYPES = {"str": str, "int": int, "float": float, "bool": bool}
 
 
-def _typed(run: LaunchRun, value: Value) -> object:
+def _typed(run: LaunchRun, value: LaunchObject) -> object:
     """``ParameterValue(value, value_type=str)``."""
-    inner = _given(value, "value")
-    kind = argument(value, "value_type")
-    name = (
-        kind.name if isinstance(kind, Builtin) else kind.path.rpartition(".")[2] if isinstance(kind, External) else ""
-    )
+    inner, name = value.given("value"), _name_of_type(value.argument("value_type"))
     if not name:
         return python_of(run, inner)
-    if name not in _TYPES:
+    if name not in TYPES:
         return NotKnown(f"a value of the type '{name}'")
     text = run.perform(inner)
-    if not isinstance(text, Known):
+    known = known_text(text)
+    if known is None:
         return NotKnown(reason(text))
-    if name == "str":
-        return str(text.value)
-    found = from_yaml(str(text.value))
-    if name == "float" and isinstance(found, int) and not isinstance(found, bool):
-        return float(found)
-    return found if isinstance(found, (_TYPES[name], NotKnown)) else NotKnown(f"a value that is no {name}")
+    return known if name == "str" else of_type(from_yaml(known), name)
+
+
+def _name_of_type(kind: Value | None) -> str:
+    match kind:
+        case Builtin(name=name):
+            return name
+        case External(path=path):
+            return path.rpartition(".")[2]
+    return ""
+
+
+def of_type(value: object, name: str) -> object:
+    """A value that was read as YAML, where it has the type of this name; an ``int`` is a ``float``, too."""
+    match value:
+        case NotKnown():
+            return value
+        case int() if name == "float" and value is not True and value is not False:
+            return float(value)
+    return value if isinstance(value, TYPES[name]) else NotKnown(f"a value that is no {name}")
 
 
 def from_yaml(text: str) -> object:
@@ -212,4 +218,4 @@ def from_yaml(text: str) -> object:
     return NotKnown("no parameter is a map") if isinstance(found, dict) else found
 
 
-__all__ = ["Parameter", "Unknown", "file_use", "from_yaml", "parameters_of", "python_of", "setting"]
+__all__ = ["TYPES", "Parameter", "file_use", "from_yaml", "of_type", "parameters_of", "python_of", "setting"]

@@ -41,9 +41,11 @@ class LaunchPaths:
         conditional: bool,
     ) -> FileReference:
         """What ``launch_file`` means by a path; ``asked`` are the paths of which its code asks if they are there."""
-        if not isinstance(path, Known) or not str(path.value):
-            return FileReference(kind, None, None, FileStatus.UNKNOWN, None, place, reason(path), conditional)
-        written = str(path.value)
+        match path:
+            case Known(value=value, origin=origin) if str(value):
+                written = str(value)
+            case _:
+                return FileReference(kind, None, None, FileStatus.UNKNOWN, None, place, reason(path), conditional)
         shared = _SHARE.match(written)
         if shared is not None:
             package, rest = shared[1], posixpath.normpath(shared[2].lstrip("/") or ".")
@@ -56,7 +58,7 @@ class LaunchPaths:
                 kind, written, None, FileStatus.EXTERNAL, None, place, "a path of the machine", conditional
             )
         optional = conditional and posixpath.normpath(written) in asked
-        return FileReference(kind, written, source, status, package, place, None, conditional, path.origin, optional)
+        return FileReference(kind, written, source, status, package, place, None, conditional, origin, optional)
 
     def _in_package(self, package: str, rest: str) -> tuple[str | None, FileStatus]:
         installs = self._installs.get(package)

@@ -7,7 +7,7 @@ from contextlib import contextmanager
 from typing import TYPE_CHECKING
 
 from archlint.interpreter.refusals import is_certain
-from archlint.interpreter.values import DictValue, External, Instance, Known, ListValue, Unknown, Value
+from archlint.interpreter.values import DictValue, Known, ListValue, Unknown, Value
 from archlint.launch.model import WithoutContext
 from archlint.launch.objects import argument, kind_of, made_by_base
 from archlint.syntax import facts
@@ -45,21 +45,22 @@ def _note(run: LaunchRun, e: facts.Call | None, asked: Value, given: str) -> Non
 
 def _not_a_context(value: Value | None) -> str | None:
     """What a value is called that is no launch context; None where it may be one."""
-    if isinstance(value, DictValue):
-        return "a dict"
-    if isinstance(value, ListValue):
-        return "a list"
-    if isinstance(value, Known):
-        return "None" if value.value is None else "no context"
+    match value:
+        case DictValue():
+            return "a dict"
+        case ListValue():
+            return "a list"
+        case Known(value=None):
+            return "None"
+        case Known():
+            return "no context"
     return None
 
 
 def _is_new_context(given: list[Value], e: facts.Call | None) -> bool:
     """Whether ``perform(LaunchContext())`` makes the context that it is given: no launch argument has a value there."""
-    made = given[0] if given else None
-    if not isinstance(made, Instance) or made.cls != External("launch.LaunchContext"):
-        return False
-    return e is not None and bool(e.args) and isinstance(e.args[0].value, facts.Call)
+    is_context = kind_of(given[0] if given else None) == "LaunchContext"
+    return is_context and e is not None and bool(e.args) and isinstance(e.args[0].value, facts.Call)
 
 
 @contextmanager

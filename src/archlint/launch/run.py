@@ -20,7 +20,7 @@ from archlint.interpreter import containers, values
 from archlint.interpreter.call_site import CallSite
 from archlint.interpreter.machine import FEW_STEPS, PROGRAM_STEPS
 from archlint.interpreter.roots import enter_root, module_of
-from archlint.interpreter.values import DictValue, External, Known, OneOf, Unknown, Value
+from archlint.interpreter.values import DictValue, Known, OneOf, Unknown, Value
 from archlint.launch.argument_names import AGAIN, ArgumentNames
 from archlint.launch.context import Context
 from archlint.launch.model import (
@@ -38,7 +38,7 @@ from archlint.launch.model import (
     merge,
     once_more,
 )
-from archlint.launch.objects import LaunchObject
+from archlint.launch.objects import known_text, launch_object
 from archlint.libraries.run import Run
 
 if TYPE_CHECKING:
@@ -228,17 +228,25 @@ class LaunchRun(Run):
 
     # ------------------------------------------------------------------------------------------- values
 
+    def text_of(self, value: Value | None) -> str | None:
+        """The text of what launch takes for one, where it is known."""
+        return known_text(self.perform(value))
+
     def items(self, value: Value | None) -> list[Value]:
         """The known items of a list, dict (as pairs) or ``dict.items()``."""
-        if value is None:
-            return []
-        if isinstance(value, DictValue):
-            rows = containers.entries_of(self, value).entries.values()
-            return [containers.new_list(self, pair, "tuple") for pair in rows]
-        if isinstance(value, OneOf):
-            return [item for option in value.values for item in self.items(option)]
+        match value:
+            case None:
+                return []
+            case DictValue():
+                return [containers.new_list(self, pair, "tuple") for pair in self.entries(value)]
+            case OneOf(values=options):
+                return [item for option in options for item in self.items(option)]
         items = containers.iterate(self, value)
         return [] if items is None else list(items.values)
+
+    def entries(self, value: Value | None) -> list[tuple[Value, Value]]:
+        """The known entries of a dict."""
+        return list(containers.entries_of(self, value).entries.values()) if isinstance(value, DictValue) else []
 
     def is_open(self, value: Value) -> bool:
         items = containers.iterate(self, value)
@@ -267,7 +275,7 @@ class LaunchRun(Run):
 
     def is_open_argument(self, name: str) -> bool:
         """Whether nothing decides what an argument is."""
-        return not isinstance(self.launch.configurations.get(name), Known)
+        return known_text(self.launch.configurations.get(name)) is None
 
     @staticmethod
     def shown(name: str) -> str:
@@ -355,16 +363,14 @@ class LaunchRun(Run):
     ) -> Value:
         """Call the function of an OpaqueFunction with a launch context; what it sets there stays set."""
         context, known = self._context()
-        keywords = {}
-        if isinstance(kwargs, DictValue):
-            for key, value in containers.entries_of(self, kwargs).entries.values():
-                if isinstance(key, Known):
-                    keywords[str(key.value)] = value
-        result = self._call(function, [*before, context, *args], keywords)
-        for key, value in containers.entries_of(self, known).entries.values():
-            if isinstance(key, Known):
-                self.launch.configurations[str(key.value)] = value
+        result = self._call(function, [*before, context, *args], self._by_name(kwargs))
+        self.launch.configurations.update(self._by_name(known))
         return result
+
+    def _by_name(self, entries: Value | None) -> dict[str, Value]:
+        """The entries of a dict whose keys are known."""
+        rows = ((known_text(key), value) for key, value in self.entries(entries))
+        return {name: value for name, value in rows if name is not None}
 
     def ask(self, function: Value) -> Value:
         """What a predicate or a ``perform`` of the workspace says of the launch context."""
@@ -372,7 +378,7 @@ class LaunchRun(Run):
 
     def _context(self) -> tuple[Value, DictValue]:
         """The launch context as code sees it, and the dict of its configurations."""
-        context = LaunchObject(External("launch.LaunchContext"), self.store.new_key())
+        context = launch_object(self.store.new_key(), "LaunchContext", None, {})
         entries = {containers.hashable(Known(n)): (Known(n), v) for n, v in self.launch.configurations.items()}
         known = containers.new_dict(self, {key: row for key, row in entries.items() if key is not None})
         self.store.set(context.key, "launch_configurations", known)

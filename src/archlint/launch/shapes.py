@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 from archlint.interpreter import containers
 from archlint.interpreter.values import ClassValue, Instance, Known, ListValue, Value
-from archlint.launch.objects import GIVEN, LaunchObject, argument, kind_of
+from archlint.launch.objects import LaunchObject, given_of, kind_of
 
 if TYPE_CHECKING:
     from archlint.launch.run import LaunchRun
@@ -24,13 +25,20 @@ def shape_of(run: LaunchRun, value: Value, depth: int = 0) -> str:
     """The text of an expression; the names of launch arguments stand between NULs in it."""
     if depth > NESTING:
         return _opaque(run, value)
-    if isinstance(value, Known):
-        return str(value.value)
-    if isinstance(value, ListValue):
-        return _list(run, value, depth)
-    if isinstance(value, Instance):
-        build = _SHAPES.get(kind_of(value))
-        return _object(run, value, depth) if build is None else build(run, value, depth)
+    match value:
+        case Known(value=constant):
+            return str(constant)
+        case ListValue():
+            return _list(run, value, depth)
+        case LaunchObject(kind=kind) if kind in _SHAPES:
+            return _SHAPES[kind](run, value, depth)
+        case LaunchObject(rest=rest):
+            given = [*value.arguments.items(), *(("", item) for item in rest)]
+            return f"{value.kind}({_written(run, given, depth)})"
+        case Instance(cls=ClassValue() as cls):
+            return _own_object(run, value, cls, depth)
+        case Instance():
+            return f"{value.note or kind_of(value)}({_written(run, list(value.arguments.items()), depth)})"
     name = run.names.of(value)
     return _opaque(run, value) if name is None else f"\0{name}\0"
 
@@ -39,8 +47,8 @@ def _opaque(run: LaunchRun, value: Value) -> str:
     return f"{OPAQUE}{run.names.number(value)}{OPAQUE}"
 
 
-def _part(run: LaunchRun, value: Value, name: str, depth: int) -> str:
-    found = argument(value, name)
+def _part(run: LaunchRun, value: LaunchObject, name: str, depth: int) -> str:
+    found = value.argument(name)
     return "" if found is None else shape_of(run, found, depth + 1)
 
 
@@ -49,46 +57,44 @@ def _list(run: LaunchRun, value: ListValue, depth: int) -> str:
     return _opaque(run, value) if items.open else "".join(shape_of(run, item, depth + 1) for item in items.values)
 
 
-def _object(run: LaunchRun, value: Instance, depth: int) -> str:
-    """``Class(arguments)``, of launch's own, of another package or of this workspace."""
-    given: list[tuple[str, Value]] = list(value.arguments.items())
-    given += [("", item) for item in value.rest] if isinstance(value, LaunchObject) else []
-    name, where = value.note or kind_of(value), ""
-    if isinstance(value.cls, ClassValue):
-        kept = run.store.get(value.key, GIVEN)
-        if not isinstance(kept, tuple):
-            return _opaque(run, value)
-        given, name, where = list(kept), value.cls.qualified, f"{WHERE}{value.cls.scope.module.path}{WHERE}"
-    written = ", ".join(f"{key}={shape_of(run, item, depth + 1)}" for key, item in given)
-    return f"{name}{where}({written})"
+def _own_object(run: LaunchRun, value: Instance, cls: ClassValue, depth: int) -> str:
+    """``Class(arguments)`` of a class of this workspace."""
+    given = given_of(run, value)
+    if given is None:
+        return _opaque(run, value)
+    return f"{cls.qualified}{WHERE}{cls.scope.module.path}{WHERE}({_written(run, given, depth)})"
 
 
-def _configuration(run: LaunchRun, value: Instance, depth: int) -> str:
-    name = run.perform(argument(value, "variable_name"))
-    return f"\0{run.argument_behind(str(name.value))}\0" if isinstance(name, Known) else _opaque(run, value)
+def _written(run: LaunchRun, given: Sequence[tuple[str, Value]], depth: int) -> str:
+    return ", ".join(f"{name}={shape_of(run, item, depth + 1)}" for name, item in given)
 
 
-def _expression(run: LaunchRun, value: Instance, depth: int) -> str:
+def _configuration(run: LaunchRun, value: LaunchObject, depth: int) -> str:
+    name = run.text_of(value.argument("variable_name"))
+    return _opaque(run, value) if name is None else f"\0{run.argument_behind(name)}\0"
+
+
+def _expression(run: LaunchRun, value: LaunchObject, depth: int) -> str:
     return _part(run, value, "expression", depth)
 
 
-def _not(run: LaunchRun, value: Instance, depth: int) -> str:
+def _not(run: LaunchRun, value: LaunchObject, depth: int) -> str:
     return f"not {_part(run, value, 'value', depth)}"
 
 
-def _equality(run: LaunchRun, value: Instance, depth: int) -> str:
+def _equality(run: LaunchRun, value: LaunchObject, depth: int) -> str:
     left, right = _part(run, value, "left", depth), _part(run, value, "right", depth)
     if "\0" in right and "\0" not in left:
         left, right = right, left
-    return f"{left} {'==' if kind_of(value) == 'EqualsSubstitution' else '!='} '{right}'"
+    return f"{left} {'==' if value.kind == 'EqualsSubstitution' else '!='} '{right}'"
 
 
-def _both(run: LaunchRun, value: Instance, depth: int) -> str:
-    word = "and" if kind_of(value) == "AndSubstitution" else "or"
+def _both(run: LaunchRun, value: LaunchObject, depth: int) -> str:
+    word = "and" if value.kind == "AndSubstitution" else "or"
     return f"{_part(run, value, 'left', depth)} {word} {_part(run, value, 'right', depth)}"
 
 
-def _environment(run: LaunchRun, value: Instance, depth: int) -> str:
+def _environment(run: LaunchRun, value: LaunchObject, depth: int) -> str:
     return f"${_part(run, value, 'name', depth)}"
 
 

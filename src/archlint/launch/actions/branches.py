@@ -2,45 +2,49 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from itertools import combinations
 from typing import TYPE_CHECKING
 
 from archlint.branches import BranchArms
 from archlint.interpreter.heap import Items
-from archlint.interpreter.values import BoundMethod, FunctionValue, Instance, OneOf, Partial, Unknown, Value
+from archlint.interpreter.values import BoundMethod, FunctionValue, Instance, Partial, Unknown, Value, alternatives
 from archlint.launch import conditions
 from archlint.launch.model import NotACondition
-from archlint.launch.objects import LaunchObject, argument, kind_of, made_by_base, places_of
+from archlint.launch.objects import LaunchObject, argument, kind_of, made_by_base
 from archlint.launch.verdict import ALWAYS, Verdict
 
 if TYPE_CHECKING:
+    from archlint.finding import Place
     from archlint.launch.run import LaunchRun
 
 
-def each_alternative(run: LaunchRun, entity: OneOf) -> Iterator[Value]:
-    """The alternatives of a value one by one, each under a branch that excludes the others."""
-    apart = _are_apart(run, entity)
-    for number, option in enumerate(entity.values):
+def each_alternative(run: LaunchRun, entity: Value) -> Iterator[Value]:
+    """The alternatives of a value one by one, each under a branch that excludes the others; of one value itself."""
+    options = alternatives(entity)
+    apart = _exclude_each_other(run, options)
+    for number, option in enumerate(options):
         with run.under(frozenset() if apart else version(run, entity, number), ALWAYS, run.place_now):
             yield option
 
 
-def _are_apart(run: LaunchRun, entity: OneOf) -> bool:
+def _exclude_each_other(run: LaunchRun, options: Sequence[Value]) -> bool:
     """Whether the alternatives were made in branches of the code that exclude each other: these tell them apart."""
-    every = [dict(arms_of(run, option)) for option in entity.values]
+    every = [dict(arms_of(run, option)) for option in options]
     return all(any(one[key] != other.get(key, one[key]) for key in one) for one, other in combinations(every, 2))
 
 
-def version(run: LaunchRun, entity: OneOf, number: int) -> BranchArms:
+def version(run: LaunchRun, entity: Value, number: int) -> BranchArms:
     """The branch in which a value is one of its alternatives."""
     return frozenset({(f"one of {run.names.number(entity)}", number)})
 
 
 def arms_of(run: LaunchRun, value: Value) -> BranchArms:
     """The branches of the launch file's own code that an object was made in."""
-    made = made_by_base(run, value) or value
-    return made.branch_arms if isinstance(made, LaunchObject) else frozenset()
+    match made_by_base(run, value) or value:
+        case LaunchObject(branch_arms=arms):
+            return arms
+    return frozenset()
 
 
 def verdict_on(run: LaunchRun, entity: Instance) -> Verdict:
@@ -48,9 +52,13 @@ def verdict_on(run: LaunchRun, entity: Instance) -> Verdict:
     condition = argument(entity, "condition")
     what = None if condition is None else conditions.mistaken(run, condition)
     if condition is not None and what is not None:
-        place = places_of(entity).get("condition") or entity.place or run.place_now
+        place = _place_of_condition(entity) or entity.place or run.place_now
         run.note_mistake(NotACondition(kind_of(entity), what, callable_value(condition), place))
     return run.judge(condition)
+
+
+def _place_of_condition(entity: Instance) -> Place | None:
+    return entity.places.get("condition") if isinstance(entity, LaunchObject) else None
 
 
 def callable_value(value: Value) -> bool:

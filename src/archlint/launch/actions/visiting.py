@@ -2,15 +2,17 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable
 from typing import TYPE_CHECKING
 
 from archlint.branches import BranchArms
 from archlint.interpreter import containers
+from archlint.interpreter.heap import Items
 from archlint.interpreter.values import External, Instance, Known, ListValue, OneOf, Value, reason
 from archlint.launch.actions import included, processes, scopes
 from archlint.launch.actions.branches import arms_of, each_alternative, note_open, verdict_on, version, visit_items
-from archlint.launch.objects import MADE_BY_BASE, kind_of
+from archlint.launch.objects import MADE_BY_BASE, OWN, LaunchObject, kind_of, launch_object, place_of
 from archlint.launch.verdict import ALWAYS
 
 if TYPE_CHECKING:
@@ -24,7 +26,7 @@ NESTING = 100
 """How deep actions may stand in each other, includes and functions counted."""
 
 
-Act = Callable[["LaunchRun", Instance], None]
+Act = Callable[["LaunchRun", LaunchObject], None]
 
 ACTIONS: dict[str, Act] = {
     "LaunchDescription": included.description,
@@ -83,36 +85,36 @@ def visit(run: LaunchRun, entity: Value) -> None:
     except (RecursionError, MemoryError):
         raise  # not for the innermost action, which was only the last straw
     except Exception as error:
-        place = entity.place if isinstance(entity, Instance) else None
-        run.note_fault("following this action", error, place or run.place_now)
+        run.note_fault("following this action", error, place_of(entity) or run.place_now)
     finally:
         run.nesting -= 1
 
 
 def _visit(run: LaunchRun, entity: Value) -> None:
-    if isinstance(entity, (ListValue, OneOf)):
-        _visit_several(run, entity)
-    elif isinstance(entity, Known) and entity.value is None:
-        return
-    elif isinstance(entity, Instance):
-        _visit_one(run, entity)
-    else:
-        run.gap(reason(entity))
+    match entity:
+        case ListValue():
+            visit_items(run, containers.items_of(run, entity))
+        case OneOf(values=options):
+            rows = [containers.items_of(run, option) for option in options if isinstance(option, ListValue)]
+            if len(rows) == len(options):
+                _visit_versions(run, entity, rows)
+            else:
+                _visit_alternatives(run, entity)
+        case Known(value=None):
+            pass
+        case Instance():
+            _visit_one(run, entity)
+        case _:
+            run.gap(reason(entity))
 
 
-def _visit_several(run: LaunchRun, entity: ListValue | OneOf) -> None:
-    if isinstance(entity, ListValue):
-        visit_items(run, containers.items_of(run, entity))
-    elif all(isinstance(option, ListValue) for option in entity.values):
-        _visit_versions(run, entity)
-    else:
-        for option in each_alternative(run, entity):
-            run.visit(option)
+def _visit_alternatives(run: LaunchRun, entity: OneOf) -> None:
+    for option in each_alternative(run, entity):
+        run.visit(option)
 
 
-def _visit_versions(run: LaunchRun, entity: OneOf) -> None:
+def _visit_versions(run: LaunchRun, entity: OneOf, rows: list[Items]) -> None:
     """One of several lists: what is in all of them runs, the rest only where its list is the one."""
-    rows = [containers.items_of(run, option) for option in entity.values if isinstance(option, ListValue)]
     for value in dict.fromkeys(value for row in rows for value in row.values):
         holding = [number for number, row in enumerate(rows) if value in row.values]
         own: BranchArms = frozenset()
@@ -128,11 +130,13 @@ def _visit_versions(run: LaunchRun, entity: OneOf) -> None:
 
 def _visit_one(run: LaunchRun, entity: Instance) -> None:
     made = run.store.get(entity.key, MADE_BY_BASE)  # of a class that derives from an action
-    if isinstance(made, OneOf):
-        run.visit(made)
-        return
-    entity = _known_by_name(made if isinstance(made, Instance) else entity)
-    kind = kind_of(entity)
+    match made:
+        case OneOf():
+            run.visit(made)
+            return
+        case Instance():
+            entity = made
+    entity = _known_by_name(entity)
     own = arms_of(run, entity) - run.code_arms
     verdict = verdict_on(run, entity)
     place = entity.place or run.place_now
@@ -141,21 +145,27 @@ def _visit_one(run: LaunchRun, entity: Instance) -> None:
     run.visiting.append((entity.key, run.visits))
     try:
         with run.under(own, verdict, place):
-            act = ACTIONS.get(kind)
-            if act is not None:
-                act(run, entity)
-            elif kind not in _IGNORED:
-                run.gap(f"{entity.note or kind or 'an object'} is no action that is followed")
+            _act(run, entity)
     finally:
         run.visiting.pop()
         run.place_now = kept
 
 
+def _act(run: LaunchRun, entity: Instance) -> None:
+    match entity:
+        case LaunchObject(kind=kind) if kind in ACTIONS:
+            ACTIONS[kind](run, entity)
+        case _ if kind_of(entity) not in _IGNORED:
+            run.gap(f"{entity.note or kind_of(entity) or 'an object'} is no action that is followed")
+
+
 def _known_by_name(entity: Instance) -> Instance:
     """Another library's ``DeclareBooleanLaunchArgument`` and the like declare an argument as launch's own do."""
-    path = entity.cls.path if isinstance(entity.cls, External) else ""
-    name = path.rpartition(".")[2]
-    if path.startswith("launch.") or not (name.startswith("Declare") and name.endswith("LaunchArgument")):
-        return entity
-    arguments = {{"0": "name"}.get(key, key): value for key, value in entity.arguments.items()}
-    return Instance(External("launch.DeclareLaunchArgument"), entity.key, entity.place, arguments)
+    match entity.cls:
+        case External(path=path) if not path.startswith(OWN) and _DECLARES.search(path):
+            arguments = {{"0": "name"}.get(key, key): value for key, value in entity.arguments.items()}
+            return launch_object(entity.key, "DeclareLaunchArgument", entity.place, arguments)
+    return entity
+
+
+_DECLARES = re.compile(r"(?:^|\.)Declare[^.]*LaunchArgument$")

@@ -8,10 +8,10 @@ from typing import TYPE_CHECKING
 from archlint.finding import Place
 from archlint.interpreter import containers
 from archlint.interpreter.value_methods import update_entries
-from archlint.interpreter.values import External, Known, Unknown, Value
+from archlint.interpreter.values import Known, Unknown, Value
 from archlint.launch.frontends.tables import SUBSTITUTIONS
 from archlint.launch.frontends.texts import closing, unquoted, words_of
-from archlint.launch.objects import OWN, LaunchObject
+from archlint.launch.objects import LaunchObject, launch_object
 
 if TYPE_CHECKING:
     from archlint.launch.run import LaunchRun
@@ -39,8 +39,7 @@ class Frontend:
         places: dict[str, Place] | None = None,
         rest: tuple[Value, ...] = (),
     ) -> LaunchObject:
-        cls = External(f"{OWN}{kind}")
-        return LaunchObject(cls, self.run.store.new_key(), place, arguments, places=places or {}, rest=rest)
+        return launch_object(self.run.store.new_key(), kind, place, arguments, places=places, rest=rest)
 
     def list(self, values: Sequence[Value]) -> Value:
         return containers.new_list(self.run, values)

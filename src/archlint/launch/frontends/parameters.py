@@ -7,12 +7,13 @@ from typing import TYPE_CHECKING
 
 from archlint.interpreter import containers
 from archlint.interpreter.values import External, Known, Unknown, Value
-from archlint.launch.objects import LaunchObject
-from archlint.launch.parameters import from_yaml
+from archlint.launch.objects import LaunchObject, known_text
+from archlint.launch.parameters import TYPES, from_yaml, of_type
 from archlint.syntax.launch_elements import Element
 from archlint.syntax.parameter_files import NotKnown
 
 if TYPE_CHECKING:
+    from archlint.finding import Place
     from archlint.launch.frontends.objects import Frontend
 
 
@@ -36,8 +37,9 @@ def _nested(frontend: Frontend, element: Element, name: Value) -> Value | None:
     entries: dict[Hashable, tuple[Value, Value]] = {}
     for number, child in enumerate(element.of("param")):
         key = frontend.get(child, "name") or Known("")
-        if isinstance(key, Known):
-            key = Known(str(key.value), origin=frontend.place(child.span))
+        written = known_text(key)
+        if written is not None:
+            key = Known(written, origin=frontend.place(child.span))
         inner = _nested(frontend, child, Known("")) if child.of("param") else _value(frontend, child)
         entries[("#", number)] = (key, inner or Unknown("a parameter without a value"))
     made = containers.new_dict(frontend.run, entries)
@@ -58,40 +60,44 @@ def _value(frontend: Frontend, element: Element) -> Value:
     attribute = element.attributes.get("value")
     if attribute is None:
         return Unknown("a parameter without a value")
-    kind = element.text("type")
-    place = frontend.place(attribute.span)
-    if isinstance(attribute.value, str):
-        separator = element.text("value-sep")
-        if separator:
-            return frontend.list([_scalar(frontend, part.strip(), kind) for part in attribute.value.split(separator)])
-        quoted_number = frontend.file.endswith((".yaml", ".yml")) and from_yaml(attribute.value) != attribute.value
-        if quoted_number and kind is None:
-            return Unknown("a text that looks like a number: releases differ in what they make of it")
-        if "$(" not in attribute.value:
-            return _scalar(frontend, attribute.value, kind)
-        given = {"value": frontend.parse(attribute.value, place)}
-        if kind is not None:
-            given["value_type"] = External(f"builtins.{kind}")
-        return frontend.make("ParameterValue", place, given)
+    match attribute.value:
+        case str(text):
+            return _value_of_text(frontend, element, text, frontend.place(attribute.span))
     return frontend.text(attribute)
 
 
-_TYPES: dict[str, type] = {"int": int, "float": float, "bool": bool}
+def _value_of_text(frontend: Frontend, element: Element, text: str, place: Place) -> Value:
+    kind = element.text("type")
+    separator = element.text("value-sep")
+    if separator:
+        return frontend.list([_scalar(frontend, part.strip(), kind) for part in text.split(separator)])
+    quoted_number = frontend.file.endswith((".yaml", ".yml")) and from_yaml(text) != text
+    if quoted_number and kind is None:
+        return Unknown("a text that looks like a number: releases differ in what they make of it")
+    if "$(" not in text:
+        return _scalar(frontend, text, kind)
+    given = {"value": frontend.parse(text, place)}
+    if kind is not None:
+        given["value_type"] = External(f"builtins.{kind}")
+    return frontend.make("ParameterValue", place, given)
 
 
 def _scalar(frontend: Frontend, text: str, kind: str | None) -> Value:
     if kind == "str":
         return Known(text)
-    found = from_yaml(text)
-    if kind == "float" and isinstance(found, int) and not isinstance(found, bool):
-        found = float(found)
-    if kind in _TYPES and not isinstance(found, _TYPES[kind]):
-        return Unknown(f"a value that is no {kind}")
-    if isinstance(found, NotKnown):
-        return Unknown("a value that a parameter cannot have")
-    if isinstance(found, list):
-        return frontend.list(
-            [Known(item) if not isinstance(item, (list, dict)) else Unknown("nested") for item in found]
-        )
-    assert found is None or isinstance(found, (str, int, float, bool))
-    return Known(found)
+    value = from_yaml(text)
+    match of_type(value, kind) if kind in TYPES else value:
+        case NotKnown():
+            return Unknown(f"a value that is no {kind}" if kind in TYPES else "a value that a parameter cannot have")
+        case list(items):
+            return frontend.list([_item(item) for item in items])
+        case None | str() | int() | float() as constant:
+            return Known(constant)
+    raise AssertionError(value)
+
+
+def _item(item: object) -> Value:
+    match item:
+        case None | str() | int() | float():
+            return Known(item)
+    return Unknown("nested")

@@ -6,8 +6,8 @@ import math
 from collections.abc import Callable
 from typing import TYPE_CHECKING
 
-from archlint.interpreter.values import Instance, Known, Unknown, Value, alternatives, one_of, reason
-from archlint.launch.objects import LaunchObject, argument
+from archlint.interpreter.values import Known, Unknown, Value, alternatives, one_of, reason
+from archlint.launch.objects import LaunchObject, known_text
 
 if TYPE_CHECKING:
     from archlint.launch.run import LaunchRun
@@ -40,7 +40,12 @@ def _in(text: str, true: frozenset[str], false: frozenset[str]) -> bool | None:
 
 def _agreed(value: Value, read: Callable[[str], bool | None]) -> bool | None:
     """What all alternatives of a text say."""
-    verdicts = {read(str(option.value)) if isinstance(option, Known) else None for option in alternatives(value)}
+    texts = map(known_text, alternatives(value))
+    return _only({None if text is None else read(text) for text in texts})
+
+
+def _only(verdicts: set[bool | None]) -> bool | None:
+    """What several verdicts agree on."""
     return verdicts.pop() if len(verdicts) == 1 else None
 
 
@@ -48,17 +53,16 @@ def _told(verdict: bool | None, *values: Value) -> Value:
     return Unknown(reason(*values)) if verdict is None else Known(str(verdict).lower())
 
 
-def negation(run: LaunchRun, value: Instance) -> Value:
-    inner = run.perform(argument(value, "value"))
+def negation(run: LaunchRun, value: LaunchObject) -> Value:
+    inner = run.perform(value.argument("value"))
     verdict = typed_truth_of(inner)
     return _told(None if verdict is None else not verdict, inner)
 
 
-def connective(stop: bool) -> Callable[[LaunchRun, Instance], Value]:
-    def evaluate(run: LaunchRun, value: Instance) -> Value:
+def connective(stop: bool) -> Callable[[LaunchRun, LaunchObject], Value]:
+    def evaluate(run: LaunchRun, value: LaunchObject) -> Value:
         given = [value.arguments[name] for name in ("left", "right") if name in value.arguments]
-        rest = value.rest if isinstance(value, LaunchObject) else ()
-        inner = [run.perform(part) for part in [*given, *rest]]
+        inner = [run.perform(part) for part in [*given, *value.rest]]
         verdicts = [typed_truth_of(part) for part in inner]
         if stop in verdicts:
             return _told(stop)
@@ -67,14 +71,14 @@ def connective(stop: bool) -> Callable[[LaunchRun, Instance], Value]:
     return evaluate
 
 
-def equality(run: LaunchRun, value: Instance) -> Value:
-    left, right = run.perform(argument(value, "left")), run.perform(argument(value, "right"))
+def equality(run: LaunchRun, value: LaunchObject) -> Value:
+    left, right = run.perform(value.argument("left")), run.perform(value.argument("right"))
     verdicts = {
-        _same_text(str(one.value), str(other.value)) if isinstance(one, Known) and isinstance(other, Known) else None
-        for one in alternatives(left)
-        for other in alternatives(right)
+        None if one is None or other is None else _same_text(one, other)
+        for one in map(known_text, alternatives(left))
+        for other in map(known_text, alternatives(right))
     }
-    return _told(verdicts.pop() if len(verdicts) == 1 else None, left, right)
+    return _told(_only(verdicts), left, right)
 
 
 def _same_text(one: str, other: str) -> bool:
@@ -88,21 +92,21 @@ def _same_text(one: str, other: str) -> bool:
         return one == other
 
 
-def inequality(run: LaunchRun, value: Instance) -> Value:
+def inequality(run: LaunchRun, value: LaunchObject) -> Value:
     same = equality(run, value)
     return Known("false" if same.value == "true" else "true") if isinstance(same, Known) else same
 
 
-def if_else(run: LaunchRun, value: Instance) -> Value:
-    test = run.perform(argument(value, "condition"))
+def if_else(run: LaunchRun, value: LaunchObject) -> Value:
+    test = run.perform(value.argument("condition"))
     verdict = typed_truth_of(test)
     rows = {True: "if_value", False: "else_value"}
     if verdict is not None:
-        return run.perform(argument(value, rows[verdict]))
+        return run.perform(value.argument(rows[verdict]))
     with run.perhaps():
-        return one_of([run.perform(argument(value, name)) for name in rows.values()])
+        return one_of([run.perform(value.argument(name)) for name in rows.values()])
 
 
-def boolean(run: LaunchRun, value: Instance) -> Value:
-    inner = run.perform(argument(value, "value"))
+def boolean(run: LaunchRun, value: LaunchObject) -> Value:
+    inner = run.perform(value.argument("value"))
     return _told(typed_truth_of(inner), inner)

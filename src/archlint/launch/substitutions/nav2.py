@@ -11,8 +11,6 @@ from typing import TYPE_CHECKING
 from archlint.interpreter import containers
 from archlint.interpreter.values import (
     DictValue,
-    External,
-    Instance,
     Known,
     Unknown,
     Value,
@@ -21,7 +19,8 @@ from archlint.interpreter.values import (
     reason,
 )
 from archlint.launch.model import FileKind, MadeFile, Replacing, Rewriting
-from archlint.launch.objects import LaunchObject, argument
+from archlint.launch.objects import LaunchObject, known_text, launch_object
+from archlint.launch.substitutions.texts import each_text
 from archlint.syntax.parameter_files import NotKnown
 from archlint.syntax.safe_yaml import YamlError, YamlReader
 
@@ -32,32 +31,32 @@ Pairs = tuple[tuple[str, str | NotKnown], ...]
 Whole = tuple[tuple[str, str], ...]
 
 
-def rewritten_yaml(run: LaunchRun, value: Instance) -> Value:
+def rewritten_yaml(run: LaunchRun, value: LaunchObject) -> Value:
     change = _rewriting(run, value)
     if isinstance(change, Unknown):
         return change
-    return _made_of(run, run.perform(argument(value, "source_file")), change)
+    return _made_of(run, run.perform(value.argument("source_file")), change)
 
 
-def _rewriting(run: LaunchRun, value: Instance) -> Rewriting | Unknown:
-    parameters, keys, values = (_pairs(run, argument(value, f"{name}_rewrites")) for name in ("param", "key", "value"))
-    root = run.perform(argument(value, "root_key"))
-    convert = argument(value, "convert_types") or Known(False)
-    whole_keys = None if keys is None else _whole(keys)
+def _rewriting(run: LaunchRun, value: LaunchObject) -> Rewriting | Unknown:
+    parameters, keys, values = (_pairs(run, value.argument(f"{name}_rewrites")) for name in ("param", "key", "value"))
+    root, convert = run.perform(value.argument("root_key")), value.given("convert_types")
+    root_key, whole_keys = known_text(root), None if keys is None else _whole(keys)
     if parameters is None or values is None or whole_keys is None:
         return Unknown("what a parameter file is rewritten with")
-    if not isinstance(root, Known) or not isinstance(convert, Known):
-        return Unknown(reason(root, convert))
-    return Rewriting(parameters, whole_keys, values, str(root.value), bool(convert.value))
+    match convert:
+        case Known(value=converts) if root_key is not None:
+            return Rewriting(parameters, whole_keys, values, root_key, bool(converts))
+    return Unknown(reason(root, convert))
 
 
-def replaced_string(run: LaunchRun, value: Instance) -> Value:
-    source = run.perform(argument(value, "source_file"))
-    condition = argument(value, "condition")
+def replaced_string(run: LaunchRun, value: LaunchObject) -> Value:
+    source = run.perform(value.argument("source_file"))
+    condition = value.argument("condition")
     verdict = None if condition is None else run.judge(condition)
     if verdict is not None and verdict.holds is not True:
         return source if verdict.holds is False else Unknown("a file that is changed under a condition")
-    pairs = _pairs(run, argument(value, "replacements"))
+    pairs = _pairs(run, value.argument("replacements"))
     words = None if pairs is None else _whole(pairs)
     if words is None or not all(_WORD.fullmatch(old) and _WORDS.fullmatch(new) for old, new in words):
         return Unknown("what a parameter file is changed to")
@@ -71,19 +70,21 @@ _WORDS = re.compile(r"[^\n'\"\\#:{}&*!|>%@`]*")
 
 def _pairs(run: LaunchRun, value: Value | None) -> Pairs | None:
     """A dict of texts; None for a dict that is not known."""
-    if value is None:
-        return ()
-    if not isinstance(value, DictValue):
-        return None
-    entries = containers.entries_of(run, value)
-    rows = [(key, run.perform(text)) for key, text in entries.entries.values()]
-    if entries.open or not all(isinstance(key, Known) for key, _ in rows):
-        return None
-    return tuple(
-        (str(key.value), str(text.value) if isinstance(text, Known) else NotKnown(reason(text)))
-        for key, text in rows
-        if isinstance(key, Known)
-    )
+    match value:
+        case None:
+            return ()
+        case DictValue():
+            entries = containers.entries_of(run, value)
+        case _:
+            return None
+    rows = [(known_text(key), _text_or_why(run.perform(text))) for key, text in entries.entries.values()]
+    known = tuple((key, text) for key, text in rows if key is not None)
+    return None if entries.open or len(known) < len(rows) else known
+
+
+def _text_or_why(value: Value) -> str | NotKnown:
+    text = known_text(value)
+    return NotKnown(reason(value)) if text is None else text
 
 
 def _whole(pairs: Pairs) -> Whole | None:
@@ -111,11 +112,11 @@ def _path_of(run: LaunchRun, source: Known, change: Rewriting | Replacing) -> Kn
     return Known(path, source.via, source.origin)
 
 
-def has_node(run: LaunchRun, value: Instance) -> Value:
+def has_node(run: LaunchRun, value: LaunchObject) -> Value:
     """Whether a node has a key of its own at the top of a parameter file."""
-    path = run.perform(argument(value, "source_file"))
-    node = run.perform(argument(value, "node_name"))
-    if not isinstance(path, Known) or not isinstance(node, Known) or str(path.value) in run.made_files:
+    path, node = run.perform(value.argument("source_file")), run.perform(value.argument("node_name"))
+    written, name = known_text(path), known_text(node)
+    if written is None or name is None or written in run.made_files:
         return Unknown(reason(path, node))
     reference = run.reference(FileKind.PARAMETERS, path, value.place or run.place_now)
     text = run.paths.text(reference)
@@ -126,20 +127,11 @@ def has_node(run: LaunchRun, value: Instance) -> Value:
         keys = {key for key, _, _ in reader.pairs(reader.root, 0)} if reader.root is not None else set()
     except (YamlError, RecursionError):
         return Unknown("the content of a YAML file that is broken")
-    return Known(str(str(node.value) in keys))
+    return Known(str(name in keys))
 
 
-def as_bool(run: LaunchRun, value: Instance) -> Value:
-    read = LaunchObject(
-        External("launch.LaunchConfiguration"),
-        value.key,
-        value.place,
-        {"variable_name": value.arguments.get("name") or Unknown("no name is given")},
-        branch_arms=value.branch_arms if isinstance(value, LaunchObject) else frozenset(),
-    )
-    rows = alternatives(run.perform(read))
-    return one_of(_bool(row) if isinstance(row, Known) else Unknown(reason(row)) for row in rows)
-
-
-def _bool(value: Known) -> Known:
-    return Known(str(str(value.value).strip().lower() in ("true", "1", "yes", "on")))
+def as_bool(run: LaunchRun, value: LaunchObject) -> Value:
+    name = value.arguments.get("name") or Unknown("no name is given")
+    arms = value.branch_arms
+    read = launch_object(value.key, "LaunchConfiguration", value.place, {"variable_name": name}, branch_arms=arms)
+    return each_text(run.perform(read), lambda text: Known(str(text.strip().lower() in ("true", "1", "yes", "on"))))

@@ -5,9 +5,9 @@ from __future__ import annotations
 import posixpath
 from typing import TYPE_CHECKING
 
-from archlint.interpreter.values import Instance, Known, Unknown, Value, alternatives, one_of, reason
-from archlint.launch.objects import argument
-from archlint.launch.substitutions.texts import concatenate
+from archlint.interpreter.values import Known, Unknown, Value, reason
+from archlint.launch.objects import LaunchObject, known_text
+from archlint.launch.substitutions.texts import concatenate, each_text
 
 if TYPE_CHECKING:
     from archlint.launch.run import LaunchRun
@@ -18,26 +18,31 @@ def package_share(name: str) -> Known:
     return Known(f"$(find-pkg-share {name})")
 
 
-def share(run: LaunchRun, value: Instance) -> Value:
-    rows = alternatives(run.perform(argument(value, "package")))
-    return one_of(package_share(str(n.value)) if isinstance(n, Known) else Unknown(reason(n)) for n in rows)
+def package_prefix(name: str) -> Known:
+    """The folder that a package is installed to, as a path that says so."""
+    return Known(f"$(find-pkg-prefix {name})")
 
 
-def prefix(run: LaunchRun, value: Instance) -> Value:
-    name = run.perform(argument(value, "package"))
-    return Known(f"$(find-pkg-prefix {name.value!s})") if isinstance(name, Known) else Unknown(reason(name))
+def share(run: LaunchRun, value: LaunchObject) -> Value:
+    return each_text(run.perform(value.argument("package")), package_share)
 
 
-def executable(run: LaunchRun, value: Instance) -> Value:
-    package = run.perform(argument(value, "package"))
-    name = run.perform(argument(value, "executable"))
+def prefix(run: LaunchRun, value: LaunchObject) -> Value:
+    name = run.perform(value.argument("package"))
+    text = known_text(name)
+    return Unknown(reason(name)) if text is None else package_prefix(text)
+
+
+def executable(run: LaunchRun, value: LaunchObject) -> Value:
+    package = run.perform(value.argument("package"))
+    name = run.perform(value.argument("executable"))
     parts = [Known("$(find-pkg-prefix "), package, Known(")/lib/"), package, Known("/"), name]
     return concatenate(parts)
 
 
-def here(run: LaunchRun, value: Instance) -> Value:
+def here(run: LaunchRun, value: LaunchObject) -> Value:
     return Known(posixpath.dirname(run.file_path))
 
 
-def this_file(run: LaunchRun, value: Instance) -> Value:
+def this_file(run: LaunchRun, value: LaunchObject) -> Value:
     return Known(run.file_path)

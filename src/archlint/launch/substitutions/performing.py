@@ -6,11 +6,8 @@ from collections.abc import Callable
 from typing import TYPE_CHECKING
 
 from archlint.interpreter import containers
-from archlint.interpreter.attributes import get_attribute
 from archlint.interpreter.values import (
-    BoundMethod,
     ClassValue,
-    FunctionValue,
     Holed,
     Instance,
     Known,
@@ -21,7 +18,7 @@ from archlint.interpreter.values import (
     one_of,
     reason,
 )
-from archlint.launch.objects import argument, kind_of, made_by_base
+from archlint.launch.objects import LaunchObject, made_by_base, own_method
 from archlint.launch.substitutions import logic, nav2, paths, texts
 
 if TYPE_CHECKING:
@@ -35,8 +32,8 @@ PARTS = 2_000
 
 def _own_text(run: LaunchRun, value: Instance) -> Value:
     """The text of a substitution class of the workspace: what its ``perform`` returns."""
-    method = get_attribute(run, value, "perform")
-    if isinstance(method, BoundMethod) and isinstance(method.function, FunctionValue):
+    method = own_method(run, value, "perform")
+    if method is not None:
         found = run.ask(method)
         return found if isinstance(found, Unknown) else run.perform(found)
     base = made_by_base(run, value)
@@ -45,13 +42,13 @@ def _own_text(run: LaunchRun, value: Instance) -> Value:
 
 def perform(run: LaunchRun, value: Value | None) -> Value:
     """The text of what launch takes for one: a text, a substitution, a path, or a list of these."""
-    if value is None:
-        return Known("")
-    if isinstance(value, Known):
-        kind = "other" if value.kind == "path" else value.kind
-        return Known(str(value.value), value.via, value.origin, kind) if value.value is not None else Known("")
-    if isinstance(value, (Unknown, Holed)):
-        return value
+    match value:
+        case None | Known(value=None):
+            return Known("")
+        case Known(value=constant, via=via, origin=origin, kind=kind):
+            return Known(str(constant), via, origin, "other" if kind == "path" else kind)
+        case Unknown() | Holed():
+            return value
     if not run.performing:
         run.performed = 0
     if run.performing >= DEEP_TEXT or run.performed >= PARTS:
@@ -65,32 +62,31 @@ def perform(run: LaunchRun, value: Value | None) -> Value:
 
 
 def _perform(run: LaunchRun, value: Value) -> Value:
-    if isinstance(value, OneOf):
-        with run.perhaps():
-            return one_of([run.perform(option) for option in value.values])
-    if isinstance(value, ListValue):
-        items = containers.items_of(run, value)
-        if items.open:
-            return Unknown("a text of parts that are not known")
-        return texts.concatenate([run.perform(item) for item in items.values])
-    kind = kind_of(value)
-    if kind in SUBSTITUTIONS:
-        assert isinstance(value, Instance)
-        return SUBSTITUTIONS[kind](run, value)
-    if isinstance(value, Instance) and isinstance(value.cls, ClassValue):
-        return _own_text(run, value)
+    match value:
+        case OneOf(values=options):
+            with run.perhaps():
+                return one_of([run.perform(option) for option in options])
+        case ListValue():
+            items = containers.items_of(run, value)
+            if items.open:
+                return Unknown("a text of parts that are not known")
+            return texts.concatenate([run.perform(item) for item in items.values])
+        case LaunchObject(kind=kind) if kind in SUBSTITUTIONS:
+            return SUBSTITUTIONS[kind](run, value)
+        case Instance(cls=ClassValue()):
+            return _own_text(run, value)
     return Unknown(reason(value))
 
 
-def _value(run: LaunchRun, value: Instance) -> Value:
-    return run.perform(argument(value, "value"))
+def _value(run: LaunchRun, value: LaunchObject) -> Value:
+    return run.perform(value.argument("value"))
 
 
-def _not_here(what: str) -> Callable[[LaunchRun, Instance], Value]:
+def _not_here(what: str) -> Callable[[LaunchRun, LaunchObject], Value]:
     return lambda run, value: Unknown(what)
 
 
-SUBSTITUTIONS: dict[str, Callable[[LaunchRun, Instance], Value]] = {
+SUBSTITUTIONS: dict[str, Callable[[LaunchRun, LaunchObject], Value]] = {
     "LaunchConfiguration": texts.configuration,
     "TextSubstitution": texts.text,
     "PathJoinSubstitution": texts.path_join,

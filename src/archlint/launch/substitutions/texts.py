@@ -3,12 +3,11 @@
 from __future__ import annotations
 
 import posixpath
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING
 
 from archlint.interpreter import constant_expressions, containers
 from archlint.interpreter.values import (
-    Instance,
     Known,
     ListValue,
     Unknown,
@@ -19,7 +18,7 @@ from archlint.interpreter.values import (
     one_of,
     reason,
 )
-from archlint.launch.objects import LaunchObject, argument
+from archlint.launch.objects import LaunchObject, known_text
 
 if TYPE_CHECKING:
     from archlint.finding import Place
@@ -47,60 +46,65 @@ def written_at(value: Value, place: Place | None) -> Value:
     return value
 
 
+def each_text(value: Value, make: Callable[[str], Value]) -> Value:
+    """What is made of each text that a value may be; what is not known stays so."""
+    texts = ((option, known_text(option)) for option in alternatives(value))
+    return one_of(Unknown(reason(option)) if text is None else make(text) for option, text in texts)
+
+
 def _parts(run: LaunchRun, value: Value | None) -> list[Value]:
-    if isinstance(value, ListValue):
-        return list(containers.items_of(run, value).values)
-    return [] if value is None else [value]
+    """The texts of a list, or of what stands for the only item of one."""
+    items = containers.items_of(run, value).values if isinstance(value, ListValue) else (value,)
+    return [run.perform(item) for item in items if item is not None]
 
 
-def configuration(run: LaunchRun, value: Instance) -> Value:
-    name = run.perform(argument(value, "variable_name"))
-    if not isinstance(name, Known):
+def configuration(run: LaunchRun, value: LaunchObject) -> Value:
+    name = run.text_of(value.argument("variable_name"))
+    if name is None:
         run.result.reads_any = True
         return Unknown("the name of a launch configuration is not known")
-    text = str(name.value)
-    run.result.read.add(text)
-    found = run.launch.configurations.get(text)
+    run.result.read.add(name)
+    found = run.launch.configurations.get(name)
     if found is not None:
         return found
-    default = value.arguments.get("default")
-    if default is not None and default != Known(None):
+    default = value.argument("default")
+    if default is not None:
         return run.perform(default)
     if value.place is not None:
-        in_branch = isinstance(value, LaunchObject) and bool(value.branch_arms - run.code_arms)
-        run.note_undeclared(text, value.place, run.is_conditional or in_branch)
-    return Unknown(f"the launch configuration '{text}' is not set")
+        in_branch = bool(value.branch_arms - run.code_arms)
+        run.note_undeclared(name, value.place, run.is_conditional or in_branch)
+    return Unknown(f"the launch configuration '{name}' is not set")
 
 
-def text(run: LaunchRun, value: Instance) -> Value:
-    return run.perform(argument(value, "text"))
+def text(run: LaunchRun, value: LaunchObject) -> Value:
+    return run.perform(value.argument("text"))
 
 
-def path_join(run: LaunchRun, value: Instance) -> Value:
-    parts = [run.perform(part) for part in _parts(run, argument(value, "substitutions"))]
-    if all(isinstance(part, Known) for part in parts):
-        texts = [str(part.value) for part in parts if isinstance(part, Known)]
+def path_join(run: LaunchRun, value: LaunchObject) -> Value:
+    parts = _parts(run, value.argument("substitutions"))
+    texts = [text for text in map(known_text, parts) if text is not None]
+    if len(texts) == len(parts):
         return Known(posixpath.join("", *texts), origin=file_origin(*parts))
     return concatenate(parts, "/")
 
 
-def string_join(run: LaunchRun, value: Instance) -> Value:
-    joint = run.perform(argument(value, "delimiter"))
-    parts = [run.perform(part) for part in _parts(run, argument(value, "substitutions"))]
-    return concatenate(parts, str(joint.value)) if isinstance(joint, Known) else Unknown(reason(joint))
+def string_join(run: LaunchRun, value: LaunchObject) -> Value:
+    joint = run.perform(value.argument("delimiter"))
+    parts = _parts(run, value.argument("substitutions"))
+    text = known_text(joint)
+    return Unknown(reason(joint)) if text is None else concatenate(parts, text)
 
 
-def environment(run: LaunchRun, value: Instance) -> Value:
-    name = run.perform(argument(value, "name"))
-    if not isinstance(name, Known):
+def environment(run: LaunchRun, value: LaunchObject) -> Value:
+    name = run.text_of(value.argument("name"))
+    if name is None:
         return Unknown("the name of an environment variable is not known")
-    found = run.launch.environment.get(str(name.value)) or run.library.environment(name.value)
+    found = run.launch.environment.get(name) or run.library.environment(name)
     if found is not None:
         return found
-    unknown = Unknown(f"the environment variable {name.value!s}")
-    default = value.arguments.get("default_value")
-    if default is None or default == Known(None) or name.value in _SET_EVERYWHERE:
-        return unknown
+    default = value.argument("default_value")
+    if default is None or name in _SET_EVERYWHERE:
+        return Unknown(f"the environment variable {name}")
     return run.perform(default)
 
 
@@ -108,19 +112,17 @@ _SET_EVERYWHERE = frozenset({"HOME", "LOGNAME", "PATH", "PWD", "SHELL", "USER"})
 """Variables that a login sets: their default is for the machine that has none."""
 
 
-def anonymous(run: LaunchRun, value: Instance) -> Value:
-    name = run.perform(argument(value, "name"))
+def anonymous(run: LaunchRun, value: LaunchObject) -> Value:
+    name = run.perform(value.argument("name"))
     return join_texts((name, Known("_"), Unknown("a name that launch makes unique")))
 
 
-def python_expression(run: LaunchRun, value: Instance) -> Value:
-    found: list[Value] = []
-    for option in alternatives(run.perform(argument(value, "expression"))):
-        if not isinstance(option, Known):
-            found.append(Unknown(reason(option)))
-            continue
-        try:
-            found.append(Known(str(constant_expressions.evaluate(str(option.value)))))
-        except constant_expressions.NotFollowed as error:
-            found.append(Unknown(str(error)))
-    return one_of(found)
+def python_expression(run: LaunchRun, value: LaunchObject) -> Value:
+    return each_text(run.perform(value.argument("expression")), _evaluated)
+
+
+def _evaluated(expression: str) -> Value:
+    try:
+        return Known(str(constant_expressions.evaluate(expression)))
+    except constant_expressions.NotFollowed as error:
+        return Unknown(str(error))
