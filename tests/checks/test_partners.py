@@ -9,7 +9,8 @@ from archlint.config.options import options_for
 from archlint.config.settings import Settings
 from archlint.engine.judging import judge
 from archlint.finding import Finding, Place
-from archlint.launch.model import FileKind, FileReference, FileStatus, Gap, Included, Launched, Started, StartedKind
+from archlint.launch.kinds import FileKind, FileStatus, StartedKind
+from archlint.launch.model import FileReference, Gap, Included, Launched, Started
 from archlint.ros.qos import Qos
 from archlint.systems.model import Node, System
 from systems.builders import (

@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING
 from archlint.analysis.comparable import place_of, what_is_compared, whole_node
 from archlint.analysis.comparison_of_ends import Ends, ends_of
 from archlint.analysis.comparison_of_topics import topics_of
-from archlint.launch.model import StartedKind
+from archlint.launch.kinds import StartedKind
 from archlint.observed.model import BAG, MISSING, UNEXPECTED, Comparison, Difference, Observed, SeenNode
 from archlint.ros.names import is_hidden, pattern_matches
 from archlint.suggestions import did_you_mean

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.finding import Finding
-from archlint.launch.model import StartedKind
+from archlint.launch.kinds import StartedKind
 from archlint.suggestions import did_you_mean, listed
 
 if TYPE_CHECKING:

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 from archlint.checks.registry import finding
 from archlint.finding import Finding, Related
-from archlint.launch.model import StartedKind
+from archlint.launch.kinds import StartedKind
 from archlint.ros import names
 from archlint.ros.remapping import RemapRule
 from archlint.systems.model import key_of

@@ -13,7 +13,7 @@ from archlint.analysis.missing_files import names_beside
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.finding import Finding, Related
-from archlint.launch.model import FileKind, FileStatus
+from archlint.launch.kinds import FileKind, FileStatus
 from archlint.suggestions import did_you_mean, distance, have_same_words
 
 if TYPE_CHECKING:

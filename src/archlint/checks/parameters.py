@@ -12,7 +12,8 @@ from archlint.analysis.declarations import is_guarded, may_be_dynamic, surely_ru
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.finding import Finding, Place, Related
-from archlint.launch.model import FileStatus, ParameterFileUse, Started
+from archlint.launch.kinds import FileStatus
+from archlint.launch.model import ParameterFileUse, Started
 from archlint.suggestions import did_you_mean, listed
 from archlint.systems.overrides import Setting, applied, key_matches
 

@@ -15,7 +15,7 @@ from archlint.checks.packages import workspace_of
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.finding import Edit, Finding, Fix, Place, Related
-from archlint.launch.model import StartedKind
+from archlint.launch.kinds import StartedKind
 from archlint.ros import packages
 from archlint.rulebook import rules
 from archlint.suggestions import distance, nearest

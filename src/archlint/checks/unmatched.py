@@ -13,7 +13,7 @@ from archlint.checks.near_misses import nearly_equal
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.finding import Finding, Related
-from archlint.launch.model import StartedKind
+from archlint.launch.kinds import StartedKind
 from archlint.model import (
     EntityKind,
 )

@@ -19,7 +19,7 @@ from archlint.interpreter.values import (
     reason,
 )
 from archlint.launch import calls
-from archlint.launch.model import FileKind
+from archlint.launch.kinds import FileKind
 from archlint.launch.objects import LaunchObject, argument, known_text, made_by_base
 from archlint.launch.perform_calls import perform_method
 from archlint.launch.substitutions.paths import package_prefix, package_share

@@ -10,8 +10,9 @@ from archlint.launch import conditions
 from archlint.launch.actions import visiting
 from archlint.launch.files import GENERATE
 from archlint.launch.frontends.elements import actions_of
+from archlint.launch.kinds import FileStatus, GapKind
 from archlint.launch.library import LaunchFileLibrary
-from archlint.launch.model import FileStatus, GapKind, why_unknown
+from archlint.launch.model import why_unknown
 from archlint.launch.run import LaunchRun
 from archlint.launch.substitutions import performing
 from archlint.launch.undefined import undefined_name

@@ -8,47 +8,9 @@ from typing import ClassVar
 
 from archlint.branches import BranchArms
 from archlint.finding import Place
+from archlint.launch.kinds import FileKind, FileStatus, GapKind, StartedKind
 from archlint.model import Text
-from archlint.string_enum import StringEnum
 from archlint.syntax.parameter_files import NotKnown
-
-
-class FileKind(StringEnum):
-    """What a launch file takes a file for."""
-
-    LAUNCH = "launch"
-    PARAMETERS = "parameters"
-    RVIZ = "rviz"
-
-
-class FileStatus(StringEnum):
-    """Whether a file that a launch file names is where it looks."""
-
-    INSTALLED = "installed"
-    NOT_INSTALLED = "not installed"
-    """It is there, but no rule installs it."""
-    MISSING = "missing"
-    EXTERNAL = "external"
-    """Of a package that is not here."""
-    UNKNOWN = "unknown"
-
-
-class StartedKind(StringEnum):
-    """What a launch file starts."""
-
-    NODE = "node"
-    CONTAINER = "container"
-    COMPONENT = "component"
-    PROCESS = "process"
-    """A command that is no node."""
-
-
-class GapKind(StringEnum):
-    """What could not be followed."""
-
-    LAUNCH = "launch"
-    """An action, or a file."""
-    INCLUDE = "include"
 
 
 @dataclass(frozen=True)

@@ -18,7 +18,8 @@ from archlint.interpreter.values import (
     Value,
     reason,
 )
-from archlint.launch.model import FileKind, OpenParameters, ParameterFileUse, ParameterSetting
+from archlint.launch.kinds import FileKind
+from archlint.launch.model import OpenParameters, ParameterFileUse, ParameterSetting
 from archlint.launch.objects import LaunchObject, kind_of, known_text, place_of
 from archlint.launch.tables import SUBSTITUTIONS
 from archlint.syntax.parameter_files import NotKnown

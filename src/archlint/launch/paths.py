@@ -8,7 +8,8 @@ from collections.abc import Mapping
 from typing import TYPE_CHECKING
 
 from archlint.interpreter.values import Known, Unknown, Value, reason
-from archlint.launch.model import FileKind, FileReference, FileStatus
+from archlint.launch.kinds import FileKind, FileStatus
+from archlint.launch.model import FileReference
 
 if TYPE_CHECKING:
     from archlint.finding import Place

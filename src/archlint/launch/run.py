@@ -23,11 +23,10 @@ from archlint.interpreter.roots import enter_root, module_of
 from archlint.interpreter.values import DictValue, Known, OneOf, Unknown, Value
 from archlint.launch.argument_names import AGAIN, ArgumentNames
 from archlint.launch.context import Context
+from archlint.launch.kinds import FileKind, GapKind
 from archlint.launch.model import (
-    FileKind,
     FileReference,
     Gap,
-    GapKind,
     Launched,
     MadeFile,
     NotACondition,

@@ -7,7 +7,8 @@ from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
-from archlint.launch.model import Launched, Started, StartedKind
+from archlint.launch.kinds import StartedKind
+from archlint.launch.model import Launched, Started
 from archlint.model import Blueprint, ExecutorKind, Overrides, Program, Text
 from archlint.ros import names
 from archlint.ros.remapping import RemapRule, rules_of_arguments

@@ -6,8 +6,9 @@ from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING
 
 from archlint.finding import Place
+from archlint.launch.kinds import FileStatus
 from archlint.launch.launches import Launches
-from archlint.launch.model import FileStatus, Launched
+from archlint.launch.model import Launched
 from archlint.model import Blueprint, Program
 from archlint.systems.launched import LaunchSystems, started_pairs
 from archlint.systems.model import System, WorkspaceIndex

@@ -9,14 +9,8 @@ from functools import lru_cache
 from typing import Any
 
 from archlint.finding import Place
-from archlint.launch.model import (
-    FileReference,
-    OpenParameters,
-    ParameterFileUse,
-    ParameterSetting,
-    Started,
-    StartedKind,
-)
+from archlint.launch.kinds import StartedKind
+from archlint.launch.model import FileReference, OpenParameters, ParameterFileUse, ParameterSetting, Started
 from archlint.ros import names
 from archlint.syntax.parameter_files import NotKnown, ParameterFacts, ParameterSection, first_not_known
 from archlint.syntax.safe_yaml import plain_scalar

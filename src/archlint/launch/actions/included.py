@@ -12,7 +12,8 @@ from archlint.interpreter.values import Known, Value, alternatives
 from archlint.launch.actions.branches import callable_value, each_alternative, visit_items
 from archlint.launch.actions.pairs import pairs_of
 from archlint.launch.context import Context
-from archlint.launch.model import FileKind, Included, files_among
+from archlint.launch.kinds import FileKind
+from archlint.launch.model import Included, files_among
 from archlint.launch.objects import LaunchObject, argument, entities_of, kind_of, place_of
 from archlint.launch.substitutions.texts import written_at
 

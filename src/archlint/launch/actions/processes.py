@@ -14,7 +14,8 @@ from archlint.launch.actions.included import launch_in_own_process
 from archlint.launch.actions.pairs import pairs_of
 from archlint.launch.actions.scopes import remap
 from archlint.launch.context import absolute, prefix_namespace
-from archlint.launch.model import FileKind, OpenParameters, Remap, Started, StartedKind, UnknownAttribute
+from archlint.launch.kinds import FileKind, StartedKind
+from archlint.launch.model import OpenParameters, Remap, Started, UnknownAttribute
 from archlint.launch.objects import LaunchObject, argument, kind_of, known_text
 from archlint.launch.parameters import Parameter, file_use, parameters_of
 from archlint.launch.tables import SIGNATURES

@@ -18,7 +18,8 @@ from archlint.interpreter.values import (
     one_of,
     reason,
 )
-from archlint.launch.model import FileKind, MadeFile, Replacing, Rewriting
+from archlint.launch.kinds import FileKind
+from archlint.launch.model import MadeFile, Replacing, Rewriting
 from archlint.launch.objects import LaunchObject, known_text, launch_object
 from archlint.launch.substitutions.texts import each_text
 from archlint.syntax.parameter_files import NotKnown
