@@ -13,17 +13,8 @@ from archlint.syntax.python.deep_stack import call_with_deep_stack
 from archlint.workspace.discovery import find
 from archlint.workspace.model import SourceFile
 from archlint.workspace.tree import SourceTree
+from robot_package import SETUP_OF, manifest
 
-PACKAGE = "<package><name>{name}</name><export><build_type>ament_python</build_type></export></package>"
-SETUP = """\
-from glob import glob
-from setuptools import setup
-setup(
-    name='{name}',
-    data_files=[('share/{name}/launch', glob('launch/*')), ('share/{name}/config', glob('config/*'))],
-    entry_points={{'console_scripts': ['talker = {name}.talker:main']}},
-)
-"""
 PYTHON = """\
 import os
 from ament_index_python.packages import get_package_share_directory
@@ -51,8 +42,8 @@ class Launches:
         self.package("robot")
 
     def package(self, name: str) -> None:
-        self.file(f"{name}/package.xml", PACKAGE.format(name=name))
-        self.file(f"{name}/setup.py", SETUP.format(name=name))
+        self.file(f"{name}/package.xml", manifest(name))
+        self.file(f"{name}/setup.py", SETUP_OF.format(name=name))
 
     def file(self, path: str, text: str) -> None:
         target = self.root / path
@@ -112,3 +103,14 @@ def remaps(started: Started) -> list[tuple[str | None, str | None]]:
 
 def parameters(started: Started) -> dict[str | None, object]:
     return {p.name: p.value for p in started.parameters if hasattr(p, "name")}
+
+
+def node(name: str, **keywords: str) -> str:
+    """The Python that makes a node action."""
+    more = "".join(f", {key}={value}" for key, value in keywords.items())
+    return f"Node(package='robot', executable='talker', name={name!r}{more})"
+
+
+def left_out(launched: Launched) -> list[tuple[str, str]]:
+    """What is told of what could not be followed."""
+    return [(gap.kind, gap.reason) for gap in launched.not_followed()]

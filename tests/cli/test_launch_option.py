@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 
 from archlint.cli import main
-from launching import PACKAGE, SETUP
+from robot_package import SETUP, manifest, write_files
 from systems.test_launched import TALKER
 
 LAUNCH = """<launch>
@@ -22,16 +22,12 @@ LAUNCH = """<launch>
 def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     monkeypatch.chdir(tmp_path)
     texts = {
-        "src/robot/package.xml": PACKAGE.format(name="robot"),
-        "src/robot/setup.py": SETUP.format(name="robot"),
+        "src/robot/package.xml": manifest(),
+        "src/robot/setup.py": SETUP,
         "src/robot/robot/talker.py": TALKER,
         "src/robot/launch/up.launch.xml": LAUNCH,
     }
-    for name, text in texts.items():
-        path = tmp_path / name
-        path.parent.mkdir(parents=True, exist_ok=True)
-        path.write_text(text, encoding="utf-8")
-    return tmp_path
+    return write_files(tmp_path, texts)
 
 
 FILE = "src/robot/launch/up.launch.xml"

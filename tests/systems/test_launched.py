@@ -11,7 +11,7 @@ from archlint.engine.pipeline import Request, check, graph
 from archlint.render.json import document
 from archlint.render.text import render
 from archlint.systems.overrides import key_matches
-from launching import PACKAGE, SETUP
+from robot_package import SETUP, manifest, write_robot
 
 TALKER = """\
 import rclpy
@@ -36,18 +36,7 @@ def robot(tmp_path: Path, monkeypatch: pytest.MonkeyPatch):
     monkeypatch.chdir(tmp_path)
 
     def write(launch: str, **files: str) -> Path:
-        texts = {
-            "package.xml": PACKAGE.format(name="robot"),
-            "setup.py": SETUP.format(name="robot"),
-            "robot/talker.py": TALKER,
-            "launch/it.launch.xml": f"<launch>{launch}</launch>",
-            **files,
-        }
-        for name, text in texts.items():
-            path = tmp_path / name
-            path.parent.mkdir(parents=True, exist_ok=True)
-            path.write_text(text, encoding="utf-8")
-        return tmp_path
+        return write_robot(tmp_path, launch, **{"robot/talker.py": TALKER} | files)
 
     return write
 
@@ -262,7 +251,7 @@ def main():
     rclpy.init()
     rclpy.spin(Other())
 """
-TWO_SETUP = SETUP.format(name="robot").replace("['talker =", "['other = robot.other:main', 'talker =")
+TWO_SETUP = SETUP.replace("['talker =", "['other = robot.other:main', 'talker =")
 
 
 def test_what_a_launch_file_keeps_apart_is_no_conflict(robot):
@@ -363,7 +352,7 @@ def test_an_entry_point_in_a_folder_that_is_no_python_package(robot):
 
 
 def test_of_two_packages_with_one_name_the_nearer_one_is_started(robot):
-    texts = {"package.xml": PACKAGE.format(name="robot"), "setup.py": SETUP.format(name="robot")}
+    texts = {"package.xml": manifest(), "setup.py": SETUP}
     first = {f"first/{name}": text for name, text in {**texts, "robot/talker.py": TALKER}.items()}
     second = {f"second/{name}": text for name, text in {**texts, "robot/talker.py": TALKER}.items()}
     started = '<launch><node pkg="robot" exec="talker"/></launch>'
@@ -711,9 +700,7 @@ def test_types_are_compared_under_the_names_that_launch_files_give(robot, talker
     publisher = TALKS.format(cls="Talker", create=f"publisher(String, {BY_PARAMETER}, 10")
     listens = TALKS.format(cls="Listener", create=f"subscription(Bool, {BY_PARAMETER}, print, 10")
     files = {"robot/talker.py": publisher, "robot/listener.py": listens}
-    files["setup.py"] = SETUP.format(name="robot").replace(
-        "robot.talker:main'", "robot.talker:main', 'listener = robot.listener:main'"
-    )
+    files["setup.py"] = SETUP.replace("robot.talker:main'", "robot.talker:main', 'listener = robot.listener:main'")
     if listener is not None:
         files["launch/other.launch.xml"] = f"<launch><node pkg='robot' exec='listener'>{listener}</node></launch>"
     robot(f"<node pkg='robot' exec='talker'>{talker}</node>", **files)
@@ -784,9 +771,7 @@ def test_what_the_code_itself_chooses_from_a_table_is_certain(robot):
     assert (endpoint.name, endpoint.resolution) == ("/right/out", "exact")
 
 
-THREE = SETUP.format(name="robot").replace(
-    "robot.talker:main'", "robot.a:main', 'two = robot.b:main', 'three = robot.c:main'"
-)
+THREE = SETUP.replace("robot.talker:main'", "robot.a:main', 'two = robot.b:main', 'three = robot.c:main'")
 
 
 def test_publishers_of_a_launch_file_and_of_one_that_it_includes_are_told_once(robot):

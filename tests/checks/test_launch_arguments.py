@@ -1,0 +1,295 @@
+"""LCH003: launch arguments that nothing declares, and that an included file does not take."""
+
+from __future__ import annotations
+
+import pytest
+
+from robot_package import node
+
+
+def test_an_argument_that_every_includer_passes_is_declared_enough(findings):
+    inner = f"<launch>{node(name='$(var name)')}</launch>"
+    outer = '<include file="$(dirname)/inner.launch.xml"><arg name="name" value="a"/></include>'
+    assert findings("LCH003", outer, **{"launch/inner.launch.xml": inner}) == []
+    (found,) = findings("LCH003", outer.replace('name="name"', 'name="nam"'), **{"launch/inner.launch.xml": inner})[:1]
+    assert found.place.file.startswith("launch/")
+
+
+def test_a_configuration_behind_a_condition_may_be_set_by_then(findings):
+    assert findings("LCH003", '<arg name="x"/>' + node(name="$(var y)", **{"if": "$(var x)"})) == []
+
+
+def test_the_advice_is_written_in_the_language_of_the_launch_file(findings):
+    (xml,) = findings("LCH003", node(name="$(var y)"))
+    assert xml.help == 'declare it before it is read: <arg name="y" default="…"/>'
+    yaml = "launch:\n- node: {pkg: robot, exec: talker, name: $(var y)}\n"
+    (other,) = findings("LCH003", **{"launch/b.launch.yaml": yaml})
+    assert other.help == "declare it before it is read: - arg: {name: y, default: …}"
+
+
+def test_one_forgotten_argument_is_told(findings):
+    (found,) = findings("LCH003", '<arg name="x" default="a"/>' + node(name="$(var y)"))
+    assert "no launch argument 'y' is declared" in found.message
+
+
+def test_an_argument_that_is_declared_too_late(findings):
+    (found,) = findings("LCH003", node(name="$(var y)") + '<arg name="y" default="a"/>')
+    assert found.message == "the launch argument 'y' is read before it is declared"
+    assert [one.message for one in found.related] == ["it is declared here"]
+
+
+READS_ITSELF = """\
+from launch import LaunchDescription
+from launch.actions import DeclareLaunchArgument
+from launch.substitutions import LaunchConfiguration
+from launch_ros.actions import Node
+
+def generate_launch_description():
+    name = LaunchConfiguration('name')
+    return LaunchDescription([
+        DeclareLaunchArgument('name', default_value=[name]),
+        Node(package='robot', executable='talker', name=name),
+    ])
+"""
+
+
+def test_a_default_that_is_the_argument_itself(findings):
+    (found,) = findings("LCH003", **{"launch/a.launch.py": READS_ITSELF})
+    assert found.message.startswith("the default of the launch argument 'name' is 'name' itself")
+    assert (found.place.line, [one.place.line for one in found.related]) == (9, [7])
+
+
+@pytest.mark.parametrize("good", ["LaunchConfiguration('name', default='ann')", "'ann'"])
+def test_a_default_behind_the_default_is_one(findings, good):
+    text = READS_ITSELF.replace("LaunchConfiguration('name')", good)
+    assert findings("LCH003", **{"launch/a.launch.py": text}) == []
+
+
+def test_an_include_that_gives_the_argument_needs_no_default(findings):
+    outer = '<include file="$(dirname)/a.launch.py"><arg name="name" value="ann"/></include>'
+    assert findings("LCH003", outer, **{"launch/a.launch.py": READS_ITSELF}) == []
+
+
+def test_an_argument_that_a_missing_include_may_declare(findings):
+    read = node(name="$(var y)")
+    there = '<include file="$(find-pkg-share robot)/launch/inner.launch.xml"/>'
+    assert findings("LCH003", there + read) == []  # LCH004 tells the include
+    (found,) = findings("LCH003", there + read, **{"launch/inner.launch.xml": "<launch/>"})
+    assert "'y'" in found.message
+    (found,) = findings("LCH003", read + there)
+    assert "'y'" in found.message
+
+
+def test_what_a_later_include_declares_for_itself_is_no_declaration_here(findings):
+    inner = '<launch><arg name="y" default="a"/></launch>'
+    outer = node(name="$(var y)") + '<include file="$(dirname)/inner.launch.xml"/>'
+    (found,) = findings("LCH003", outer, **{"launch/inner.launch.xml": inner})
+    assert found.message == "no launch argument 'y' is declared at this point, and nothing sets it"
+    assert found.help is not None and found.help.startswith("declare it before it is read")
+    assert [one.message for one in found.related] == ["declared here, later"]
+
+
+NEVER_ADDED = """\
+from launch import LaunchDescription
+from launch.actions import DeclareLaunchArgument
+from launch.substitutions import LaunchConfiguration
+from launch_ros.actions import Node
+
+def generate_launch_description():
+    name = DeclareLaunchArgument('name', default_value='ann')
+    talker = Node(package='robot', executable='talker', name=LaunchConfiguration('name'))
+    return LaunchDescription([talker])
+"""
+
+
+def test_a_declaration_that_is_made_and_never_added(findings):
+    (found,) = findings("LCH003", **{"launch/a.launch.py": NEVER_ADDED})
+    assert found.message == "the launch argument 'name' is read, but its declaration is not in the LaunchDescription"
+    assert (found.place.line, [one.place.line for one in found.related]) == (8, [7])
+
+
+def test_a_declaration_that_only_an_included_file_adds_later(findings):
+    inner = '<arg name="name" default="bob"/>'
+    include = (
+        "    later = IncludeLaunchDescription(XMLLaunchDescriptionSource(\n"
+        "        [FindPackageShare('robot'), '/launch/it.launch.xml']))\n    return"
+    )
+    outer = (
+        "from launch.actions import IncludeLaunchDescription\nfrom launch_xml.launch_description_sources import "
+        "XMLLaunchDescriptionSource\nfrom launch_ros.substitutions import FindPackageShare\n"
+    ) + NEVER_ADDED.replace("    return", include).replace("[talker]", "[talker, later]")
+    (found,) = findings("LCH003", inner, **{"launch/a.launch.py": outer})
+    assert [one.place.file for one in found.related] == ["launch/a.launch.py"]
+
+
+@pytest.mark.parametrize("added", ["[name, talker]", "[talker], **{}", "[*[name], talker]"])
+def test_a_declaration_that_is_added(findings, added):
+    text = NEVER_ADDED.replace("[talker]", added)
+    if "**" in added:
+        text = NEVER_ADDED.replace("    return LaunchDescription([talker])", ADDED_LATER)
+    assert findings("LCH003", **{"launch/a.launch.py": text}) == []
+
+
+ADDED_LATER = """\
+    description = LaunchDescription()
+    for one in (name, talker):
+        description.add_action(one)
+    return description"""
+
+
+@pytest.mark.parametrize(
+    "launch",
+    [
+        '<arg name="x"/>' + node(name="$(var y)"),
+        node(name="$(var a)", namespace="$(var b)", args="$(var c)"),
+    ],
+)
+def test_a_file_that_is_meant_to_be_included_gets_its_arguments_from_elsewhere(findings, launch):
+    assert findings("LCH003", launch) == []
+
+
+@pytest.mark.parametrize(("substitutes", "told"), [("true", 0), ("false", 1)])
+def test_a_parameter_file_with_substitutions_may_read_an_includes_argument(findings, substitutes, told):
+    load_it = f'<param from="$(find-pkg-share robot)/config/p.yaml" allow_substs="{substitutes}"/>'
+    files = {
+        "launch/inner.launch.xml": f"<launch>{node(load_it)}</launch>",
+        "config/p.yaml": "talker: {ros__parameters: {rate: $(var speed)}}",
+    }
+    outer = '<include file="$(dirname)/inner.launch.xml"><arg name="speed" value="2.0"/></include>'
+    assert len(findings("LCH003", outer, **files)) == told
+
+
+INCLUDING = """\
+import os
+from launch import LaunchDescription
+from launch.actions import DeclareLaunchArgument, IncludeLaunchDescription
+from launch.launch_description_sources import AnyLaunchDescriptionSource
+from launch.substitutions import LaunchConfiguration, PathJoinSubstitution
+from launch_ros.substitutions import FindPackageShare
+
+def part(name):
+    return PathJoinSubstitution([FindPackageShare('robot'), 'launch', name])
+
+def generate_launch_description():
+    real = os.path.exists('/dev/robot')
+    given = {{'speed': '1.0', 'sped': '2.0', 'rate': '3.0'}}
+    {before}
+    return LaunchDescription([
+        IncludeLaunchDescription(AnyLaunchDescriptionSource(part({file})), launch_arguments={arguments}),
+    ])
+"""
+
+
+FAST = '<launch><arg name="speed" default="1"/><arg name="rate" default="1"/></launch>'
+
+
+def included(findings, arguments: str, file: str = "'fast.launch.xml'", before: str = "", **files: str):
+    outer = INCLUDING.format(file=file, arguments=arguments, before=before or "pass")
+    return findings("LCH003", **{"launch/fast.launch.xml": FAST, "launch/outer.launch.py": outer, **files})
+
+
+def test_an_include_is_told_once(findings):
+    (one,) = included(findings, "{'sped': '2.0', 'slow': '1', 'rate': '1', 'colour': 'red'}.items()")
+    assert one.message == "fast.launch.xml declares none of the launch arguments 'sped', 'slow', 'colour'"
+    assert [other.message for other in one.related] == ["'slow' is set here", "'colour' is set here"]
+    (one,) = included(findings, "{'sped': '2.0'}.items()")
+    assert one.message == "fast.launch.xml declares no launch argument 'sped'; did you mean 'speed'?"
+    assert "declared are rate, speed" in (one.help or "")
+
+
+def test_the_same_mistake_at_two_includes_is_one(findings):
+    include = '<include file="$(dirname)/fast.launch.xml"><arg name="colour" value="{}"/></include>'
+    outer = include.format("red") + "\n" + include.format("green")
+    (one,) = findings("LCH003", outer, **{"launch/fast.launch.xml": FAST})
+    assert [(related.place.line, related.message) for related in one.related] == [(2, "and here")]
+
+
+def test_an_argument_is_for_the_file_that_takes_it(findings):
+    slow = {"launch/slow.launch.xml": '<launch><arg name="sped" default="1"/></launch>'}
+    choice = "'fast.launch.xml' if real else 'slow.launch.xml'"
+    assert included(findings, "{'speed': '1', 'sped': '2'}.items()", choice, **slow) == []
+    (one,) = included(findings, "{'speed': '1', 'colour': 'red'}.items()", choice, **slow)
+    assert "fast.launch.xml and slow.launch.xml declare no launch argument 'colour'" in one.message
+
+
+@pytest.mark.parametrize(
+    ("inner", "told"),
+    [
+        ("# colour", 1),
+        ("Node(package='robot', executable='talker', name='colour')", 1),
+        ("Node(package='robot', executable='talker', parameters=[{'colour': 'red'}])", 1),
+        ("Node(package='robot', executable='talker', parameters=[{'c': LaunchConfiguration('colour')}])", 0),
+        ("OpaqueFunction(function=lambda c: [LogInfo(msg=c.launch_configurations['colour'])])", 0),
+        ("OpaqueFunction(function=lambda c: read(c, 'colour'))", 0),
+    ],
+)
+def test_only_what_reads_an_argument_takes_it(findings, inner, told):
+    text = (
+        "from launch import LaunchDescription\nfrom launch.actions import LogInfo, OpaqueFunction\n"
+        "from launch.substitutions import LaunchConfiguration\nfrom launch_ros.actions import Node\n"
+        f"def generate_launch_description():\n    return LaunchDescription([\n        {inner}\n    ])\n"
+    )
+    outer = '<include file="$(dirname)/inner.launch.py"><arg name="colour" value="red"/></include>'
+    assert len(findings("LCH003", outer, **{"launch/inner.launch.py": text})) == told
+
+
+def test_a_node_of_an_included_xml_file_may_have_an_arguments_name(findings):
+    outer = '<include file="$(dirname)/inner.launch.yaml"><arg name="talker" value="red"/></include>'
+    inner = "launch:\n- node: {pkg: robot, exec: talker, name: 'NAME'}\n"
+    (one,) = findings("LCH003", outer, **{"launch/inner.launch.yaml": inner.replace("NAME", "talker")})
+    assert one.message.startswith("inner.launch.yaml declares no launch argument 'talker'")
+    assert findings("LCH003", outer, **{"launch/inner.launch.yaml": inner.replace("NAME", "$(var talker)")}) == []
+
+
+@pytest.mark.parametrize(
+    ("value", "before"),
+    [
+        ("{'speed': LaunchConfiguration('s')}.items() if real else {}.items()", ""),
+        ("{'speed': LaunchConfiguration('s') if real else '1'}.items()", ""),
+        ("given.items()", "given = {}\n    if real:\n        given['speed'] = LaunchConfiguration('s')"),
+    ],
+)
+def test_what_one_branch_reads_is_not_read_in_the_other(findings, value, before):
+    assert included(findings, value, before=before) == []
+    assert len(included(findings, "{'speed': LaunchConfiguration('s')}.items()")) == 1
+
+
+IN_ROUNDS = """\
+from launch import LaunchDescription
+from launch.actions import DeclareLaunchArgument
+from launch.substitutions import LaunchConfiguration
+from launch_ros.actions import Node
+
+def generate_launch_description():
+    actions = []
+    for name in ('left', 'right'):
+        actions.append(Node(package='robot', executable='talker', name=LaunchConfiguration(name)))
+        actions.append(DeclareLaunchArgument(name, default_value=name))
+    return LaunchDescription(actions)
+"""
+
+
+def test_the_rounds_of_a_loop_read_too_early_once(findings):
+    (found,) = findings("LCH003", **{"launch/it.launch.py": IN_ROUNDS})
+    assert (found.place.line, found.message) == (9, "the launch argument 'left' is read before it is declared")
+    assert "the launch argument 'right' is read before it is declared" in [one.message for one in found.related]
+    names = "$(var left) $(var right)"  # two mistakes in one attribute
+    assert len(findings("LCH003", f"<let name='a' value='{names}'/>", **{"launch/it.launch.py": ""})) == 2
+
+
+def test_a_file_that_takes_no_argument_is_told_once_for_all_that_hand_it_over(findings):
+    inner = {"launch/inner.launch.xml": '<launch><arg name="speed" default="1"/></launch>'}
+    include = '<include file="$(find-pkg-share robot)/launch/inner.launch.xml"><arg name="gain" value="1"/></include>'
+    files = {f"launch/{name}.launch.xml": f"<launch>{include}</launch>" for name in ("first", "second", "third")}
+    (one,) = findings("LCH003", **inner, **files)
+    assert one.place.file == "launch/first.launch.xml"
+    assert [related.place.file for related in one.related] == ["launch/second.launch.xml", "launch/third.launch.xml"]
+    assert one.severity.label == "warning"
+
+
+def test_use_sim_time_handed_over_as_a_matter_of_course_is_information(findings):
+    inner = {"launch/inner.launch.xml": '<launch><arg name="speed" default="1"/></launch>'}
+    given = '<arg name="use_sim_time" value="false"/>'
+    outer = f'<include file="$(find-pkg-share robot)/launch/inner.launch.xml">{given}</include>'
+    (one,) = findings("LCH003", outer, **inner)
+    assert one.severity.label == "info"

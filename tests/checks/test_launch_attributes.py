@@ -1,0 +1,86 @@
+"""LCH005: keywords and attributes that an action of launch does not have."""
+
+from __future__ import annotations
+
+import pytest
+
+from archlint.finding import Severity
+from robot_package import node
+
+
+def test_an_argument_of_an_action_that_it_does_not_have_stops_the_whole_file(findings):
+    (xml,) = findings("LCH005", node(nodename="y"))
+    assert xml.help == "launch rejects this file before anything is started"
+    code = "from launch import LaunchDescription\nfrom launch_ros.actions import Node\n\n"
+    code += "def generate_launch_description():\n    return LaunchDescription([Node(package='robot', node_name='x')])\n"
+    (python,) = findings("LCH005", **{"launch/b.launch.py": code})
+    assert python.help == "this call raises TypeError before anything is started"
+
+
+def test_what_the_actions_of_one_file_do_not_have_is_one_finding(findings):
+    inner = f"{node(nodename='y', respawned='true')}\n{node(nodename='z')}\n{node(name='fine')}"
+    code = "from launch import LaunchDescription\nfrom launch_ros.actions import Node\n\n"
+    code += "def generate_launch_description():\n    return LaunchDescription([\n"
+    code += "        Node(package='robot', node_name='x', name='a'),\n        Node(package='robot', params=[])])\n"
+    python, xml = findings("LCH005", inner, **{"launch/b.launch.py": code})
+    assert (xml.place.line, "<node> has no attribute 'nodename'" in xml.message) == (1, True)
+    assert [one.place.line for one in xml.related] == [1, 2]
+    assert xml.related[0].message == "<node> has no attribute 'respawned'; did you mean 'respawn'?"
+    assert (python.place.line, [one.place.line for one in python.related]) == (6, [7])
+
+
+@pytest.mark.parametrize(
+    ("inner", "told"),
+    [
+        ("<node name='Monitor' path='a/Monitor'/><node name='Plan' path='a/Plan'/>", 0),  # of another tool
+        ("<component name='Plan' path='a/Plan'/>", 0),
+        ("<node name='a' path='b'/><node pkg='robot' exec='talker'/>", 1),
+        ("<node package='robot' executable='talker'/>", 1),
+        ("<node name='a' path='$(find-pkg-share robot)/a'/>", 1),
+        ("<node name='a' path='b'/><arg name='c'/>", 1),
+        ("<node name='a' path='b'><param name='c' value='1'/></node>", 1),
+    ],
+)
+def test_a_launch_file_of_another_tool_is_none_of_ros(findings, inner: str, told: int):
+    assert len(findings("LCH005", inner)) == told
+
+
+def test_a_comment_allows_one_of_them(findings):
+    inner = f"{node(nodename='y')} <!-- archlint: ignore[LCH005] -->\n{node(other='z')}"
+    (found,) = findings("LCH005", inner)
+    assert (found.place.line, found.related) == (2, ())
+
+
+@pytest.mark.parametrize(("condition", "told"), [("True", 1), ("os.getenv('ROS_DISTRO') == 'dashing'", 0)])
+def test_keywords_of_an_older_ros(findings, condition, told):
+    text = f"""\
+import os
+from launch import LaunchDescription
+from launch_ros.actions import Node
+
+def generate_launch_description():
+    if {condition}:
+        return LaunchDescription([Node(package='robot', node_executable='talker')])
+    return LaunchDescription([Node(package='robot', executable='talker')])
+"""
+    assert len(findings("LCH005", **{"launch/old.launch.py": text})) == told
+
+
+@pytest.mark.parametrize(
+    ("name", "keyword", "severity"),
+    [
+        ("dashing_start", "node_executable", Severity.INFO),
+        ("start", "node_executable", Severity.WARNING),
+        ("dashing_start", "executible", Severity.WARNING),
+        ("flashing_start", "node_executable", Severity.WARNING),
+    ],
+)
+def test_a_file_for_an_old_release(findings, name: str, keyword: str, severity: Severity):
+    text = f"""\
+from launch import LaunchDescription
+from launch_ros.actions import Node
+
+def generate_launch_description():
+    return LaunchDescription([Node(package='robot', {keyword}='talker')])
+"""
+    assert [one.severity for one in findings("LCH005", **{f"launch/{name}.launch.py": text})] == [severity]

@@ -1,0 +1,168 @@
+"""LCH008: what launch refuses of the values in a launch file."""
+
+from __future__ import annotations
+
+import pytest
+
+from archlint.finding import Severity
+
+ASKED = """\
+from launch import Condition, LaunchDescription
+from launch.actions import DeclareLaunchArgument
+from launch.conditions import IfCondition
+from launch.substitutions import LaunchConfiguration
+from launch_ros.actions import Node
+from elsewhere import unknown
+
+def is_real(context):
+    return True
+
+def generate_launch_description():
+    return LaunchDescription([
+        DeclareLaunchArgument('x', default_value='true'),
+        Node(package='robot', executable='talker', condition={condition}),
+    ])
+"""
+
+
+@pytest.mark.parametrize(
+    ("condition", "what", "wrap"),
+    [
+        ("'true'", "the text 'true'", "IfCondition"),
+        ("True", "the value True", "IfCondition"),
+        ("LaunchConfiguration('x')", "a LaunchConfiguration", "IfCondition"),
+        ("[LaunchConfiguration('x')]", "a list", "IfCondition"),
+        ("lambda context: True", "a lambda", "Condition(predicate"),
+        ("is_real", "the function 'is_real'", "Condition(predicate"),
+    ],
+)
+def test_what_is_no_condition(findings, condition, what, wrap):
+    (one,) = findings("LCH008", **{"launch/it.launch.py": ASKED.format(condition=condition)})
+    assert one.message == f"condition= of this Node is {what}, which is not a Condition"
+    assert (one.place.file, one.place.line) == ("launch/it.launch.py", 14)
+    assert wrap in (one.help or "")
+
+
+@pytest.mark.parametrize(
+    "condition",
+    [
+        "None",
+        "IfCondition('true')",
+        "Condition(predicate=is_real)",
+        "IfCondition(LaunchConfiguration('x'))",
+        "unknown()",
+    ],
+)
+def test_what_is_a_condition_or_may_be_one(findings, condition):
+    assert findings("LCH008", **{"launch/it.launch.py": ASKED.format(condition=condition)}) == []
+
+
+NAMED = """\
+from launch import LaunchDescription
+from launch_ros.actions import Node
+{above}
+def generate_launch_description():
+    {line}
+    return LaunchDescription([Node(package='robot', executable='gone', {argument})])
+"""
+
+
+@pytest.mark.parametrize(
+    ("above", "line", "argument", "at"),
+    [
+        ("", "pass", "output=output", 6),
+        ("", "rate = rate_of(3)", "output='log'", 5),
+        ("rate = RATE", "pass", "output='log'", 3),
+        ("", "import os", "output=os.environ.get(OUTPUT)", 6),
+    ],
+)
+def test_a_name_that_nothing_defines_stops_the_launch(findings, above, line, argument, at):
+    files = {"launch/it.launch.py": NAMED.format(above=above, line=line, argument=argument)}
+    (one,) = findings("LCH008", **files)
+    assert one.message.endswith("is not defined: this launch file stops with a NameError before it starts anything")
+    assert (one.place.file, one.place.line) == ("launch/it.launch.py", at)
+    assert findings("LCH001", **files) == []  # it never comes to that node
+
+
+@pytest.mark.parametrize(
+    ("above", "line", "argument"),
+    [
+        ("output = 'log'", "pass", "output=output"),
+        ("from shared import *", "pass", "output=output"),
+        ("", "global output; output = 'log'", "output=output"),
+        ("def setup(output): pass", "pass", "output=str(output)"),  # bound elsewhere: let Python say it
+        ("", "output = [name for name in ('log',)][0]", "output=output"),
+        ("", "for output in ('log',): pass", "output=output"),
+        ("", "output: str = __file__", "output=output or other"),
+        ("", "with open('x') as output: pass", "output=output"),
+        ("", "(output := 'log')", "output=(lambda: later)() if False else output"),
+        ("import os.path", "if os.path.exists('x'): return None", "output=output"),
+    ],
+)
+def test_a_name_that_is_defined_or_may_be(findings, above, line, argument):
+    files = {"launch/it.launch.py": NAMED.format(above=above, line=line, argument=argument)}
+    assert findings("LCH008", **files) == []
+
+
+PERFORMED = """\
+from launch import LaunchContext, LaunchDescription
+from launch.actions import DeclareLaunchArgument, LogInfo, OpaqueFunction
+from launch.substitutions import LaunchConfiguration, PathJoinSubstitution, TextSubstitution
+from launch_ros.actions import Node
+from launch_ros.substitutions import FindPackageShare
+import os
+
+def start(context, *given):
+    text = LaunchConfiguration('kind').perform(context)
+    return [Node(package='robot', executable='talker', name=text)]
+
+def generate_launch_description():
+    kind = LaunchConfiguration('kind')
+    {line}
+    return LaunchDescription([
+        DeclareLaunchArgument('kind', default_value='small'), OpaqueFunction(function=start), LogInfo(msg=kind),
+    ])
+"""
+
+
+@pytest.mark.parametrize(
+    ("line", "said"),
+    [
+        ("text = kind.perform({})", "LaunchConfiguration is called with a dict, which is not the launch context"),
+        ("text = f'{kind.perform(None)}.urdf'", "LaunchConfiguration is called with None, which"),
+        ("text = PathJoinSubstitution(['a', kind]).perform({})", "PathJoinSubstitution is called with a dict"),
+        ("text = kind.perform(LaunchContext())", "a new LaunchContext, in which no launch argument has a value"),
+    ],
+)
+def test_a_substitution_that_is_performed_without_the_launch_context(findings, line, said):
+    launch = {"launch/it.launch.py": PERFORMED.format(line=line)}
+    (one,) = findings("LCH008", **launch)
+    assert said in one.message and one.place.line == 14 and one.severity is Severity.ERROR
+    assert findings("LCH003", **launch) == []  # a declaration in front would mend nothing
+
+
+@pytest.mark.parametrize(
+    "line",
+    [
+        "text = FindPackageShare('robot').perform(LaunchContext())",
+        "text = LaunchConfiguration('kind', default='a').perform(LaunchContext())",
+        "text = TextSubstitution(text='a').perform({})",
+        "text = kind.perform({}) if os.environ.get('TRY') else ''",
+        "start(None) if os.environ.get('TRY') else None",
+        "text = LaunchConfiguration('other', default='a').perform(os.context)",
+    ],
+)
+def test_a_substitution_that_is_performed_and_does_not_fail(findings, line):
+    launch = {"launch/it.launch.py": PERFORMED.format(line=line)}
+    assert findings("LCH008", **launch) == []
+    assert findings("LCH003", **launch) == []
+
+
+def test_conditions_of_one_kind_in_a_file_are_one_finding(findings):
+    nodes = "Node(package='robot', executable='talker', name='{}', condition=lambda context: True)"
+    text = ASKED.format(condition="lambda context: True")
+    assert len(findings("LCH008", **{"launch/it.launch.py": text})) == 1
+    start = text.index("Node(package")
+    twice = text[:start] + nodes.format("a") + ", " + nodes.format("b") + ", " + text[start:]
+    (one,) = findings("LCH008", **{"launch/it.launch.py": twice})
+    assert [row.message for row in one.related] == ["here, too"] * 2

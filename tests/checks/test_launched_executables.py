@@ -1,0 +1,114 @@
+"""LCH001: executables that a launch file starts and that are not installed."""
+
+from __future__ import annotations
+
+import pytest
+
+from archlint.config.settings import load
+from archlint.engine.pipeline import Request, check
+from robot_package import CMAKE, CMAKE_TESTS, MANIFEST, SCRIPTS, SETUP, TALKER, node
+
+
+@pytest.mark.parametrize(
+    ("cmake", "found"),
+    [
+        ("project(robot)\nadd_subdirectory(gone)\n" + SCRIPTS, 0),
+        ("project(robot)\nmake_node(driver)\n" + SCRIPTS, 0),  # an unknown command may build it
+        ("project(robot)\nforeach(n ${NODES})\nadd_executable(${n})\nendforeach()\n" + SCRIPTS, 0),
+        ("project(robot)\nforeach(n driver arm)\nadd_executable(${n})\nendforeach()\n" + SCRIPTS, 0),
+        ("project(robot)\nadd_subdirectory(src)\n" + SCRIPTS, 0),
+        ("project(robot)\ninstall(DIRECTORY nodes/ DESTINATION lib/robot)\n" + SCRIPTS, 0),
+        ("project(robot)\n" + SCRIPTS + CMAKE_TESTS, 1),
+        ("project(driver)\n" + SCRIPTS, 1),  # a project is no executable
+        ("project(robot)\ninstall(DIRECTORY scripts/ DESTINATION lib/robot)\n", 1),
+        ("project(robot)\nament_python_install_package(robot SCRIPTS_DESTINATION lib/robot)\n" + SCRIPTS, 1),
+    ],
+)
+def test_what_a_build_with_cmake_leaves_open(findings, cmake, found):
+    files = {"CMakeLists.txt": cmake, "package.xml": CMAKE, "setup.py": "", "setup.cfg": "[develop]\n"}
+    files |= {"src/CMakeLists.txt": "add_executable(driver driver.cpp)\n", "nodes/driver": "", "scripts/drive.py": ""}
+    assert len(findings("LCH001", node(exec="driver"), **files)) == found
+
+
+def test_an_executable_of_another_workspace(findings):
+    assert findings("LCH001", node(pkg="nav2_amcl", exec="amcl")) == []
+
+
+def test_an_unknown_executable_is_named_with_the_near_one(findings):
+    (found,) = findings("LCH001", node(exec="taker"))
+    assert found.message == "package 'robot' installs no executable 'taker'; did you mean 'talker'?"
+    assert found.help == "add it to setup.py, or start one that the package installs: talker"
+
+
+def test_a_long_list_says_that_it_goes_on(findings):
+    names = [f"talk{number}" for number in range(10)]
+    entries = ", ".join(f"'{name} = robot.talker:main'" for name in names)
+    (found,) = findings(
+        "LCH001", node(exec="zebra"), **{"setup.py": SETUP.replace("'talker = robot.talker:main'", entries)}
+    )
+    assert found.help.endswith(f"that the package installs: {', '.join(names[:8])} and 2 more")
+
+
+def test_another_name_of_the_same_file_is_the_one_to_start(findings):
+    setup = SETUP.replace("'talker =", "'speak =")
+    (found,) = findings("LCH001", node(exec="talker.py"), **{"setup.py": setup})
+    assert found.message.endswith("no executable 'talker.py'; robot.talker is installed as 'speak'")
+    assert found.help == "start 'speak'"
+    files = {"CMakeLists.txt": "project(robot)\n" + SCRIPTS, "package.xml": CMAKE, "setup.py": ""}
+    (found,) = findings("LCH001", node(exec="drive"), **files)
+    assert found.message.endswith("; scripts/drive.py is installed as 'drive.py'")
+
+
+def test_an_executable_of_another_package_of_the_workspace(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    launch = f"<launch>{node(exec='grip')}</launch>"
+    texts = {"archlint.toml": 'select = ["LCH001"]', "robot/launch/it.launch.xml": launch}
+    for name, executable in (("robot", "talker"), ("arm", "grip")):
+        texts[f"{name}/package.xml"] = MANIFEST.format(name=name, type="ament_python", more="")
+        texts[f"{name}/setup.py"] = SETUP.replace("talker = robot.talker", f"{executable} = {name}.{executable}")
+        texts[f"{name}/{name}/{executable}.py"] = TALKER
+    for name, text in texts.items():
+        (tmp_path / name).parent.mkdir(parents=True, exist_ok=True)
+        (tmp_path / name).write_text(text, encoding="utf-8")
+    (found,) = check(Request((".",), load(tmp_path), cached=False, jobs=1)).findings
+    assert found.message == "package 'robot' installs no executable 'grip'; package 'arm' installs it"
+    assert found.help == "start it from package 'arm'"
+
+
+def test_an_executable_whose_file_is_there(findings):
+    files = {"CMakeLists.txt": "project(robot)\n" + SCRIPTS, "package.xml": CMAKE, "setup.py": ""}
+    (found,) = findings("LCH001", node(exec="steer.py"), **files, **{"scripts/steer.py": TALKER})
+    assert found.help == "install scripts/steer.py in CMakeLists.txt"
+
+
+@pytest.mark.parametrize(
+    ("scripts", "hint", "help"),
+    [
+        (
+            ["track.py", "crack.py"],
+            "; scripts/track.py is there, and not installed",
+            "install it in CMakeLists.txt under",
+        ),
+        (["crack.py"], "; did you mean 'crack_node'?", "add it to"),
+    ],
+)
+def test_a_file_of_that_name_is_nearer_than_another_node(findings, scripts, hint, help):
+    cmake = "project(robot)\ninstall(PROGRAMS scripts/crack.py DESTINATION lib/robot RENAME crack_node)\n"
+    files = {
+        "CMakeLists.txt": cmake,
+        "package.xml": CMAKE,
+        "setup.py": "",
+        **{f"scripts/{one}": TALKER for one in scripts},
+    }
+    (found,) = findings("LCH001", node(exec="track_node"), **files)
+    assert found.message.endswith(f"'track_node'{hint}") and found.help.startswith(help)
+
+
+def test_a_program_in_a_folder_below_is_not_found_by_launch(findings):
+    cmake = "project(robot)\ninstall(DIRECTORY scripts DESTINATION lib/robot)\n"
+    files = {"CMakeLists.txt": cmake, "package.xml": CMAKE, "setup.py": "", "scripts/drive.py": TALKER}
+    (found,) = findings("LCH001", node(exec="drive.py"), **files)
+    assert found.message.endswith("'drive.py': it is installed as lib/robot/scripts")
+    assert found.help == "install the content of the folder, with a trailing slash: install(DIRECTORY …/ …)"
+    files["CMakeLists.txt"] = cmake.replace("scripts", "scripts/")
+    assert findings("LCH001", node(exec="drive.py"), **files) == []

@@ -1,0 +1,203 @@
+"""Names of nodes and topics as launch files give them: NME001, NME002, TOP004."""
+
+from __future__ import annotations
+
+import pytest
+
+from archlint.finding import Finding
+from robot_package import SETUP, TALKER, UNDER_CONDITIONS, node
+
+XML = """
+<push_ros_namespace namespace="a-b"/>
+<node pkg="robot" exec="talker" name="my-talker" namespace="/ro bot">
+  <remap from="chatter" to="1st"/>
+</node>
+<node pkg="elsewhere" exec="other" name="2nd"/>
+<node pkg="elsewhere" exec="other" name="third"/>"""
+
+
+YAML = """\
+launch:
+- node:
+    pkg: robot
+    exec: talker
+    name: my-talker
+    remap:
+    - {from: chatter, to: good}
+    - from: other
+      to: not good
+"""
+
+
+def told(found: list[Finding]) -> list[tuple[str, int, str]]:
+    """File, line and what was rejected."""
+    return [(one.place.file, one.place.line, one.message.partition(":")[0]) for one in found]
+
+
+def test_each_bad_name_of_a_launch_file_is_told_where_it_is_given(findings):
+    found = findings("NME002", XML)
+    assert told(found) == [
+        ("launch/it.launch.xml", 3, "ROS rejects the name of the node 'my-talker'"),
+        ("launch/it.launch.xml", 3, "ROS rejects the namespace '/ro bot'"),
+        ("launch/it.launch.xml", 4, "ROS rejects the name '1st', the target of this remapping"),
+        ("launch/it.launch.xml", 6, "ROS rejects the namespace '/a-b'"),
+        ("launch/it.launch.xml", 6, "ROS rejects the name of the node '2nd'"),
+    ]
+    assert [one.place.line for one in found[3].related] == [7]  # the namespace is pushed once, for both
+
+
+def test_bad_names_in_yaml_and_python(findings):
+    found = findings("NME002", **{"launch/two.launch.yaml": YAML})
+    assert told(found) == [
+        ("launch/two.launch.yaml", 5, "ROS rejects the name of the node 'my-talker'"),
+        ("launch/two.launch.yaml", 8, "ROS rejects the name 'not good', the target of this remapping"),
+    ]
+    code = UNDER_CONDITIONS.format(first="None, name='my-talker'", second="None, name=LaunchConfiguration('real')")
+    (one,) = findings("NME002", **{"launch/two.launch.yaml": "", "launch/it.launch.py": code})
+    assert told([one]) == [("launch/it.launch.py", 12, "ROS rejects the name of the node 'my-talker'")]
+
+
+ROUNDS = """\
+from launch import LaunchDescription
+from launch.actions import GroupAction
+from launch_ros.actions import Node, PushRosNamespace
+
+def generate_launch_description():
+    nodes = []
+    for name in ('{one}', '{other}'):
+        nodes.append(GroupAction([PushRosNamespace('{root}'), Node(
+            package='robot', executable='talker', namespace=name)]))
+    return LaunchDescription(nodes)
+"""
+
+
+def test_the_rounds_of_a_loop_are_one_bad_name(findings):
+    (one,) = findings("NME002", **{"launch/it.launch.py": ROUNDS.format(root="/", one="2d", other="3d")})
+    assert told([one]) == [("launch/it.launch.py", 9, "ROS rejects the namespace '/2d'")]
+    assert ["'/3d'" in related.message for related in one.related] == [True]
+    assert findings("NME002", **{"launch/it.launch.py": ROUNDS.format(root="/", one="left", other="right")}) == []
+
+
+def test_a_name_that_launch_files_replace_is_judged_as_they_give_it(findings):
+    bad = {"robot/talker.py": TALKER.replace("'talker'", "'my-talker'")}
+    assert findings("NME002", node(name="good"), **bad) == []
+    (one,) = findings("NME002", node(), **bad)
+    assert (one.place.file, one.place.line) == ("robot/talker.py", 7)
+
+
+def test_a_name_that_waits_for_an_argument_is_not_bad(findings):
+    """Without a value for ``robot`` nothing works, and nobody starts it so."""
+    text = '<arg name="robot" default="{}"/><node pkg="robot" exec="talker"><remap from="{}" to="pose"/></node>'
+    assert findings("NME002", text.format("", "/model/$(var robot)/pose")) == []
+    (one,) = findings("NME002", text.format("", "/model/2d/pose"))
+    assert "2d" in one.message
+    assert len(findings("NME002", text.format("a", "/model//pose"))) == 1
+
+
+HEARER = """\
+import rclpy
+from rclpy.node import Node
+from std_msgs.msg import String
+
+class Hearer(Node):
+    def __init__(self):
+        super().__init__('hearer')
+        self.create_subscription(String, 'chatter', print, 10)
+
+def main():
+    rclpy.init()
+    rclpy.spin(Hearer())
+"""
+
+
+TWO_NODES = {
+    "setup.py": SETUP.replace("robot.talker:main'", "robot.talker:main', 'hearer = robot.hearer:main'"),
+    "robot/hearer.py": HEARER,
+}
+
+
+IN_NAMESPACE = """\
+import sys
+from launch import LaunchDescription
+from launch_ros.actions import Node
+
+def generate_launch_description():
+    namespace = 'left'
+    for word in WORDS:
+        if word.startswith('namespace:='):
+            namespace = word.split(':=')[1]
+    return LaunchDescription([
+        Node(package='robot', executable='talker', namespace=namespace),
+        Node(package='robot', executable='hearer'),
+    ])
+"""
+
+
+def test_one_name_in_two_namespaces(findings):
+    (found,) = findings("TOP004", node(namespace="left") + node(exec="hearer"), **TWO_NODES)
+    assert found.message.endswith("; both write 'chatter'")
+    assert found.help == "give /hearer and /left/talker the same namespace in the launch file"
+    assert findings("TOP004", node(namespace="left") + node(exec="hearer", namespace="left"), **TWO_NODES) == []
+
+
+def test_one_name_that_the_launch_file_remaps_at_one_end(findings):
+    remapped = node('<remap from="chatter" to="chater"/>')
+    (found,) = findings("TOP004", remapped + node(exec="hearer"), **TWO_NODES)
+    assert found.help == "use the same name at both ends, or remap one in the launch file"
+
+
+@pytest.mark.parametrize(("words", "told"), [("sys.argv", 0), ("['verbose:=true']", 1)])
+def test_a_namespace_from_the_command_line_is_not_known(findings, words, told):
+    launch = {"launch/it.launch.xml": "<launch/>", "launch/two.launch.py": IN_NAMESPACE.replace("WORDS", words)}
+    assert len(findings("TOP004", **TWO_NODES, **launch)) == told
+
+
+def absolute(*names: str) -> dict[str, str]:
+    """The talker with a publisher for each name."""
+    lines = "".join(f"        self.create_publisher(String, '{name}', 10)\n" for name in names)
+    return {"robot/talker.py": TALKER.replace("        self.create_publisher(String, 'chatter', 10)\n", lines)}
+
+
+@pytest.mark.parametrize(
+    ("names", "namespaces", "help"),
+    [
+        (["/left/words"], ["left"], "write 'words': the launch file starts the node in '/left'"),
+        (
+            ["/words"],
+            ["left"],
+            "write 'words', to which the node's namespace applies, or take the name from a parameter",
+        ),
+        (
+            ["/left/words"],
+            [""],
+            "write 'left/words', to which the node's namespace applies, or take the name from a parameter",
+        ),
+        (["/lefty/words"], ["left"], "write 'lefty/words', to which"),
+        (["/left/words"], ["left", ""], "take the name from a parameter: self.declare_parameter('words_name'"),
+        (
+            ["/left/words", "/left/more"],
+            ["left"],
+            "remove '/left/', the namespace in which the launch file starts the node",
+        ),
+        (
+            ["/left/words", "/arm/state"],
+            ["left"],
+            "remove '/left/', the namespace in which the launch file starts the node, "
+            "and take the other names from parameters",
+        ),
+        (["/left/words", "/arm/state"], ["left", "right"], "take the names from parameters"),
+        (["/words", "/state"], ["left", "right"], "remove the leading '/'"),
+    ],
+)
+def test_the_name_to_write_in_the_namespace_that_the_launch_file_gives(findings, names, namespaces, help):
+    launch = "".join(node(**({"namespace": one} if one else {})) for one in namespaces)
+    (found,) = findings("NME001", launch, **absolute(*names))
+    assert found.help is not None and found.help.startswith(help)
+
+
+def test_the_namespace_that_an_including_file_gives(findings):
+    include = '<include file="$(find-pkg-share robot)/launch/it.launch.xml"/>'
+    outer = f'<launch><group><push-ros-namespace namespace="left"/>{include}</group></launch>'
+    files = {"launch/all.launch.xml": outer, **absolute("/left/words")}
+    (found,) = findings("NME001", node(), **files)
+    assert found.help == "write 'words': the launch file starts the node in '/left'"

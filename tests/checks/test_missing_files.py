@@ -1,0 +1,225 @@
+"""LCH004: files that a launch file names and that are not where it looks."""
+
+from __future__ import annotations
+
+import pytest
+
+from archlint.config.settings import load
+from archlint.engine.pipeline import Request, check
+from robot_package import CMAKE, CMAKE_TESTS, MANIFEST, SETUP, TALKER, node
+
+
+@pytest.mark.parametrize(
+    ("line", "found"), [("", 1), ("open(path, 'w').write('x')", 0), ("shutil.copy('a', path)", 0), ("open(path)", 1)]
+)
+def test_a_file_that_the_launch_file_may_make(findings, line, found):
+    launch = f"""\
+import os, shutil
+from ament_index_python.packages import get_package_share_directory
+from launch import LaunchDescription
+from launch_ros.actions import Node
+
+def generate_launch_description():
+    path = os.path.join(get_package_share_directory('robot'), 'config', 'made.yaml')
+    {line}
+    return LaunchDescription([Node(package='robot', executable='talker', parameters=[path])])
+"""
+    assert len(findings("LCH004", **{"launch/py.launch.py": launch})) == found
+
+
+def test_a_missing_file_behind_the_block_that_every_package_copies(findings):
+    cmake = "project(robot)\ninstall(DIRECTORY launch DESTINATION share/robot)\n" + CMAKE_TESTS
+    files = {"CMakeLists.txt": cmake, "package.xml": CMAKE, "setup.py": "", "config/talk.yaml": ""}
+    for written, message in (("config/talk.yaml", "does not install"), ("config/tolk.yaml", "has no parameter file")):
+        inner = f'<param from="$(find-pkg-share robot)/{written}"/>'
+        (found,) = findings("LCH004", node(inner), **files)
+        assert message in found.message
+    whole = cmake.replace("DIRECTORY launch", "DIRECTORY launch config")
+    inner = '<param from="$(find-pkg-share robot)/config/talk.yaml"/>'
+    assert findings("LCH004", node(inner), **{**files, "CMakeLists.txt": whole}) == []
+
+
+def test_files_of_other_packages_are_not_looked_for(findings):
+    assert findings("LCH004", '<include file="$(find-pkg-share nav2_bringup)/launch/x.launch.py"/>') == []
+
+
+@pytest.mark.parametrize(
+    ("written", "hint"),
+    [
+        ("launch/robt.launch.xml", "; did you mean 'robot.launch.xml'?"),
+        ("launch/robot.launch.yml", "; did you mean 'robot.launch.xml'?"),
+        ("launch/nope.launch.xml", ""),
+        ("launch/camera.launch.xml", ""),
+    ],
+)
+def test_a_missing_file_is_named_with_the_near_one_beside_it(findings, written, hint):
+    include = f'<include file="$(find-pkg-share robot)/{written}"/>'
+    (found,) = findings("LCH004", include, **{"launch/robot.launch.xml": "<launch/>"})
+    assert found.message == f"package 'robot' has no launch file '{written}'{hint}"
+
+
+def test_a_file_that_is_there_but_not_installed(findings):
+    (found,) = findings(
+        "LCH004", '<include file="$(find-pkg-share robot)/more/x.launch.xml"/>', **{"more/x.launch.xml": "<launch/>"}
+    )
+    assert "does not install the launch file 'more/x.launch.xml'" in found.message
+
+
+LAUNCHES = '<executable cmd="ros2 launch robot deep.launch.xml"/>'
+
+
+DEEP = SETUP.replace("glob('config/*'))", "glob('config/*')), ('share/robot/more/helpers', glob('helpers/*.xml'))")
+
+
+@pytest.mark.parametrize(
+    ("files", "told"),
+    [
+        ({"setup.py": DEEP, "helpers/deep.launch.xml": "<launch/>"}, ""),  # ros2 launch looks in all folders
+        ({"launch/deep.launch.xml": "<launch/>"}, ""),
+        ({"setup.py": DEEP, "helpers/deep.launch.xml": "<launch/>", "launch/deep.launch.xml": "<launch/>"}, ""),
+        ({"helpers/deep.launch.xml": "<launch/>"}, "does not install the launch file 'helpers/deep.launch.xml'"),
+        ({"setup.py": DEEP, "helpers/deeper.launch.xml": "<launch/>"}, "has no launch file 'launch/deep.launch.xml'"),
+    ],
+)
+def test_a_launch_file_that_a_command_names(findings, files: dict[str, str], told: str):
+    messages = [found.message for found in findings("LCH004", LAUNCHES, **files)]
+    assert len(messages) == (1 if told else 0)
+    assert all(told in message for message in messages)
+
+
+GIVES = """\
+import os
+from ament_index_python.packages import get_package_share_directory
+from launch import LaunchDescription
+from launch.actions import DeclareLaunchArgument, IncludeLaunchDescription
+from launch.launch_description_sources import AnyLaunchDescriptionSource
+from launch.substitutions import LaunchConfiguration
+
+def generate_launch_description():
+    share = get_package_share_directory('robot')
+    def inner(name, file):
+        return IncludeLaunchDescription(AnyLaunchDescriptionSource(share + '/launch/' + name),
+                                        launch_arguments={'params': file}.items())
+    return LaunchDescription([
+        DeclareLaunchArgument('file', default_value=os.path.join(share, 'config', 'gone.yaml')),
+        inner('one.launch.xml', LaunchConfiguration('file')),
+        inner('two.launch.xml', LaunchConfiguration('file')),
+        inner('two.launch.xml', os.path.join(share, 'config', 'lost.yaml')),
+    ])
+"""
+
+
+def test_a_missing_file_is_told_where_it_is_named(findings):
+    """The files that use it name none: what they are given has a default, or is written in the include."""
+    arg = '<arg name="params" default="$(find-pkg-share robot)/config/good.yaml"/>'
+    inner = "<launch>" + arg + "\n" + node('<param from="$(var params)"/>') + "</launch>"
+    files = {"launch/one.launch.xml": inner, "launch/two.launch.xml": inner, "config/good.yaml": ""}
+    outer = {"launch/outer.launch.py": GIVES}
+    gone, lost = findings("LCH004", **files, **outer)
+    rows = [(one.place.file, one.place.line, one.message.rpartition(" ")[2]) for one in (gone, lost)]
+    assert rows == [
+        ("launch/outer.launch.py", 14, "'config/gone.yaml'"),
+        ("launch/outer.launch.py", 17, "'config/lost.yaml'"),
+    ]
+    uses = [[(one.place.file, one.place.line) for one in found.related] for found in (gone, lost)]
+    assert uses == [[("launch/one.launch.xml", 2), ("launch/two.launch.xml", 2)], [("launch/two.launch.xml", 2)]]
+    there = {"config/gone.yaml": "", "config/lost.yaml": ""}
+    assert findings("LCH004", **files, **outer, **there) == []
+
+
+def test_a_variable_for_a_missing_file_is_told_once(findings):
+    text = """\
+import os
+from ament_index_python.packages import get_package_share_directory
+from launch import LaunchDescription
+from launch_ros.actions import Node
+
+def generate_launch_description():
+    view = os.path.join(get_package_share_directory('robot'), 'config', 'view.rviz')
+    return LaunchDescription([
+        Node(package='rviz2', executable='rviz2', name='one', arguments=['-d', view]),
+        Node(package='rviz2', executable='rviz2', name='two', arguments=['-d', view])])
+"""
+    (found,) = findings("LCH004", **{"launch/py.launch.py": text})
+    assert (found.place.line, [one.place.line for one in found.related]) == (7, [9, 10])
+
+
+@pytest.mark.parametrize(
+    ("test", "told"),
+    [
+        ("if os.path.exists(path):", 0),
+        ("if os.path.isfile(path):", 0),
+        ("if Path(path).exists():", 0),
+        ("if os.path.exists(os.path.dirname(path)):", 1),  # another path
+        ("if os.environ.get('CONFIGURED'):", 1),
+        ("if not os.path.exists(path):\n        raise RuntimeError(path)\n    if True:", 1),  # it cannot do without
+    ],
+)
+@pytest.mark.parametrize("use", ["parameters = [path]", "talkers = [Node(**talker, parameters=[path])]"])
+def test_a_file_that_is_used_only_where_it_is(findings, test: str, told: int, use: str):
+    text = f"""\
+import os
+from pathlib import Path
+from ament_index_python.packages import get_package_share_directory
+from launch import LaunchDescription
+from launch_ros.actions import Node
+
+def generate_launch_description():
+    path = os.path.join(get_package_share_directory('robot'), 'config', 'perhaps.yaml')
+    talker = dict(package='robot', executable='talker')
+    parameters, talkers = [], []
+    {test}
+        {use}
+    return LaunchDescription([Node(**talker, parameters=parameters), *talkers])
+"""
+    assert len(findings("LCH004", **{"launch/py.launch.py": text})) == told
+
+
+@pytest.mark.parametrize(
+    ("there", "hint"),
+    [
+        ("params_multi_robot_1.yaml", True),
+        ("multirobot_1_params.yaml", True),
+        ("params_multi_robot_2.yaml", False),  # the other robot's
+        ("params_robot_1.yaml", False),
+    ],
+)
+def test_a_file_whose_words_stand_in_another_order(findings, there: str, hint: bool):
+    inner = '<param from="$(find-pkg-share robot)/config/multirobot_params_1.yaml"/>'
+    (found,) = findings("LCH004", node(inner), **{f"config/{there}": ""})
+    assert (f"did you mean '{there}'?" in found.message) is hint
+
+
+WRITES = "with open(os.path.join(folder, 'made.yaml'), 'w') as file:\n    file.write(text)\n"
+
+
+@pytest.mark.parametrize(
+    ("files", "told"),
+    [
+        ({"robot/make.py": WRITES}, 0),
+        ({"robot/make.py": "(folder / 'made.yaml').write_text(text)\n"}, 0),
+        ({"templates/made.yaml.j2": ""}, 0),
+        ({"templates/made.xacro": ""}, 0),
+        ({"robot/make.py": WRITES.replace("'w'", "'r'")}, 1),  # who reads it does not make it
+        ({"robot/make.py": WRITES.replace("made.yaml", "premade.yaml")}, 1),
+        ({"robot/make.py": WRITES, "config/temp/other.yaml": ""}, 1),  # the folder is there: what is kept there is, too
+        ({}, 1),
+    ],
+)
+def test_a_file_that_something_here_writes(findings, files: dict[str, str], told: int):
+    inner = '<param from="$(find-pkg-share robot)/config/temp/made.yaml"/>'
+    assert len(findings("LCH004", node(inner), **files)) == told
+
+
+def test_a_file_that_is_missing_beside_the_launch_file_says_where_it_is_looked_for(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    include = """<launch><include file="$(dirname)/gone.launch.xml"/></launch>"""
+    texts = {"setup.py": SETUP, "robot/talker.py": TALKER, "launch/it.launch.xml": include}
+    texts["package.xml"] = MANIFEST.format(name="robot", type="ament_python", more="")
+    for name, text in texts.items():
+        (tmp_path / "src/robot" / name).parent.mkdir(parents=True, exist_ok=True)
+        (tmp_path / "src/robot" / name).write_text(text)
+    (tmp_path / "archlint.toml").write_text('select = ["LCH004"]')
+    (found,) = check(Request((".",), load(tmp_path), cached=False, jobs=1)).findings
+    assert found.message == "package 'robot' has no launch file 'launch/gone.launch.xml'"
+    assert "relative to the installed folder of this launch file" in found.help

@@ -1,0 +1,278 @@
+"""NME004: nodes of one name that launch files start together."""
+
+from __future__ import annotations
+
+import pytest
+
+from robot_package import TALKER, UNDER_CONDITIONS, node
+
+
+def test_the_node_that_a_helper_works_on_is_no_second_one(findings):
+    helper = "class Helper:\n    def start(self, node):\n        node.create_timer(1.0, print)\n\n\n"
+    text = helper + TALKER.replace(
+        "        self.create_p", "        Helper().start(found('a node'))\n        self.create_p"
+    )
+    twice = TALKER.replace("rclpy.spin(Talker())", "one, other = Talker(), Talker()\n    rclpy.spin(one)")
+
+    assert findings("NME004", node(name="it"), **{"robot/talker.py": text}) == []
+    closed = 'select = ["GRF001"]\nclosed-world = true'
+    assert findings("GRF001", node(name="it"), **{"robot/talker.py": text, "archlint.toml": closed}) == []
+    assert findings("NME004", node(name="it"), **{"robot/talker.py": twice}) != []
+
+
+EXECUTOR = "several = rclpy.executors.SingleThreadedExecutor()"
+
+
+@pytest.mark.parametrize(
+    ("main", "several"),
+    [
+        (["node = Talker()", "while not node.ready:", "    node = Talker()"], False),
+        (["node = None", "while node is None or not node.ready:", "    node = Talker()"], False),
+        (["node = Talker()", "node.destroy_node()", "node = Talker()"], False),
+        ([EXECUTOR, "for _ in range(2):", "    node = Talker()", "    several.add_node(node)"], True),
+        (["node = Talker()", "other = Talker()"], True),
+    ],
+)
+def test_a_node_that_takes_the_place_of_itself_is_one(findings, main, several):
+    text = TALKER.replace("rclpy.spin(Talker())", "\n    ".join([*main, "rclpy.spin(node)"]))
+    found = findings("NME004", node(name="it"), **{"robot/talker.py": text})
+    assert bool(found) is several
+
+
+def test_a_factory_makes_one_of_its_nodes(findings):
+    """Which of them, only data decides: in each process there is one."""
+    factory = """\
+import sys
+import rclpy
+from rclpy.node import Node
+
+class Race(Node):
+    def __init__(self):
+        super().__init__('race')
+
+class Duel(Node):
+    def __init__(self):
+        super().__init__('duel')
+
+def make(name):
+    if name == 'race':
+        return Race()
+    elif name == 'duel':
+        return Duel()
+    raise ValueError(name)
+
+def main():
+    rclpy.init()
+    rclpy.spin(make(open('which').read()))
+"""
+    assert findings("NME004", node(name="it"), **{"robot/talker.py": factory}) == []
+    both = factory.replace("rclpy.spin(make", "other = Duel()\n    rclpy.spin(make")
+    assert len(findings("NME004", node(name="it"), **{"robot/talker.py": both})) == 1
+
+
+def test_name_renames_all_nodes_of_an_executable(findings):
+    two = TALKER.replace("Talker())", "Talker())\n    rclpy.spin(rclpy.create_node('helper'))")
+    (found,) = findings("NME004", node(name="it"), **{"robot/talker.py": two})
+    assert found.message == "name= renames every node of this executable, so several have the name '/it'"
+    assert found.help == "remove name=, so that each node keeps the name from its code"
+    assert sorted((one.place.line, one.message) for one in found.related) == [
+        (13, "'talker' is made here"),
+        (14, "'helper' is made here"),
+    ]
+    assert findings("NME004", node(), **{"robot/talker.py": two}) == []  # the advice works
+
+
+def test_an_executable_that_makes_two_nodes_of_one_name(findings):
+    two = TALKER.replace("Talker())", "Talker())\n    rclpy.spin(rclpy.create_node('talker'))")
+    (found,) = findings("NME004", node(), **{"robot/talker.py": two})
+    assert found.message == "this executable creates several nodes with the name '/talker'"
+    assert found.help == "give each its own name in the code"
+    (found,) = findings("NME004", node(name="it"), **{"robot/talker.py": two})
+    assert found.help == "give each its own name in the code, and remove name= here"
+
+
+HERE = '<include file="$(dirname)/{}.launch.xml"/>'
+
+
+TWO_TALKERS = f"<launch>\n{node(name='left')}\n{node(name='right')}\n</launch>"
+
+
+def test_a_launch_file_that_is_included_twice_is_told_once(findings):
+    includes = "\n" + HERE.format("common") + "\n" + HERE.format("talkers") + "\n"
+    files = {"launch/common.launch.xml": f"<launch>\n\n\n{HERE.format('talkers')}</launch>"}
+    files["launch/talkers.launch.xml"] = TWO_TALKERS
+    (found,) = findings("NME004", includes, **files)
+    assert (found.place.file, found.place.line) == ("launch/it.launch.xml", 3)
+    assert found.message == (
+        "this system includes talkers.launch.xml twice, which starts 2 nodes twice, such as '/left'"
+    )
+    assert [(one.place.file, one.place.line) for one in found.related] == [
+        ("launch/common.launch.xml", 4),
+        ("launch/talkers.launch.xml", 2),
+    ]
+
+
+def test_includes_further_out_are_the_cause(findings):
+    includes = "\n" + HERE.format("common") + "\n" + HERE.format("common") + "\n"
+    files = {"launch/common.launch.xml": f"<launch>{HERE.format('talkers')}</launch>"}
+    files["launch/talkers.launch.xml"] = TWO_TALKERS
+    (found,) = findings("NME004", includes, **files)
+    assert (found.place.file, found.place.line, found.related[0].place.line) == ("launch/it.launch.xml", 3, 2)
+    assert found.message.startswith("this system includes common.launch.xml twice")
+
+
+def test_a_file_may_be_included_twice_in_two_namespaces(findings):
+    def group(name: str) -> str:
+        return f"<group><push_ros_namespace namespace='{name}'/>{HERE.format('talkers')}</group>"
+
+    files = {"launch/talkers.launch.xml": TWO_TALKERS}
+    assert findings("NME004", group("one") + group("two"), **files) == []
+    (found,) = findings("NME004", f"{group('one')}\n{group('two')}\n{group('one')}", **files)
+    assert (found.place.line, found.related[0].place.line) == (3, 1)
+
+
+def test_a_node_that_another_process_makes_is_one(findings):
+    text = TALKER.replace(
+        "        self.create_p",
+        "        self.last = None\n        self.create_timer(1.0, self.tick)\n        self.create_p",
+    )
+    text = text.replace(
+        "def main():\n", "    def tick(self):\n        self.last = self.create_client(String, 'x')\n\ndef work():\n"
+    )
+    text += "\ndef main():\n    import multiprocessing\n    multiprocessing.Process(target=work).start()\n"
+
+    assert findings("NME004", node(name="it"), **{"robot/talker.py": text}) == []
+
+
+def test_a_helper_that_the_command_line_does_not_reach_keeps_its_name(findings):
+    helper = "        rclpy.create_node('asker'{})\n"
+    with_helper = TALKER.replace("        self.declare", helper + "        self.declare")
+    apart = with_helper.format(", use_global_arguments=False")
+    assert findings("NME004", node(name="it"), **{"robot/talker.py": apart}) == []
+    reached = with_helper.format("")
+    assert len(findings("NME004", node(name="it"), **{"robot/talker.py": reached})) == 1
+
+
+@pytest.mark.parametrize(
+    ("package", "executable", "told"),
+    [("gazebo_ros", "spawn_entity.py", 0), ("ros_gz_sim", "create", 0), ("rviz2", "rviz2", 1), ("robot", "create", 1)],
+)
+def test_tools_that_end_by_themselves_share_no_name_for_long(findings, package: str, executable: str, told: int):
+    tools = [node(pkg=package, exec=executable, name="it", args=f"-x {number}") for number in (1, 2)]
+    assert len(findings("NME004", "\n".join(tools))) == told
+
+
+READ = """\
+
+def read():
+    node = rclpy.create_node('params')
+    node.declare_parameter('car', 'a')
+    {line}
+    return node.get_parameter('car').value
+
+def main():
+    rclpy.init()
+    read()
+    rclpy.spin(Talker())
+"""
+
+
+@pytest.mark.parametrize(
+    ("line", "clashes"),
+    [
+        ("pass", 0),
+        ("rclpy.spin_once(node)", 0),
+        ("kept.append(node)", 1),
+        ("return node", 1),
+        ("return lambda: node.get_name()", 1),
+        ("node.create_timer(1.0, print)", 1),  # its callback may hold the node
+        ("main.node = node", 1),
+    ],
+)
+def test_a_node_that_is_freed_before_the_next_is_made(findings, line, clashes):
+    before, _, _ = TALKER.partition("\ndef main")
+    text = before + "\nkept = []\n" + READ.format(line=line)
+    assert len(findings("NME004", node(name="it"), **{"robot/talker.py": text})) == clashes
+
+
+def test_a_helper_node_that_is_made_beside_the_other(findings):
+    before, _, _ = TALKER.partition("\ndef main")
+    text = before + READ.format(line="pass").replace("    read()\n", "    it = Talker()\n    read()\n")
+    text = text.replace("spin(Talker())", "spin(it)")
+    assert len(findings("NME004", node(name="it"), **{"robot/talker.py": text})) == 1
+
+
+def test_two_launch_actions_are_one_finding_with_all_names(findings):
+    before, _, _ = TALKER.partition("\ndef main")
+    main = "\ndef main():\n    rclpy.init()\n    helper = rclpy.create_node('params')\n    rclpy.spin(Talker())\n"
+    files = {"robot/talker.py": before + main}
+    (found,) = findings("NME004", f"{node()}\n{node()}", **files)
+    assert found.message == "two launch actions start nodes with the same names: /params, /talker"
+    assert found.help == "give each action its own namespace: name= would rename all its nodes"
+    assert findings("NME004", f"{node()}\n{node(namespace='b')}", **files) == []  # the advice works
+    (sole,) = findings("NME004", f"{node()}\n{node()}")
+    assert (sole.message, "its own name or namespace" in sole.help) == (
+        "two nodes of this system have the name '/talker'",
+        True,
+    )
+
+
+@pytest.mark.parametrize(
+    ("first", "second", "clash"),
+    [
+        ("None", "real", True),
+        ("real", "real", True),
+        ("IfCondition(AsBool('x'))", "IfCondition(AsBool('x'))", True),
+        ("real", "UnlessCondition(LaunchConfiguration('real'))", False),
+        ("IfCondition(AsBool('x'))", "UnlessCondition(AsBool('x'))", False),
+        ("IfCondition(AsBool('x'))", "IfCondition(AsBool('y'))", False),
+        ("None", "IfCondition(AsBool('x'))", False),  # which may never hold
+    ],
+)
+def test_nodes_of_one_name_clash_where_they_run_together(findings, first, second, clash):
+    found = findings("NME004", **{"launch/it.launch.py": UNDER_CONDITIONS.format(first=first, second=second)})
+    assert [one.place.line for one in found] == ([13] if clash else [])
+
+
+HANDED = """\
+
+def make():
+    node = rclpy.create_node('params')
+    node.declare_parameter('car', 'a')
+    return node
+
+def ask(node, name, other=None):
+    {line}
+    return node.get_parameter(name).value
+
+def read():
+    node = make()
+    return ask(node, 'car')
+
+def main():
+    rclpy.init()
+    car = read()
+    rclpy.spin(Talker())
+"""
+
+
+@pytest.mark.parametrize(
+    ("line", "clashes"),
+    [
+        ("pass", 0),
+        ("node.get_logger().info(name)", 0),
+        ("kept.append(node)", 1),
+        ("ask.node = node", 1),
+        ("other = node", 1),
+    ],
+)
+def test_a_node_that_a_helper_makes_and_another_is_lent(findings, line, clashes):
+    before, _, _ = TALKER.partition("\ndef main")
+    text = before + "\nkept = []\n" + HANDED.format(line=line)
+    assert len(findings("NME004", node(name="it"), **{"robot/talker.py": text})) == clashes
+
+
+def test_a_node_that_a_helper_makes_and_main_keeps(findings):
+    before, _, _ = TALKER.partition("\ndef main")
+    text = before + HANDED.format(line="pass").replace("car = read()", "asker = make()")
+    assert len(findings("NME004", node(name="it"), **{"robot/talker.py": text})) == 1

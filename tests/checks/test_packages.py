@@ -1,0 +1,113 @@
+"""What packages declare and install: PKG001 to PKG003."""
+
+from __future__ import annotations
+
+import pytest
+
+from archlint.config.settings import load
+from archlint.engine.pipeline import Request, check
+from robot_package import CMAKE, MANIFEST, SCRIPTS, SETUP, TALKER, node
+
+
+@pytest.mark.parametrize(
+    ("entries", "message", "help"),
+    [
+        ("'talker == robot.talker:main'", "it has '==' for '='", "write 'talker = robot.talker:main'"),
+        (
+            "'talker = robot.talker:main' 'other = robot.talker:main'",
+            "a comma is missing between 'talker' and 'other'; newer setuptools stop the build here",
+            "write 'talker = robot.talker:main',",
+        ),
+    ],
+)
+def test_an_entry_that_is_not_of_the_form_is_told_once(findings, entries, message, help):
+    setup = SETUP.replace("'talker = robot.talker:main'", entries)
+    (found,) = findings("PKG002", **{"setup.py": setup})
+    assert found.message == f"this entry does not install an executable 'talker': {message}"
+    assert (found.help, found.place.line) == (help, 6)
+    assert findings("LCH001", node(exec="talker"), **{"setup.py": setup}) == []
+    assert findings("LCH001", node(exec="listener"), **{"setup.py": setup}) != []
+
+
+@pytest.mark.parametrize(
+    ("target", "what"),
+    [
+        ("robot.talker", "'robot.talker' is a module, and the entry names no function in it"),
+        ("robot.talker.main", "module 'robot.talker.main' does not exist; did you mean 'robot.talker:main'?"),
+    ],
+)
+def test_an_entry_without_a_function(findings, target, what):
+    (found,) = findings("PKG002", **{"setup.py": SETUP.replace("robot.talker:main", target)})
+    assert found.message == f"the executable 'talker' cannot start: {what}"
+
+
+def test_an_entry_without_a_function_for_a_module_that_runs_when_it_is_imported(findings):
+    files = {"setup.py": SETUP.replace("robot.talker:main", "robot.talker"), "robot/talker.py": TALKER + "\nmain()\n"}
+    assert findings("PKG002", **files) == []
+
+
+def test_a_setup_py_that_nobody_runs_breaks_nothing(findings):
+    files = {"CMakeLists.txt": "project(robot)\n" + SCRIPTS, "package.xml": CMAKE}
+    assert findings("PKG002", **files, **{"setup.py": SETUP.replace("robot.talker", "robot.gone")}) == []
+
+
+def test_entry_points_of_other_distributions(findings):
+    setup = SETUP.replace("'talker = robot.talker:main'", "'talker = robot.talker:main', 'serve = uvicorn.main:run'")
+    assert findings("PKG002", **{"setup.py": setup}) == []
+
+
+def test_a_module_beside_the_python_package_is_not_in_it(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    setup = SETUP.replace("robot.talker:main", "robot.scripts.talker:main")
+    texts = {"robot/__init__.py": "", "robot/driver.py": TALKER, "scripts/talker.py": TALKER, "setup.py": setup}
+    texts["package.xml"] = MANIFEST.format(name="robot", type="ament_python", more="")
+    for name, text in texts.items():  # scripts/talker.py ends like the module's name only with the package's folder
+        (tmp_path / "src/robot" / name).parent.mkdir(parents=True, exist_ok=True)
+        (tmp_path / "src/robot" / name).write_text(text)
+    (tmp_path / "archlint.toml").write_text('select = ["PKG002"]')
+    (found,) = check(Request((".",), load(tmp_path), cached=False, jobs=1)).findings
+    assert "module 'robot.scripts.talker' does not exist" in found.message
+
+
+def test_a_module_that_gitignore_hides_is_there(findings):
+    files = {"setup.py": SETUP.replace("robot.talker", "robot.bags"), ".gitignore": "bags*\n", "robot/bags.py": TALKER}
+    assert findings("PKG002", **files) == []
+    (found,) = findings("PKG002", **files | {"setup.py": SETUP.replace("robot.talker", "robot.boxes")})
+    assert "'robot.boxes' does not exist" in found.message
+
+
+@pytest.mark.parametrize(
+    ("needs", "circles"),
+    [
+        ("<exec_depend>arm</exec_depend>", 1),
+        ('<exec_depend condition="$ROS_VERSION == 1">arm</exec_depend>', 0),
+        ('<exec_depend condition="$BUILD == hardware">arm</exec_depend>', 0),  # only the machine that builds knows
+        ("<test_depend>arm</test_depend>", 0),
+    ],
+)
+def test_what_makes_a_circle(tmp_path, monkeypatch, needs, circles):
+    monkeypatch.chdir(tmp_path)
+    for name, more in (("robot", needs), ("arm", "<exec_depend>robot</exec_depend>")):
+        (tmp_path / name).mkdir()
+        manifest = MANIFEST.format(name=name, type="ament_python", more=more)
+        (tmp_path / name / "package.xml").write_text(manifest, encoding="utf-8")
+    (tmp_path / "robot" / "talker.py").write_text(TALKER, encoding="utf-8")
+    (tmp_path / "archlint.toml").write_text('select = ["PKG003"]', encoding="utf-8")
+    assert len(check(Request((".",), load(tmp_path), cached=False, jobs=1)).findings) == circles
+
+
+def test_a_node_action_without_a_package_needs_none(findings):
+    assert findings("PKG001", '<node pkg="" exec="talker"/>') == []
+
+
+@pytest.mark.parametrize(
+    ("target", "words"),
+    [
+        ("robot.tlker", "module 'robot.tlker' does not exist; did you mean 'robot.talker'?"),
+        ("robot.b", "module 'robot.b' does not exist"),
+        ("robt.talker", "module 'robt.talker' does not exist; did you mean 'robot.talker'?"),
+    ],
+)
+def test_a_module_that_is_not_there_is_named_with_the_near_one(findings, target, words):
+    (found,) = findings("PKG002", **{"setup.py": SETUP.replace("robot.talker:", f"{target}:"), "robot/a.py": ""})
+    assert found.message.endswith(f": {words}")

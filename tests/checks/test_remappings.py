@@ -1,0 +1,46 @@
+"""LCH002: remappings of a launch file that do nothing."""
+
+from __future__ import annotations
+
+import pytest
+
+from robot_package import TALKER, node
+
+
+@pytest.mark.parametrize(
+    "remap",
+    [
+        '<remap from="chatter" to="x"/>',
+        '<remap from="~/get_parameters" to="x"/>',
+        '<remap from="/tf" to="tf"/>',
+        '<remap from="/rosout" to="x"/>',
+    ],
+)
+def test_live_remappings(findings, remap):
+    assert findings("LCH002", node(remap)) == []
+
+
+def test_remappings_of_a_group_are_for_whoever_has_the_name(findings):
+    assert findings("LCH002", '<set_remap from="odom" to="/odom"/>' + node()) == []
+
+
+def test_a_remapping_that_works_where_the_file_is_included_in_a_namespace(findings):
+    remap = '<remap from="/left/chatter" to="/x"/>'
+    part = f"<launch>{node(remap)}</launch>"
+    include = '<include file="$(find-pkg-share robot)/launch/part.launch.xml"/>'
+
+    pushed = f'<group><push_ros_namespace namespace="left"/>{include}</group>'
+    assert findings("LCH002", pushed, **{"launch/part.launch.xml": part}) == []
+    assert findings("LCH002", include, **{"launch/part.launch.xml": part}) != []
+
+
+def test_a_remapping_is_judged_under_the_nodes_namespace(findings):
+    (found,) = findings("LCH002", node('<remap from="/chatter" to="x"/>', namespace="left"))
+    assert "/left/talker has no name '/chatter'" in found.message
+    assert "/left/chatter" in found.help
+
+
+def test_a_node_that_hands_itself_out_may_have_more_names(findings):
+    text = TALKER.replace("        self.create_publisher", "        Helper(self)\n        self.create_publisher")
+    text = "from library import Helper\n" + text
+    assert findings("LCH002", node('<remap from="odom" to="x"/>'), **{"robot/talker.py": text}) == []

@@ -1,0 +1,129 @@
+"""Code in launch files: loops, functions, classes of their own."""
+
+from __future__ import annotations
+
+import pytest
+
+from launching import names, node, parameters
+
+
+def test_loops_and_helpers(launches):
+    launched = launches.python(
+        "[make(name) for name in ('a', 'b')]",
+        before="def make(name):\n    return Node(package='robot', executable='talker', name=f'{name}_node')",
+    )
+    assert names(launched) == ["a_node", "b_node"]
+
+
+def test_opaque_functions_see_the_context(launches):
+    launched = launches.python(
+        "[DeclareLaunchArgument('count', default_value='2'), OpaqueFunction(function=setup)]",
+        before=(
+            "def setup(context):\n"
+            "    count = int(LaunchConfiguration('count').perform(context))\n"
+            "    ns = context.launch_configurations['count']\n"
+            "    return [Node(package='robot', executable='talker', name=f'n{i}', namespace='r' + ns)\n"
+            "            for i in range(count)]"
+        ),
+    )
+    assert names(launched) == ["/r2/n0", "/r2/n1"]
+
+
+def test_a_description_may_grow_while_it_runs(launches):
+    launches.file(
+        "robot/launch/it.launch.py",
+        "from launch import LaunchDescription\nfrom launch.actions import OpaqueFunction\n"
+        "from launch_ros.actions import Node\n"
+        "def setup(context, ld):\n    ld.add_action(Node(package='robot', executable='talker', name='late'))\n"
+        "def generate_launch_description():\n    ld = LaunchDescription()\n"
+        "    ld.add_action(OpaqueFunction(function=setup, args=[ld]))\n    return ld\n",
+    )
+    assert names(launches.run("robot/launch/it.launch.py")) == ["late"]
+
+
+def test_a_branch_of_the_code_that_nothing_decides(launches):
+    launched = launches.python(
+        "actions",
+        before=(
+            "actions = []\nif os.environ['ROBOT'] == 'a':\n    actions.append(" + node("a") + ")\n"
+            "else:\n    actions.append(" + node("b") + ")"
+        ),
+    )
+    one, other = (dict(started.branch_arms) for started in launched.started)
+    assert one.keys() == other.keys() and one != other
+
+
+@pytest.mark.parametrize("grow", ["d += [{0}]", "d.append({0})", "d.extend([{0}])"])
+@pytest.mark.parametrize("rounds", ["os.listdir('robots')", "('r1',)"])
+def test_a_list_that_grows_in_a_loop_is_one_list(launches, grow, rounds):
+    """Whether the loop's rounds are known or not, what was in the list before is started once."""
+    loop = f"d = [{node('first')}]\nfor r in {rounds}:\n    {grow.format(node('more'))}"
+    assert names(launches.python("d", before=loop)) == ["first", "more"]
+    assert names(launches.python("[GroupAction(d)]", before=loop)) == ["first", "more"]
+
+
+def test_a_name_for_the_list_sees_it_grow(launches):
+    before = f"d = []\nactions = d\nd += [{node('late')}]"
+    assert names(launches.python("actions", before=before)) == ["late"]
+
+
+def test_a_new_list_does_not_change_the_old_one(launches):
+    before = f"d = []\nactions = d\nd = d + [{node('late')}]"
+    assert names(launches.python("actions", before=before)) == []
+
+
+def test_two_processes_of_one_helper_in_a_handler_are_two(launches):
+    launched = launches.python(
+        "[first, RegisterEventHandler(OnProcessExit(target_action=first, on_exit=[spawner('a'), spawner('b')]))]",
+        "def spawner(controller):\n"
+        "    return Node(package='controller_manager', executable='spawner', arguments=[controller])\n"
+        "first = Node(package='robot', executable='talker')",
+    )
+    assert [started.arguments for started in launched.started] == [[], ["a"], ["b"]]
+
+
+@pytest.mark.parametrize(("distro", "expected"), [("jazzy", "new"), ("humble", "old"), (None, None)])
+def test_the_distribution_decides_only_where_it_is_said(launches, distro, expected):
+    launches.python(
+        "[Node(package='p', executable=name), Node(package='p', executable=other),"
+        " Node(package='p', executable=['as_', EnvironmentVariable('ROS_DISTRO')])]",
+        "name = 'old' if os.environ['ROS_DISTRO'] == 'humble' else 'new'\n"
+        "other = 'old' if os.getenv('ROS_DISTRO', 'rolling') == 'humble' else 'new'",
+    )
+    one, other, last = launches.of_workspace(distro).run("robot/launch/it.launch.py").started
+    assert [one.executable.text, other.executable.text] == [expected, expected]
+    assert last.executable.text == (f"as_{distro}" if distro else "as_*")
+
+
+@pytest.mark.parametrize("as_text", ["str(path)", "path.__str__()", "path.as_posix()"])
+def test_a_path_as_text(launches, as_text):
+    launches.file("robot/launch/inner.launch.xml", '<launch><node pkg="p" exec="inner"/></launch>')
+    launched = launches.python(
+        f"[IncludeLaunchDescription(AnyLaunchDescriptionSource({as_text}))]",
+        "from pathlib import Path\npath = Path(get_package_share_directory('robot'), 'launch', 'inner.launch.xml')",
+    )
+    assert [one.executable.text for one in launched.started] == ["inner"] and not launched.gaps
+
+
+def test_lists_that_are_summed_up(launches):
+    launched = launches.python(
+        "sum(([Node(package='p', executable=name)] for name in ('a', 'b')), [Node(package='p', executable='first')])"
+    )
+    assert [one.executable.text for one in launched.started] == ["first", "a", "b"]
+    numbers = launches.python("[Node(package='p', executable='e', parameters=[{'n': sum([1, 2, 3])}])]")
+    assert parameters(numbers.started[0]) == {"n": 6}
+    unknown = launches.python("sum((nodes_of(name) for name in ('a', 'b')), [])", "from elsewhere import nodes_of")
+    assert not unknown.started and unknown.gaps
+
+
+def test_the_entities_of_a_description_are_actions(launches):
+    launched = launches.python(
+        "[OpaqueFunction(function=setup)]",
+        "def setup(context):\n"
+        "    made = LaunchDescription([Node(package='p', executable='first')])\n"
+        "    made.add_action(Node(package='p', executable='second'))\n"
+        "    return made.entities",
+    )
+    assert [one.executable.text for one in launched.started] == ["first", "second"] and not launched.gaps
+    unknown = launches.python("LaunchDescription(nodes_of('a')).entities", "from elsewhere import nodes_of")
+    assert not unknown.started and unknown.gaps

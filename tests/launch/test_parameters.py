@@ -1,0 +1,240 @@
+"""The parameters that launch files give nodes."""
+
+from __future__ import annotations
+
+import pytest
+
+from archlint.systems.overrides import NotKnown, settings_of
+from launching import names, node, parameters, remaps
+
+
+def test_types_of_parameters(launches):
+    launched = launches.xml(
+        """<arg name="x" default="1.5"/><node pkg="robot" exec="talker">
+          <param name="a" value="1"/><param name="b" value="1" type="str"/><param name="c" value="$(var x)"/>
+          <param name="d"><param name="e" value="true"/></param><param name="f" value="[1, 2]"/>
+        </node>"""
+    )
+    assert parameters(launched.started[0]) == {"a": 1, "b": "1", "c": 1.5, "d.e": True, "f": [1, 2]}
+
+
+def test_parameters_of_python(launches):
+    launched = launches.python(
+        "[DeclareLaunchArgument('rate', default_value='5'), SetParameter('use_sim_time', True), Node(package='robot', "
+        "executable='talker', parameters=[{'rate': LaunchConfiguration('rate'), 'deep': {'er': 'text'}, "
+        "'no': secret()}, "
+        "os.path.join(get_package_share_directory('robot'), 'config', 'robot.yaml')])]"
+    )
+    (started,) = launched.started
+    not_known = NotKnown("launch.actions.secret() is outside of this workspace")
+    assert parameters(started) == {"use_sim_time": True, "rate": 5, "deep.er": "text", "no": not_known}
+    assert started.parameters[-1].reference.status == "missing"
+
+
+def test_yaml_keeps_types_but_for_texts_that_look_like_numbers(launches):
+    launched = launches.yaml(
+        "launch:\n- node:\n    pkg: robot\n    exec: talker\n    namespace: left\n"
+        "    param:\n    - {name: a, value: 1}\n    - {name: b, value: '1'}\n    - {name: c, value: one}\n"
+        "    remap:\n    - {from: x, to: y}\n"
+    )
+    (started,) = launched.started
+    why = "a text that looks like a number: releases differ in what they make of it"
+    assert parameters(started) == {"a": 1, "b": NotKnown(why), "c": "one"}
+    assert remaps(started) == [("x", "y")]
+    assert names(launched) == ["/left/-"]
+
+
+def test_yaml_that_a_launch_file_loads_itself(launches):
+    launches.file("robot/config/p.yaml", "/**: {ros__parameters: {mode: fast, n: 2}}")
+    launched = launches.python(
+        "actions",
+        before=(
+            "import yaml\nwith open(os.path.join(get_package_share_directory('robot'), 'config', 'p.yaml')) as file:\n"
+            "    values = yaml.safe_load(file)['/**']['ros__parameters']\nactions = []\n"
+            "if values.get('mode', None) == 'fast':\n"
+            "    actions.append(Node(package='robot', executable='talker', name='quick', parameters=[values]))"
+        ),
+    )
+    assert names(launched) == ["quick"]
+    assert parameters(launched.started[0]) == {"mode": "fast", "n": 2}
+    assert not launched.started[0].branch_arms
+
+
+def test_the_share_directory_as_the_module_of_a_substitution_imports_it(launches):
+    launches.file("robot/config/p.yaml", "/**: {ros__parameters: {mode: fast}}")
+    launched = launches.python(
+        "[Node(package='robot', executable='talker', parameters=[share('robot') + '/config/p.yaml'])]",
+        before="from launch_ros.substitutions.find_package import get_package_share_directory as share",
+    )
+
+    (given,) = launched.started[0].parameters
+    assert given.reference.source == "robot/config/p.yaml"
+
+
+def test_a_list_that_may_have_fewer_items_has_no_others(launches):
+    before = """\
+sides = ['left', 'right']
+if has_an_arm():
+    sides.append('hand')
+nodes = []
+for side in sides:
+    nodes.append(ComposableNode(package='p', plugin='P', name='camera_' + side))
+"""
+    loads = "[LoadComposableNodes(composable_node_descriptions=nodes, target_container='c')]"
+    launched = launches.python(loads, before)
+    assert names(launched) == ["camera_left", "camera_right", "camera_hand"]
+    assert not launched.gaps
+
+
+@pytest.mark.parametrize(
+    ("condition", "expected"),
+    [
+        ("IfCondition(LaunchConfiguration('mock', default='true'))", ["mock"]),
+        ("UnlessCondition(LaunchConfiguration('mock', default='true'))", ["real"]),
+        ("LaunchConfigurationEquals('mock', 'true')", ["real"]),
+        ("IfCondition(EnvironmentVariable('MOCK'))", ["mock", "real"]),
+    ],
+)
+def test_a_condition_that_code_evaluates(launches, condition, expected):
+    before = f"""\
+def setup(context):
+    if {condition}.evaluate(context):
+        return [{node("mock")}]
+    return [{node("real")}]
+"""
+    assert names(launches.python("[OpaqueFunction(function=setup)]", before)) == expected
+
+
+@pytest.mark.parametrize(
+    ("attributes", "value"),
+    [
+        ('value="1"', 1),
+        ('value="1" type="float"', 1.0),
+        ('value="1" type="int"', 1),
+        ('value="1" type="str"', "1"),
+        ('value="yes" type="bool"', True),
+        ('value="0.5"', 0.5),
+        ('value="x" type="int"', NotKnown("a value that is no int")),
+    ],
+)
+def test_the_type_of_a_parameter_in_xml(launches, attributes, value):
+    launched = launches.xml(f'<node pkg="robot" exec="talker"><param name="p" {attributes}/></node>')
+    found = parameters(launched.started[0])["p"]
+    assert (type(found), found) == (type(value), value)
+
+
+@pytest.mark.parametrize(("text", "value"), [("0.5", 0.5), ("3", 3), ("true", True), ("robot", "robot")])
+def test_set_parameter_reads_its_text_as_a_parameter_does(launches, text, value):
+    xml = launches.xml(f'<set_parameter name="p" value="{text}"/><node pkg="robot" exec="talker"/>')
+    assert parameters(xml.started[0])["p"] == value
+
+
+def test_substitutions_in_a_parameter_file_keep_what_quotes_say(launches):
+    launches.file(
+        "robot/config/p.yaml",
+        "/**:\n  ros__parameters:\n"
+        "    plain: $(var number)\n"
+        "    quoted: '$(var number)'\n"
+        '    empty: "$(var none)"\n'
+        "    nothing: $(var none)\n"
+        "    joints: [$(var side)_hip, $(var side)_knee, fixed]\n"
+        "    numbers: [$(var number)]\n"
+        "    $(var side)_arm: {rate: 10}\n"
+        "    $(env ARM)_arm: {rate: 20}\n",
+    )
+    launches.file(
+        "robot/launch/it.launch.xml",
+        '<launch><arg name="number" default="5"/><arg name="none" default=""/><arg name="side" default="left"/>'
+        '<node pkg="p" exec="e"><param from="$(find-pkg-share robot)/config/p.yaml" allow_substs="true"/></node>'
+        "</launch>",
+    )
+    loaded = launches.of_workspace()
+    [started] = loaded.run("robot/launch/it.launch.xml").started
+    assert {one.name: one.value for one in settings_of(started, None, loaded.files.parameters)} == {
+        "plain": 5,
+        "quoted": "5",
+        "empty": "",
+        "nothing": NotKnown("a text that YAML may read in several ways"),
+        "joints": ["left_hip", "left_knee", "fixed"],
+        "numbers": NotKnown("a text that YAML may read in several ways"),  # whether its item is quoted is not kept
+        "left_arm.rate": 10,
+    }
+
+
+@pytest.mark.parametrize(
+    ("value", "why"),
+    [
+        ("os.environ['ROBOT']", "the environment variable ROBOT"),
+        ("os.environ.get('ROBOT', 'spare')", "the environment variable ROBOT"),
+        ("['left', os.environ['ROBOT']]", "the environment variable ROBOT"),
+        ("EnvironmentVariable('ROBOT')", "the environment variable ROBOT"),
+        ("ParameterValue(EnvironmentVariable('ROBOT'), value_type=str)", "the environment variable ROBOT"),
+        ("[EnvironmentVariable('ROBOT'), '/base']", "the environment variable ROBOT"),
+        ("Command(['xacro ', 'robot.urdf'])", "the output of a command"),
+        ("LaunchConfiguration('robot')", "the environment variable ROBOT"),
+        ("LaunchConfiguration('unset')", "the launch configuration 'unset' is not set"),
+    ],
+)
+def test_a_parameter_that_is_not_known_says_why(launches, value, why):
+    launched = launches.python(
+        "[DeclareLaunchArgument('robot', default_value=os.environ['ROBOT']), "
+        f"Node(package='robot', executable='talker', parameters=[{{'p': {value}, 'rate': 5}}])]"
+    )
+    assert parameters(launched.started[0]) == {"p": NotKnown(why), "rate": 5}
+
+
+def test_a_file_with_a_variable_of_the_environment_says_so(launches):
+    launches.file(
+        "robot/config/p.yaml", "/**:\n  ros__parameters:\n    arm: $(env ARM)\n    leg: $(var leg)_$(env LEG)\n"
+    )
+    launches.file(
+        "robot/launch/it.launch.xml",
+        '<launch><arg name="leg" default="left"/><node pkg="p" exec="e">'
+        '<param from="$(find-pkg-share robot)/config/p.yaml" allow_substs="true"/></node></launch>',
+    )
+    loaded = launches.of_workspace()
+    [started] = loaded.run("robot/launch/it.launch.xml").started
+    assert {one.name: one.value for one in settings_of(started, None, loaded.files.parameters)} == {
+        "arm": NotKnown("the environment variable ARM"),
+        "leg": NotKnown("the environment variable LEG"),
+    }
+
+
+@pytest.mark.parametrize(("variable", "shown"), [("ROBOT", "spare"), ("USER", None)])
+def test_the_default_of_a_variable_that_each_machine_has(launches, variable, shown):
+    launched = launches.xml(f'<node pkg="robot" exec="talker" name="$(env {variable} spare)"/>')
+    [name] = [started.name for started in launched.started]
+    assert name.text == shown
+
+
+def test_a_file_without_nodes_is_for_components(launches):
+    launches.file("robot/config/plain.yaml", "rate: 10\nled: {number: 24}\n")
+    launches.file("robot/config/nodes.yaml", "rate: 5\ndriver:\n  ros__parameters: {led: 1}\n")
+
+    def given(file: str) -> list[dict[str, object]]:
+        launches.python(
+            "[ComposableNodeContainer(package='c', executable='c', name='c', namespace='', parameters=[file],"
+            " composable_node_descriptions=[part])]",
+            f"file = FindPackageShare('robot').find('robot') + '/config/{file}'\n"
+            "part = ComposableNode(package='p', plugin='D', name='driver', parameters=[file])",
+        )
+        loaded = launches.of_workspace()
+        started = loaded.run("robot/launch/it.launch.py").started
+        return [{row.name: row.value for row in settings_of(one, None, loaded.files.parameters)} for one in started]
+
+    assert sorted(given("plain.yaml"), key=len) == [{}, {"rate": 10, "led.number": 24}]  # the container gets nothing
+    assert given("nodes.yaml") == [{"led": 1}, {"led": 1}]  # one section is enough: the rest is not read
+
+
+@pytest.mark.parametrize(("given", "found"), [("", {"use_sim_time": True}), ("5", {"use_sim_time": True, "offset": 5})])
+def test_a_parameter_of_a_group_under_a_condition(launches, given, found):
+    """The list of parameters for all nodes is one list, in the group and after it; what a condition leaves out is
+    in neither."""
+    wanted = "LaunchConfigurationNotEquals('offset', '')"
+    inside = f"SetParameter('offset', LaunchConfiguration('offset'), condition={wanted}), {node('inside')}"
+    launched = launches.python(
+        "[DeclareLaunchArgument('offset', default_value=''), SetParameter('use_sim_time', True), "
+        f"GroupAction([{inside}]), {node('after')}]",
+        offset=given,
+    )
+    assert [parameters(started) for started in launched.started] == [found, found]

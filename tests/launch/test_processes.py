@@ -1,0 +1,59 @@
+"""What launch files start: nodes, containers, components, commands, and what event handlers start."""
+
+from __future__ import annotations
+
+import pytest
+
+from launching import names, node
+
+
+def test_timers_handlers_and_processes(launches):
+    launched = launches.python(
+        f"[first, TimerAction(period=1.0, actions=[{node('timed')}]), "
+        f"RegisterEventHandler(OnProcessExit(target_action=first, on_exit=[{node('handled')}])), "
+        "ExecuteProcess(cmd=['ros2', 'run', 'robot', 'talker']), ExecuteProcess(cmd=['bash', 'x.sh'])]",
+        before=f"first = {node('first')}",
+    )
+    assert [(s.kind, s.package.text, s.executable.text) for s in launched.started] == [
+        ("node", "robot", "talker"),
+        ("node", "robot", "talker"),
+        ("node", "robot", "talker"),
+        ("node", "robot", "talker"),
+        ("process", None, "bash"),
+    ]
+
+
+def test_components(launches):
+    launched = launches.python(
+        "[PushRosNamespace('r'), ComposableNodeContainer(name='box', namespace='', package='rclcpp_components', "
+        "executable='component_container', composable_node_descriptions=[ComposableNode(package='p', plugin='p::C', "
+        "name='c', remappings=[('a', 'b')])]), LoadComposableNodes(target_container='box', "
+        "composable_node_descriptions=[ComposableNode(package='p', plugin='p::D', namespace='n')])]"
+    )
+    assert [(s.kind, s.executable.text) for s in launched.started] == [
+        ("container", "component_container"),
+        ("component", "p::C"),
+        ("component", "p::D"),
+    ]
+    assert names(launched) == ["/r/box", "/r/c", "/r/n/-"]
+
+
+def test_a_function_that_handles_an_event_is_run(launches):
+    before = f"def after(event, context):\n    return [{node('handled')}]\n"
+    handler = "RegisterEventHandler(OnProcessExit(target_action=None, on_exit=after))"
+    assert names(launches.python(f"[{handler}]", before)) == ["handled"]
+
+
+@pytest.mark.parametrize("order", ["{node}, {handler}", "{handler}, {node}"])
+def test_a_process_that_is_started_again_when_it_ends_is_one(launches, order):
+    before = f"def start(*_):\n    return [{node('driver')}]\n"
+    actions = order.format(
+        node="*start()",
+        handler="RegisterEventHandler(OnProcessExit(target_action=None, on_exit=start))",
+    )
+    assert names(launches.python(f"[{actions}]", before)) == ["driver"]
+
+
+def test_two_processes_of_one_place_and_name_are_two(launches):
+    before = f"def start():\n    return {node('driver')}\n"
+    assert names(launches.python("[start(), start()]", before)) == ["driver", "driver"]

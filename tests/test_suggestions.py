@@ -1,0 +1,43 @@
+"""Which word was meant."""
+
+from __future__ import annotations
+
+import pytest
+
+from archlint.suggestions import did_you_mean, distance, nearest
+
+
+@pytest.mark.parametrize(
+    ("one", "other", "edits"),
+    [("talker", "talker", 0), ("taker", "talker", 1), ("tlaker", "talker", 1), ("a", "bcd", 3)],
+)
+def test_distance(one, other, edits):
+    assert distance(one, other, 5) == edits
+
+
+def test_the_nearest_word_is_near():
+    assert nearest("taker", ["listener", "talker"]) == "talker"
+    assert did_you_mean("x", ["talker"]) == ""
+
+
+@pytest.mark.parametrize(
+    ("word", "meant"),
+    [("cmd_topc", "cmd_topic"), ("sub_ids", "sub_id"), ("maxspeed", "max_speed"), ("Camra", "camera")],
+)
+def test_a_word_that_is_misspelt_in_a_name(word: str, meant: str):
+    assert nearest(word, [meant]) == meant
+
+
+@pytest.mark.parametrize(
+    ("word", "other"),
+    [
+        ("cmd_topic", "imu_topic"),
+        ("publish_odom", "publish_rate"),
+        ("motor_1", "motor_2"),
+        ("linear_x", "linear_y"),
+        ("kp", "kd"),
+        ("input_gain", "output_gain"),
+    ],
+)
+def test_two_names_of_which_neither_is_misspelt(word: str, other: str):
+    assert nearest(word, [other]) is None
