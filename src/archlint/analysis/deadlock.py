@@ -37,11 +37,13 @@ from archlint.model import (
     Role,
     SpinDuration,
 )
+from archlint.model.given import Constant
 from archlint.ros.distros import DISTROS
 
 if TYPE_CHECKING:
     from archlint.analysis.blocking import Form, Relation, Threads
-    from archlint.model import ApiCall, Blueprint, Creation, ExecutorUse, Group, Program
+    from archlint.model.given import Constant
+from archlint.model import ApiCall, Blueprint, Creation, ExecutorUse, Group, Program
 
 __all__ = [
     "AWAIT",
@@ -215,7 +217,8 @@ def judge_spin(
 
 def _on_one_of_its_own(call: ApiCall, node: Blueprint, running: Sequence[ExecutorUse]) -> bool:
     """Whether a spin is given an executor that runs the node for as long as this spin lasts, and no longer."""
-    use = getattr(call.arguments.get("executor"), "use", None)
+    value = call.arguments.get("executor")
+    use = None if value is None else value.executor
     if use is None or all(other is use for other in running):
         return False
     return use not in running or use.lasts_for(node) == SpinDuration.A_MOMENT
@@ -223,4 +226,4 @@ def _on_one_of_its_own(call: ApiCall, node: Blueprint, running: Sequence[Executo
 
 def _given(call: ApiCall, name: str) -> bool:
     value = call.arguments.get(name)
-    return value is not None and getattr(value, "value", value) is not None
+    return value is not None and not (isinstance(value, Constant) and value.value is None)

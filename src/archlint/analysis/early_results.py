@@ -10,7 +10,7 @@ from archlint.analysis.callback_roles import runs_in_executor
 from archlint.analysis.kept import once
 from archlint.analysis.reach import creations_of, judged_calls, same_expression
 from archlint.analysis.source_code import SourceCode, source_code
-from archlint.libraries.values import FutureValue
+from archlint.model.given import Future
 from archlint.syntax import facts
 from archlint.syntax.walk import blocks_of, called_name, calls_in, parts_of
 
@@ -38,7 +38,7 @@ def early_results(system: System) -> list[EarlyResult]:
     """The results that callbacks read straight after they have sent the request."""
     found, code = [], source_code(system)
     for program, call in judged_calls(system):
-        if call.api != _RESULT or not isinstance(call.receiver, FutureValue) or not runs_in_executor(call.context):
+        if call.api != _RESULT or not isinstance(call.receiver, Future) or not runs_in_executor(call.context):
             continue
         clients = creations_of(call.receiver)
         if clients and _straight_after(code, call):

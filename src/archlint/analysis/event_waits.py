@@ -10,8 +10,8 @@ from archlint.analysis.callback_roles import runs_in_executor
 from archlint.analysis.deadlock import group_relation, threads_of
 from archlint.analysis.kept import once
 from archlint.analysis.reach import has_limit, judged_calls
-from archlint.interpreter.values import Instance
 from archlint.model import Role
+from archlint.model.given import Object
 
 if TYPE_CHECKING:
     from archlint.model import ApiCall, Callback, Program
@@ -37,11 +37,11 @@ def event_waits(system: System) -> list[EventWait]:
     """The waits for events that nothing but a callback kept out meanwhile sets."""
     setters: dict[int, list[Callback]] = {}
     for _, call in judged_calls(system):
-        if call.api == _SET and isinstance(call.receiver, Instance):
+        if call.api == _SET and isinstance(call.receiver, Object):
             setters.setdefault(call.receiver.key, []).append(call.context)
     found = []
     for program, call in judged_calls(system):
-        if call.api != _WAIT or not isinstance(call.receiver, Instance) or not runs_in_executor(call.context):
+        if call.api != _WAIT or not isinstance(call.receiver, Object) or not runs_in_executor(call.context):
             continue
         by = setters.get(call.receiver.key, [])
         reasons = [_kept_out(call.context, setter, program) for setter in by]

@@ -10,18 +10,18 @@ from typing import TYPE_CHECKING
 
 from archlint.analysis.kept import once
 from archlint.finding import Finding, Related
-from archlint.interpreter.values import Known, Value, alternatives
-from archlint.libraries.values import EntityValue, FutureValue
 from archlint.model import (
     Creation,
     EntityKind,
     Role,
 )
+from archlint.model.given import Constant
 from archlint.syntax import facts
 
 if TYPE_CHECKING:
     from archlint.analysis.source_code import SourceCode
     from archlint.model import ApiCall, Blueprint, Program
+    from archlint.model.given import Given
     from archlint.systems.model import System
 
 
@@ -57,10 +57,9 @@ def node_name(system: System, blueprint: Blueprint | None) -> str | None:
 # -------------------------------------------------------------------------------------------- arguments
 
 
-def argument(call: ApiCall, name: str) -> Value | None:
+def argument(call: ApiCall, name: str) -> Given | None:
     """What a call gives for a parameter of the API, None where it gives nothing."""
-    value = call.arguments.get(name)
-    return value if isinstance(value, Value) else None
+    return call.arguments.get(name)
 
 
 def all_arguments_seen(code: SourceCode, call: ApiCall) -> bool:
@@ -77,13 +76,13 @@ def waits_for_ever(code: SourceCode, call: ApiCall, parameter: str, *, negative:
     value = argument(call, parameter)
     if value is None:
         return all_arguments_seen(code, call)
-    return all(_no_limit(option, call, negative) for option in alternatives(value))
+    return all(_no_limit(option, call, negative) for option in value.alternatives)
 
 
-def _no_limit(value: Value, call: ApiCall, negative: bool) -> bool:
-    if not isinstance(value, Known) or value.via:
+def _no_limit(value: Given, call: ApiCall, negative: bool) -> bool:
+    if not isinstance(value, Constant) or value.parameters:
         return False
-    if value.kind == "argument_default" and (not call.chain or call.context.role == Role.METHOD):
+    if value.origin_kind == "argument_default" and (not call.chain or call.context.role == Role.METHOD):
         return False
     if value.value is None:
         return True
@@ -94,23 +93,17 @@ def has_limit(call: ApiCall, parameter: str) -> bool:
     """Whether a call is given a timeout that is known to end the wait."""
     value = argument(call, parameter)
     return value is not None and all(
-        isinstance(option, Known) and isinstance(option.value, (int, float)) and option.value >= 0
-        for option in alternatives(value)
+        isinstance(option, Constant) and isinstance(option.value, (int, float)) and option.value >= 0
+        for option in value.alternatives
     )
 
 
 # ------------------------------------------------------------------------------------- what is waited for
 
 
-def creations_of(value: object) -> tuple[Creation, ...]:
+def creations_of(value: Given | None) -> tuple[Creation, ...]:
     """The clients that a value (a client, a goal handle, the future of an answer) belongs to."""
-    if isinstance(value, (EntityValue, FutureValue)):
-        return value.creations
-    if isinstance(value, Value):
-        options = alternatives(value)
-        if len(options) > 1:
-            return tuple(creation for option in options for creation in creations_of(option))
-    return ()
+    return () if value is None else value.creations
 
 
 def endpoint_words(creation: Creation | None, kind: str = "") -> str:

@@ -7,15 +7,14 @@ from typing import TYPE_CHECKING, Literal
 
 from archlint.analysis.bounds import most
 from archlint.analysis.reach import argument
-from archlint.interpreter.values import Instance, Known, alternatives
 from archlint.libraries import tables
 from archlint.syntax import facts
 from archlint.syntax.parts import names_in
 
 if TYPE_CHECKING:
     from archlint.analysis.source_code import SourceCode
-    from archlint.interpreter.values import Value
     from archlint.model import ApiCall
+    from archlint.model.given import Given
 
 SLEEP = "time.sleep"
 _INPUT = "builtins.input"
@@ -100,33 +99,10 @@ def _limit_of_process(code: SourceCode, call: ApiCall) -> float | None:
     return longest(argument(call, "timeout"))
 
 
-def longest(value: Value | None) -> float | None:
+def longest(value: Given | None) -> float | None:
     """The longest time that a value may stand for in seconds, None where that is not known."""
     if value is None:
         return None
-    found = [_seconds(option) for option in alternatives(value)]
+    found = [option.seconds for option in value.alternatives]
     known = [seconds for seconds in found if seconds is not None]
     return max(known) if len(known) == len(found) else None
-
-
-def _seconds(value: Value) -> float | None:
-    if isinstance(value, Known) and isinstance(value.value, (int, float)):
-        return float(value.value)
-    if isinstance(value, Instance) and value.cls.__class__.__name__ == "External":
-        return _duration(value)
-    return None
-
-
-def _duration(value: Instance) -> float | None:
-    """``Duration(seconds=1, nanoseconds=500)`` in seconds."""
-    if getattr(value.cls, "path", "") != "rclpy.duration.Duration":
-        return None
-    total = 0.0
-    for name, scale in (("seconds", 1.0), ("nanoseconds", 1e-9)):
-        part = value.arguments.get(name)
-        if part is None:
-            continue
-        if not isinstance(part, Known) or not isinstance(part.value, (int, float)):
-            return None
-        total += part.value * scale
-    return total

@@ -6,9 +6,8 @@ from typing import TYPE_CHECKING
 
 from archlint.analysis.callback_roles import runs_in_executor
 from archlint.analysis.reach import argument, judged_calls
-from archlint.interpreter.values import Instance, alternatives
-from archlint.libraries.values import NodeValue
 from archlint.model import Role
+from archlint.model.given import Node, Object
 
 if TYPE_CHECKING:
     from archlint.model import ApiCall, Blueprint, Program
@@ -29,19 +28,19 @@ def is_spin_call(call: ApiCall) -> bool:
 def spun_node(call: ApiCall, program: Program) -> Blueprint | None:
     """The node that a spin runs, where there is one for certain."""
     if call.api.startswith(_EXECUTOR):
-        use = getattr(call.receiver, "use", None)
-        nodes = list(getattr(use, "nodes", ()))
+        use = None if call.receiver is None else call.receiver.executor
+        nodes = [] if use is None else use.nodes
         return call.context.node if call.context.node in nodes else nodes[0] if len(nodes) == 1 else None
     value = argument(call, "node")
-    options = [one for one in alternatives(value) if isinstance(one, (Instance, NodeValue))] if value else []
+    options = [one for one in value.alternatives if isinstance(one, (Object, Node))] if value else []
     if len(options) != 1:
         return None
-    if isinstance(options[0], NodeValue):
+    if isinstance(options[0], Node):
         return options[0].blueprint
     return _blueprint_of(options[0], program)
 
 
-def _blueprint_of(value: Instance, program: Program) -> Blueprint | None:
+def _blueprint_of(value: Object, program: Program) -> Blueprint | None:
     return next((node for node in program.nodes if node.key.endswith(f"#{value.key}")), None)
 
 

@@ -16,9 +16,8 @@ from archlint.analysis.reach import (
     same_expression,
 )
 from archlint.analysis.source_code import SourceCode, source_code
-from archlint.interpreter.values import Instance, Known, alternatives
-from archlint.libraries.values import FutureValue
 from archlint.model import Role
+from archlint.model.given import Constant, Future, Object
 from archlint.syntax import facts
 from archlint.syntax.control_flow import always_left
 from archlint.syntax.parts import names_in
@@ -27,8 +26,8 @@ from archlint.syntax.walk import called_name, statements_of
 if TYPE_CHECKING:
     from archlint.analysis.blocking import Form
     from archlint.finding import Place
-    from archlint.interpreter.values import Value
     from archlint.model import ApiCall, Creation, Program
+    from archlint.model.given import Given
     from archlint.systems.model import System
 
 BLOCKING_CALLS = (
@@ -84,11 +83,11 @@ def waits(system: System) -> list[Wait]:
     return found
 
 
-def _may_end(limit: Value | None) -> bool:
+def _may_end(limit: Given | None) -> bool:
     """Whether a limit is given, as far as is known: one that may be None is none."""
     return limit is not None and all(
-        not isinstance(option, Known) or (isinstance(option.value, (int, float)) and option.value >= 0)
-        for option in alternatives(limit)
+        not isinstance(option, Constant) or (isinstance(option.value, (int, float)) and option.value >= 0)
+        for option in limit.alternatives
     )
 
 
@@ -104,7 +103,7 @@ def _waits_of(code: SourceCode, call: ApiCall, signals: _Signals) -> Iterator[tu
         if loop is not None:
             spins = not names_in(loop).isdisjoint({"spin", "spin_once", "spin_until_future_complete"})
             yield SPIN if spins else CALL, creations_of(call.receiver)
-    elif call.api == _EVENT_WAIT and isinstance(call.receiver, Instance):
+    elif call.api == _EVENT_WAIT and isinstance(call.receiver, Object):
         client = signals.get(call.receiver.key) or signals.get(call.receiver.place)
         if client is not None:
             yield CALL, (client,)
@@ -144,12 +143,12 @@ def _signals(system: System) -> _Signals:
     clients = {
         call.place: creations_of(call.receiver)
         for _, call in judged_calls(system)
-        if call.api == _ADD_DONE_CALLBACK and isinstance(call.receiver, FutureValue)
+        if call.api == _ADD_DONE_CALLBACK and isinstance(call.receiver, Future)
     }
     found: _Signals = {}
     of_place: dict[Place, list[Creation]] = {}
     for _, call in judged_calls(system):
-        if call.api == _EVENT_SET and call.context.role == Role.DONE and isinstance(call.receiver, Instance):
+        if call.api == _EVENT_SET and call.context.role == Role.DONE and isinstance(call.receiver, Object):
             of_future = clients.get(call.context.registered) if call.context.registered else None
             if of_future:
                 found.setdefault(call.receiver.key, of_future[0])

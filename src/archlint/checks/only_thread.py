@@ -16,7 +16,7 @@ from archlint.checks.folding import folds
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.finding import Finding, Related
-from archlint.interpreter.values import Known
+from archlint.model.given import Constant
 
 if TYPE_CHECKING:
     from archlint.model import ApiCall, Blueprint, Program
@@ -122,4 +122,4 @@ def _limit_words(call: ApiCall) -> str:
 def _spins_itself(call: ApiCall) -> bool:
     """``TransformListener(…, spin_thread=True)``, or an argument that may be true."""
     value = argument(call, "spin_thread")
-    return value is not None and not (isinstance(value, Known) and not value.value)
+    return value is not None and not (isinstance(value, Constant) and not value.value)

@@ -12,8 +12,8 @@ from archlint.checks.parameters import always_declared, declared_by, followed
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.finding import Finding, Place, Related
-from archlint.interpreter.values import Known
 from archlint.model import Role
+from archlint.model.given import Constant
 from archlint.suggestions import did_you_mean
 from archlint.syntax import facts
 
@@ -74,7 +74,7 @@ def _undeclared(
 def _where_named(system: System, call: ApiCall) -> Place:
     """The read itself, or the call of the helper that does it, whichever says the name."""
     value = call.arguments.get("name")
-    origin = value.origin if isinstance(value, Known) else None
+    origin = value.origin if isinstance(value, Constant) else None
     if origin is not None and not _encloses(call.place, origin):
         for frame in reversed(call.chain):
             if _encloses(frame.place, origin):
@@ -97,8 +97,9 @@ def _encloses(outer: Place, inner: Place) -> bool:
 
 def _name_of(call: ApiCall) -> str | None:
     value = call.arguments.get("name")
-    known = isinstance(value, Known) and isinstance(value.value, str) and not value.via
-    return str(value.value) if known and isinstance(value, Known) else None
+    if isinstance(value, Constant) and isinstance(value.value, str) and not value.parameters:
+        return value.value
+    return None
 
 
 # ------------------------------------------------------------------------------------------------- PRM006

@@ -19,8 +19,8 @@ from archlint.analysis.source_code import Loop, SourceCode, source_code
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.finding import Finding
-from archlint.libraries.values import MessageValue
 from archlint.model import Role
+from archlint.model.given import Message
 from archlint.syntax import facts
 from archlint.syntax.walk import called_name, calls_in, statements_of
 
@@ -184,7 +184,7 @@ def _always_the_same(code: SourceCode, call: ApiCall) -> bool:
     """Whether the request is made here and carries nothing but constants."""
     request = argument(call, "request")
     arguments = code.arguments(call)
-    if not isinstance(request, MessageValue) or not arguments:
+    if not isinstance(request, Message) or not arguments:
         return False
     given = arguments[0].value
     if isinstance(given, facts.Name):

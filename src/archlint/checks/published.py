@@ -5,13 +5,13 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
+from archlint.analysis.reach import creations_of
 from archlint.analysis.source_code import SourceCode, source_code
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.finding import Finding, Place, Related
-from archlint.interpreter.values import DictValue, EachValue, External, Instance, Known, ListValue, Value
 from archlint.libraries.rclpy.names import canonical, interface_and_section
-from archlint.libraries.values import MessageValue, creations_of
+from archlint.model.given import Collection, Constant, ForeignClass, Given, GoalHandle, Message
 from archlint.syntax import facts
 
 if TYPE_CHECKING:
@@ -51,9 +51,9 @@ def _judge(code: SourceCode, call: ApiCall) -> Finding | None:
     argument, section_name = _SENDS[call.api]
     creation = _sender(call)
     given = call.arguments.get(argument)
-    if creation is None or creation.type is None or not isinstance(given, Value):
+    if creation is None or creation.type is None or given is None:
         return None
-    if isinstance(given, Known) and given.value is None and (section_name == "Result" or not _literal(code, call)):
+    if isinstance(given, Constant) and given.value is None and (section_name == "Result" or not _literal(code, call)):
         return None  # no result given, or an attribute that is None until some other callback has set it
     wrong = _wrong(given, creation.type, section_name)
     return None if wrong is None else _finding(call, creation, argument, section_name, wrong)
@@ -61,11 +61,10 @@ def _judge(code: SourceCode, call: ApiCall) -> Finding | None:
 
 def _sender(call: ApiCall) -> Creation | None:
     """The one endpoint that sends; for a goal handle the server whose callback is given it."""
-    if isinstance(call.receiver, Instance):
-        goal, server = call.receiver.arguments.get("request"), call.context.creation
-        served = isinstance(goal, MessageValue) and server is not None and server.type == goal.type
-        return server if served else None
-    creations = creations_of(call.receiver) if isinstance(call.receiver, Value) else ()
+    if isinstance(call.receiver, GoalHandle):
+        server = call.context.creation
+        return server if server is not None and server.type == call.receiver.action else None
+    creations = creations_of(call.receiver)
     return creations[0] if len(creations) == 1 else None
 
 
@@ -74,23 +73,22 @@ def _literal(code: SourceCode, call: ApiCall) -> bool:
     return len(arguments) == 1 and isinstance(arguments[0].value, facts.Literal)
 
 
-def _wrong(given: Value, type_: str, section_name: str) -> str | None:
+def _wrong(given: Given, type_: str, section_name: str) -> str | None:
     """What is given, in words, if it is certainly not what is wanted."""
-    if isinstance(given, MessageValue):
-        return (
-            None
-            if (given.type, given.section_name) == (type_, section_name)
-            else _words(given.type, given.section_name)
-        )
-    if isinstance(given, External):
-        interface, of = interface_and_section(canonical(given.path))
-        return None if interface is None else f"the class {_words(interface, of)} itself"
-    if isinstance(given, Known):
-        bytes_pass = isinstance(given.value, bytes) and not section_name
-        return None if bytes_pass else repr(given.value) if given.value is not None else "None"
-    if isinstance(given, (ListValue, EachValue)):
-        return "a list" if isinstance(given, EachValue) else f"a {given.kind}"
-    return "a dict" if isinstance(given, DictValue) else None
+    match given:
+        case Message():
+            fits = (given.type, given.section_name) == (type_, section_name)
+            return None if fits else _words(given.type, given.section_name)
+        case ForeignClass():
+            interface, of = interface_and_section(canonical(given.path))
+            return None if interface is None else f"the class {_words(interface, of)} itself"
+        case Constant():
+            bytes_pass = isinstance(given.value, bytes) and not section_name
+            return None if bytes_pass else repr(given.value)
+        case Collection():
+            return f"a {given.kind}"
+        case _:
+            return None
 
 
 def _finding(call: ApiCall, creation: Creation, argument: str, section_name: str, given: str) -> Finding:

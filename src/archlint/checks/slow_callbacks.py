@@ -22,13 +22,13 @@ from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.checks.timeouts import MAKE_IT_EARLIER, made_here
 from archlint.finding import Finding, Place, Related, Severity
-from archlint.interpreter.values import Known, alternatives
 from archlint.model import (
     EntityKind,
     ExecutorKind,
     GroupKind,
     Role,
 )
+from archlint.model.given import Constant
 from archlint.syntax import facts
 from archlint.syntax.walk import calls_in
 
@@ -157,7 +157,7 @@ def _trifle(call: ApiCall) -> bool:
     """``os.system('clear')``: over before anybody notices."""
     command = argument(call, "command")
     return command is not None and all(
-        isinstance(option, Known) and option.value in _TRIFLES for option in alternatives(command)
+        isinstance(option, Constant) and option.value in _TRIFLES for option in command.alternatives
     )
 
 

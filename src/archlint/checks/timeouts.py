@@ -29,8 +29,8 @@ from archlint.checks.folding import all_sites, folds
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.finding import Finding, Place, Related, Severity
-from archlint.interpreter.values import External, Instance, Known
 from archlint.model import Role
+from archlint.model.given import Constant, Object
 from archlint.syntax import facts
 from archlint.syntax.walk import called_name, calls_in
 
@@ -143,14 +143,14 @@ def spin_without_timeout(system: System, options: Options) -> Iterator[Finding]:
 def _own_future(call: ApiCall) -> bool:
     """Whether the future is one that the code completes itself: then no answer is waited for."""
     future = argument(call, "future")
-    return isinstance(future, Instance) and isinstance(future.cls, External)
+    return isinstance(future, Object) and future.foreign_class is not None
 
 
 def _waits_for_a_message(system: System, call: ApiCall) -> bool:
     """Whether only a subscription completes the future, and what it brings is read afterwards.  A program may well
     spin until a message tells it to stop; then nobody reads what the future holds."""
     future = argument(call, "future")
-    if not isinstance(future, Instance) or _completed_by(system).get(future.key) != {Role.SUBSCRIPTION}:
+    if not isinstance(future, Object) or _completed_by(system).get(future.key) != {Role.SUBSCRIPTION}:
         return False
     code = source_code(system)
     given = code.arguments(call)
@@ -176,7 +176,7 @@ def _completed_by(system: System) -> dict[int, set[Role]]:
     """The roles of the code that completes the futures which the program makes itself."""
     found: dict[int, set[Role]] = {}
     for _, call in calls_of(system, _COMPLETE):
-        if isinstance(call.receiver, Instance):
+        if isinstance(call.receiver, Object):
             found.setdefault(call.receiver.key, set()).add(call.context.role)
     return found
 
@@ -307,4 +307,4 @@ def way_to(call: ApiCall, client: Creation | None) -> list[Related]:
 def _passed_on(call: ApiCall) -> bool:
     """Whether the limit is an argument of the function around, at its default."""
     limits = (argument(call, name) for name in ("timeout_sec", "time_to_wait"))
-    return any(isinstance(limit, Known) and limit.kind == "argument_default" for limit in limits)
+    return any(isinstance(limit, Constant) and limit.origin_kind == "argument_default" for limit in limits)

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 from archlint import model
 from archlint.interpreter.values import ApiMethod, External, Instance, Known, OneOf, Unknown, Value, one_of
 from archlint.libraries.api_use import ApiUse, Offers, argument_places, bind_api
+from archlint.libraries.givens import given_by
 from archlint.libraries.python import clocks
 from archlint.libraries.rclpy import escapes, executors, guards, messages, names, nodes, parameters
 from archlint.libraries.rclpy.effects import answer
@@ -137,9 +138,9 @@ def record(run: Run, api: Api, receiver: Value | None, bound: dict[str, Value], 
         place,
         run.context,
         run.chain(),
-        dict(bound),
+        {name: given_by(value) for name, value in bound.items()},
         argument_places(run, api, e),
-        receiver,
+        None if receiver is None else given_by(receiver),
         first,
         node,
         activation.qualified,

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 if TYPE_CHECKING:
     from archlint.branches import BranchArm
     from archlint.finding import Place
+    from archlint.model.given import Given
     from archlint.model.nodes import Blueprint, Callback, Creation, Frame
 
 
@@ -15,18 +16,18 @@ if TYPE_CHECKING:
 class ApiCall:
     """A call of an API that checks care about: blocking calls, spins, sleeps, parameter reads …
 
-    ``api`` is the canonical dotted name; ``arguments`` maps the API's own parameter names to values of the
-    link floor.  ``chain`` leads from ``context`` (what is running) to the call.
+    ``api`` is the canonical dotted name; ``arguments`` maps the API's own parameter names to what they are
+    given.  ``chain`` leads from ``context`` (what is running) to the call.
     """
 
     api: str
     place: Place
     context: Callback
     chain: tuple[Frame, ...]
-    arguments: dict[str, object]
+    arguments: dict[str, Given]
     argument_places: dict[str, Place]
-    receiver: object = None
-    """The link floor's value the method is called on."""
+    receiver: Given | None = None
+    """What the method is called on."""
     creation: Creation | None = None
     """The endpoint the call is made on or waits for, where it is known."""
     node: Blueprint | None = None

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from archlint.libraries.values import EntityValue
 from archlint.model import (
     EntityKind,
     Role,
 )
+from archlint.model.given import Entity
 
 if TYPE_CHECKING:
     from archlint.systems.model import System
@@ -24,7 +24,7 @@ def rates(system: System) -> dict[int, float]:
         timer = call.context.creation
         if call.api != _PUBLISH or call.context.role != Role.TIMER or timer is None or call.conditional:
             continue
-        if not timer.period or not isinstance(call.receiver, EntityValue) or len(call.receiver.creations) != 1:
+        if not timer.period or not isinstance(call.receiver, Entity) or len(call.receiver.creations) != 1:
             continue
         creation = call.receiver.creations[0]
         if creation.kind == EntityKind.PUBLISHER:
