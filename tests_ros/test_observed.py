@@ -190,15 +190,15 @@ OTHERWISE = {
         "            10)",
         "            QoSProfile(depth=10, reliability=QoSReliabilityPolicy.BEST_EFFORT, deadline=Duration(seconds=2)))",
         "from rclpy.duration import Duration\nfrom rclpy.qos import QoSProfile, QoSReliabilityPolicy\n",
-        "GRF007 the subscription /sensor_data of /control_node is best effort and with a deadline of 2 s when it runs, "
-        "and reliable and without deadline in the source",
+        "GRF007 the subscription /sensor_data of /control_node is best effort and with a deadline of 2 s when it "
+        "runs, but reliable and without deadline in the source",
     ),
     "another type": (
         "motor_node.py",
         "            SetMotorSpeed,",
         "            Trigger,",
         "from std_srvs.srv import Trigger\n",
-        "GRF007 the service /set_motor of /motor_node has the type std_srvs/srv/Trigger when it runs, and "
+        "GRF007 the service /set_motor of /motor_node has the type std_srvs/srv/Trigger when it runs, but "
         "my_robot_interfaces/srv/SetMotorSpeed in the source",
     ),
 }
@@ -252,7 +252,7 @@ def test_a_node_that_is_left_out(recorded: Recording):
 @this(System("a topic is remapped", remapped_by_hand))
 def test_a_topic_that_is_remapped_by_hand(recorded: Recording):
     assert recorded.told(LESSON, "--launch", LAUNCH) == [
-        "GRF007 /sensor_node publishes /readings when it runs, and /sensor_data in the source",
+        "GRF007 /sensor_node publishes /readings when it runs, but /sensor_data in the source",
     ]
 
 
@@ -260,7 +260,7 @@ def test_a_topic_that_is_remapped_by_hand(recorded: Recording):
 def test_a_node_that_is_started_twice_and_one_in_a_namespace(recorded: Recording):
     assert sorted(recorded.told(LESSON, "--launch", LAUNCH)) == [
         f"GRF006 /left/motor_node runs, and {LAUNCH} does not start it",
-        "GRF006 2 nodes called /sensor_node run, and the source has one of that name",
+        "GRF006 2 nodes with the name /sensor_node run, but the source has one of that name",
     ]
 
 

@@ -72,13 +72,13 @@ def test_without_a_launch_file_it_may_not_be_meant_to_run(recorded, tmp_path):
     recorded["nodes"].remove(node(recorded, "/motor_node"))
     [found] = compared(recorded, tmp_path, None).findings
     assert (found.code, found.severity, found.place.line) == ("GRF005", Severity.INFO, 6)
-    assert found.help == "say with --launch which launch file the running system was started by"
+    assert found.help == "use --launch to say which launch file started the running system"
 
 
 def test_a_node_in_another_namespace(recorded, tmp_path):
     node(recorded, "/motor_node")["name"] = "/left/motor_node"
     missing, _ = sorted(told(compared(recorded, tmp_path)))
-    assert missing[3].endswith("; /left/motor_node runs: is it this one, in another namespace?")
+    assert missing[3].endswith("; /left/motor_node runs: is that the same node in another namespace?")
 
 
 def test_a_node_that_nobody_starts(recorded, tmp_path):
@@ -95,7 +95,7 @@ def test_two_nodes_of_one_name(recorded, tmp_path):
     node(recorded, "/motor_node")["count"] = 2
     [found] = told(compared(recorded, tmp_path))
     assert found[0] == "GRF006"
-    assert found[3] == "2 nodes called /motor_node run, and the source has one of that name"
+    assert found[3] == "2 nodes with the name /motor_node run, but the source has one of that name"
 
 
 @pytest.mark.parametrize(
@@ -119,8 +119,8 @@ def test_another_qos(recorded, tmp_path):
     [found] = told(compared(recorded, tmp_path))
     assert found[:3] == ("GRF007", f"{PACKAGE}/sensor_node.py", 12)
     assert found[3] == (
-        "the publisher /sensor_data of /sensor_node is best effort and with a deadline of 0.5 s when it runs, "
-        "and reliable and without deadline in the source"
+        "the publisher /sensor_data of /sensor_node is best effort and with a deadline of 0.5 s when it runs, but "
+        "reliable and without deadline in the source"
     )
 
 
@@ -147,7 +147,7 @@ def test_another_type(recorded, tmp_path, name, kind, of, line, noun):
     end(recorded, name, kind, of)["type"] = "other_msgs/msg/Other"
     [found] = told(compared(recorded, tmp_path))
     assert found[:3] == ("GRF007", f"{PACKAGE}{name}.py", line)
-    types = f"has the type other_msgs/msg/Other when it runs, and {was} in the source"
+    types = f"has the type other_msgs/msg/Other when it runs, but {was} in the source"
     assert found[3] == f"the {noun} {of} of {name} {types}"
 
 
@@ -158,7 +158,7 @@ def test_another_name(recorded, tmp_path):
         "GRF007",
         f"{PACKAGE}/sensor_node.py",
         12,
-        "/sensor_node publishes /readings when it runs, and /sensor_data in the source",
+        "/sensor_node publishes /readings when it runs, but /sensor_data in the source",
     )
 
 
@@ -172,7 +172,7 @@ def test_an_end_that_is_not_there_and_one_that_is_too_many(recorded, tmp_path):
         "GRF006",
         f"{PACKAGE}/motor_node.py",
         6,
-        "/motor_node publishes /cmd_vel (geometry_msgs/msg/Twist) when it runs, and its source does not",
+        "/motor_node publishes /cmd_vel (geometry_msgs/msg/Twist) when it runs, but its source does not",
     )
 
 
@@ -345,7 +345,7 @@ def test_workspaces_side_by_side_are_not_one_system(tmp_path, monkeypatch):
         (tmp_path / name / "src" / "robot").mkdir(parents=True)
         (tmp_path / name / "src" / "robot" / "package.xml").write_text(PACKAGE_XML, encoding="utf-8")
         (tmp_path / name / "src" / "robot" / "watcher.py").write_text(OPEN, encoding="utf-8")
-    with pytest.raises(NothingToDo, match="several workspaces stand side by side here"):
+    with pytest.raises(NothingToDo, match="there are several workspaces here"):
         compared(watcher(), tmp_path, None)
 
 
@@ -355,7 +355,7 @@ def test_workspaces_side_by_side_are_not_one_system(tmp_path, monkeypatch):
 @pytest.mark.parametrize(("type_", "differs"), [("bool", False), (None, False), ("string", True)])
 def test_a_parameter_of_another_type(open_folder, type_, differs):
     seen = watcher(parameters=[{"name": "verbose", "type": type_, "value": None}, {"name": "use_sim_time"}])
-    words = "the parameter verbose of /watcher is of type string when it runs, and bool in the source"
+    words = "the parameter verbose of /watcher is of type string when it runs, but bool in the source"
     assert told(compared(seen, open_folder, None)) == ([("GRF007", "watcher.py", 10, words)] if differs else [])
 
 
@@ -423,19 +423,19 @@ def test_a_topic_that_was_not_recorded_is_not_missing(bag_folder):
 
 def test_what_was_offered_otherwise(bag_folder):
     [found] = told(bag(bag_folder, (*SCAN[:2], "reliable"), SPEED))
-    assert found == ("GRF007", "driver.py", 11, "/scan was offered reliable, and is best effort in the source")
+    assert found == ("GRF007", "driver.py", 11, "/scan was offered with reliable, but has best effort in the source")
 
 
 def test_a_topic_of_another_type(bag_folder):
     [found] = told(bag(bag_folder, SCAN, ("/speed", "geometry_msgs/msg/TwistStamped", "reliable")))
-    words = "/speed has the type geometry_msgs/msg/TwistStamped, and geometry_msgs/msg/Twist in the source"
+    words = "/speed has the type geometry_msgs/msg/TwistStamped, but geometry_msgs/msg/Twist in the source"
     assert found == ("GRF007", "driver.py", 12, words)
 
 
 def test_a_topic_that_nobody_publishes(bag_folder):
     [found] = told(bag(bag_folder, ("/scans", *SCAN[1:])))
     assert found[:3] == ("GRF006", "metadata.yaml", 1)
-    assert found[3].startswith("/scans (sensor_msgs/msg/LaserScan) was recorded, and no node here publishes it")
+    assert found[3].startswith("/scans (sensor_msgs/msg/LaserScan) was recorded, but no node here publishes it")
 
 
 def test_a_topic_that_may_be_one_of_a_name_that_is_not_known(bag_folder):

@@ -1,4 +1,4 @@
-"""What is used by a node that is not known: no rule takes it for a node, and none says that what it has is missing."""
+"""What is used by an unknown node: no rule takes it for a node, and none says that what it has is missing."""
 
 from __future__ import annotations
 

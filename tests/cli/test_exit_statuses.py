@@ -90,7 +90,7 @@ def test_what_was_found_decides(run: Run, findings: list[Finding], options: list
             "argument --output: must be FORMAT=FILE with a format of text, concise",
         ),
         (["--severity", "fatal"], "argument --severity: invalid choice: 'fatal'"),
-        (["--jobs", "0"], "argument --jobs: must be a number from 1 on, not 0"),
+        (["--jobs", "0"], "argument --jobs: must be a number of at least 1, not 0"),
         (["--config", "no.toml"], "no.toml: cannot be read: No such file or directory"),
         (["--config", "a.toml", "--isolated"], "not allowed with argument"),
         (["nowhere"], "no such file or directory: nowhere"),

@@ -49,7 +49,7 @@ def test_words_that_are_no_arguments_are_paths(folder, capsys):
 
 @pytest.mark.parametrize(
     ("file", "words"),
-    [("gone.launch.py", "no such file: gone.launch.py"), ("src/robot/setup.py", "is no launch file")],
+    [("gone.launch.py", "no such file: gone.launch.py"), ("src/robot/setup.py", "is not a launch file")],
 )
 def test_what_cannot_be_launched(folder, capsys, file, words):
     assert main(["check", "--no-cache", "--launch", file]) == 2

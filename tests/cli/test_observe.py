@@ -72,7 +72,7 @@ def test_quiet_says_the_findings_alone(recorded, capsys):
 @pytest.mark.parametrize("command", ["check", "graph"])
 @pytest.mark.parametrize(
     ("text", "said"),
-    [("{", "malformed JSON"), ("hello", "no recording"), (None, "No such file or directory")],
+    [("{", "malformed JSON"), ("hello", "expected a recording"), (None, "No such file or directory")],
 )
 def test_a_file_that_is_of_no_use(recorded, capsys, command, text, said):
     if text is None:

@@ -235,7 +235,7 @@ def test_options_of_a_rule(folder: Path):
         ("[rules.nested-call]\nx = 1", "unknown rule `nested-call`", 1),
         ("[rules.nested-service-call]\nx = 1", "SRV003 nested-service-call has no option `x`", 2),
         ("select = [", "not valid TOML", 1),
-        ("extend = 'no.toml'", "`extend` names a file that is not there: no.toml", 1),
+        ("extend = 'no.toml'", "`extend` names a file that does not exist: no.toml", 1),
     ],
 )
 def test_a_mistake_is_shown_with_its_line_and_what_was_meant(folder: Path, text: str, message: str, line: int):
@@ -269,7 +269,7 @@ def test_the_type_of_a_rules_option_is_that_of_its_default(folder: Path):
 
 def test_extend_in_a_circle(folder: Path):
     write(folder, "base.toml", "extend = 'archlint.toml'")
-    assert "`extend` goes round in a circle: archlint.toml -> base.toml -> archlint.toml" in complaint(
+    assert "`extend` forms a circle: archlint.toml -> base.toml -> archlint.toml" in complaint(
         folder, "extend = 'base.toml'"
     )
 
@@ -374,12 +374,12 @@ def test_inside_the_repository_a_configuration_may_lie_above_the_package(folder:
 
 def test_a_pipe_is_no_configuration(folder: Path):
     os.mkfifo(folder / "base.toml")
-    assert "names a file that is not there" in complaint(folder, "extend = 'base.toml'")
+    assert "names a file that does not exist" in complaint(folder, "extend = 'base.toml'")
 
 
 @pytest.mark.parametrize("key", ["extend", "cache-dir"])
 def test_a_path_that_is_none_is_told(folder: Path, key: str):
-    assert f"`{key}` holds a character that no path has" in complaint(folder, f'{key} = "a\\u0000b"')
+    assert f"`{key}` contains a character that is not allowed in a path" in complaint(folder, f'{key} = "a\\u0000b"')
     assert f"`{key}` names a user whose home is not known" in complaint(folder, f'{key} = "~no-such-user/x"')
 
 

@@ -70,7 +70,7 @@ def test_a_workspace_for_ros_1_is_nothing_to_check(capsys: pytest.CaptureFixture
     write("old/launch/drive.launch", "<launch><node pkg='old' type='drive.py' name='drive'/></launch>")
     assert "nothing to check in .: all of it is for ROS 1" in told(capsys, status=2)
     write("new/talk.py", NODE)
-    assert "1 launch file and 1 Python file are for ROS 1 and passed over" in told(capsys)
+    assert "1 launch file and 1 Python file are for ROS 1 and skipped" in told(capsys)
 
 
 def test_a_helper_of_a_ros_package_may_be_checked_alone(capsys: pytest.CaptureFixture[str]) -> None:
@@ -166,14 +166,14 @@ def test_a_comment_that_hides_nothing_is_told(capsys: pytest.CaptureFixture[str]
     write("pkg/pkg/node.py", NODE.replace("'chatter', 10)", f"'chatter', 10)  {comment}"))
     words = told(capsys)
     assert "pkg/pkg/node.py:9:" in words
-    assert "hides nothing; write it as `archlint: ignore[SRV003]`" in words
+    assert "has no effect; write it as `archlint: ignore[SRV003]`" in words
 
 
 @pytest.mark.parametrize("comment", ["# noqa", "# noqa: E501", "# noqa: EXE001", "# about archlint", "# type: ignore"])
 def test_comments_for_others_are_left_alone(capsys: pytest.CaptureFixture[str], comment: str) -> None:
     write("pkg/package.xml", PACKAGE.format("pkg", "ament_python"))
     write("pkg/pkg/node.py", NODE.replace("'chatter', 10)", f"'chatter', 10)  {comment}"))
-    assert "hides nothing" not in told(capsys)
+    assert "has no effect" not in told(capsys)
 
 
 # ---------------------------------------------------------------------------------------------- launch arguments
@@ -223,4 +223,4 @@ def test_a_launch_file_that_cannot_be_followed_is_told(capsys: pytest.CaptureFix
         "from elsewhere import actions\n\n\ndef generate_launch_description():\n    return actions()\n",
     )
     words = told(capsys)
-    assert "pkg/launch/a.launch.py:1: what this launch file starts is not known, so it is not judged" in words
+    assert "pkg/launch/a.launch.py:1: what this launch file starts is not known, so it is not checked" in words

@@ -270,7 +270,7 @@ def test_findings_are_suppressed_in_place():
     assert places(report) == [("OWN001", "c.py", 9)]
     assert report.summary.suppressed == 2
     assert list(report.notices) == [
-        "c.py:9:55: a bare `archlint: ignore` hides nothing; name the rule, as in `# archlint: ignore[SRV003]`"
+        "c.py:9:55: a bare `archlint: ignore` has no effect; name the rule, as in `# archlint: ignore[SRV003]`"
     ]
 
 

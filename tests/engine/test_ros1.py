@@ -49,13 +49,13 @@ def said(report: Report) -> tuple[list[str], list[str]]:
 
 def test_nodes_for_ros_1_get_no_findings(run):
     report = run(CATKIN, **{"scripts/one.py": OLD_NODE, "scripts/two.py": "import actionlib\nimport tf2_ros\n"})
-    assert said(report) == ([], ["2 Python files are for ROS 1 and passed over"])
+    assert said(report) == ([], ["2 Python files are for ROS 1 and skipped"])
 
 
 def test_one_sentence_for_all_of_it(run):
     launch = '<launch><node pkg="robot" type="one.py" name="one"/></launch>'
     report = run(CATKIN, **{"scripts/one.py": OLD_NODE, "launch/one.launch": launch, "launch/two.launch": launch})
-    assert said(report) == ([], ["2 launch files and 1 Python file are for ROS 1 and passed over"])
+    assert said(report) == ([], ["2 launch files and 1 Python file are for ROS 1 and skipped"])
 
 
 def test_an_interface_for_ros_1_is_not_held_against_ros_2(run):
@@ -83,7 +83,7 @@ BOTH = '<launch><arg name="x" default="1"/><include file="$(dirname)/gone.launch
 )
 def test_a_launch_file_that_both_could_read_is_its_packages(run, launch, more, old):
     _, notices = said(run(more, **{"launch/it.launch": launch}))
-    assert notices == (["launch/it.launch is for ROS 1 and passed over"] if old else [])
+    assert notices == (["launch/it.launch is for ROS 1 and skipped"] if old else [])
 
 
 def test_without_a_package_the_habits_of_ros_1_decide(run, tmp_path):
@@ -91,7 +91,7 @@ def test_without_a_package_the_habits_of_ros_1_decide(run, tmp_path):
     run(AMENT, **files)
     (tmp_path / "package.xml").unlink()
     report = check(Request((".",), load(tmp_path), cached=False, jobs=1))
-    assert said(report)[1] == ["old.launch is for ROS 1 and passed over"]
+    assert said(report)[1] == ["old.launch is for ROS 1 and skipped"]
 
 
 PORTED_IMPORT = "import rclpy\nfrom std_srvs.srv import Empty, EmptyRequest, EmptyResponse\n"
@@ -117,7 +117,7 @@ def test_a_package_that_catkin_builds_is_passed_over_whatever_it_imports(tmp_pat
     (tmp_path / "old/src/gone.py").symlink_to("nowhere.py")
 
     report = check(Request((".",), load(tmp_path), cached=False, jobs=1))
-    assert said(report) == ([], ["2 Python files are for ROS 1 and passed over"])
+    assert said(report) == ([], ["2 Python files are for ROS 1 and skipped"])
 
 
 @pytest.mark.parametrize(

@@ -59,7 +59,7 @@ def test_a_bare_ignore_is_refused():
     assert len(outcome.kept) == 1
     assert outcome.refused == [("node.py", bare)]
     assert refusal("node.py", bare) == (
-        "node.py:12:30: a bare `archlint: ignore` hides nothing; name the rule, as in `# archlint: ignore[SRV003]`"
+        "node.py:12:30: a bare `archlint: ignore` has no effect; name the rule, as in `# archlint: ignore[SRV003]`"
     )
 
 
@@ -74,7 +74,7 @@ def test_one_finding_for_each_comment_with_all_that_it_need_not_name():
     assert (found.code, found.place.line, found.message) == (
         "LNT001",
         12,
-        "this suppression of TMO001, TMO002 hides nothing",
+        "this suppression of TMO001, TMO002 is unused",
     )
 
 

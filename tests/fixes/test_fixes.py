@@ -525,7 +525,7 @@ def test_a_diff_changes_nothing(workbench: Workbench, capsys: pytest.CaptureFixt
 
 def test_unsafe_fixes_alone_are_a_mistake(workbench: Workbench, capsys: pytest.CaptureFixture[str]):
     assert main(["check", "--unsafe-fixes"]) == 2
-    assert "--unsafe-fixes goes with --fix or --diff" in capsys.readouterr().err
+    assert "--unsafe-fixes needs --fix or --diff" in capsys.readouterr().err
 
 
 FORMS = {

@@ -195,21 +195,21 @@ def test_of_a_topic_that_was_echoed_the_last_message_counts(tmp_path: Path):
 @pytest.mark.parametrize(
     ("text", "said"),
     [
-        ("", "it is no recording"),
-        ("hello", "it is no recording"),
-        ("[]", "it is no recording"),
-        ('{"a": 1}', "it is no recording"),
-        ('{"version": 1, "nodes": []}', "it is no recording"),  # archlint's own graph
-        ("services:\n  web: {image: nginx}\n", "it is no recording"),
+        ("", "expected a recording"),
+        ("hello", "expected a recording"),
+        ("[]", "expected a recording"),
+        ('{"a": 1}', "expected a recording"),
+        ('{"version": 1, "nodes": []}', "expected a recording"),  # archlint's own graph
+        ("services:\n  web: {image: nginx}\n", "expected a recording"),
         ('{"archlint_observed": 1,\n "nodes": [}', ":2:12: malformed JSON"),
         ("a: [1\nb: 2", ":2:2: malformed YAML"),
         ('{"archlint_observed": 1}', "missing required field `nodes`"),
         ('{"archlint_observed": 1, "nodes": [{"name": 3}]}', "Expected `str`, got `int` - at `$.nodes[0].name`"),
-        ('{"archlint_observed": 99, "nodes": []}', "a newer archlint's recorder has written it"),
+        ('{"archlint_observed": 99, "nodes": []}', "it was recorded by a newer archlint"),
         ("rosbag2_bagfile_information: 3", "Expected `object`, got `int` - at `$.rosbag2_bagfile_information`"),
         (NEW_BAG.replace("type: geometry_msgs/msg/Twist", ""), "missing required field `type`"),
         (OLD_BAG.replace("- history", "- [history"), "the offered_qos_profiles of /cmd_vel"),
-        ("nodes:\n- name: /a\n  publishers: []\n- '...'\n", "print all of it with --full-length"),
+        ("nodes:\n- name: /a\n  publishers: []\n- '...'\n", "ros2 topic echo --full-length"),
         ("[" * 100_000, "nested too deeply"),
         ("\x00", "malformed YAML"),
     ],
@@ -226,6 +226,6 @@ def test_what_cannot_be_used_is_said_in_a_sentence(tmp_path: Path, text: str, sa
 
 def test_what_is_not_there_or_no_text(tmp_path: Path):
     (tmp_path / "bag.mcap").write_bytes(b"\x89MCAP0\r\n\xff\xfe")
-    for path, said in ((tmp_path / "gone.json", "No such file"), (tmp_path / "bag.mcap", "is no text")):
+    for path, said in ((tmp_path / "gone.json", "No such file"), (tmp_path / "bag.mcap", "is not text")):
         with pytest.raises(CannotRead, match=said):
             read(str(path))

@@ -37,7 +37,7 @@ if __name__ == '__main__':
 """
 LIBRARY = "rows = []\n" + "rows.append('rclpy')\n" * 40 + "TOPIC = 'chatter'\n"
 
-CUT = "the workspace has more code than is followed"
+CUT = "the workspace has too much code to follow all of it"
 
 
 @pytest.fixture
@@ -65,7 +65,7 @@ def test_programs_behind_the_bound_are_followed_in_part_and_named(workspace: Pat
     report = checked(workspace)
     system = pipeline.graph(pipeline.Request([str(workspace)], Settings(), cached=False))
 
-    assert f"{CUT}, so these 2 files are followed only in part: b.py, c.py" in report.notices
+    assert f"{CUT}, so these 2 files are analysed only in part: b.py, c.py" in report.notices
     assert [(row["file"], row["reason"]) for row in unresolved(system)] == [("b.py", CUT), ("c.py", CUT)]
     assert {node.name: node.blueprint.complete for node in system.nodes} == {"/a": True, "/b": False, "/c": False}
 

@@ -558,7 +558,7 @@ def test_it_is_shown_apart_in_text(owners):
     owners(UNKNOWN_USER)
     shown = render(graph(owners.request()))
     assert shown.startswith("1 node\n\n/talker")
-    assert "\n\nused by a node that is not known\n\nPlugin  node.py:" in shown
+    assert "\n\nused by an unknown node\n\nPlugin  node.py:" in shown
     assert "connected: 0 of 1 node" in shown and "hub" not in shown
 
 
@@ -567,9 +567,9 @@ def test_it_is_drawn_apart(owners):
 
     owners(UNKNOWN_USER)
     system = graph(owners.request())
-    assert 'label="used by a node that is not known"' in dot.render(system)
+    assert 'label="used by an unknown node"' in dot.render(system)
     assert "1 node, 1 topic" in dot.render(system)
-    assert 'subgraph g0["used by a node that is not known"]' in mermaid.render(system)
+    assert 'subgraph g0["used by an unknown node"]' in mermaid.render(system)
 
 
 FALLBACK = """

@@ -12,7 +12,7 @@ from archlint.programs import roots
 from archlint.render.json import unresolved
 from archlint.systems.model import System
 
-CUT = "its program has more code than is followed"
+CUT = "its program has too much code to follow all of it"
 
 OWN_CLASS = """\
 import rclpy

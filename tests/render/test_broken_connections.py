@@ -34,7 +34,7 @@ def test_json_lists_the_pair_and_the_reason() -> None:
 
 
 def test_text_says_it_under_the_topic() -> None:
-    assert f"no message gets from /lidar to /mapper: {REASON}" in text.render(scan())
+    assert f"no message from /lidar reaches /mapper: {REASON}" in text.render(scan())
 
 
 def test_dot_draws_both_ends_red_with_the_reason() -> None:

@@ -92,5 +92,5 @@ def test_a_subscriber_whose_partner_may_be_external_is_not_drawn_as_alone(show):
     drawn = show("dot")
 
     assert "nobody at the other end" not in drawn
-    assert "dashed without an arrow: remapped, its source is not here" in drawn
+    assert "dashed without an arrow: remapped; the source is not in this workspace" in drawn
     assert drawn.count('dir="none"') == 3

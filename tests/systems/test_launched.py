@@ -303,7 +303,7 @@ def test_ros1_launch_files_are_passed_over_with_a_word(robot):
 
     robot("", **{"launch/old.launch": '<launch><node pkg="robot" type="talker" name="t"/></launch>'})
     report = check(Request((".",), load(Path()), cached=False, jobs=1))
-    assert list(report.notices) == ["launch/old.launch is for ROS 1 and passed over"]
+    assert list(report.notices) == ["launch/old.launch is for ROS 1 and skipped"]
 
 
 SCRIPT = TALKER.replace("def main():", "if __name__ == '__main__':")

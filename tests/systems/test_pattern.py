@@ -104,8 +104,10 @@ def test_a_node_that_holds_two_parts_together():
 def test_two_nodes_are_no_pattern():
     found = figures(system(node("/a", publisher("x")), node("/b", subscriber("x")), node("/c")))
     assert found.pattern is None
-    assert words(found)[1:] == ["connected: 2 of 3 nodes; pairs 1 by topics", "parts: 1 group of nodes that reach "
-                                "each other, 1 node alone"]  # fmt: skip
+    assert words(found)[1:] == [
+        "connected: 2 of 3 nodes; pairs 1 by topics",
+        "parts: 1 group of connected nodes, 1 node alone",
+    ]
 
 
 def calls(action: Callable[[], object]) -> int:

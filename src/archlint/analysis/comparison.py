@@ -86,7 +86,7 @@ class _Comparing:
     def _notes(self) -> Iterator[str]:
         if not self.observed.settled:
             file = self.observed.file
-            yield f"{file}: nodes were still coming up when the recording ended; what is missing may only be late"
+            yield f"{file}: nodes were still starting when the recording ended; missing ones may only be late"
 
     def _ends(self, seen: SeenNode, candidates: Sequence[Node]) -> Ends:
         """Of several nodes that could be meant, the comparison that leaves the fewest differences."""
@@ -103,16 +103,18 @@ class _Comparing:
         where = f"{self.system.name} starts it" if self.system.launched is not None else "the source has it"
         running = [one for one in self.seen if one not in self.expected]
         moved = [one for one in running if one.rpartition("/")[2] == name.rpartition("/")[2]]
-        near = f"; {moved[0]} runs: is it this one, in another namespace?" if moved else did_you_mean(name, running)
+        near = (
+            f"; {moved[0]} runs: is that the same node in another namespace?" if moved else did_you_mean(name, running)
+        )
         yield Difference(
             MISSING,
             "node",
             name,
             name,
             f"{name} does not run, and {where}{near}",
-            "look into its log for why it ended, and record again when it runs"
+            "check its log for why it ended, and record again when it runs"
             if launched
-            else "say with --launch which launch file the running system was started by",
+            else "use --launch to say which launch file started the running system",
             place_of(node),
             expected=name,
             related=_class_of(node),
@@ -169,9 +171,9 @@ class _Comparing:
             "node",
             seen.name,
             seen.name,
-            f"{seen.count} nodes called {seen.name} run, and the source has "
+            f"{seen.count} nodes with the name {seen.name} run, but the source has "
             f"{'one' if len(candidates) == 1 else len(candidates)} of that name",
-            "look for a process of an earlier run that is still there, and end it",
+            "look for a leftover process of an earlier run, and stop it",
             place_of(candidates[0]),
             expected=str(len(candidates)),
             observed=str(seen.count),

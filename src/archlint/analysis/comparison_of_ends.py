@@ -29,7 +29,7 @@ VERBS = {
 }
 """By kind: what a node does there, and what the end is called."""
 _AT_THE_START = (program.Role.INIT, program.Role.MAIN, program.Role.MODULE)
-_OTHER_BUILD = "build and start it again: what runs is perhaps older than the source, or started with other arguments"
+_OTHER_BUILD = "rebuild and restart it: what runs may be older than the source, or started with other arguments"
 _TOLERANCE_S = 1e-6
 
 
@@ -69,7 +69,7 @@ def _parameters(node: Node, seen: SeenNode) -> Iterator[Difference]:
             "parameter",
             name,
             node.name,
-            f"the parameter {name} of {node.name} is of type {running} when it runs, and {type_} in the source",
+            f"the parameter {name} of {node.name} is of type {running} when it runs, but {type_} in the source",
             _OTHER_BUILD,
             one.place,
             type_,
@@ -169,7 +169,7 @@ class _Kind:
         return self._difference(
             UNEXPECTED,
             name,
-            f"{self.node.name} {verb} {name}{type_} when it runs, and its source does not",
+            f"{self.node.name} {verb} {name}{type_} when it runs, but its source does not",
             _OTHER_BUILD,
             None,
             observed=seen.type or "",
@@ -183,8 +183,8 @@ class _Kind:
         return self._difference(
             DIFFERENT,
             name,
-            f"{self.node.name} {verb} {other} when it runs, and {name} in the source",
-            "look for a remapping or a parameter that it was started with, or build and start it again",
+            f"{self.node.name} {verb} {other} when it runs, but {name} in the source",
+            "look for a remapping or a parameter that it was started with, or rebuild and restart it",
             end,
             expected=name,
             observed=other,
@@ -213,7 +213,7 @@ class _Kind:
         return self._difference(
             DIFFERENT,
             name,
-            f"the {noun} {name} of {self.node.name} has the type {type_} when it runs, and {end.type} in the source",
+            f"the {noun} {name} of {self.node.name} has the type {type_} when it runs, but {end.type} in the source",
             _OTHER_BUILD,
             end,
             expected=end.type or "",
@@ -241,7 +241,7 @@ class _Kind:
         return self._difference(
             DIFFERENT,
             name,
-            f"the {noun} {name} of {self.node.name} is {there} when it runs, and {here} in the source",
+            f"the {noun} {name} of {self.node.name} is {there} when it runs, but {here} in the source",
             _OTHER_BUILD,
             end,
             expected=here,

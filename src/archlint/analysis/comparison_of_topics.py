@@ -59,7 +59,7 @@ def _different(system: System, topic: SeenTopic, connection: Connection) -> Iter
     types = {end.type for end in ends}
     if ends and topic.type not in types:
         if None not in types and _may_publish(system, topic.name) is None:
-            yield _other(topic, ends[0], ends[0].type or "", topic.type, "has the type {}, and {} in the source")
+            yield _other(topic, ends[0], ends[0].type or "", topic.type, "has the type {}, but {} in the source")
         return
     profiles = [end.qos for end in ends if end.qos is not None and may_be_compared(end.qos)]
     if len(profiles) < len(ends) or _may_publish(system, topic.name) is not None:
@@ -75,7 +75,7 @@ def _other_qos(topic: SeenTopic, ends: list[Endpoint], offered: Qos) -> Differen
     assert end.qos is not None
     policies = contradictions(end.qos, offered, EntityKind.PUBLISHER)
     here, there = (" and ".join(words) for words in zip(*policies, strict=True))
-    return _other(topic, end, here, there, "was offered {}, and is {} in the source")
+    return _other(topic, end, here, there, "was offered with {}, but has {} in the source")
 
 
 def _other(topic: SeenTopic, end: Endpoint, expected: str, observed: str, words: str) -> Difference:
@@ -85,7 +85,7 @@ def _other(topic: SeenTopic, end: Endpoint, expected: str, observed: str, words:
         topic.name,
         end.node.name,
         f"{topic.name} {words.format(observed, expected)}",
-        "record again if the bag is older than the source; else build and start what was recorded again",
+        "record again if the bag is older than the source, or else rebuild and restart the system",
         end.place,
         expected,
         observed,
@@ -100,7 +100,7 @@ def _unexpected(system: System, topic: SeenTopic) -> Difference:
         "topic",
         topic.name,
         None,
-        f"{topic.name} ({topic.type}) was recorded, and no node here publishes it{did_you_mean(topic.name, published)}",
+        f"{topic.name} ({topic.type}) was recorded, but no node here publishes it{did_you_mean(topic.name, published)}",
         "list the name under `external` in the configuration if something outside publishes it",
         topic.place,
         observed=topic.type,

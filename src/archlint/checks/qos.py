@@ -57,7 +57,7 @@ def _mismatch(code: str, system: System, pairs: list[tuple[Undelivered, Verdict]
     user, offer = first.request, first.offer
     offered, requested = policy_words(verdict, verdict.offered), policy_words(verdict, verdict.requested)
     served = fitting(system, user)
-    lost = "no message gets through"
+    lost = "no message arrives"
     if served:
         lost = f"its messages do not arrive, those of {served[0].node.name} do"
     proven = _is_proven(system, first)

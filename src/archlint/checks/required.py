@@ -176,7 +176,7 @@ def _all_followed(system: System, globs: Globs) -> bool:
 
 
 def _of_unknown_nodes(system: System) -> Iterator[Endpoint]:
-    """The endpoints of what is used by a node that is not known: any node may be the one."""
+    """The endpoints of what is used by an unknown node: any node may be the one."""
     return (end for entry in system.unowned if not entry.test for end in entry.endpoints)
 
 

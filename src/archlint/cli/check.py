@@ -33,7 +33,9 @@ from archlint.report.paths import folder_in_repository
 def parser() -> argparse.ArgumentParser:
     made = Parser("check", "Find what is wrong between the nodes of a ROS 2 system and inside their callbacks.")
     add_paths(made)
-    rules = made.add_argument_group("rules", "CODES: codes, prefixes such as SRV, names, ALL; with commas; repeatable")
+    rules = made.add_argument_group(
+        "rules", "CODES: rule codes, prefixes such as SRV, names or ALL, separated by commas; repeatable"
+    )
     rules.add_argument("--select", metavar="CODES", action="append", help="run these rules only")
     rules.add_argument("--extend-select", metavar="CODES", action="append", help="run these rules too")
     rules.add_argument("--ignore", metavar="CODES", action="append", help="do not run these rules")
@@ -60,7 +62,7 @@ def parser() -> argparse.ArgumentParser:
         metavar="LEVEL",
         choices=[level.label for level in Severity],
         default="warning",
-        help="what fails the run: info, warning (default) or error",
+        help="the lowest severity that fails the run: info, warning (default) or error",
     )
     levels.add_argument("--exit-zero", action="store_true", help="findings do not fail the run")
     add_launch(made)
@@ -80,7 +82,7 @@ def _output(text: str) -> tuple[str, str]:
 
 def run(arguments: argparse.Namespace) -> int:
     if arguments.unsafe_fixes and not (arguments.fix or arguments.diff):
-        raise UsageError("--unsafe-fixes goes with --fix or --diff")
+        raise UsageError("--unsafe-fixes needs --fix or --diff")
     launch, launch_arguments = launch_of(arguments)
     paths = paths_of(arguments)
     settings = settings_of(arguments, paths[0])

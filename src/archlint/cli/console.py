@@ -61,4 +61,4 @@ def _write_file(content: bytes, path: Path) -> None:
     except OSError as error:
         raise UsageError(f"cannot write {path}: {error.strerror}") from None
     except (RuntimeError, ValueError):  # a link to itself; a name that is none
-        raise UsageError(f"cannot write {path}: it is no name of a file") from None
+        raise UsageError(f"cannot write {path}: it is not a file name") from None

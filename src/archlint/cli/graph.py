@@ -42,7 +42,7 @@ def parser() -> argparse.ArgumentParser:
         help=f"one of {', '.join(render.FORMATS)} (default: the suffix of -o, else text)",
     )
     output.add_argument("-o", metavar="FILE", dest="file", help="write to FILE; its suffix chooses the format")
-    output.add_argument("--all", action="store_true", help="with what rclpy makes for every node")
+    output.add_argument("--all", action="store_true", help="include what rclpy creates for every node, such as /rosout")
     add_launch(made)
     add_observed(made)
     add_configuration(made)
@@ -108,8 +108,8 @@ def _format(format: str | None, file: str | None) -> str:
         assert file is not None
         format = render.by_suffix(file)
         if format is None:
-            raise UsageError(f"the suffix of {file} is that of no format; say --format")
+            raise UsageError(f"the suffix of {file} does not name a format; use --format")
     format = format or "text"
     if render.FORMATS[format].binary and to_terminal and sys.stdout.isatty():
-        raise UsageError(f"{format} is not for a terminal; write it to a file with -o")
+        raise UsageError(f"{format} cannot be printed to a terminal; write it to a file with -o")
     return format

@@ -10,7 +10,7 @@ from archlint.cli.exits import CLEAN, UsageError
 from archlint.cli.options import Parser
 
 _EPILOG = """\
-The script needs rclpy and nothing else. Run it where ROS 2 is sourced and the system runs, then compare:
+The script needs rclpy and nothing else. Run it where ROS 2 is sourced while the system is running, then compare:
 
   archlint observe --print-script -o record.py
   python3 record.py -o robot.json
@@ -19,7 +19,7 @@ The script needs rclpy and nothing else. Run it where ROS 2 is sourced and the s
 
 
 def parser() -> argparse.ArgumentParser:
-    made = Parser("observe", "Print the script that writes down what a running ROS 2 system says of itself.")
+    made = Parser("observe", "Print the script that records the graph of a running ROS 2 system.")
     made.formatter_class = argparse.RawDescriptionHelpFormatter
     made.epilog = _EPILOG
     made.add_argument("--print-script", action="store_true", help="print the script")
@@ -29,6 +29,6 @@ def parser() -> argparse.ArgumentParser:
 
 def run(arguments: argparse.Namespace) -> int:
     if not arguments.print_script:
-        raise UsageError("archlint runs no ROS itself: `archlint observe --print-script` prints the script to run")
+        raise UsageError("archlint does not run ROS itself: `archlint observe --print-script` prints the script to run")
     console.write(files("archlint.observed").joinpath("recorder.py").read_text("utf-8"), arguments.file)
     return CLEAN

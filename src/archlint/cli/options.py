@@ -51,8 +51,8 @@ def add_configuration(parser: argparse.ArgumentParser) -> None:
 def add_running(parser: argparse.ArgumentParser) -> None:
     group = parser.add_argument_group("running")
     group.add_argument("--no-cache", action="store_true", help="neither read nor write the cache")
-    group.add_argument("--cache-dir", metavar="DIR", help="where the cache is")
-    group.add_argument("--jobs", metavar="N", type=_positive, help="the most processes at a time")
+    group.add_argument("--cache-dir", metavar="DIR", help="the folder of the cache")
+    group.add_argument("--jobs", metavar="N", type=_positive, help="the maximum number of processes")
 
 
 def add_launch(parser: argparse.ArgumentParser) -> None:
@@ -60,7 +60,7 @@ def add_launch(parser: argparse.ArgumentParser) -> None:
         "--launch",
         metavar=("FILE", "ARG:=VALUE"),
         nargs="+",
-        help="the system that this launch file starts, with these arguments, and no other",
+        help="only the system that this launch file starts, with these arguments",
     )
 
 
@@ -68,7 +68,7 @@ def add_observed(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "--observed",
         metavar="FILE",
-        help="hold the system against what a running one said of itself: a recording (`archlint observe`), the "
+        help="compare the system with a running one: a recording (`archlint observe`), the "
         "metadata.yaml of a bag, or a Graph message of rosgraph_monitor_msgs as JSON",
     )
 
@@ -104,14 +104,14 @@ def launch_of(arguments: argparse.Namespace) -> tuple[str | None, tuple[tuple[st
 def add_talking(parser: argparse.ArgumentParser) -> None:
     group = parser.add_argument_group("messages")
     group.add_argument("-q", "--quiet", action="store_true", help="print findings only, no summary")
-    group.add_argument("-v", "--verbose", action="store_true", help="say more, with tracebacks of our errors")
+    group.add_argument("-v", "--verbose", action="store_true", help="print more, with tracebacks of internal errors")
     group.add_argument("--color", metavar="WHEN", choices=("auto", "always", "never"), default="auto",
                        help="auto (default), always or never; NO_COLOR is honoured")  # fmt: skip
 
 
 def _positive(text: str) -> int:
     if not text.isdecimal() or int(text) < 1:
-        raise argparse.ArgumentTypeError(f"must be a number from 1 on, not {text}")
+        raise argparse.ArgumentTypeError(f"must be a number of at least 1, not {text}")
     return int(text)
 
 

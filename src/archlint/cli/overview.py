@@ -11,7 +11,7 @@ commands:
   check [PATH ...]    find what is wrong between nodes and inside their callbacks
                       (`archlint PATH` and `archlint` alone mean this)
   graph [PATH ...]    the communication graph: text, json, dot, svg, png, pdf, mermaid ...
-  observe             a script that writes down a running system; `check --observed FILE` and
+  observe             a script that records a running system; `check --observed FILE` and
                       `graph --observed FILE` compare it with the source
   explain CODE        a rule's page: what it finds, why it matters, what to write instead
   rules               the table of rules

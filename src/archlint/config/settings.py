@@ -204,9 +204,9 @@ def _extended(source: Source, extend: str, trail: tuple[Path, ...], named: bool)
     path = source.path.parent / read.home_of(source, extend, ("extend",))
     if path.resolve() in trail:
         shown = " -> ".join(Source(step, "", ()).shown for step in (*trail, path.resolve()))
-        raise source.error(f"`extend` goes round in a circle: {shown}", ("extend",))
+        raise source.error(f"`extend` forms a circle: {shown}", ("extend",))
     if not path.is_file():
-        raise source.error(f"`extend` names a file that is not there: {extend}", ("extend",), extend)
+        raise source.error(f"`extend` names a file that does not exist: {extend}", ("extend",), extend)
     foreign = not _is_within(path, _repository(trail[0].parent))
     if foreign and not named:
         message = f"`extend` leads out of the repository: {extend}; to allow that, name this file with --config"

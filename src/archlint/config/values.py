@@ -190,7 +190,7 @@ def folder(value: Value) -> str:
 def home_of(source: Source, path: str, key: KeyPath) -> Path:
     """A path with ``~`` and ``~user`` as folders.  Raises :class:`ConfigurationError` for what is no path."""
     if "\0" in path:
-        raise source.error(f"`{key[-1]}` holds a character that no path has", key)
+        raise source.error(f"`{key[-1]}` contains a character that is not allowed in a path", key)
     try:
         return Path(path).expanduser()
     except RuntimeError:

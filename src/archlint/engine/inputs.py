@@ -84,7 +84,7 @@ def parts_of(request: Request, workspace: Workspace) -> list[Workspace]:
     found = [part for part in parts(workspace) if any(not file.context for file in part.files)] or [workspace]
     if request.launch is None and request.observed is not None and len(found) > 1:
         folders = ", ".join(sorted(part.root for part in found))
-        raise NothingToDo(f"--observed is of one system, and several workspaces stand side by side here: {folders}")
+        raise NothingToDo(f"--observed describes one system, but there are several workspaces here: {folders}")
     if request.launch is None or len(found) == 1:
         return found
     return [part for part in found if any(file.relative == request.launch for file in part.files)][:1] or found[:1]

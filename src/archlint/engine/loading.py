@@ -89,7 +89,7 @@ def _no_launch_file(request: Request, files: LaunchFiles) -> str:
     for file, line, column, message in files.problems():
         if file == request.launch:
             return f"{file}:{line}:{column}: {message}"
-    return f"{request.launch} is no launch file in {', '.join(request.paths)}"
+    return f"{request.launch} is not a launch file in {', '.join(request.paths)}"
 
 
 def as_asked_for(request: Request, system: System, workspace: Workspace) -> System:

@@ -31,12 +31,12 @@ def without_node(summary: Summary) -> Iterator[str]:
 def for_ros1(python: Sequence[str], launch: Sequence[str]) -> Iterator[str]:
     """One sentence on the files that are for ROS 1."""
     if len(python) + len(launch) == 1:
-        yield f"{[*python, *launch][0]} is for ROS 1 and passed over"
+        yield f"{[*python, *launch][0]} is for ROS 1 and skipped"
         return
     counts = [(len(launch), "launch file"), (len(python), "Python file")]
     what = " and ".join(f"{count} {kind}{'s' if count > 1 else ''}" for count, kind in counts if count)
     if what:
-        yield f"{what} are for ROS 1 and passed over"
+        yield f"{what} are for ROS 1 and skipped"
 
 
 def without_start(systems: Iterable[System], context: Set[str]) -> Iterator[str]:
@@ -46,7 +46,7 @@ def without_start(systems: Iterable[System], context: Set[str]) -> Iterator[str]
             continue
         for gap in [gap for gap in launched.gaps if not gap.dormant][:1]:
             place = f"{gap.place.file}:{gap.place.line}"
-            yield f"{place}: what this launch file starts is not known, so it is not judged: {gap.reason}"
+            yield f"{place}: what this launch file starts is not known, so it is not checked: {gap.reason}"
 
 
 _NAMED = 10
@@ -60,7 +60,7 @@ def followed_in_part(files: Sequence[str]) -> Iterator[str]:
     more = f" and {len(files) - _NAMED} more" if len(files) > _NAMED else ""
     these = "this file is" if len(files) == 1 else f"these {len(files)} files are"
     named = ", ".join(files[:_NAMED])
-    yield f"the workspace has more code than is followed, so {these} followed only in part: {named}{more}"
+    yield f"the workspace has too much code to follow all of it, so {these} analysed only in part: {named}{more}"
 
 
 def idle_patterns(settings: Settings, workspace: Workspace) -> Iterator[str]:

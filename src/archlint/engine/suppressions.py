@@ -89,8 +89,8 @@ def _stale(unused: list[Unused], line: Callable[[str, int], str | None]) -> Find
             Place(file, comment.line, comment.column, comment.line, comment.end_column),
             f"there is no rule {no_rule[0]}{suggestion(no_rule[0])}"
             if no_rule
-            else f"this suppression of {codes} hides nothing",
-            help="take it out",
+            else f"this suppression of {codes} is unused",
+            help="remove it",
             identity=(codes,),
         ),
         fix=_without(first, {one.code for one in unused}, line(file, comment.line)),
@@ -133,8 +133,8 @@ def refusal(file: str, suppression: Suppression) -> str:
     """What to tell about a bare ignore, and about words that only look like a suppression."""
     where = f"{file}:{suppression.line}:{suppression.column}"
     if suppression.not_understood:
-        return f"{where}: `{suppression.not_understood}` hides nothing; write it as `archlint: ignore[{_CODE}]`"
-    return f"{where}: a bare `archlint: ignore` hides nothing; name the rule, as in `# archlint: ignore[{_CODE}]`"
+        return f"{where}: `{suppression.not_understood}` has no effect; write it as `archlint: ignore[{_CODE}]`"
+    return f"{where}: a bare `archlint: ignore` has no effect; name the rule, as in `# archlint: ignore[{_CODE}]`"
 
 
 _CODE = "SRV003"

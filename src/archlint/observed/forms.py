@@ -105,7 +105,7 @@ def observed(data: Any, file: str, text: str, digest: str) -> Observed:
 def _of_message(data: Any, file: str, text: str, digest: str) -> Observed:
     match data:
         case {"nodes": list() as nodes} if "..." in nodes:
-            raise Malformed("the message is cut short: let `ros2 topic echo` print all of it with --full-length")
+            raise Malformed("the message is truncated: use `ros2 topic echo --full-length`")
         case {"nodes": list() as nodes} if "version" not in data and all(_may_be_message(one) for one in nodes):
             return _of_monitor(_converted(data, _Graph), file, text, digest)
     raise NotOfThisForm
@@ -115,7 +115,7 @@ def _converted(data: Any, type_: type[_Form]) -> _Form:
     try:
         return msgspec.convert(data, type_)
     except msgspec.ValidationError as error:
-        raise Malformed(f"not as it should be: {error}") from None
+        raise Malformed(f"unexpected content: {error}") from None
 
 
 # ------------------------------------------------------------------------------------------ archlint's own recorder
@@ -162,7 +162,7 @@ _ALL_KINDS = (
 
 def _of_recording(data: _Recording, file: str, text: str, digest: str) -> Observed:
     if data.archlint_observed > VERSION:
-        raise Malformed("a newer archlint's recorder has written it: update archlint, or record again")
+        raise Malformed("it was recorded by a newer archlint: update archlint, or record again")
     places = _Places(file, text)
     return Observed(
         file,

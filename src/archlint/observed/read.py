@@ -16,7 +16,7 @@ LARGEST = 64_000_000
 """Bytes; a graph of a thousand nodes has about five million."""
 
 _KNOWN = (
-    "it is no recording (`archlint observe --print-script`), no metadata.yaml of a bag and no Graph message of "
+    "expected a recording (`archlint observe --print-script`), the metadata.yaml of a bag or a Graph message of "
     "rosgraph_monitor_msgs or rosgraph_msgs"
 )
 
@@ -33,7 +33,7 @@ def read(path: str) -> Observed:
     try:
         text = content.decode("utf-8-sig")
     except UnicodeDecodeError:
-        raise CannotRead(f"{shown} is no text: {_KNOWN}") from None
+        raise CannotRead(f"{shown} is not text: {_KNOWN}") from None
     data = _data(shown, text)
     digest = hashlib.sha256(content).hexdigest()
     try:

@@ -74,13 +74,16 @@ def main() -> int:
 
 
 def parser() -> argparse.ArgumentParser:
-    made = argparse.ArgumentParser(description="Write down what a running ROS 2 system says of itself, as JSON.")
+    made = argparse.ArgumentParser(description="Record the graph of a running ROS 2 system as JSON.")
     made.add_argument("-o", metavar="FILE", dest="file", help="write to FILE (default: standard output)")
     made.add_argument(
         "--seconds",
         type=float,
         default=15.0,
-        help=f"look for at most this long; it ends earlier once nothing new came up for {QUIET_S:g} s (default: 15)",
+        help=(
+            f"record for at most this many seconds; ends earlier when nothing new appears for {QUIET_S:g} s "
+            "(default: 15)"
+        ),
     )
     made.add_argument("--parameters", action="store_true", help="ask each node for its parameters, too")
     return made
@@ -93,7 +96,7 @@ def written(nodes: list[Entity], settled: bool, arguments: argparse.Namespace) -
         print(f"no node is running in ROS_DOMAIN_ID {domain}, or none can be reached from here", file=sys.stderr)
         return 1
     if not settled:
-        print(f"something new still came up after {arguments.seconds:g} s: try a larger --seconds", file=sys.stderr)
+        print(f"something new still appeared after {arguments.seconds:g} s: try a larger --seconds", file=sys.stderr)
     record = {
         "archlint_observed": 1,
         "ros_distro": os.environ.get("ROS_DISTRO"),

@@ -29,8 +29,8 @@ def comparison_notices(compared: Comparison | None) -> Iterator[str]:
     observed = compared.observed
     yield from compared.notes
     if not observed.nodes and not observed.topics:
-        yield f"{observed.file} tells of nothing that runs"
+        yield f"{observed.file} contains no running nodes or topics"
     if compared.left_open:
         more = len(compared.left_open) - 1
         rest = f"; and {more} more, which `archlint graph --observed` lists" if more else ""
-        yield f"left open, for the source does not say: {compared.left_open[0]}{rest}"
+        yield f"not compared, because the source does not say: {compared.left_open[0]}{rest}"

@@ -270,7 +270,7 @@ def finish(run: Run) -> None:
         if program.exhausted and not blueprint.test:
             blueprint.complete = False
             whose = "the workspace" if program.late else "its program"
-            blueprint.gaps.append((blueprint.place, f"{whose} has more code than is followed"))
+            blueprint.gaps.append((blueprint.place, f"{whose} has too much code to follow all of it"))
         kept.append(blueprint)
     program.nodes[:] = kept
     cut_short = {None} if program.exhausted else set()

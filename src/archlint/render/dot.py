@@ -204,6 +204,6 @@ def _edges(graph: networkx.MultiDiGraph, ids: dict[Key, str]) -> Iterator[str]:
             "color": look.PALETTE["aside"].line,
             "dir": "none",
             "style": "dashed",
-            "tooltip": "remapped by the launch file; which end this is, the source would tell",
+            "tooltip": "remapped by the launch file; without the source the direction is unknown",
         }
         yield f"  {ids[node]} -> {ids[interface]} {_attributes(line)};"

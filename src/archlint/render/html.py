@@ -40,7 +40,7 @@ _PAGE = """<!DOCTYPE html>
 <main>
 <div id="drawing">
 {svg}</div>
-<aside id="details" aria-live="polite"><p>Point at a node or an interface, or click it to keep it.</p></aside>
+<aside id="details" aria-live="polite"><p>Hover over a node or an interface, or click it to pin it.</p></aside>
 </main>
 <script type="application/json" id="data">{data}</script>
 <script>{script}</script>

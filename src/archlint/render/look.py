@@ -42,7 +42,7 @@ PALETTE = {
 three what a running system has otherwise."""
 
 
-UNOWNED = "used by a node that is not known"
+UNOWNED = "used by an unknown node"
 """Title of what stands apart: classes and functions that are no nodes."""
 
 
@@ -115,7 +115,7 @@ def endpoint_details(endpoint: Endpoint, broken: str = "") -> str:
     if endpoint.conditional:
         parts.append("only under a condition")
     if broken:
-        parts.append(f"no message gets through: {broken}")
+        parts.append(f"no message arrives: {broken}")
     return ", ".join(parts)
 
 
@@ -162,15 +162,15 @@ def caption(graph: networkx.MultiDiGraph) -> str:
     data = [data for _, data in graph.nodes(data=True)]
     sentences = [counts(graph)]
     if any(one.get("neighbour") for one in data):
-        sentences.append("white: a neighbour that was not asked for, with what it shares")
+        sentences.append("white: a neighbour outside the selection")
     if any(one["kind"] != NODE and not one["matched"] for one in data):
-        sentences.append("dashed: nobody at the other end")
+        sentences.append("dashed: nothing at the other end")
     if any(one["kind"] != NODE and one["resolution"] == "partial" for one in data):
         sentences.append("*: known only at run time")
     if graph.graph["remapped"]:
-        sentences.append("dashed without an arrow: remapped, its source is not here")
+        sentences.append("dashed without an arrow: remapped; the source is not in this workspace")
     if any(edge["broken"] for _, _, edge in graph.edges(data=True)):
-        sentences.append("red and crossed out: quality of service lets no message through")
+        sentences.append("red and crossed out: incompatible QoS, no message arrives")
     if "compared" in graph.graph:
         sentences.append("compared with a running system: red is missing, green unexpected, teal different")
     if any(edge["endpoint"].conditional for _, _, edge in graph.edges(data=True)):

@@ -210,7 +210,7 @@ def _connections(
 
 def _broken(system: System, topic: Connection) -> Iterator[str]:
     for pair in undelivered_on(system, topic):
-        yield f"no message gets from {pair.offer.node.name} to {pair.request.node.name}: {pair.reason}"
+        yield f"no message from {pair.offer.node.name} reaches {pair.request.node.name}: {pair.reason}"
 
 
 def _names(endpoints: Sequence[Endpoint], paint: Paint) -> str:
@@ -251,7 +251,7 @@ def _compared(system: System, paint: Paint) -> Iterator[str]:
     if compared.differences:
         rows = sorted(compared.differences, key=lambda one: (one.status, one.message))
         yield "\n".join(_table([_difference_row(one) for one in rows], paint))
-    quiet = [*(f"left open: {one}" for one in compared.left_open), *compared.notes]
+    quiet = [*(f"not compared: {one}" for one in compared.left_open), *compared.notes]
     if quiet:
         yield "\n".join(f"  {paint(line, 'quiet')}" for line in quiet)
 

@@ -143,20 +143,19 @@ def _members(condensed: networkx.DiGraph, part: int, names: dict[int, str]) -> s
 
 def words(made: Figures) -> list[str]:
     """The figures for people, a line each."""
-    lines = [f"pattern: {made.pattern or 'none to speak of: fewer than three nodes are connected'}"]
+    lines = [f"pattern: {made.pattern or 'none: fewer than three nodes are connected'}"]
     ties = ", ".join(f"{made.pairs[kind]} by {kind}s" for kind in ("topic", "service", "action") if made.pairs[kind])
     lines.append(f"connected: {made.connected} of {_counted(made.nodes, 'node')}" + (f"; pairs {ties}" if ties else ""))
     if made.components > 1 or made.isolated:
         lines.append(
-            f"parts: {_counted(made.components, 'group')} of nodes that reach each other, "
-            f"{_counted(made.isolated, 'node')} alone"
+            f"parts: {_counted(made.components, 'group')} of connected nodes, {_counted(made.isolated, 'node')} alone"
         )
     for name, fan_in, fan_out in made.hubs:
         lines.append(f"hub: {name}, fan-in {fan_in}, fan-out {fan_out}")
     if len(made.chain) > 1:
         lines.append(f"longest chain of requests: {' -> '.join(made.chain)}")
     if made.bridges:
-        lines.append(f"holds parts together: {', '.join(made.bridges)}")
+        lines.append(f"connects the parts: {', '.join(made.bridges)}")
     return lines
 
 

@@ -46,7 +46,7 @@ def test_a_program_that_is_cut_short_is_not_complete(tmp_path, monkeypatch):
     assert node_of(tmp_path, monkeypatch).blueprint.complete
     cut_short = node_of(tmp_path, monkeypatch, endless).blueprint
     assert not cut_short.complete
-    assert [reason for _, reason in cut_short.gaps] == ["its program has more code than is followed"]
+    assert [reason for _, reason in cut_short.gaps] == ["its program has too much code to follow all of it"]
 
 
 def test_the_type_of_a_parameter_value_is_that_of_its_default(tmp_path, monkeypatch):
