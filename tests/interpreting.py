@@ -16,6 +16,8 @@ from archlint.finding import Place
 from archlint.interpreter.activation import Activation
 from archlint.interpreter.containers import entries_of, items_of
 from archlint.interpreter.heap import Store
+from archlint.interpreter.interpreter import Interpreter
+from archlint.interpreter.library import Library
 from archlint.interpreter.modules import Module, ModuleIndex
 from archlint.interpreter.values import DictValue, Known, ListValue, OneOf, Unknown, Value
 from archlint.launch.library import LaunchLibrary
@@ -27,6 +29,8 @@ from archlint.workspace.model import SourceFile
 
 OUTSIDE = "import outside\n"
 """What a name such as ``outside.value()`` needs: a package that is not here, so that nothing is known of it."""
+WITH_LIBRARIES = True
+"""Where Python's own library, rclpy and launch are known, as in a program's run; the interpreter alone knows none."""
 COLLECTIONS = {"list": list, "tuple": tuple, "set": set, "generator": list}
 
 
@@ -38,7 +42,7 @@ class NotConstant(Exception):
 class Interpreted:
     """A module after its body has run."""
 
-    run: Run
+    run: Interpreter
     module: Module
 
     def value(self, name: str) -> Value:
@@ -113,21 +117,31 @@ class Interpreted:
         raise NotConstant(value)
 
 
-def interpret(source: str, **others: str) -> Interpreted:
-    """Run a module; ``others`` are modules beside it, by name (``__`` stands for a dot)."""
+def interpret(source: str, with_libraries: bool = False, /, **others: str) -> Interpreted:
+    """Run a module in the interpreter alone; ``others`` are modules beside it, by name (``__`` stands for a dot)."""
     texts = {"it": source, **others}
     files = {name: _file(name.replace("__", ".")) for name in texts}
     compiled = {files[name].path: _facts(text) for name, text in texts.items()}
     index = ModuleIndex(files.values(), lambda file: compiled[file.path])
-    place = Place("robot/it.py", 1, 1, 1, 1)
-    program = model.Program("it", "robot", "robot/it.py")
-    run = Run(LaunchLibrary, index, Store(), program, model.Callback("main", "it", place, None))
+    run = _with_libraries(index) if with_libraries else _alone(index)
     module = index.module(files["it"])
     assert module is not None
     call_with_deep_stack(lambda: run.import_module(module))
     faults = run.faults.found()
     assert not faults, faults
     return Interpreted(run, module)
+
+
+def _alone(index: ModuleIndex) -> Interpreter:
+    machine = Interpreter(index, Store())
+    machine.library = Library()
+    return machine
+
+
+def _with_libraries(index: ModuleIndex) -> Interpreter:
+    program = model.Program("it", "robot", "robot/it.py")
+    main = model.Callback("main", "it", Place("robot/it.py", 1, 1, 1, 1), None)
+    return Run(LaunchLibrary, index, Store(), program, main)
 
 
 def evaluate(expression: str, **variables: Value) -> Value:
@@ -158,12 +172,12 @@ def in_python(source: str, **given: Any) -> dict[str, Any]:
     return {name: value for name, value in vars(module).items() if name not in before and not name.startswith("__")}
 
 
-def assert_like_python(source: str, *, unknown: tuple[str, ...] = ()) -> None:
+def assert_like_python(source: str, with_libraries: bool = False, /, *, unknown: tuple[str, ...] = ()) -> None:
     """The interpreter knows each plain variable of a piece of code, and knows it as Python does.
 
     Of the variables in ``unknown`` it may know nothing, and never something else.
     """
-    interpreted = interpret(source)
+    interpreted = interpret(source, with_libraries)
     for name, expected in in_python(source).items():
         if not _is_plain(expected):
             continue

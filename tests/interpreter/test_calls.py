@@ -176,20 +176,6 @@ def test_super_in_a_comprehension_of_a_method_and_outside_of_one():
     assert interpret("def f():\n    return super().x\nit = f()").reason("it") == "super() outside of a method"
 
 
-def test_partial_functions():
-    assert_like_python(
-        """
-        from functools import partial
-
-        def f(a, b, c=0):
-            return [a, b, c]
-
-        half = partial(f, 1, c=3)
-        results = half(2), half(2, c=4), partial(half, 5)(c=1)
-        """
-    )
-
-
 def test_a_call_is_followed_a_few_times_and_then_known_or_unknown():
     found = interpret("def f(x):\n    return x + 1\nresults = [f(1) for _ in range(20)]\nsame = results[19]")
     assert found.constant("same") == 2

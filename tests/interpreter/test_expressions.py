@@ -147,12 +147,6 @@ def test_what_is_not_followed_is_unknown(name: str):
     assert not interpret(f"it = {name}").is_known("it")
 
 
-def test_star_imports_of_packages_that_are_not_here():
-    found = interpret("from outside.msg import *\nfrom other import *\nit = Scan\nwhich = helper")
-    assert str(found.value("it")) == "External(path='outside.msg.Scan', via=frozenset())"
-    assert "one of several star imports" in found.reason("which")
-
-
 def test_names_of_another_module():
     found = interpret(
         "import names\nfrom names import PREFIX as prefix, missing\nfrom names import *\n"

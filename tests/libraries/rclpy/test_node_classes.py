@@ -6,7 +6,7 @@ import pytest
 
 from archlint.interpreter.values import ClassValue
 from archlint.libraries.rclpy import node_classes
-from interpreting import interpret
+from interpreting import WITH_LIBRARIES, interpret
 
 SOURCE = """\
 import enum
@@ -30,7 +30,7 @@ class Computed(elsewhere.base()): pass
 
 @pytest.fixture(scope="module")
 def classes():
-    found = interpret(SOURCE)
+    found = interpret(SOURCE, WITH_LIBRARIES)
 
     def of(name: str) -> ClassValue:
         value = found.value(name)
