@@ -117,13 +117,8 @@ def _stray(workspace: WorkspaceIndex) -> frozenset[str]:
 
 def _is_script(workspace: WorkspaceIndex, file: str) -> bool:
     found = workspace.facts_at(file)
-    return found is not None and any(
-        isinstance(one, facts.If)
-        and isinstance(one.test, facts.Compare)
-        and isinstance(one.test.left, facts.Name)
-        and one.test.left.id == "__name__"
-        for one in found.body
-    )
+    tests = [one.test for one in ([] if found is None else found.body) if isinstance(one, facts.If)]
+    return any(isinstance(test, facts.Compare) and test.left.variable == "__name__" for test in tests)
 
 
 def _is_named(workspace: WorkspaceIndex, installs: Installs, file: str) -> bool:

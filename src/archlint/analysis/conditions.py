@@ -6,12 +6,12 @@ from __future__ import annotations
 from collections import Counter
 from typing import TYPE_CHECKING
 
-from archlint.analysis.completeness import walk
 from archlint.analysis.kept import once_for_each_file
 from archlint.syntax import facts
+from archlint.syntax.parts import everything_in
 
 if TYPE_CHECKING:
-    from collections.abc import Iterable
+    from collections.abc import Iterable, Sequence
 
     from archlint.branches import BranchArm, BranchArms
     from archlint.systems.model import WorkspaceIndex
@@ -37,12 +37,11 @@ def _condition(workspace: WorkspaceIndex | None, arm: BranchArm) -> BranchArm:
 def _asked(found: facts.Facts) -> dict[tuple[int, int], tuple[str, bool]]:
     """Where an ``if`` asks nothing but an attribute of ``self`` that is set once, or in constructors alone, and whether
     it asks ``not``."""
-    every = list(walk(found.body))
-    constructors = [one for one in every if isinstance(one, facts.Function) and one.name == "__init__"]
-    once, later = _assigned(every), _assigned(every)
+    constructors = [one for one in everything_in(found.body, facts.Function) if one.name == "__init__"]
+    once, later = _assigned(found.body), _assigned(found.body)
     for one in constructors:
-        later.subtract(_assigned(walk(one.body)))
-    rows = ((one, _attribute(one.test)) for one in every if isinstance(one, facts.If))
+        later.subtract(_assigned(one.body))
+    rows = ((one, _attribute(one.test)) for one in everything_in(found.body, facts.If))
     return {
         (one.span[0], one.span[1]): attribute
         for one, attribute in rows
@@ -50,16 +49,17 @@ def _asked(found: facts.Facts) -> dict[tuple[int, int], tuple[str, bool]]:
     }
 
 
-def _assigned(parts: Iterable[object]) -> Counter[str]:
-    """How often each attribute is assigned in these parts of a file."""
-    targets = (target for one in parts if isinstance(one, facts.Assign) for target in one.targets)
-    return Counter(target.attr for target in targets if isinstance(target, facts.Attribute))
+def _assigned(body: Sequence[facts.Stmt]) -> Counter[str]:
+    """How often each attribute is assigned in a body."""
+    targets = (target for one in everything_in(body, facts.Assign) for target in one.targets)
+    return Counter(target.attribute for target in targets if target.attribute)
 
 
 def _attribute(test: facts.Expr) -> tuple[str, bool] | None:
-    if isinstance(test, facts.Unary) and test.op == "not":
-        inner = _attribute(test.operand)
-        return None if inner is None else (inner[0], not inner[1])
-    if isinstance(test, facts.Attribute) and isinstance(test.value, facts.Name) and test.value.id == "self":
-        return test.attr, False
+    match test:
+        case facts.Unary(op="not"):
+            inner = _attribute(test.operand)
+            return None if inner is None else (inner[0], not inner[1])
+        case facts.Attribute(value=facts.Name(id="self"), attr=name):
+            return name, False
     return None

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
@@ -53,9 +53,8 @@ def _straight_after(code: SourceCode, call: ApiCall) -> bool:
     future = result.func.value
     if _sends(future):
         return True  # call_async(...).result()
-    if not isinstance(future, facts.Name):
-        return False
-    return any(_sent_just_before(block, future.id, result) for block in blocks_of(code.body(call)))
+    name = future.variable
+    return name != "" and any(_sent_just_before(block, name, result) for block in blocks_of(code.body(call)))
 
 
 def _sent_just_before(block: Sequence[facts.Stmt], name: str, result: facts.Call) -> bool:
@@ -68,29 +67,26 @@ def _sent_just_before(block: Sequence[facts.Stmt], name: str, result: facts.Call
             return sent and at_head and not _awaits_beside(statement, result)
         if isinstance(statement, facts.Assign) and _sends(statement.value) and _binds(statement, name):
             sent = True
-        elif sent and (not isinstance(statement, (facts.Assign, facts.Expression)) or not _idle(inside)):
+        elif not isinstance(statement, (facts.Assign, facts.Expression)) or not _idle(inside):
             sent = False
-        elif any(_awaits(statement)):
+        elif any(parts_of(statement, facts.Await)):
             sent = False  # of the future itself, or of anything else: the executor goes on meanwhile
     return False
-
-
-def _awaits(fact: facts.Base) -> Iterator[facts.Await]:
-    return (part for part in parts_of(fact) if isinstance(part, facts.Await))
 
 
 def _awaits_beside(statement: facts.Stmt, result: facts.Call) -> bool:
     """Whether a statement awaits something else than what it reads: ``await future.result().get_result_async()`` has
     read the result by then."""
-    return any(not any(same_expression(inner, result) for inner in calls_in(awaited)) for awaited in _awaits(statement))
+    awaits = parts_of(statement, facts.Await)
+    return any(not any(same_expression(inner, result) for inner in calls_in(awaited)) for awaited in awaits)
 
 
 def _sends(value: facts.Expr) -> bool:
-    return isinstance(value, facts.Call) and isinstance(value.func, facts.Attribute) and value.func.attr in _SENDS
+    return isinstance(value, facts.Call) and value.func.attribute in _SENDS
 
 
 def _binds(statement: facts.Assign, name: str) -> bool:
-    return any(isinstance(target, facts.Name) and target.id == name for target in statement.targets)
+    return any(target.variable == name for target in statement.targets)
 
 
 def _idle(calls: Sequence[facts.Call]) -> bool:

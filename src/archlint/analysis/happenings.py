@@ -61,28 +61,20 @@ def _only_true(code: SourceCode, call: ApiCall) -> bool:
     if len(given) != 1:
         return False
     message = given[0].value
-    if isinstance(message, facts.Call):
-        return [_is_true(one.value) for one in message.args if one.keyword == "data"] == [True]
-    if not isinstance(message, facts.Name):
-        return False
-    values = [value for one in statements_of(code.body(call)) for value in _values_of(one, message.id)]
-    return bool(values) and all(_is_true(value) for value in values)
+    match message:
+        case facts.Call(args=args):
+            return [one.value.is_true for one in args if one.keyword == "data"] == [True]
+        case facts.Name(id=name):
+            assigned = statements_of(code.body(call), facts.Assign)
+            values = [value for one in assigned for value in _values_of(one, name)]
+            return bool(values) and all(value.is_true for value in values)
+    return False
 
 
-def _values_of(statement: facts.Stmt, name: str) -> list[facts.Expr]:
+def _values_of(statement: facts.Assign, name: str) -> list[facts.Expr]:
     """What a statement gives the field of the message that a variable holds."""
-    if not isinstance(statement, facts.Assign):
-        return []
-    found = [
-        statement.value
-        for target in statement.targets
-        if isinstance(target, facts.Attribute) and isinstance(target.value, facts.Name) and target.value.id == name
-    ]
-    if any(isinstance(target, facts.Name) and target.id == name for target in statement.targets):
-        made = statement.value.args if isinstance(statement.value, facts.Call) else []
-        found += [one.value for one in made]
+    fields = [target.attribute for target in statement.targets if target.dotted == f"{name}.{target.attribute}"]
+    found = [statement.value] * len(fields)
+    if isinstance(statement.value, facts.Call) and any(target.variable == name for target in statement.targets):
+        found += [one.value for one in statement.value.args]
     return found
-
-
-def _is_true(value: facts.Expr) -> bool:
-    return isinstance(value, facts.Literal) and value.value is True

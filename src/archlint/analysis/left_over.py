@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from typing import TYPE_CHECKING
 
-from archlint.analysis.completeness import walk
 from archlint.analysis.kept import once_for_each_file
 from archlint.analysis.source_code import code_of
 from archlint.model import (
@@ -12,6 +12,7 @@ from archlint.model import (
     Role,
 )
 from archlint.syntax import facts
+from archlint.syntax.parts import everything_in
 
 if TYPE_CHECKING:
     from archlint.finding import Place
@@ -119,20 +120,22 @@ class _Uses:
         self.names: set[str] = set()
         self.kept: dict[tuple[int, int], str] = {}
         unwritten = 0
-        for item in walk(found.body):
-            if isinstance(item, facts.Attribute):
-                self.count[item.attr] = self.count.get(item.attr, 0) + 1
-                unwritten += item.attr in _BY_NAME
-            elif isinstance(item, facts.Name):
-                unwritten += item.id in _BY_NAME
-                self.names.add(item.id)
-            elif isinstance(item, facts.Call) and (name := _asked_by_name(item)) is not None:
-                self.count[name] = self.count.get(name, 0) + 1
-                unwritten -= 1
-            elif isinstance(item, facts.Assign) and isinstance(item.value, facts.Call) and len(item.targets) == 1:
-                target = item.targets[0]
-                if isinstance(target, facts.Attribute) and isinstance(target.value, facts.Name):
-                    self.kept[item.value.span[0], item.value.span[1]] = target.attr
+        for item in everything_in(found.body):
+            match item:
+                case facts.Attribute(attr=name):
+                    self.count[name] = self.count.get(name, 0) + 1
+                    unwritten += name in _BY_NAME
+                case facts.Name(id=name):
+                    unwritten += name in _BY_NAME
+                    self.names.add(name)
+                case facts.Call(args=[_, facts.Argument(value=asked), *_]) if item.func.variable == "getattr":
+                    if asked.text is not None:
+                        self.count[asked.text] = self.count.get(asked.text, 0) + 1
+                        unwritten -= 1
+                case facts.Assign(
+                    targets=[facts.Attribute(value=facts.Name(), attr=name)], value=facts.Call(span=span)
+                ):
+                    self.kept[span[0], span[1]] = name
         self.by_name = unwritten > 0
         self.idle = {method.name: _attributes(method) for method in self._methods(found) if self._is_idle(method)}
         """The methods that nothing in the file names, with the attributes that they use and how often."""
@@ -140,8 +143,8 @@ class _Uses:
     @staticmethod
     def _methods(found: facts.Facts) -> list[facts.Function]:
         """The methods of classes whose bases, if any, do not call methods of their own accord."""
-        classes = [item for item in walk(found.body) if isinstance(item, facts.Class)]
-        plain = [one for one in classes if all(_text(base.value) in _PLAIN_BASES for base in one.bases)]
+        classes = everything_in(found.body, facts.Class)
+        plain = [one for one in classes if all(base.value.last_name in _PLAIN_BASES for base in one.bases)]
         methods = [item for one in plain for item in one.body if isinstance(item, facts.Function)]
         names = [method.name for method in methods]
         return [method for method in methods if names.count(method.name) == 1]
@@ -155,26 +158,8 @@ class _Uses:
 _PLAIN_BASES = frozenset({"Node", "object"})
 
 
-def _text(value: facts.Expr) -> str | None:
-    if isinstance(value, facts.Attribute):
-        return value.attr
-    return value.id if isinstance(value, facts.Name) else None
-
-
 def _attributes(method: facts.Function) -> dict[str, int]:
-    found: dict[str, int] = {}
-    for item in walk(method.body):
-        if isinstance(item, facts.Attribute):
-            found[item.attr] = found.get(item.attr, 0) + 1
-    return found
-
-
-def _asked_by_name(call: facts.Call) -> str | None:
-    """The attribute that ``getattr(x, 'name')`` asks for; None for any other call."""
-    if not (isinstance(call.func, facts.Name) and call.func.id == "getattr" and len(call.args) > 1):
-        return None
-    name = call.args[1].value
-    return name.value if isinstance(name, facts.Literal) and isinstance(name.value, str) else None
+    return dict(Counter(part.attr for part in everything_in(method.body, facts.Attribute)))
 
 
 _uses = once_for_each_file(_Uses)

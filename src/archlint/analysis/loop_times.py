@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 from archlint.syntax import facts
 from archlint.syntax.parts import names_in
-from archlint.syntax.walk import called_name, calls_in, statements_of
+from archlint.syntax.walk import called_name, calls_in, parts_of, statements_of
 
 if TYPE_CHECKING:
     from archlint.analysis.sleeps import Stay
@@ -40,7 +40,7 @@ def in_loops(
     for place in call.enclosing_loops[: max(0, len(call.enclosing_loops) - len(call.loops))]:
         seconds *= _rounds_at(code, place) if with_callers else math.inf
     seconds = seconds if stay.seconds > 0 else 0.0
-    if math.isinf(seconds) and stay.seconds <= TINY and not any(isinstance(loop, facts.While) for loop in loops):
+    if math.isinf(seconds) and stay.seconds <= TINY and not any(loop.tests for loop in loops if loop is not None):
         return stay.seconds  # a pause between the bytes or lines of something: it takes many to make it long
     return seconds
 
@@ -48,32 +48,29 @@ def in_loops(
 def _rounds_at(code: SourceCode, place: Place) -> float:
     """How often the ``for`` of a caller goes round; for all that is not known, without end."""
     loop = code.loop_at(place)
-    return math.inf if isinstance(loop, facts.While) else _times(loop, math.inf)
+    return math.inf if loop is None or loop.tests else _times(loop, math.inf)
 
 
 def _times(loop: Loop | None, unknown: float) -> float:
     """How often a loop goes round at most."""
     if loop is None:
         return math.inf
-    if isinstance(loop, facts.While):
-        return 1.0 if not _RUNS_EMPTY.isdisjoint(names_in(loop.test)) else math.inf
-    if isinstance(loop.iterable, facts.Sequence):
-        return len(loop.iterable.elements)
-    given = (
-        loop.iterable.args if isinstance(loop.iterable, facts.Call) and called_name(loop.iterable) == "range" else []
-    )
-    bounds = [one.value.value for one in given if isinstance(one.value, facts.Literal)]
-    numbers = [bound for bound in bounds if isinstance(bound, int)]
-    return len(range(*numbers)) if given and len(numbers) == len(given) else unknown
+    if loop.tests:
+        return 1.0 if not _RUNS_EMPTY.isdisjoint(names_in(loop.tests)) else math.inf
+    match loop.head:
+        case facts.Sequence(elements=elements):
+            return len(elements)
+        case facts.Call(args=given) as call if given and called_name(call) == "range":
+            bounds = [one.value.value for one in given if isinstance(one.value, facts.Literal)]
+            numbers = [bound for bound in bounds if isinstance(bound, int)]
+            return len(range(*numbers)) if len(numbers) == len(given) else unknown
+    return unknown
 
 
 def is_retry(code: SourceCode, call: ApiCall) -> bool:
     """Whether a ``for`` that ends as soon as something has worked goes round a call: the pause is the exception."""
     loop = code.loop(call)
-    return isinstance(loop, facts.For) and any(
-        isinstance(one, facts.Return) or (isinstance(one, facts.Jump) and one.kind == "break")
-        for one in statements_of(loop.body)
-    )
+    return loop is not None and not loop.tests and any(one.leaves_loop for one in statements_of(loop.body))
 
 
 def reads_until_it_has(code: SourceCode, call: ApiCall) -> bool:
@@ -100,18 +97,35 @@ def reads_until_it_has(code: SourceCode, call: ApiCall) -> bool:
 
 def watches_the_clock(code: SourceCode, call: ApiCall) -> bool:
     """Whether a loop around a call compares the time with something: ``while time.time() < deadline``."""
-    return any(
-        isinstance(loop, facts.While) and any(not _CLOCKS.isdisjoint(names_in(one)) for one in _comparisons(loop.test))
-        for loop in code.loops(call)
-    )
-
-
-def _comparisons(test: facts.Expr) -> list[facts.Expr]:
-    if isinstance(test, facts.Boolean) and test.op == "and":
-        return [one for value in test.values for one in _comparisons(value)]
-    return [test] if isinstance(test, facts.Compare) else []
+    tests = [test for loop in code.loops(call) for test in loop.tests]
+    return any(isinstance(test, facts.Compare) and not _CLOCKS.isdisjoint(names_in(test)) for test in tests)
 
 
 def around_future(code: SourceCode, call: ApiCall) -> bool:
     """A loop around a future: that wait is what is wrong, not its pace."""
-    return any(isinstance(loop, facts.While) and "done" in names_in(loop.test) for loop in code.loops(call))
+    return any("done" in names_in(loop.tests) for loop in code.loops(call))
+
+
+def is_retried(code: SourceCode, call: ApiCall) -> bool:
+    """Whether a loop goes round one wait: ``while not future.done()``."""
+    tests = (part for loop in code.loops(call) for part in parts_of(loop.tests, facts.Attribute))
+    return any(part.attr == "done" for part in tests)
+
+
+def varies_with_the_round(code: SourceCode, call: ApiCall) -> bool:
+    """Whether what a call is given depends on the round of a ``for``: ``sleep(PAUSE * (attempt + 1))``."""
+    used = names_in(code.expression(call))
+    return any(not used.isdisjoint(names_in(to)) for loop in code.loops(call) for to in loop.assigned)
+
+
+def lasts_as_requested(code: SourceCode, call: ApiCall) -> bool:
+    """Whether a handler's request says how long a call of it takes: ``time.sleep(request.seconds)``."""
+    function, bound = code.function(call.context), call.context.bound_arguments
+    if call.chain or not isinstance(function, facts.Function):
+        return False
+    known = {param.name for param in function.params[bound : bound + 1]}
+    for one in statements_of(code.body(call), facts.Assign):
+        if not known.isdisjoint(names_in(one.value)):
+            known |= {target.variable for target in one.targets} - {""}
+    ends = not any(loop.tests for loop in code.loops(call))
+    return ends and not known.isdisjoint(names_in(code.expression(call)))

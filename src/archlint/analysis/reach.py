@@ -67,6 +67,12 @@ def all_arguments_seen(code: SourceCode, call: ApiCall) -> bool:
     return not any(given.star for given in code.arguments(call))
 
 
+def is_given_a_literal(code: SourceCode, call: ApiCall) -> bool:
+    """Whether all that a call is given is a literal."""
+    arguments = code.arguments(call)
+    return len(arguments) == 1 and arguments[0].value.truth is not None
+
+
 def waits_for_ever(code: SourceCode, call: ApiCall, parameter: str, *, negative: bool = True) -> bool:
     """Whether a call sets no limit: the timeout is missing, None or (where that means the same) below zero.
 

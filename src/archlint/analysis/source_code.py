@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING
 from archlint.analysis.kept import once
 from archlint.finding import Place
 from archlint.syntax import facts
-from archlint.syntax.walk import main_guard
+from archlint.syntax.walk import calls_in, main_guard
 
 if TYPE_CHECKING:
     from archlint.model import ApiCall, Callback, Creation
@@ -79,6 +79,10 @@ class SourceCode:
     def loop_at(self, place: Place) -> Loop | None:
         """The loop that fills a place."""
         return next((one for one in self._filling(place) if isinstance(one, Loop)), None)
+
+    def calls_in(self, place: Place) -> list[Place]:
+        """The places of the calls in the loop that fills a place."""
+        return [Place.of(place.file, call.span) for call in calls_in(self.loop_at(place))]
 
     def proven(self, creation: Creation) -> tuple[tuple[facts.Expr, bool], ...]:
         """The conditions around a create call that ask for no local variable, with how they came out."""

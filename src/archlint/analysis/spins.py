@@ -2,15 +2,22 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 from archlint.analysis.callback_roles import runs_in_executor
-from archlint.analysis.reach import argument, judged_calls
+from archlint.analysis.completeness import enclosing_function
+from archlint.analysis.reach import argument, judged_calls, same_expression
 from archlint.model import Role
 from archlint.model.given import Node, Object
+from archlint.syntax import facts
+from archlint.syntax.parts import everything_in
+from archlint.syntax.walk import blocks_of, called_name, calls_in, parts_of
 
 if TYPE_CHECKING:
-    from archlint.model import ApiCall, Blueprint, Program
+    from archlint.analysis.source_code import SourceCode
+    from archlint.finding import Place
+    from archlint.model import ApiCall, Blueprint, Callback, Program
     from archlint.systems.model import System
 
 _SPINS = ("rclpy.spin", "rclpy.spin_once", "rclpy.spin_until_future_complete")
@@ -69,3 +76,44 @@ def spun_by_several(system: System) -> set[int]:
                 if known <= {"start"}:  # a thread whose target is the spin itself makes no call
                     known.add("thread")
     return {node for node, where in threads.items() if len(where) > 1}
+
+
+def spin_before(code: SourceCode, program: Program, place: Place) -> Place | None:
+    """The ``rclpy.spin(…)`` in front of a spin in the same block: it returns when ROS is shut down, not before."""
+    later = next((call for call in program.calls if call.place == place), None)
+    if later is None:
+        return None
+    endless = [call for call in program.calls if call.api == "rclpy.spin" and call.context.role == Role.MAIN]
+    return next((call.place for call in endless if call.file == later.file and _comes_first(code, call, later)), None)
+
+
+def _comes_first(code: SourceCode, call: ApiCall, later: ApiCall) -> bool:
+    """Whether a call is a statement of a block that a later one is in, too, and ROS is not started anew between."""
+    for block in blocks_of(code.body(call)):
+        here = [number for one in (call, later) for number in _numbers_in(block, code.expression(one))]
+        if len(here) == 2 and here[0] < here[1]:
+            between = block[here[0] : here[1]]
+            return all(called_name(one) != "init" for statement in between for one in calls_in(statement))
+    return False
+
+
+def _numbers_in(block: Sequence[facts.Stmt], call: facts.Call | None) -> list[int]:
+    """Which statement of a block is just this call."""
+    lines = [(number, one) for number, one in enumerate(block) if isinstance(one, facts.Expression)]
+    return [number for number, one in lines if same_expression(one.value, call)]
+
+
+def spins_if_asked(system: System, program: Program, node: Blueprint, group: Place) -> bool:
+    """Whether the function that makes a group would give the node an executor of its own, too, and did not here: it
+    has an option for that, as ``TransformListener(…, spin_thread=True)``, and the group is for those who choose it."""
+    made_by = None if system.workspace is None else enclosing_function(system.workspace, group)
+    if made_by is None or "add_node" not in map(called_name, everything_in(made_by.body, facts.Call)):
+        return False
+    uses = [use for use in program.executors if node in use.nodes]
+    places = [place for use in uses for place in (use.place, use.spins_at(node)) if place is not None]
+    return not any(one.file == group.file and made_by.span[0] <= one.line <= made_by.span[2] for one in places)
+
+
+def awaits(code: SourceCode, callback: Callback) -> bool:
+    """Whether a callback awaits anything itself."""
+    return any(parts_of(code.function(callback), facts.Await))

@@ -19,9 +19,9 @@ from archlint.analysis.source_code import SourceCode, source_code
 from archlint.model import Role
 from archlint.model.given import Constant, Future, Object
 from archlint.syntax import facts
-from archlint.syntax.control_flow import always_left
+from archlint.syntax.control_flow import loop_of
 from archlint.syntax.parts import names_in
-from archlint.syntax.walk import called_name, statements_of
+from archlint.syntax.walk import called_name, calls_in, statements_of
 
 if TYPE_CHECKING:
     from archlint.analysis.blocking import Form
@@ -41,6 +41,7 @@ SPINS_FOR_FUTURE = (
     "rclpy.executors.Executor.spin_until_future_complete",
     "rclpy.executors.Executor.spin_once_until_future_complete",
 )
+_SENDS = frozenset({"call_async", "send_goal_async"})
 _LIMITS = ("timeout_sec", "timeout")
 DONE = "rclpy.task.Future.done"
 _ADD_DONE_CALLBACK = "rclpy.task.Future.add_done_callback"
@@ -113,10 +114,10 @@ def _loop_until(code: SourceCode, call: ApiCall) -> facts.While | None:
     """The loop that goes round until a future is done: ``while not future.done()``.  What always leaves its body does
     not wait."""
     loop = code.loop(call)
-    if not isinstance(loop, facts.While) or always_left(loop):
+    if not isinstance(loop, facts.While) or not loop_of(loop).comes_round:
         return None
-    asked = [part for part in _conjuncts(loop.test) if isinstance(part, facts.Unary) and part.op == "not"]
-    return loop if any(same_expression(part.operand, code.expression(call)) for part in asked) else None
+    asked = code.expression(call)
+    return loop if any(same_expression(part.negated, asked) for part in loop.test.conjuncts) else None
 
 
 def _gives_up(code: SourceCode, call: ApiCall) -> bool:
@@ -124,18 +125,26 @@ def _gives_up(code: SourceCode, call: ApiCall) -> bool:
     loop = _loop_until(code, call) if call.api == DONE else None
     if loop is None:
         return False
-    others = [part for part in _conjuncts(loop.test) if not (isinstance(part, facts.Unary) and part.op == "not")]
-    ends = any(
-        isinstance(s, (facts.Return, facts.Raise)) or (isinstance(s, facts.Jump) and s.kind == "break")
-        for s in statements_of(loop.body)
+    return loop_of(loop).is_left_early or any(
+        part.negated is None and not _asks_for_ros(part) for part in loop.test.conjuncts
     )
-    return ends or any(not (isinstance(part, facts.Call) and called_name(part) == "ok") for part in others)
 
 
-def _conjuncts(test: facts.Expr) -> list[facts.Expr]:
-    if isinstance(test, facts.Boolean) and test.op == "and":
-        return [part for value in test.values for part in _conjuncts(value)]
-    return [test]
+def _asks_for_ros(test: facts.Expr) -> bool:
+    """``rclpy.ok()``"""
+    return isinstance(test, facts.Call) and called_name(test) == "ok"
+
+
+def other_arm_only_sends(code: SourceCode, call: ApiCall) -> bool:
+    """Whether the other arm of an ``if`` around a wait sends without waiting: then the wait is there for those who want
+    to."""
+    asked = code.expression(call)
+    for one in statements_of(code.body(call), facts.If):
+        waits_here = [any(same_expression(inner, asked) for inner in calls_in(arm)) for arm in (one.body, one.orelse)]
+        sends = [any(called_name(inner) in _SENDS for inner in calls_in(arm)) for arm in (one.orelse, one.body)]
+        if any(waits and only_sends for waits, only_sends in zip(waits_here, sends, strict=True)):
+            return True
+    return False
 
 
 def _signals(system: System) -> _Signals:

@@ -2,31 +2,29 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from archlint.analysis.callback_roles import runs_in_executor
-from archlint.analysis.completeness import walk
 from archlint.analysis.limit_sites import sites_of_call
 from archlint.analysis.reach import (
     calls_of,
     endpoint_words,
     node_name,
     one_for_each_place,
-    same_expression,
     waits_for_ever,
 )
 from archlint.analysis.source_code import SourceCode, source_code
 from archlint.analysis.stuck import spoken_of
+from archlint.analysis.threads import is_daemon
+from archlint.analysis.waits import other_arm_only_sends
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.checks.starvation import piling_up
 from archlint.checks.timeouts import kind_of, name_of, way_to
-from archlint.finding import Finding, Place
+from archlint.finding import Finding
 from archlint.model import ExecutorKind, Role
-from archlint.syntax import facts
-from archlint.syntax.walk import called_name, calls_in, statements_of
 
 if TYPE_CHECKING:
     from archlint.model import ApiCall, Program
@@ -62,40 +60,7 @@ def _waits_apart(system: System, program: Program, call: ApiCall) -> bool:
     made = callback.registered
     if callback.role != Role.THREAD or call.chain or call.enclosing_loops or made is None or workspace is None:
         return False
-    found = workspace.facts_at(made.file)
-    return found is not None and _spinner(call, program) != _NOBODY and _is_daemon(found.body, made)
-
-
-def _is_daemon(body: Sequence[facts.Stmt], made: Place) -> bool:
-    """Whether the thread that is made at a place is a daemon: ``daemon=True``, or ``thread.daemon = True``."""
-    nodes = [*walk(body)]
-    thread = next((one for one in nodes if isinstance(one, facts.Call) and Place(made.file, *one.span) == made), None)
-    if thread is None:
-        return False
-    if any(one.keyword == "daemon" and _is_true(one.value) for one in thread.args):
-        return True
-    assigned = [one for one in nodes if isinstance(one, facts.Assign)]
-    names = {_spelled(target) for one in assigned if one.value is thread for target in one.targets} - {""}
-    return any(
-        isinstance(target, facts.Attribute)
-        and target.attr == "daemon"
-        and _is_true(one.value)
-        and _spelled(target.value) in names
-        for one in assigned
-        for target in one.targets
-    )
-
-
-def _spelled(expression: facts.Expr) -> str:
-    """A name or attribute as it is written; empty for anything else."""
-    if isinstance(expression, facts.Attribute):
-        owner = _spelled(expression.value)
-        return f"{owner}.{expression.attr}" if owner else ""
-    return expression.id if isinstance(expression, facts.Name) else ""
-
-
-def _is_true(value: facts.Expr) -> bool:
-    return isinstance(value, facts.Literal) and value.value is True
+    return _spinner(call, program) != _NOBODY and is_daemon(workspace, made)
 
 
 def _limitless_call(system: System, program: Program, call: ApiCall, distros: tuple[str, ...]) -> Finding:
@@ -145,23 +110,9 @@ def _help(code: SourceCode, call: ApiCall, spinner: str, distros: tuple[str, ...
     if spinner == _EXECUTOR:
         # rclpy's own function would take the node from its executor for good.
         return f"{sent} and executor.spin_until_future_complete(future, timeout_sec=2.0)"
-    if runs_in_executor(call.context) or (spinner == _UNKNOWN and not _goes_on_elsewhere(code, call)):
+    if runs_in_executor(call.context) or (spinner == _UNKNOWN and not other_arm_only_sends(code, call)):
         return f"{sent} and continue in a done callback: future.add_done_callback(…)"
     if not goal and "humble" not in distros:
         return "call(request, timeout_sec=2.0)"
     who = "in a thread that does not spin" if spinner == _UNKNOWN else "another thread spins the node"
     return f"{who}: {sent}, and wait with event.wait(timeout=2.0) for an Event that a done callback sets"
-
-
-def _goes_on_elsewhere(code: SourceCode, call: ApiCall) -> bool:
-    """Whether the other branch of an ``if`` sends without waiting: then this one is there for those who want to."""
-    sends = {"call_async", "send_goal_async"}
-    for one in statements_of(code.body(call)):
-        if isinstance(one, facts.If):
-            here = [
-                any(same_expression(c, code.expression(call)) for c in calls_in(arm)) for arm in (one.body, one.orelse)
-            ]
-            there = [any(called_name(c) in sends for c in calls_in(arm)) for arm in (one.orelse, one.body)]
-            if (here[0] and there[0]) or (here[1] and there[1]):
-                return True
-    return False

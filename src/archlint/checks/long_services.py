@@ -10,7 +10,15 @@ from typing import TYPE_CHECKING
 
 from archlint.analysis.callback_roles import related_to
 from archlint.analysis.conditions import conditions
-from archlint.analysis.loop_times import around_future, in_loops, is_retry, reads_until_it_has, watches_the_clock
+from archlint.analysis.loop_times import (
+    around_future,
+    in_loops,
+    is_retry,
+    lasts_as_requested,
+    reads_until_it_has,
+    varies_with_the_round,
+    watches_the_clock,
+)
 from archlint.analysis.reach import endpoint_words, judged_calls, node_name, one_for_each_place
 from archlint.analysis.sleeps import Stay, stay_of
 from archlint.analysis.source_code import SourceCode, source_code
@@ -18,9 +26,6 @@ from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.finding import Finding, Related, Severity
 from archlint.model import Role
-from archlint.syntax import facts
-from archlint.syntax.parts import names_in
-from archlint.syntax.walk import statements_of
 
 if TYPE_CHECKING:
     from archlint.branches import BranchArms
@@ -116,7 +121,7 @@ def _how_long(code: SourceCode, sleeps: Sequence[_Sleep], total: float, asked: b
     if any(other.place != call.place for other, _ in others):
         up_to = "up to " if any(limit is not None for one, _ in sleeps for limit in one.limits) else ""
         words = f"sleeps for {up_to}{total:.3g} s in all"
-    elif call.looped and any(isinstance(loop, facts.For) and _reads(code, call, loop) for loop in code.loops(call)):
+    elif call.looped and varies_with_the_round(code, call):
         words = "sleeps repeatedly, for a time that depends on the loop"
     elif call.looped and math.isinf(in_loops(code, call, stay)):
         words += " in each iteration of a loop"
@@ -126,11 +131,6 @@ def _how_long(code: SourceCode, sleeps: Sequence[_Sleep], total: float, asked: b
     return f"{words}: the caller waits meanwhile and cannot cancel"
 
 
-def _reads(code: SourceCode, call: ApiCall, loop: facts.For) -> bool:
-    """Whether what a call is given depends on the round: ``sleep(PAUSE * (attempt + 1))``."""
-    return not names_in(code.expression(call)).isdisjoint(names_in(loop.target))
-
-
 def _is_as_asked(system: System, sleeps: Sequence[_Sleep]) -> bool:
     """Whether the request says how long a handler sleeps, but for what would be no finding by itself."""
     others = [sleep for sleep in sleeps if not _as_asked(source_code(system), *sleep)]
@@ -138,13 +138,5 @@ def _is_as_asked(system: System, sleeps: Sequence[_Sleep]) -> bool:
 
 
 def _as_asked(code: SourceCode, call: ApiCall, stay: Stay) -> bool:
-    """Whether the request says how long a handler sleeps: ``time.sleep(request.seconds)``."""
-    function, bound = code.function(call.context), call.context.bound_arguments
-    if stay.seconds is not None or call.chain or not isinstance(function, facts.Function):
-        return False
-    known = {param.name for param in function.params[bound : bound + 1]}
-    for one in statements_of(code.body(call)):
-        if isinstance(one, facts.Assign) and not known.isdisjoint(names_in(one.value)):
-            known |= {target.id for target in one.targets if isinstance(target, facts.Name)}
-    ends = not any(isinstance(loop, facts.While) for loop in code.loops(call))
-    return ends and not known.isdisjoint(names_in(code.expression(call)))
+    """Whether the request says how long a handler sleeps."""
+    return stay.seconds is None and lasts_as_requested(code, call)

@@ -15,10 +15,10 @@ from archlint.analysis.reach import (
     one_for_each_place,
     related_chain,
     related_creation,
-    same_expression,
 )
 from archlint.analysis.source_code import source_code
 from archlint.analysis.stuck import nested_waits
+from archlint.analysis.unused_results import stands_alone
 from archlint.analysis.waits import BLOCKING_CALLS, Wait, waits
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
@@ -29,7 +29,6 @@ from archlint.model import (
     GroupKind,
     Role,
 )
-from archlint.syntax import facts
 
 if TYPE_CHECKING:
     from archlint.finding import Place
@@ -120,13 +119,7 @@ def _careful(system: System, wait: Wait) -> bool:
 
 def _thrown_away(system: System, wait: Wait) -> bool:
     """Whether nobody looks at the answer: ``self.client.call(request)`` as a line of its own."""
-    code = source_code(system)
-    statement = code.statement(wait.call)
-    return (
-        wait.call.api in BLOCKING_CALLS
-        and isinstance(statement, facts.Expression)
-        and same_expression(statement.value, code.expression(wait.call))
-    )
+    return wait.call.api in BLOCKING_CALLS and stands_alone(source_code(system), wait.call)
 
 
 def _held_up(wait: Wait) -> list[Callback]:

@@ -5,14 +5,13 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from archlint.analysis.reach import creations_of
+from archlint.analysis.reach import creations_of, is_given_a_literal
 from archlint.analysis.source_code import SourceCode, source_code
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.finding import Finding, Place, Related
 from archlint.libraries.rclpy.names import canonical, interface_and_section
 from archlint.model.given import Collection, Constant, ForeignClass, Given, GoalHandle, Message
-from archlint.syntax import facts
 
 if TYPE_CHECKING:
     from archlint.model import ApiCall, Creation
@@ -53,7 +52,8 @@ def _judge(code: SourceCode, call: ApiCall) -> Finding | None:
     given = call.arguments.get(argument)
     if creation is None or creation.type is None or given is None:
         return None
-    if isinstance(given, Constant) and given.value is None and (section_name == "Result" or not _literal(code, call)):
+    nothing = isinstance(given, Constant) and given.value is None
+    if nothing and (section_name == "Result" or not is_given_a_literal(code, call)):
         return None  # no result given, or an attribute that is None until some other callback has set it
     wrong = _wrong(given, creation.type, section_name)
     return None if wrong is None else _finding(call, creation, argument, section_name, wrong)
@@ -68,11 +68,6 @@ def _sender(call: ApiCall) -> Creation | None:
     return creations[0] if len(creations) == 1 else None
 
 
-def _literal(code: SourceCode, call: ApiCall) -> bool:
-    arguments = code.arguments(call)
-    return len(arguments) == 1 and isinstance(arguments[0].value, facts.Literal)
-
-
 def _wrong(given: Given, type_: str, section_name: str) -> str | None:
     """What is given, in words, if it is certainly not what is wanted."""
     match given:
@@ -82,13 +77,13 @@ def _wrong(given: Given, type_: str, section_name: str) -> str | None:
         case ForeignClass():
             interface, of = interface_and_section(canonical(given.path))
             return None if interface is None else f"the class {_words(interface, of)} itself"
+        case Constant(value=bytes()) if not section_name:
+            return None
         case Constant():
-            bytes_pass = isinstance(given.value, bytes) and not section_name
-            return None if bytes_pass else repr(given.value)
+            return repr(given.value)
         case Collection():
             return f"a {given.kind}"
-        case _:
-            return None
+    return None
 
 
 def _finding(call: ApiCall, creation: Creation, argument: str, section_name: str, given: str) -> Finding:

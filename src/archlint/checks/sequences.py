@@ -8,6 +8,8 @@ from typing import TYPE_CHECKING
 
 from archlint.analysis.blocking import AWAIT
 from archlint.analysis.callback_roles import callback_words, runs_in_executor
+from archlint.analysis.dependent_waits import build_on_answers
+from archlint.analysis.loop_times import is_retried
 from archlint.analysis.reach import endpoint_words, node_name, one_for_each_place
 from archlint.analysis.source_code import SourceCode, source_code
 from archlint.analysis.waits import Wait, waits
@@ -18,9 +20,6 @@ from archlint.model import (
     EntityKind,
     Role,
 )
-from archlint.syntax import facts
-from archlint.syntax.parts import names_in
-from archlint.syntax.walk import parts_of, statements_of
 
 if TYPE_CHECKING:
     from archlint.model import Creation, Frame
@@ -37,18 +36,16 @@ class _Step:
     way: tuple[Frame, ...]
     wait: Wait
     client: Creation
-    body: Sequence[facts.Stmt]
-    """The body of that function."""
 
 
 @rule("SRV005", scope=Scope.CODE, limit=3)
 def sequential_sync_calls(system: System, options: Options) -> Iterator[Finding]:
     """Callbacks and loop bodies that wait for several servers in turn."""
-    limit = int(options.number("limit"))
+    limit, code = int(options.number("limit")), source_code(system)
     yield from one_for_each_place(
         _in_turn(system, steps)
         for steps in _runs(system)
-        if _servers(steps) >= max(2, limit) and not _build_on_answers(steps)
+        if _servers(steps) >= max(2, limit) and not _build_on_answers(code, steps)
     )
 
 
@@ -67,34 +64,12 @@ def _servers(steps: Sequence[_Step]) -> int:
 _COMMANDS = frozenset({"std_srvs/srv/Empty", "std_srvs/srv/SetBool"})
 
 
-def _build_on_answers(steps: Sequence[_Step]) -> bool:
+def _build_on_answers(code: SourceCode, steps: Sequence[_Step]) -> bool:
     """Whether what is done between the waits may decide about a later one: a test, a name that an answer got, or a
     helper that waits several times."""
     if len({step.line for step in steps}) < len(steps):
         return True
-    first, last = steps[0].line, steps[-1].line
-    between = [
-        one
-        for one in statements_of(steps[0].body)
-        if not isinstance(one, facts.Global) and first.line <= one.span[0] <= last.line
-    ]
-    if any(isinstance(one, _DECIDES) and first.line < one.span[0] for one in between):
-        return True
-    answers: set[str] = set()
-    for one in between:
-        if not answers.isdisjoint(names_in(one.value if isinstance(one, facts.Assign) else one)):
-            return True
-        if isinstance(one, facts.Assign) and (_waits_here(one, steps) or "result" in names_in(one.value)):
-            answers.update(name for target in one.targets for name in names_in(target) - {"self"})
-    return False
-
-
-_DECIDES = (facts.If, facts.While, facts.Match, facts.Assert, facts.Return, facts.Raise)
-
-
-def _waits_here(statement: facts.Assign, steps: Sequence[_Step]) -> bool:
-    lines = {step.line.line for step in steps}
-    return any(line in lines for line in range(statement.span[0], statement.span[2] + 1))
+    return build_on_answers(code.body_at(steps[0].line), {step.line.line for step in steps})
 
 
 def _runs(system: System) -> Iterator[list[_Step]]:
@@ -107,7 +82,7 @@ def _runs(system: System) -> Iterator[list[_Step]]:
             continue
         if call.context.role == Role.SERVICE:
             continue  # SRV003 says of a handler that it waits, and for how many answers
-        if wait.kind != AWAIT and any(_retries(loop) for loop in code.loops(call)):
+        if wait.kind != AWAIT and is_retried(code, call):
             continue
         for way, rounds, clients in ((call.chain, call.enclosing_loops, ()), *call.call_chains):
             # What is in the same arms of all branches runs together or not at all; a program that is no
@@ -115,12 +90,12 @@ def _runs(system: System) -> Iterator[list[_Step]]:
             round_ = rounds[:1] if not runs_in_executor(call.context) else ()
             key = (id(wait.program), id(call.context), call.branch_arms, round_)
             client = clients[0] if clients else wait.client
-            by_run.setdefault(key, []).append(_Step(call.place, way, wait, client, code.body(call)))
+            by_run.setdefault(key, []).append(_Step(call.place, way, wait, client))
     for steps in by_run.values():
-        yield from _sequences(code, steps)
+        yield from _sequences(steps)
 
 
-def _sequences(code: SourceCode, steps: list[_Step]) -> Iterator[list[_Step]]:
+def _sequences(steps: list[_Step]) -> Iterator[list[_Step]]:
     """One sequence a function that makes the waits, directly or through a helper each."""
     by_function: dict[str, dict[tuple[Place, Place], _Step]] = {}
     for step in steps:
@@ -130,16 +105,9 @@ def _sequences(code: SourceCode, steps: list[_Step]) -> Iterator[list[_Step]]:
         if way:
             last = way[-1]
             by_caller = by_function.setdefault(f"{last.place.file}:{last.caller}", {})
-            by_caller[last.place, call.place] = replace(step, line=last.place, body=code.body_at(last.place))
+            by_caller[last.place, call.place] = replace(step, line=last.place)
     for found in by_function.values():
         yield [found[key] for key in sorted(found)]
-
-
-def _retries(loop: facts.While | facts.For) -> bool:
-    """Whether a loop goes round one wait: ``while not future.done()``."""
-    return isinstance(loop, facts.While) and any(
-        isinstance(part, facts.Attribute) and part.attr == "done" for part in parts_of(loop.test)
-    )
 
 
 def _in_turn(system: System, steps: list[_Step]) -> Finding:

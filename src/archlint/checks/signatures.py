@@ -7,15 +7,13 @@ from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 from archlint.analysis.blocking import in_distros
-from archlint.analysis.completeness import facts_at
 from archlint.analysis.pinned import pinned_distro
 from archlint.analysis.reach import node_name, one_for_each_place
-from archlint.analysis.source_code import source_code
+from archlint.analysis.signatures import Signature, annotations_are_texts, signature_of
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.finding import Finding, Place, Related, Severity
 from archlint.model import Role
-from archlint.syntax import facts
 
 if TYPE_CHECKING:
     from archlint.model import Callback
@@ -85,15 +83,11 @@ class _Wrong:
 def _wrong(system: System, callback: Callback, distros: Sequence[str]) -> _Wrong | None:
     if callback.missing is not None:
         return _Wrong(callback, None)
-    function = source_code(system).function(callback)
-    if function is None or (isinstance(function, facts.Function) and function.decorators and not _plain(function)):
+    signature = signature_of(system, callback)
+    if signature is None:
         return None
-    wrong = tuple(distro for distro in distros if not _fits(system, function, callback, distro))
-    return (
-        _Wrong(callback, _takes(function, callback), wrong, len(function.params) - callback.bound_arguments)
-        if wrong
-        else None
-    )
+    wrong = tuple(distro for distro in distros if not _fits(system, signature, callback, distro))
+    return _Wrong(callback, _takes(signature), wrong, signature.open_count) if wrong else None
 
 
 def _finding(system: System, wrongs: Sequence[_Wrong], distros: Sequence[str]) -> Finding:
@@ -177,60 +171,24 @@ def _registered(wrong: _Wrong) -> Place:
     return wrong.callback.registered
 
 
-def _plain(function: facts.Function) -> bool:
-    """Whether the decorators leave the parameters alone."""
-    return all(isinstance(d, facts.Name) and d.id in ("staticmethod", "classmethod") for d in function.decorators)
-
-
-def _fits(system: System, function: facts.Function | facts.Lambda, callback: Callback, distro: str) -> bool:
+def _fits(system: System, signature: Signature, callback: Callback, distro: str) -> bool:
     """Whether a function can be called with what rclpy of ``distro`` passes."""
     counts = [len(_PASSED[callback.role])]
     if callback.role == Role.SUBSCRIPTION and distro != "humble":
         counts.append(2)
-    if callback.role == Role.TIMER and distro not in ("humble", "jazzy") and _wants_timer_info(function):
+    if callback.role == Role.TIMER and distro not in ("humble", "jazzy") and signature.wants_timer_info:
         # rclpy compares what the annotation is: a text is none, and with the import all of them are texts.
-        if _annotations_are_texts(system, callback):
-            return _takes_count(function, callback.bound_arguments, callback.bound_keywords)
+        if annotations_are_texts(system, callback):
+            return signature.takes(0)
         counts.append(1)
-    return any(_takes_count(function, callback.bound_arguments + count, callback.bound_keywords) for count in counts)
+    return any(map(signature.takes, counts))
 
 
-def _takes_count(function: facts.Function | facts.Lambda, count: int, given: frozenset[str]) -> bool:
-    positional = [param for param in function.params if param.kind in ("positional_only", "normal")]
-    open_ = [param for param in positional if param.name not in given]
-    needed = sum(param.default is None for param in open_)
-    endless = any(param.kind == "star" for param in function.params)
-    return not _named_only(function, given) and needed <= count and (endless or count <= len(open_))
-
-
-def _named_only(function: facts.Function | facts.Lambda, given: frozenset[str]) -> list[str]:
-    """The parameters that must be given by name: rclpy gives none so."""
-    return [p.name for p in function.params if p.kind == "keyword_only" and p.default is None and p.name not in given]
-
-
-def _wants_timer_info(function: facts.Function | facts.Lambda) -> bool:
-    for param in function.params:
-        annotation = param.annotation
-        name = annotation.attr if isinstance(annotation, facts.Attribute) else getattr(annotation, "id", None)
-        if isinstance(name, str) and name.rpartition(".")[2] == "TimerInfo":
-            return True
-    return False
-
-
-def _annotations_are_texts(system: System, callback: Callback) -> bool:
-    """Whether a callback is in a file with ``from __future__ import annotations``."""
-    found = None if system.workspace is None else facts_at(system.workspace, callback.place.file)
-    imports = [one for one in ([] if found is None else found.body) if isinstance(one, facts.ImportFrom)]
-    return any(one.module == "__future__" and ("annotations", "annotations") in one.names for one in imports)
-
-
-def _takes(function: facts.Function | facts.Lambda, callback: Callback) -> str:
-    positional = [param for param in function.params if param.kind in ("positional_only", "normal")]
-    names = [p.name for p in positional[callback.bound_arguments :] if p.name not in callback.bound_keywords]
-    if len(positional) < callback.bound_arguments:
+def _takes(signature: Signature) -> str:
+    if signature.lacks_self:
         return "does not take self"
-    named = _named_only(function, callback.bound_keywords)
-    needs = f" and needs {' and '.join(f'{name}=…' for name in named)} by name" if named else ""
+    names, by_name = signature.names, signature.needed_by_name
+    needs = f" and needs {' and '.join(f'{name}=…' for name in by_name)} by name" if by_name else ""
     if not names:
         return f"takes no argument{needs}"
     return f"takes {len(names)} argument{'s' if len(names) > 1 else ''} ({', '.join(names)}){needs}"

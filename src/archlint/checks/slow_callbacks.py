@@ -9,10 +9,10 @@ from typing import TYPE_CHECKING
 
 from archlint.analysis import blocking
 from archlint.analysis.aside import is_not_installed
-from archlint.analysis.assumptions import dotted
 from archlint.analysis.callback_roles import callback_words, related_to, runs_in_executor
 from archlint.analysis.deadlock import threads_of
 from archlint.analysis.loop_times import around_future, in_loops
+from archlint.analysis.processes import is_told_to_end
 from archlint.analysis.reach import argument, creations_of, judged_calls, node_name, one_for_each_place
 from archlint.analysis.sleeps import Stay, stay_of
 from archlint.analysis.source_code import SourceCode, source_code
@@ -29,8 +29,6 @@ from archlint.model import (
     Role,
 )
 from archlint.model.given import Constant
-from archlint.syntax import facts
-from archlint.syntax.walk import calls_in
 
 if TYPE_CHECKING:
     from archlint.model import ApiCall, Blueprint, Callback, Creation, Program
@@ -43,9 +41,6 @@ DISCOVERY = 1.0
 
 _HERE = "here it"
 
-_OF_PROCESS = ("subprocess.Popen.wait", "subprocess.Popen.communicate")
-_ENDS = frozenset({"terminate", "kill", "send_signal"})
-_KILLS = frozenset({"kill"})
 _TRIFLES = frozenset({"clear", "cls", "reset", ""})
 
 
@@ -120,7 +115,7 @@ def _stays(system: System) -> Iterator[_Row]:
         stay = stay_of(code, call) if runs_in_executor(call.context) else None
         if stay is None or _trifle(call) or not _is_long(system, call, stay) or _harmless(call.context, program):
             continue
-        if _is_told_to_end(code, call, stay) or _is_no_program(system, call.context):
+        if is_told_to_end(code, call, stay) or _is_no_program(system, call.context):
             continue
         yield program, call, stay
 
@@ -134,23 +129,6 @@ def _is_long(system: System, call: ApiCall, stay: Stay) -> bool:
         return True
     period, seconds = _period(call.context), in_loops(source_code(system), call, stay, with_callers=True)
     return seconds > MOMENT or (period is not None and seconds > period)
-
-
-def _is_told_to_end(code: SourceCode, call: ApiCall, stay: Stay) -> bool:
-    """Whether a process that is waited for has just been told to end: ``process.terminate(); process.wait(timeout=1)``.
-    Without a limit it has to be killed: only that cannot be ignored."""
-    expression = code.expression(call)
-    waited = None if expression is None else expression.func
-    if not isinstance(waited, facts.Attribute) or call.api not in _OF_PROCESS:
-        return False
-    name, ends = dotted(waited.value), _KILLS if stay.seconds is None else _ENDS
-    return name != "" and any(
-        isinstance(one.func, facts.Attribute)
-        and one.func.attr in ends
-        and dotted(one.func.value) == name
-        and Place.of(call.file, one.span) < call.place
-        for one in calls_in(code.body(call))
-    )
 
 
 def _trifle(call: ApiCall) -> bool:

@@ -9,12 +9,11 @@ from typing import TYPE_CHECKING
 from archlint.analysis import blocking
 from archlint.analysis.aside import import_that_fails, is_not_installed
 from archlint.analysis.callback_roles import runs_in_executor
-from archlint.analysis.completeness import enclosing_function, walk
 from archlint.analysis.deadlock import related_executor, threads_of
 from archlint.analysis.object_uses import read_off
-from archlint.analysis.reach import judged_calls, node_name, one_for_each_place, same_expression
-from archlint.analysis.source_code import FunctionFacts, SourceCode, source_code
-from archlint.analysis.spins import spun_by_several, spun_in_callbacks
+from archlint.analysis.reach import judged_calls, node_name, one_for_each_place
+from archlint.analysis.source_code import source_code
+from archlint.analysis.spins import awaits, spin_before, spins_if_asked, spun_by_several, spun_in_callbacks
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.finding import Finding, Place, Related, Severity
@@ -23,14 +22,11 @@ from archlint.model import (
     EntityKind,
     ExecutorKind,
     GroupKind,
-    Role,
     SpinDuration,
 )
-from archlint.syntax import facts
-from archlint.syntax.walk import blocks_of, called_name, calls_in, parts_of
 
 if TYPE_CHECKING:
-    from archlint.model import ApiCall, Blueprint, Creation, Group, Program
+    from archlint.model import Blueprint, Creation, Group, Program
     from archlint.systems.model import System
 
 _SERVED = {
@@ -93,7 +89,7 @@ def _idle(system: System, program: Program, node: Blueprint) -> _Idle | None:
     spells = [spell for use in program.executors if use.spun for spell in use.spells.get(node, ())]
     if not spells or any(node in use.nodes and node not in use.spells for use in program.executors):
         return None
-    behind = [_spin_before(source_code(system), program, spell.place) for spell in spells]
+    behind = [spin_before(source_code(system), program, spell.place) for spell in spells]
     if served and all(behind):
         return _Idle(served, behind=behind[0])
     if not all(spell.in_constructor and spell.lasting == SpinDuration.A_MOMENT for spell in spells):
@@ -103,34 +99,6 @@ def _idle(system: System, program: Program, node: Blueprint) -> _Idle | None:
         last = max(spell.creations for spell in spells)
         served = [c for c in served if c in node.creations[last:]]
     return _Idle(served, spin=spells[0].place) if served else None
-
-
-def _spin_before(code: SourceCode, program: Program, place: Place) -> Place | None:
-    """The ``rclpy.spin(…)`` in front of a spin in the same block: it returns when ROS is shut down, not before."""
-    later = next((call for call in program.calls if call.place == place), None)
-    if later is None:
-        return None
-    endless = [call for call in program.calls if call.api == "rclpy.spin" and call.context.role == Role.MAIN]
-    return next((call.place for call in endless if call.file == later.file and _comes_first(code, call, later)), None)
-
-
-def _comes_first(code: SourceCode, call: ApiCall, later: ApiCall) -> bool:
-    """Whether a call is a statement of a block that a later one is in, too, and ROS is not started anew between."""
-    for block in blocks_of(code.body(call)):
-        here = [number for one in (call, later) for number in _numbers_in(block, code.expression(one))]
-        if len(here) == 2 and here[0] < here[1]:
-            between = block[here[0] : here[1]]
-            return all(called_name(one) != "init" for statement in between for one in calls_in(statement))
-    return False
-
-
-def _numbers_in(block: Sequence[facts.Stmt], call: facts.Call | None) -> list[int]:
-    """Which statement of a block is just this call."""
-    return [
-        number
-        for number, statement in enumerate(block)
-        if isinstance(statement, facts.Expression) and same_expression(statement.value, call)
-    ]
 
 
 _SHOWN = 5
@@ -193,7 +161,7 @@ def groups_without_threads(system: System, options: Options) -> Iterator[Finding
             [
                 (place, kind)
                 for place, kind in _groups(system, node)
-                if place not in effective and not _spins_if_asked(system, program, node, place)
+                if place not in effective and not spins_if_asked(system, program, node, place)
             ]
         ]
         if groups
@@ -221,7 +189,7 @@ def _needing(system: System) -> set[int]:
         id(callback.node)
         for program in system.programs
         for callback in program.callbacks
-        if callback.is_async and runs_in_executor(callback) and _awaits(code.function(callback))
+        if callback.is_async and runs_in_executor(callback) and awaits(code, callback)
     }
     return awaiting | spun_in_callbacks(system)
 
@@ -236,23 +204,6 @@ def _only_excludes(program: Program, node: Blueprint) -> bool:
     uses = [use for use in program.executors if node in use.nodes]
     chosen_in = {place.file for use in uses for place in (use.place, use.spins_at(node)) if place is not None}
     return len(groups) == 1 or own[0].place.file not in chosen_in
-
-
-def _spins_if_asked(system: System, program: Program, node: Blueprint, group: Place) -> bool:
-    """Whether the function that makes a group would give the node an executor of its own, too, and did not here: it
-    has an option for that, as ``TransformListener(…, spin_thread=True)``, and the group is for those who choose it."""
-    made_by = None if system.workspace is None else enclosing_function(system.workspace, group)
-    if made_by is None or not any(
-        isinstance(one, facts.Call) and called_name(one) == "add_node" for one in walk(made_by.body)
-    ):
-        return False
-    uses = [use for use in program.executors if node in use.nodes]
-    places = [place for use in uses for place in (use.place, use.spins_at(node)) if place is not None]
-    return not any(one.file == group.file and made_by.span[0] <= one.line <= made_by.span[2] for one in places)
-
-
-def _awaits(function: FunctionFacts | None) -> bool:
-    return any(isinstance(part, facts.Await) for part in parts_of(function))
 
 
 def _grouped(node: Blueprint) -> Iterator[Group]:

@@ -10,6 +10,7 @@ from archlint.analysis.blocking import CALL
 from archlint.analysis.callback_roles import callback_words, related_to, runs_in_executor
 from archlint.analysis.deadlock import judge_wait
 from archlint.analysis.kept import once
+from archlint.analysis.polling import is_unguarded, notes_that_it_ran
 from archlint.analysis.reach import (
     argument,
     calls_of,
@@ -20,7 +21,6 @@ from archlint.analysis.reach import (
 from archlint.analysis.sleeps import longest, stay_of
 from archlint.analysis.source_code import SourceCode, source_code
 from archlint.analysis.waits import DONE, Wait, waits
-from archlint.checks.polling import notes_that_it_ran, unguarded
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.finding import Finding, Related
@@ -64,7 +64,7 @@ def _outruns(code: SourceCode, wait: Wait) -> bool:
     period = None if creation is None else creation.period
     if callback.role != Role.TIMER or not reentrant or period is None or not 0 < period <= _OFTEN_S:
         return False
-    if not unguarded(code, _outside_of_its_loop(wait.call)) or notes_that_it_ran(code, wait.call):
+    if not is_unguarded(code, _outside_of_its_loop(wait.call)) or notes_that_it_ran(code, wait.call):
         return False
     if not wait.limited:
         return True
@@ -156,7 +156,11 @@ def _coincide(code: SourceCode, found: Collection[Wait]) -> bool:
 def _period(code: SourceCode, wait: Wait) -> float | None:
     """The period of a timer that waits each time, one wait for each tick."""
     creation = wait.call.context.creation
-    if wait.call.context.role != Role.TIMER or creation is None or not unguarded(code, _outside_of_its_loop(wait.call)):
+    if (
+        wait.call.context.role != Role.TIMER
+        or creation is None
+        or not is_unguarded(code, _outside_of_its_loop(wait.call))
+    ):
         return None
     return creation.period
 

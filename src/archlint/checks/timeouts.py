@@ -7,9 +7,9 @@ from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from archlint.analysis.callback_roles import runs_in_executor
-from archlint.analysis.kept import once
 from archlint.analysis.left_over import is_dead, is_never_made
 from archlint.analysis.limit_sites import sites_of_spin, sites_of_wait
+from archlint.analysis.own_futures import spins_for_a_message, spins_for_own_future
 from archlint.analysis.reach import (
     argument,
     calls_of,
@@ -20,19 +20,17 @@ from archlint.analysis.reach import (
     one_for_each_place,
     related_chain,
     related_creation,
-    same_expression,
     waits_for_ever,
 )
-from archlint.analysis.source_code import SourceCode, source_code
+from archlint.analysis.source_code import source_code
 from archlint.analysis.stuck import spoken_of
+from archlint.analysis.unused_results import is_thrown_away
 from archlint.checks.folding import all_sites, folds
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.finding import Finding, Place, Related, Severity
 from archlint.model import Role
-from archlint.model.given import Constant, Object
-from archlint.syntax import facts
-from archlint.syntax.walk import called_name, calls_in
+from archlint.model.given import Constant
 
 if TYPE_CHECKING:
     from archlint.model import ApiCall, Creation
@@ -50,7 +48,6 @@ _LIMIT = {
 _SPIN = "rclpy.spin_until_future_complete"
 _EXECUTOR_SPIN = "rclpy.executors.Executor.spin_until_future_complete"
 MAKE_IT_EARLIER = "create the client in the constructor, and check here without waiting whether its server is available"
-_COMPLETE = tuple(f"rclpy.task.Future.{name}" for name in ("set_result", "set_exception", "cancel"))
 
 
 @rule("TMO001", scope=Scope.CODE, in_use=True)
@@ -135,57 +132,16 @@ def spin_without_timeout(system: System, options: Options) -> Iterator[Finding]:
         for program, call in calls_of(system, (_SPIN, _EXECUTOR_SPIN))
         if waits_for_ever(source_code(system), call, "timeout_sec") and call.place not in told
         if not is_dead(system.workspace, program, call) and not is_never_made(system.workspace, call)
-        if not _own_future(call) or _waits_for_a_message(system, call)
+        if not spins_for_own_future(call) or spins_for_a_message(system, call)
         if call.context.role != Role.METHOD or creations_of(argument(call, "future"))
     )
-
-
-def _own_future(call: ApiCall) -> bool:
-    """Whether the future is one that the code completes itself: then no answer is waited for."""
-    future = argument(call, "future")
-    return isinstance(future, Object) and future.foreign_class is not None
-
-
-def _waits_for_a_message(system: System, call: ApiCall) -> bool:
-    """Whether only a subscription completes the future, and what it brings is read afterwards.  A program may well
-    spin until a message tells it to stop; then nobody reads what the future holds."""
-    future = argument(call, "future")
-    if not isinstance(future, Object) or _completed_by(system).get(future.key) != {Role.SUBSCRIPTION}:
-        return False
-    code = source_code(system)
-    given = code.arguments(call)
-    names = {_dotted(one.value) for one in given} - {""}
-    read = (one.func.value for one in calls_in(code.body(call)) if isinstance(one.func, facts.Attribute))
-    return any(called_name(one) == "result" for one in calls_in(code.body(call))) and any(
-        _dotted(one) in names for one in read
-    )
-
-
-def _dotted(expression: facts.Expr) -> str:
-    """``self.node.future`` as written; empty for anything else."""
-    if isinstance(expression, facts.Name):
-        return expression.id
-    if not isinstance(expression, facts.Attribute):
-        return ""
-    owner = _dotted(expression.value)
-    return f"{owner}.{expression.attr}" if owner else ""
-
-
-@once
-def _completed_by(system: System) -> dict[int, set[Role]]:
-    """The roles of the code that completes the futures which the program makes itself."""
-    found: dict[int, set[Role]] = {}
-    for _, call in calls_of(system, _COMPLETE):
-        if isinstance(call.receiver, Object):
-            found.setdefault(call.receiver.key, set()).add(call.context.role)
-    return found
 
 
 def _limitless_spin(system: System, call: ApiCall) -> Finding:
     clients = creations_of(argument(call, "future"))
     client = clients[0] if len({creation.place for creation in clients}) == 1 else None
     awaited = f"the response from {endpoint_words(client)}" if client else "the future"
-    if _own_future(call):
+    if spins_for_own_future(call):
         awaited = "the message that completes the future"
     return finding(
         "TMO003",
@@ -230,45 +186,18 @@ def ignored_wait_result(system: System, options: Options) -> Iterator[Finding]:
     yield from one_for_each_place(
         _ignored(system, call)
         for _, call in calls_of(system, (WAIT_FOR_SERVICE, WAIT_FOR_SERVER))
-        if _thrown_away(source_code(system), call)
+        if is_thrown_away(source_code(system), call)
         and not is_never_made(system.workspace, call)
         and has_limit(call, "timeout_sec")
         and asked.isdisjoint(creation.place for creation in creations_of(call.receiver))
     )
 
 
-def _thrown_away(code: SourceCode, call: ApiCall) -> bool:
-    """Whether nobody looks at what a call says: it stands alone, or in a variable that nobody reads."""
-    statement, expression = code.statement(call), code.expression(call)
-    if isinstance(statement, facts.Expression):
-        return same_expression(statement.value, expression)
-    if not isinstance(statement, facts.Assign) or not same_expression(statement.value, expression):
-        return False
-    names = [target.id for target in statement.targets if isinstance(target, facts.Name)]
-    return len(names) == len(statement.targets) and not _reads(code.body(call), names)
-
-
-def _reads(fact: object, names: list[str]) -> bool:
-    """Whether code, that of the functions inside it too, reads one of some variables, or passes all of them on."""
-    if isinstance(fact, (list, tuple)):
-        return any(_reads(one, names) for one in fact)
-    if isinstance(fact, facts.Name):
-        return fact.id in names or fact.id in ("locals", "vars", "eval")
-    if isinstance(fact, facts.Global):
-        return not set(names).isdisjoint(fact.names)
-    if isinstance(fact, facts.Opaque):
-        return fact.what not in ("bytes", "huge integer")
-    if isinstance(fact, facts.Assign):
-        targets = [one for one in fact.targets if not isinstance(one, facts.Name)]
-        return _reads(fact.value, names) or _reads(targets, names)
-    return isinstance(fact, facts.Base) and any(_reads(getattr(fact, one), names) for one in fact.__struct_fields__)
-
-
 def _clients_asked_for(system: System) -> set[Place]:
     """Where the clients are created that somebody asks whether their server is there."""
     found: set[Place] = set()
     for _, call in calls_of(system, (*READY, WAIT_FOR_SERVICE, WAIT_FOR_SERVER)):
-        if not _thrown_away(source_code(system), call):
+        if not is_thrown_away(source_code(system), call):
             found.update(creation.place for creation in creations_of(call.receiver))
     return found
 

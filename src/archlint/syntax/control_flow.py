@@ -10,7 +10,7 @@ from dataclasses import dataclass, replace
 from functools import lru_cache
 
 from archlint.syntax import facts
-from archlint.syntax.flow_graph import Block, Edge, Ends, Graph, Kind, Loop, State, reach
+from archlint.syntax.flow_graph import Block, Edge, Graph, Kind, Loop, reach
 from archlint.syntax.parts import Itself
 
 _EXITS = frozenset({"sys.exit", "os._exit", "os.abort", "exit", "quit"})
@@ -38,21 +38,6 @@ def _loop_of(key: Itself[facts.While | facts.For]) -> tuple[Graph, Loop]:
     loop = graph.loop(key.fact)
     assert loop is not None, "what is first in a piece of code does run"
     return graph, loop
-
-
-def ends_of(
-    body: Sequence[facts.Stmt],
-    start: State,
-    step: Callable[[State, facts.Base], State],
-    branch: Callable[[State, facts.Expr, bool], State | None] | None = None,
-) -> Ends[State]:
-    """How a body can end (:meth:`Graph.ends`)."""
-    return graph_of(body).ends(start, step, branch)
-
-
-def always_left(loop: facts.While | facts.For) -> bool:
-    """Whether every way through the body of a loop leaves it: it never goes round again."""
-    return not loop_of(loop).comes_round
 
 
 def always_raises(body: Sequence[facts.Stmt]) -> bool:
@@ -216,7 +201,7 @@ class _Builder:
         if all(handler.type is not None for handler in s.handlers):
             raised.edges.append(Edge(raised, around.raises, Kind.RAISE))
         orelse = self.block(s.orelse, then, around)
-        begins = _evaluating(None, None, replace(around, raises=raised))
+        begins = _evaluating(None, s, replace(around, raises=raised))
         return _link(begins, self.block(s.body, orelse, replace(around, raises=raised)))
 
     def copies_of(self, final: Sequence[facts.Stmt], around: _Around) -> Callable[[Block], Block]:
@@ -272,4 +257,4 @@ def _never_completes(s: facts.Stmt) -> bool:
     return False
 
 
-__all__ = ["Ends", "always_left", "always_raises", "comes_round", "ends_of", "graph_of", "loop_of"]
+__all__ = ["always_raises", "comes_round", "graph_of", "loop_of"]

@@ -63,6 +63,16 @@ class Base(msgspec.Struct, frozen=True, array_like=True, gc=False):
         return [self]  # type: ignore[list-item]
 
     @property
+    def negated(self) -> Expr | None:
+        """The condition that a ``not`` stands before."""
+        return None
+
+    @property
+    def conjuncts(self) -> list[Expr]:
+        """The conditions that hold where this one does: those that ``and`` joins, or just itself."""
+        return [self]  # type: ignore[list-item]
+
+    @property
     def text(self) -> str | None:
         """The text of a literal."""
         return None
@@ -203,6 +213,10 @@ class Unary(Base, frozen=True, tag="un"):
     span: Span
 
     @property
+    def negated(self) -> Expr | None:
+        return self.operand if self.op == "not" else None
+
+    @property
     def number(self) -> float | None:
         number = self.operand.number if self.op == "-" else None
         return None if number is None else -number
@@ -214,6 +228,10 @@ class Boolean(Base, frozen=True, tag="bool"):
     op: str
     values: list[Expr]
     span: Span
+
+    @property
+    def conjuncts(self) -> list[Expr]:
+        return [part for value in self.values for part in value.conjuncts] if self.op == "and" else [self]
 
 
 class Compare(Base, frozen=True, tag="cmp"):

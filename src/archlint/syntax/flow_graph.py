@@ -95,6 +95,13 @@ class Loop:
         return (edge for block in self.blocks for edge in block.edges if self not in edge.target.loops)
 
     @property
+    def is_left_early(self) -> bool:
+        """Whether ``break``, ``return`` or ``raise`` in its body may end it."""
+        return any(
+            edge.source is not self.head and (edge.kind is not Kind.RAISE or edge.source.leaves) for edge in self.exits
+        )
+
+    @property
     def comes_round(self) -> bool:
         """Whether it may go round again at all."""
         return self.comes_round_after([self.head])

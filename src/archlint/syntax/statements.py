@@ -21,6 +21,11 @@ class Statement(Base, frozen=True):
         """The blocks that it holds."""
         return []
 
+    @property
+    def leaves_loop(self) -> bool:
+        """Whether this is ``break`` or ``return``, after which the loop around it is over."""
+        return False
+
 
 class Assign(Statement, frozen=True, tag="="):
     """``targets[0] = targets[1] = value``; targets are Name, Attribute, Subscript, Sequence or Starred."""
@@ -73,6 +78,10 @@ class Return(Statement, frozen=True, tag="return"):
     def jumps(self) -> bool:
         return True
 
+    @property
+    def leaves_loop(self) -> bool:
+        return True
+
 
 class Raise(Statement, frozen=True, tag="raise"):
     value: Expr | None
@@ -112,6 +121,11 @@ class For(Statement, frozen=True, tag="for"):
         return self.iterable
 
     @property
+    def tests(self) -> list[Expr]:
+        """The conditions that keep it going, each of those that ``and`` joins; none for a ``for``."""
+        return []
+
+    @property
     def is_endless(self) -> bool:
         """Whether it is written to end by ``break``, ``return`` or ``raise`` alone."""
         return False
@@ -135,6 +149,11 @@ class While(Statement, frozen=True, tag="while"):
     def head(self) -> Expr:
         """What is evaluated before the loop, or each time round."""
         return self.test
+
+    @property
+    def tests(self) -> list[Expr]:
+        """The conditions that keep it going, each of those that ``and`` joins; none for a ``for``."""
+        return self.test.conjuncts
 
     @property
     def is_endless(self) -> bool:
@@ -250,6 +269,10 @@ class Jump(Statement, frozen=True, tag="jump"):
     @property
     def jumps(self) -> bool:
         return self.kind != "pass"
+
+    @property
+    def leaves_loop(self) -> bool:
+        return self.kind == "break"
 
 
 class Function(Statement, frozen=True, tag="def"):

@@ -1,0 +1,118 @@
+"""The ends of callbacks that owe an answer: those of service handlers that give no response."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Literal
+
+from archlint.analysis.assumptions import Known, asked, proven, within
+from archlint.analysis.source_code import SourceCode, source_code
+from archlint.finding import Place
+from archlint.model import Role
+from archlint.syntax import facts
+from archlint.syntax.control_flow import graph_of
+from archlint.syntax.flow_graph import Ends
+from archlint.syntax.walk import parts_of, statements_of
+
+if TYPE_CHECKING:
+    from archlint.model import Callback
+    from archlint.systems.model import System
+
+
+@dataclass(frozen=True)
+class HandlerEnd:
+    """An end of a callback that leaves its caller without what it waits for."""
+
+    callback: Callback
+    place: Place
+    how: Literal["return", "end", "lambda"]
+    """A ``return``, the end of the function, or the value of a lambda."""
+    gives: str = ""
+    """What is returned instead, in words."""
+
+
+def handlers_of(system: System, role: Role) -> Iterator[tuple[Callback, facts.Function]]:
+    """The functions that are given as callbacks of a role and whose code is all there is to see."""
+    code = source_code(system)
+    for callback in _callbacks(system, role):
+        function = code.function(callback)
+        if isinstance(function, facts.Function) and not function.decorators and not function.is_generator:
+            yield callback, function
+
+
+def _callbacks(system: System, role: Role) -> Iterator[Callback]:
+    return (one for one in system.callbacks if one.role == role and not system.roles.is_test(one.file))
+
+
+def is_stub(body: Sequence[facts.Stmt]) -> bool:
+    """``pass``, ``...`` or a docstring: something that is still to be written, or overridden."""
+    return all(_says_nothing(statement) for statement in body)
+
+
+def _says_nothing(statement: facts.Stmt) -> bool:
+    match statement:
+        case facts.Jump(kind="pass") | facts.Expression(value=facts.Literal() | facts.Opaque()):
+            return True
+    return False
+
+
+def ends_without_response(system: System) -> Iterator[HandlerEnd]:
+    """The ends of service handlers that give no response."""
+    for callback, function in handlers_of(system, Role.SERVICE):
+        if not is_stub(function.body):
+            yield from _ends_of(source_code(system), callback, function)
+    for callback in _callbacks(system, Role.SERVICE):
+        written = source_code(system).function(callback)
+        gives = _no_response(written.body) if isinstance(written, facts.Lambda) else None
+        if gives is not None:
+            yield HandlerEnd(callback, callback.place, "lambda", gives)
+
+
+def _ends_of(code: SourceCode, callback: Callback, function: facts.Function) -> Iterator[HandlerEnd]:
+    ends = _ends_as_created(code, callback, function)
+    for end in {id(end): end for end, states in ends.returns if states}.values():
+        gives = _no_response(end.value)
+        if gives is not None:
+            yield HandlerEnd(callback, Place.of(callback.file, end.span), "return", gives)
+    if ends.falls:
+        yield HandlerEnd(callback, callback.place, "end")
+
+
+def _ends_as_created(code: SourceCode, callback: Callback, function: facts.Function) -> Ends[Known]:
+    """The ends of a handler that is there at all: what was asked before its service was created still holds, where it
+    asks for a name of the module that the handler does not set."""
+    conditions = code.proven(callback.creation) if callback.creation is not None else ()
+    own = {param.name for param in function.params} | {
+        part.id
+        for statement in statements_of(function.body, facts.Assign)
+        for target in statement.targets
+        for part in parts_of(target, facts.Name)
+    }
+    followed = asked(conditions) - own
+    return graph_of(function.body).ends(
+        proven(conditions, followed),
+        lambda known, fact: known,
+        lambda known, test, truth: within(known, test, truth, followed),
+    )
+
+
+def _no_response(value: facts.Expr | None) -> str | None:
+    """What a ``return`` gives that can be no response, in words; None where it may be one."""
+    match value:
+        case None:
+            return "nothing"
+        case facts.Literal(value=constant):
+            return repr(constant)
+        case facts.FormatString():
+            return "a string"
+        case facts.Sequence(kind=kind):
+            return f"a {kind}"
+        case facts.Mapping():
+            return "a dict"
+        case facts.Compare() | facts.Unary(op="not"):
+            return "a bool"
+    return None
+
+
+__all__ = ["HandlerEnd", "ends_without_response", "handlers_of", "is_stub"]

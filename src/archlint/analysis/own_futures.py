@@ -1,0 +1,50 @@
+"""Futures that a program makes and completes itself: no answer of a server is waited for."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from archlint.analysis.kept import once
+from archlint.analysis.reach import argument, calls_of
+from archlint.analysis.source_code import source_code
+from archlint.model import Role
+from archlint.model.given import Object
+from archlint.syntax.walk import called_name, calls_in
+
+if TYPE_CHECKING:
+    from archlint.model import ApiCall
+    from archlint.systems.model import System
+
+_COMPLETE = tuple(f"rclpy.task.Future.{name}" for name in ("set_result", "set_exception", "cancel"))
+
+
+def spins_for_own_future(call: ApiCall) -> bool:
+    """Whether a spin is for a future that the code completes itself."""
+    future = argument(call, "future")
+    return isinstance(future, Object) and future.foreign_class is not None
+
+
+def spins_for_a_message(system: System, call: ApiCall) -> bool:
+    """Whether only a subscription completes the future of a spin, and what it brings is read afterwards.  A program may
+    well spin until a message tells it to stop; then nobody reads what the future holds."""
+    future = argument(call, "future")
+    if not isinstance(future, Object) or _completed_by(system).get(future.key) != {Role.SUBSCRIPTION}:
+        return False
+    code = source_code(system)
+    names = {given.value.dotted for given in code.arguments(call)} - {""}
+    calls = list(calls_in(code.body(call)))
+    asked = {call.func.dotted.rpartition(".")[0] for call in calls}
+    return "result" in map(called_name, calls) and not names.isdisjoint(asked)
+
+
+@once
+def _completed_by(system: System) -> dict[int, set[Role]]:
+    """The roles of the code that completes the futures which the program makes itself."""
+    found: dict[int, set[Role]] = {}
+    for _, call in calls_of(system, _COMPLETE):
+        if isinstance(call.receiver, Object):
+            found.setdefault(call.receiver.key, set()).add(call.context.role)
+    return found
+
+
+__all__ = ["spins_for_a_message", "spins_for_own_future"]

@@ -1,0 +1,111 @@
+"""Loops that wait for a server: whether anything but its appearance ends them."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+
+from archlint.syntax import facts
+from archlint.syntax.control_flow import loop_of
+from archlint.syntax.flow_graph import Block, Edge, Kind, Loop, reach
+from archlint.syntax.walk import called_name, calls_in
+
+_ASKS = frozenset({"wait_for_service", "wait_for_server", "service_is_ready", "server_is_ready"})
+"""Methods that tell whether a server is there."""
+
+_PASTIMES = frozenset(
+    {"debug", "info", "warn", "warning", "error", "fatal", "critical", "exception", "log", "print"}
+    | {"sleep", "spin_once", "get_logger", "get_clock", "now", "sleep_for", "flush", "format", "join"}
+    | {"str", "len", "range", "time", "monotonic"}
+    | _ASKS
+)
+"""Calls of which none ends a loop; any other may raise, so a loop with one is not judged."""
+
+
+def only_the_server_ends(statement: facts.While | facts.For | None) -> bool:
+    """Whether a loop goes round until a server is there, and nothing else ends it: ``while not client.wait_for_service(
+    timeout_sec=1.0)``, or ``while True`` with such a test that leaves it."""
+    if not isinstance(statement, facts.While):
+        return False
+    loop = loop_of(statement)
+    if _says(statement.test, there=False):
+        return not _may_end(loop, there=True)
+    if statement.is_endless:
+        return _leaves_when_there(statement.body) and not _may_end(loop, there=False)
+    return _asks_a_variable(statement) and not _may_end(loop, there=False)
+
+
+def _says(test: facts.Expr, there: bool) -> bool:
+    """Whether a condition holds just as long as servers are there, or (``there`` false) are missing."""
+    match test:
+        case facts.Unary(op="not"):
+            return _says(test.operand, not there)
+        case facts.Boolean():
+            return all(_says(value, there) for value in test.values)
+        case facts.Compare(ops=["==" | "is"], comparators=[facts.Literal(value=bool(wanted))]):
+            return _says(test.left, there if wanted else not there)
+        case facts.Assigned():
+            return _says(test.value, there)
+        case facts.Call():
+            return there and test.func.attribute in _ASKS
+    return False
+
+
+def _may_end(loop: Loop, there: bool) -> bool:
+    """Whether something in the body of a loop may end it, be it by raising; unless it may be ``there``, only what runs
+    while the server is missing counts."""
+
+    def along(edge: Edge) -> bool:
+        if edge.kind is Kind.RAISE:
+            return False
+        return there or edge.test is None or not _says(edge.test, there=edge.holds)
+
+    rounds = [edge.target for edge in loop.head.edges if edge.holds and edge.kind is not Kind.RAISE]
+    return any(loop not in block.loops or _may_raise(block) for block in reach(rounds, along, avoiding=[loop.head]))
+
+
+def _may_raise(block: Block) -> bool:
+    """Whether a block calls what is no mere pastime, or is more than a plain statement."""
+    match block.statement:
+        case None | facts.With():
+            return False
+        case facts.If() | facts.For() | facts.While() | facts.Expression() | facts.Assign() | facts.Augmented():
+            return any(called_name(call) not in _PASTIMES for call in calls_in(block.fact))
+        case facts.Jump() | facts.Import() | facts.ImportFrom() | facts.Global():
+            return False
+    return True
+
+
+def _leaves_when_there(body: Sequence[facts.Stmt]) -> bool:
+    """Whether a body leaves its loop once the server is there."""
+    for statement in body:
+        if isinstance(statement, facts.If):
+            there = statement.body if _says(statement.test, there=True) else []
+            there = statement.orelse if _says(statement.test, there=False) else there
+            if any(part.leaves_loop for part in there):
+                return True
+    return False
+
+
+def _asks_a_variable(loop: facts.While) -> bool:
+    """``while not ready``, where nothing in the loop but an answer about a server sets ``ready``."""
+    match loop.test:
+        case facts.Unary(op="not", operand=facts.Name(id=name)):
+            assigned = [one for one in _assignments(loop.body) if name in [target.variable for target in one.targets]]
+            return bool(assigned) and all(_says(one.value, there=True) for one in assigned)
+    return False
+
+
+def _assignments(block: Sequence[facts.Stmt]) -> Iterator[facts.Assign]:
+    """The assignments of a block and of the branches inside it."""
+    for statement in block:
+        match statement:
+            case facts.Assign():
+                yield statement
+            case facts.If():
+                yield from _assignments(statement.body)
+                yield from _assignments(statement.orelse)
+            case facts.With() | facts.Try():
+                yield from _assignments(statement.body)
+
+
+__all__ = ["only_the_server_ends"]
