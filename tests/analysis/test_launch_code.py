@@ -102,7 +102,8 @@ def test_a_module_that_binds_names_which_stand_nowhere(index: Index):
 
 
 def test_the_imports_that_always_run(index: Index):
-    text = "import rclpy.node\nfrom c import d, e as f\nfrom . import g\ntry:\n    import h\nexcept ImportError:\n    pass\n"
+    guarded = "try:\n    import h\nexcept ImportError:\n    pass\n"
+    text = f"import rclpy.node\nfrom c import d, e as f\nfrom . import g\n{guarded}"
     found = [one for one in imports_at_start(index(**{"robot/talker.py": text})) if one.file.module == "robot.talker"]
     assert [(one.module, one.names, one.place.line) for one in found] == [("rclpy.node", (), 1), ("c", ("d", "e"), 2)]
 

@@ -33,6 +33,11 @@ def _writes(found: facts.Facts) -> bool:
     return False
 
 
+def is_for_several_distros(workspace: WorkspaceIndex | None, file: str) -> bool:
+    """Whether a launch file asks for the distribution: what one refuses, another wants."""
+    return workspace is not None and workspace.code.mentions(file, "ROS_DISTRO")
+
+
 @once
 def words_of_launch_code(workspace: WorkspaceIndex) -> list[frozenset[str]]:
     """The texts in each launch file in Python: other arguments, or an event, may start what its defaults do not."""
@@ -87,4 +92,4 @@ def _names(found: facts.Facts) -> Iterator[facts.Expr | None]:
             yield from (one.value for one in call.args if one.keyword in _NAMES_OF_NODES)
 
 
-__all__ = ["has_action_for", "may_read_argument", "words_of_launch_code", "writes_files"]
+__all__ = ["has_action_for", "is_for_several_distros", "may_read_argument", "words_of_launch_code", "writes_files"]

@@ -8,6 +8,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
+from archlint.analysis.launch_code import is_for_several_distros
 from archlint.checks.folding import folds
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
@@ -31,15 +32,13 @@ _RENAMED = {
 @rule("LCH005", scope=Scope.LAUNCH_FILE, in_use=True)
 def unknown_launch_attribute(system: System, options: Options) -> Iterator[Finding]:
     """Keywords and attributes that an action does not have."""
-    workspace = system.workspace
     for wrong in system.launched.unknown_attributes if system.launched is not None else ():
-        if workspace is not None and workspace.code.mentions(wrong.place.file, "ROS_DISTRO"):
-            continue  # what one distribution of ROS refuses, another wants
+        if is_for_several_distros(system.workspace, wrong.place.file):
+            continue
         renamed = _RENAMED.get(wrong.name)
         hint = f"; it is called '{renamed}'" if renamed in wrong.known else did_you_mean(wrong.name, wrong.known)
-        in_xml = wrong.action.startswith("<")
-        kind = "attribute" if in_xml else "argument"
-        why = "launch rejects this file" if in_xml else "this call raises TypeError"
+        kind = "attribute" if wrong.of_element else "argument"
+        why = "launch rejects this file" if wrong.of_element else "this call raises TypeError"
         found = finding(
             "LCH005",
             wrong.place,

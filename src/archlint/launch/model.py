@@ -291,6 +291,8 @@ class UnknownAttribute:
     name: str
     known: tuple[str, ...]
     place: Place
+    of_element: bool = False
+    """Whether the action is an element of XML or YAML."""
 
 
 @dataclass(frozen=True)

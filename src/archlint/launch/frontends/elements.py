@@ -54,7 +54,7 @@ def _check(frontend: Frontend, element: Element) -> None:
     for name, attribute in element.attributes.items():
         if name not in known and name not in ("if", "unless"):
             frontend.run.note_unknown_attribute(
-                UnknownAttribute(f"<{element.tag}>", name, tuple(known), frontend.place(attribute.span))
+                UnknownAttribute(f"<{element.tag}>", name, tuple(known), frontend.place(attribute.span), True)
             )
 
 
