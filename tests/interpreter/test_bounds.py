@@ -9,7 +9,7 @@ import pytest
 
 from archlint.config.settings import Settings
 from archlint.engine import pipeline
-from archlint.interpreter import heap
+from archlint.interpreter.values import ITEMS
 from archlint.libraries.run import Run
 
 SOURCE = """\
@@ -145,13 +145,13 @@ if __name__ == '__main__':
 
 
 def test_lists_that_nested_loops_fill_are_joined_cheaply(tmp_path: Path, monkeypatch: pytest.MonkeyPatch):
-    looked_at, join_items = [0], heap.join_items
+    looked_at, join_items = [0], ITEMS.join
 
     def counted(found):
         looked_at[0] += sum(len(items.values) for items in found)
         return join_items(found)
 
-    monkeypatch.setattr(heap, "join_items", counted)
+    monkeypatch.setattr(ITEMS, "join", counted)
     (tmp_path / "node.py").write_text(FILLING)
 
     system = pipeline.graph(pipeline.Request((str(tmp_path),), Settings(), cached=False))

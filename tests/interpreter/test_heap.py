@@ -5,8 +5,21 @@ from __future__ import annotations
 from hypothesis import given
 from hypothesis import strategies as st
 
-from archlint.interpreter.heap import JOINED_LIMIT, Entries, Items, Store, join_entries, join_items, unknown_items
-from archlint.interpreter.values import Known, OneOf, Unknown, Value, one_of
+from archlint.interpreter.fields import Field, Fields
+from archlint.interpreter.heap import MISSING, Store
+from archlint.interpreter.values import (
+    ITEMS,
+    JOINED_LIMIT,
+    Entries,
+    Items,
+    Known,
+    OneOf,
+    Unknown,
+    Value,
+    join_entries,
+    join_items,
+    one_of,
+)
 
 A, B, C = Known("a"), Known("b"), Known("c")
 KEYS = st.sampled_from([(1, "x"), (1, "y"), (2, "x")])
@@ -27,7 +40,9 @@ def test_the_newest_layer_is_read_first():
     assert store.get(1, "x") is B
     assert store.pop() == written(x=B)
     assert store.get(1, "x") is A
-    assert store.get(1, "nothing", C) is C
+    assert store.get(1, "nothing") is None
+    assert store.held_in((1, "nothing")) is MISSING
+    assert store.held_in((1, "x")) is A
 
 
 def test_layers_are_taken_off_and_flattened():
@@ -207,7 +222,7 @@ def test_long_lists_are_cut_when_they_are_joined():
 def test_joining_is_work():
     store = Store()
     items = Items(tuple(map(Known, range(100))))
-    store.merge([{(1, "#items"): items}, {(1, "#items"): Items((A,))}])
+    store.merge([{(1, ITEMS): items}, {(1, ITEMS): Items((A,))}])
     assert store.work >= 101
 
 
@@ -218,10 +233,45 @@ def test_dicts_are_joined_key_by_key():
     assert join_entries([one, Entries({"k": (A, B)}, True)]).open
 
 
-def test_what_is_of_two_kinds_is_what_came_last():
-    store = Store()
-    store.merge([{(1, "#items"): Items((A,))}, {(1, "#items"): Entries({})}])
-    assert store.get(1, "#items") == Entries({})
+class TestFields:
+    """What the run itself keeps of an object, out of reach of the names of the code."""
+
+    def test_a_field_is_no_attribute(self):
+        store, color = Store(), Field[str]("color")
+        store.set(1, "color", A)
+        store.set(1, color, "red")
+        assert (store.get(1, "color"), store.get(1, color)) == (A, "red")
+        assert repr(color) == "<color>"
+        assert store.variables(1) == [("color", A)]
+
+    def test_fields_of_one_name_are_two(self):
+        store = Store()
+        store.set(1, Field[str]("color"), "red")
+        assert store.get(1, Field[str]("color")) is None
+
+    def test_what_branches_leave_in_a_field_is_joined_as_the_field_says(self):
+        last, longest = Field[str]("last"), Field[str]("longest", lambda texts: max(texts, key=len))
+        store = Store()
+        store.merge([{(1, last): "red", (1, longest): "red"}, {(1, last): "on", (1, longest): "on"}])
+        assert (store.get(1, last), store.get(1, longest)) == ("on", "red")
+
+    def test_a_family_has_a_field_for_each_name(self):
+        store, colors, sizes = Store(), Fields[str]("color"), Fields[str]("size")
+        store.set(1, colors["dark"], "blue")
+        store.set(2, colors["dark"], "brown")
+        store.set(1, sizes["dark"], "small")
+        store.push()
+        store.set(1, colors["light"], "yellow")
+        store.set(1, colors["dark"], "black")
+        assert store.get(1, colors["dark"]) == "black"
+        assert store.family(1, colors) == {"dark": "black", "light": "yellow"}
+        assert store.family(3, colors) == {}
+        assert colors["dark"] == colors["dark"] != sizes["dark"]
+
+    def test_a_family_joins_its_fields_as_it_says(self):
+        store, speeds = Store(), Fields[int]("speed", max)
+        store.merge([{(1, speeds["top"]): 3}, {(1, speeds["top"]): 2}])
+        assert store.get(1, speeds["top"]) == 3
 
 
 def test_items_are_equal_by_what_they_hold():
@@ -229,4 +279,3 @@ def test_items_are_equal_by_what_they_hold():
     assert hash(Items((A,))) == hash(Items((A,)))
     assert Items((A,)) != Items((A,), True)
     assert Items((A,), True) != Items((A,), True, whole=True)
-    assert unknown_items("why") == Items((Unknown("why"),), True)

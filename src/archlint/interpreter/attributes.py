@@ -6,8 +6,9 @@ from typing import TYPE_CHECKING
 
 from archlint.interpreter import containers, hints, registries
 from archlint.interpreter.call_site import CallSite
-from archlint.interpreter.classes import class_lookup
+from archlint.interpreter.classes import SETTERS, class_lookup
 from archlint.interpreter.values import (
+    MEMBERS,
     NONE,
     TEXT_LIMIT,
     ApiMethod,
@@ -102,7 +103,7 @@ def bind(machine: Machine, value: Value, instance: Value, cls: Value) -> Value:
 
 def _of_instance(machine: Machine, value: Instance, name: str) -> Value:
     stored = machine.store.get(value.key, name)
-    if isinstance(stored, Value):
+    if stored is not None:
         return stored
     if isinstance(value.cls, External):
         return machine.library.attribute_of_object(value, value.cls, name)
@@ -126,7 +127,7 @@ def _of_instance(machine: Machine, value: Instance, name: str) -> Value:
     mixed_in = machine.library.method_mixed_in(value, name)
     if mixed_in is not None:
         return mixed_in
-    return Unknown(f"'{value.cls.ir.name}' has no attribute '{name}'", name=f"missing:{name}")
+    return Unknown(f"'{value.cls.ir.name}' has no attribute '{name}'", missing=name)
 
 
 def _of_external(machine: Machine, value: External, name: str) -> Value:
@@ -148,9 +149,8 @@ def _of_class(machine: Machine, value: ClassValue, name: str) -> Value:
         return found
     if name == "__name__":
         return Known(value.ir.name)
-    if name == "__members__" and machine.store.get(value.key, "#members"):
-        names = machine.store.get(value.key, "#members")
-        assert isinstance(names, tuple)
+    names = machine.store.get(value.key, MEMBERS) if name == "__members__" else None
+    if names:
         entries = {
             containers.hashable(Known(member)): (Known(member), _of_class(machine, value, member)) for member in names
         }
@@ -210,17 +210,15 @@ def set_attribute(
 
 
 def _stored(machine: Machine, target: Value, name: str) -> Value | None:
-    key = getattr(target, "key", None)
-    value = machine.store.get(key, name) if isinstance(key, int) and key else None
-    return value if isinstance(value, Value) else None
+    return machine.store.get(target.heap_key, name) if target.heap_key else None
 
 
 def _set_one(machine: Machine, target: Value, name: str, value: Value) -> None:
     if isinstance(target, Instance) and isinstance(target.cls, ClassValue):
         found, _ = class_lookup(machine, target.cls, name)
         if isinstance(found, FunctionValue) and "property" in found.decorators:
-            setter = machine.store.get(_owner_key(machine, target.cls, name), f"#setter:{name}")
-            if isinstance(setter, FunctionValue):
+            setter = machine.store.get(_owner_key(machine, target.cls, name), SETTERS[name])
+            if setter is not None:
                 machine.call(BoundMethod(setter, target), CallSite([value]))
             return
     machine.library.assigned(target, name, value)
@@ -228,16 +226,13 @@ def _set_one(machine: Machine, target: Value, name: str, value: Value) -> None:
         assert target.module.scope is not None
         machine.store.set(target.module.scope.key, name, value)
         return
-    key = getattr(target, "key", None)
-    if isinstance(key, int) and key:
-        machine.store.set(key, name, value)
+    if target.heap_key:
+        machine.store.set(target.heap_key, name, value)
 
 
 def _owner_key(machine: Machine, cls: ClassValue, name: str) -> int:
-    for base in cls.mro:
-        if isinstance(base, ClassValue) and machine.store.get(base.key, f"#setter:{name}") is not None:
-            return base.key
-    return cls.key
+    setter = SETTERS[name]
+    return next((base.key for base in cls.classes if machine.store.get(base.key, setter) is not None), cls.key)
 
 
 __all__ = ["bind", "get_attribute", "set_attribute"]

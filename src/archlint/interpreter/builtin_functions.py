@@ -11,7 +11,6 @@ from archlint.interpreter.attributes import get_attribute, set_attribute
 from archlint.interpreter.call_site import CallSite
 from archlint.interpreter.constant_expressions import NotFollowed, evaluate
 from archlint.interpreter.definitions import allocate
-from archlint.interpreter.heap import Items
 from archlint.interpreter.machine import Phase
 from archlint.interpreter.type_tests import isinstance_of
 from archlint.interpreter.value_methods import Arguments, Keywords, call_method, in_order, update_entries
@@ -28,7 +27,9 @@ from archlint.interpreter.values import (
     ForeignValue,
     FunctionValue,
     Instance,
+    Items,
     Known,
+    ListKind,
     ListValue,
     OneOf,
     Partial,
@@ -224,7 +225,7 @@ def _zip(machine: Machine, args: Arguments, keywords: Keywords, e: object) -> Va
     return containers.new_list(machine, rows, "list", any(column.open for column in known))
 
 
-def _collect(kind: str) -> Callable[..., Value]:
+def _collect(kind: ListKind) -> Callable[..., Value]:
     def handler(machine: Machine, args: Arguments, keywords: Keywords, e: object) -> Value:
         if not args:
             return containers.new_list(machine, [], kind)
@@ -294,7 +295,7 @@ def _getattr(machine: Machine, args: Arguments, keywords: Keywords, e: object) -
 def _is_missing(machine: Machine, value: Value) -> bool:
     """Whether an object certainly lacks an attribute: neither its class here nor a foreign base has it."""
     if isinstance(value, Unknown):
-        return (value.name or "").startswith("missing:")
+        return value.missing is not None
     return isinstance(value, ApiMethod) and machine.library.lacks(value)
 
 

@@ -209,7 +209,7 @@ def enter_function(machine: Machine, function: FunctionValue, site: CallSite, se
     module = function.scope.module
     bound = bind_arguments(machine, function, site)
     self_value = self_value or _self_of(function, bound)
-    on = getattr(self_value, "key", 0) if isinstance(self_value, (Instance, ForeignValue)) else 0
+    on = (self_value.heap_key or 0) if isinstance(self_value, (Instance, ForeignValue)) else 0
     machine.executed.add((on, id(ir)))
     machine.ran.add(id(ir))
     names, outer = bound_names(ir)

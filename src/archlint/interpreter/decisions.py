@@ -64,8 +64,8 @@ def truth(machine: Machine, value: Value) -> bool | None:
 
 def _object_truth(machine: Machine, value: Instance, cls: ClassValue) -> bool | None:
     """An object is true, but where its class says otherwise: members of ``IntEnum`` are as true as their numbers."""
-    held = machine.store.get(value.key, "value") if machine.store.get(value.key, "#enum") else None
-    if isinstance(held, Value) and set(cls.external_bases()) - {"enum.Enum"}:
+    held = value.member_value(machine)
+    if held is not None and set(cls.external_bases()) - {"enum.Enum"}:
         return truth(machine, held)
     says = any(class_lookup(machine, cls, name)[0] is not None for name in ("__bool__", "__len__"))
     return None if says else True

@@ -9,10 +9,12 @@ from archlint.interpreter import containers, hints, refusals, registries
 from archlint.interpreter.activation import Activation
 from archlint.interpreter.attributes import bind, get_attribute
 from archlint.interpreter.call_site import CallSite
-from archlint.interpreter.classes import class_lookup
+from archlint.interpreter.classes import SETTERS, class_lookup
 from archlint.interpreter.modules import Scope
 from archlint.interpreter.python_classes import ENUM_BASES
 from archlint.interpreter.values import (
+    MEMBERS,
+    TUPLE_FIELDS,
     ApiMethod,
     BoundMethod,
     Builtin,
@@ -47,11 +49,12 @@ def define_function(machine: Machine, s: facts.Function) -> Value:
     foreign: list[Value] = []
     for decorator in s.decorators:
         _read_decorator(machine, s, decorator, names, foreign)
-    value: Value = FunctionValue(s, owner_scope, prefix + s.name, tuple(defaults), None, frozenset(names))
+    function = FunctionValue(s, owner_scope, prefix + s.name, tuple(defaults), None, frozenset(names))
     if "setter" in names:
         before = machine.store.get(owner_scope.key, s.name)
-        machine.store.set(owner_scope.key, f"#setter:{s.name}", value)
-        return before if isinstance(before, Value) else value
+        machine.store.set(owner_scope.key, SETTERS[s.name], function)
+        return function if before is None else before
+    value: Value = function
     for decorator_value in reversed(foreign):
         decorated = machine.call(decorator_value, CallSite([value]))
         if not isinstance(decorated, Unknown) and not (isinstance(decorated, Known) and decorated.value is None):
@@ -144,8 +147,8 @@ def _own_functions(machine: Machine, cls: ClassValue) -> None:
         value = machine.store.get(cls.key, statement.name)
         if isinstance(value, FunctionValue) and value.owner is None:
             object.__setattr__(value, "owner", cls)
-        setter = machine.store.get(cls.key, f"#setter:{statement.name}")
-        if isinstance(setter, FunctionValue) and setter.owner is None:
+        setter = machine.store.get(cls.key, SETTERS[statement.name])
+        if setter is not None and setter.owner is None:
             object.__setattr__(setter, "owner", cls)
 
 
@@ -173,20 +176,20 @@ def _make_members(machine: Machine, cls: ClassValue) -> None:
         value = machine.store.get(cls.key, name)
         if isinstance(value, External) and value.path == "enum.auto":
             value = _automatic(cls, name, list(members.values()))
-        if not isinstance(value, Value):
+        if value is None:
             value = Unknown("an enum value")
         first = next((other for other, held in members.items() if isinstance(held, Known) and held == value), None)
-        if first is not None:  # a second name of the same member
-            machine.store.set(cls.key, name, machine.store.get(cls.key, first))
+        same = None if first is None else machine.store.get(cls.key, first)
+        if same is not None:  # a second name of the same member
+            machine.store.set(cls.key, name, same)
             continue
-        member = Instance(cls, machine.store.new_key())
+        member = Instance(cls, machine.store.new_key(), is_member=True)
         machine.store.set(member.key, "value", value)
         machine.store.set(member.key, "_value_", value)
         machine.store.set(member.key, "name", Known(name))
-        machine.store.set(member.key, "#enum", True)
         machine.store.set(cls.key, name, member)
         members[name] = value
-    machine.store.set(cls.key, "#members", tuple(members))
+    machine.store.set(cls.key, MEMBERS, tuple(members))
 
 
 def _assigned(body: list[facts.Stmt]) -> Iterator[str]:
@@ -244,7 +247,7 @@ def _is_in(value: Value, row: list[Value]) -> bool:
 
 def instantiate(machine: Machine, cls: ClassValue, site: CallSite) -> Value:
     """Make an object of a class of the workspace."""
-    if machine.store.get(cls.key, "#members"):
+    if machine.store.get(cls.key, MEMBERS):
         return _enum_member(machine, cls, site.args)
     made = _given_by_new(machine, cls, site) or allocate(machine, cls, site.expression)
     machine.library.constructing(made, cls, site)
@@ -299,7 +302,7 @@ def _fill_dataclass(machine: Machine, made: Instance, cls: ClassValue, site: Cal
                     fields[statement.target.id] = base
     rest = list(site.args)
     for name, base in fields.items():
-        value: object
+        value: Value | None
         if rest:
             value = rest.pop(0)
         elif name in site.keywords:
@@ -310,14 +313,14 @@ def _fill_dataclass(machine: Machine, made: Instance, cls: ClassValue, site: Cal
             value = machine.store.get(base.key, name)
             if isinstance(value, Instance) and value.note == "dataclasses.field":
                 value = _field_default(machine, value)
-            value = as_default(value) if isinstance(value, Value) else value
-        if isinstance(value, Value):
+            value = None if value is None else as_default(value)
+        if value is not None:
             machine.library.kept(made.key, (value,), name)
-        if not isinstance(value, Value):
+        else:
             value = hints.declared(machine, cls, name) or Unknown(f"the field '{name}' is not set")
         machine.store.set(made.key, name, value)
     if "typing.NamedTuple" in cls.external_bases():
-        machine.store.set(made.key, "#fields", tuple(fields))
+        machine.store.set(made.key, TUPLE_FIELDS, tuple(fields))
     after = get_attribute(machine, made, "__post_init__")
     if isinstance(after, BoundMethod):
         machine.call(after)

@@ -33,6 +33,7 @@ from archlint.interpreter.values import (
     Known,
     ListValue,
     Unknown,
+    UnknownKey,
     Value,
     alternatives,
     constant,
@@ -140,7 +141,7 @@ def _mapping(machine: Machine, e: facts.Mapping) -> Value:
         at = hashable(key)
         if at is None:
             open_ = True
-            entries[("#unknown", len(entries))] = (key, value)
+            entries[UnknownKey(len(entries))] = (key, value)
         else:
             entries[at] = (key, value)
     return new_dict(machine, entries, open_)
@@ -200,7 +201,7 @@ def _comprehension(machine: Machine, e: facts.Comprehension) -> Value:
         for key, value in rows:
             at = hashable(key)
             open_ = open_ or at is None
-            entries[at if at is not None else ("#unknown", len(entries))] = (key, value)
+            entries[at if at is not None else UnknownKey(len(entries))] = (key, value)
         return new_dict(machine, entries, open_)
     return new_list(machine, [element for element, _ in rows], "set" if e.kind == "set" else "list", open_, whole)
 

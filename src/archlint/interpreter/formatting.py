@@ -134,10 +134,9 @@ def _is_none(value: Value) -> bool:
 
 def plain_text(machine: Machine, value: Value) -> Value:
     """A member of ``class X(str, Enum)`` is the text it holds; everything else is itself."""
-    if isinstance(value, Instance) and isinstance(value.cls, ClassValue) and machine.store.get(value.key, "#enum"):
-        held = machine.store.get(value.key, "value")
-        if {"str", "enum.StrEnum"} & set(value.cls.external_bases()) and isinstance(held, Value):
-            return held
+    if isinstance(value, Instance) and value.is_member:
+        bases = () if value.own_class is None else value.own_class.external_bases()
+        return (value.member_value(machine) if {"str", "enum.StrEnum"} & set(bases) else None) or value
     return value
 
 
@@ -146,7 +145,7 @@ def text_of(machine: Machine, value: Value) -> Value:
     if isinstance(value, (Known, Holed, Unknown)):
         return value
     if isinstance(value, Instance) and isinstance(value.cls, ClassValue):
-        enum = machine.store.get(value.key, "value") if machine.store.get(value.key, "#enum") else None
+        enum = value.member_value(machine)
         if isinstance(enum, Known) and _is_text_enum(value.cls):
             return enum
         for name in ("__str__", "__repr__"):

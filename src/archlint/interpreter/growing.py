@@ -10,8 +10,7 @@ from collections.abc import Iterator
 from functools import lru_cache
 from typing import TYPE_CHECKING
 
-from archlint.interpreter.heap import Entries, Items
-from archlint.interpreter.values import ClassValue, DictValue, ListValue, Value, alternatives
+from archlint.interpreter.values import ENTRIES, ITEMS, ClassValue, Entries, Items, Value, alternatives
 from archlint.syntax import facts
 from archlint.syntax.parts import Itself, everything_in
 
@@ -29,17 +28,18 @@ def open_up(machine: Machine) -> None:
             machine.opened.add(instance.key)
             for name in _filled_of(instance.cls) & machine.store.held.get(instance.key, {}).keys():
                 value = machine.store.get(instance.key, name)
-                if isinstance(value, Value):
+                if value is not None:
                     _open(machine, value)
 
 
 def _open(machine: Machine, value: Value) -> None:
     for option in alternatives(value):
-        items = machine.store.get(option.key, "#items") if isinstance(option, (ListValue, DictValue)) else None
-        if isinstance(option, ListValue) and isinstance(items, Items) and not items.values:
-            machine.store.set(option.key, "#items", Items((), True))
-        elif isinstance(option, DictValue) and isinstance(items, Entries) and not items.entries:
-            machine.store.set(option.key, "#items", Entries({}, True))
+        key = option.heap_key or 0
+        items, entries = machine.store.get(key, ITEMS), machine.store.get(key, ENTRIES)
+        if items is not None and not items.size:
+            machine.store.set(key, ITEMS, Items((), True))
+        if entries is not None and not entries.size:
+            machine.store.set(key, ENTRIES, Entries({}, True))
 
 
 def _filled_of(cls: ClassValue) -> frozenset[str]:

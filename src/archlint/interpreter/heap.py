@@ -6,17 +6,18 @@ layers are joined afterwards, so that each slot is one of what the branches left
 
 from __future__ import annotations
 
-from collections.abc import Hashable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
-from itertools import islice
+from typing import Any, TypeVar, overload
 
-from archlint.interpreter.values import Unknown, Value, one_of
+from archlint.interpreter.fields import Field, Fields, key_in
+from archlint.interpreter.values import Entries, Items, Value, one_of
 
-Slot = tuple[int, Hashable]
+T = TypeVar("T")
+
+Slot = tuple[int, str | Field[Any]]
 Layer = dict[Slot, object]
-"""A slot holds a value; slots that start with ``#`` hold the run's own immutable data (items of a list …)."""
-JOINED_LIMIT = 512
-"""Of a list that alternatives filled with more than this, the first are kept: as many as a loop is followed over."""
+"""The slot of a name (a variable, an attribute) holds a value, that of a field the run's own immutable data."""
 
 
 class Store:
@@ -25,7 +26,7 @@ class Store:
     def __init__(self) -> None:
         self.layers: list[Layer] = [{}]
         self._next = 1
-        self.held: dict[int, dict[Hashable, None]] = {}
+        self.held: dict[int, dict[str, None]] = {}
         """The attributes of objects that may lead to others, by key, whatever they hold now."""
         self.shared: dict[int, object] = {}
         """How the objects that a module keeps from its import on are got at, by key."""
@@ -38,14 +39,43 @@ class Store:
         self._next += 1
         return self._next
 
-    def get(self, key: int, slot: Hashable, default: object = None) -> object:
+    @overload
+    def get(self, key: int, slot: str) -> Value | None: ...
+    @overload
+    def get(self, key: int, slot: Field[T]) -> T | None: ...
+    def get(self, key: int, slot: str | Field[Any]) -> Any:
+        """What a slot holds; None where nobody has written it."""
         at = (key, slot)
         if self._reads is not None:
-            return self._noted(at, default)
+            return self._noted(at, None)
         for layer in reversed(self.layers):
             if at in layer:
                 return layer[at]
-        return default
+        return None
+
+    def held_in(self, at: Slot) -> object:
+        """What a slot holds, whatever it is; MISSING where nobody has written it."""
+        if self._reads is not None:
+            return self._noted(at, MISSING)
+        return next((layer[at] for layer in reversed(self.layers) if at in layer), MISSING)
+
+    def family(self, key: int, fields: Fields[T]) -> dict[str, T]:
+        """What the fields of a family hold, by name."""
+        found: dict[str, Any] = {}
+        for layer in self.layers:
+            for (owner, slot), value in layer.items():
+                name = key_in(fields, slot) if owner == key else None
+                if name is not None:
+                    found[name] = value
+        return found
+
+    def variables(self, key: int) -> list[tuple[str, Value]]:
+        """The names under which the base layer has values of an object or a scope, with these values."""
+        return [
+            (slot, value)
+            for (owner, slot), value in self.layers[0].items()
+            if owner == key and isinstance(slot, str) and isinstance(value, Value)
+        ]
 
     def _noted(self, at: Slot, default: object) -> object:
         assert self._reads is not None
@@ -79,7 +109,12 @@ class Store:
             if at[0] <= youngest:
                 around[at] = value if around.get(at, value) == value else _CHANGING
 
-    def set(self, key: int, slot: Hashable, value: object) -> None:
+    @overload
+    def set(self, key: int, slot: str, value: Value) -> None: ...
+    @overload
+    def set(self, key: int, slot: Field[T], value: T) -> None: ...
+    def set(self, key: int, slot: str | Field[Any], value: object) -> None:
+        """Write a slot."""
         self.layers[-1][(key, slot)] = value
 
     @property
@@ -146,7 +181,7 @@ class Store:
                     found.append(value)
             if found is not None:
                 self.work += sum(map(_size, found))
-            joined = first if found is None else _join(found)
+            joined = first if found is None else _join(at[1], found)
             if joined is not before:
                 top[at] = joined
                 changed = changed or before is MISSING or joined != before
@@ -179,82 +214,8 @@ _CHANGING = _Changing()
 
 
 def _size(value: object) -> int:
-    if isinstance(value, Items):
-        return len(value.values)
-    return len(value.entries) if isinstance(value, Entries) else 1
+    return value.size if isinstance(value, (Items, Entries)) else 1
 
 
-def _join(found: Sequence[object]) -> object:
-    values = [value for value in found if isinstance(value, Value)]
-    if len(values) == len(found):
-        return one_of(values)
-    items = [value for value in found if isinstance(value, Items)]
-    if len(items) == len(found):
-        return join_items(items)
-    entries = [value for value in found if isinstance(value, Entries)]
-    if len(entries) == len(found):
-        return join_entries(entries)
-    return found[-1]
-
-
-class Items:
-    """Items of a list; ``open`` where which of them there are is not known: there may be more, or, if it is
-    ``whole``, fewer, but no others."""
-
-    __slots__ = ("open", "values", "whole")
-
-    def __init__(self, values: tuple[Value, ...], open_: bool = False, whole: bool = False) -> None:
-        self.values = values
-        self.open = open_
-        self.whole = whole or not open_
-
-    def __eq__(self, other: object) -> bool:
-        return isinstance(other, Items) and self._all == other._all
-
-    def __hash__(self) -> int:
-        return hash(self._all)
-
-    @property
-    def _all(self) -> tuple[object, ...]:
-        return (self.values, self.open, self.whole)
-
-
-class Entries:
-    """Entries of a dict in order; ``open`` where there may be more than are known."""
-
-    __slots__ = ("entries", "open")
-
-    def __init__(self, entries: dict[Hashable, tuple[Value, Value]], open_: bool = False) -> None:
-        self.entries = entries
-        self.open = open_
-
-    def __eq__(self, other: object) -> bool:
-        return isinstance(other, Entries) and self.entries == other.entries and self.open == other.open
-
-    __hash__ = None  # type: ignore[assignment]
-
-
-def join_items(found: Sequence[Items]) -> Items:
-    """A list that is one of several: known where all agree in length, else the union, open."""
-    first = found[0]
-    whole = all(items.whole for items in found)
-    if all(len(items.values) == len(first.values) for items in found):
-        columns = zip(*(items.values for items in found), strict=True)
-        return Items(tuple(one_of(column) for column in columns), any(items.open for items in found), whole)
-    union = dict.fromkeys(value for items in found for value in items.values)
-    if len(union) > JOINED_LIMIT:
-        return Items(tuple(islice(union, JOINED_LIMIT)), True)
-    return Items(tuple(union), True, whole)
-
-
-def join_entries(found: Sequence[Entries]) -> Entries:
-    merged: dict[Hashable, tuple[Value, Value]] = {}
-    for entries in found:
-        for key, (name, value) in entries.entries.items():
-            merged[key] = (name, one_of((merged[key][1], value))) if key in merged else (name, value)
-    same = all(entries.entries.keys() == found[0].entries.keys() for entries in found)
-    return Entries(merged, not same or any(entries.open for entries in found))
-
-
-def unknown_items(reason: str) -> Items:
-    return Items((Unknown(reason),), True)
+def _join(slot: str | Field[Any], left: Sequence[Any]) -> object:
+    return one_of(left) if isinstance(slot, str) else slot.join(left)

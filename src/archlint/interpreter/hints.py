@@ -48,7 +48,7 @@ def _last(expression: facts.Expr) -> str:
 def _lookup(machine: Machine, scope: Scope | None, name: str) -> Value | None:
     while scope is not None:
         value = machine.store.get(scope.key, name)
-        if isinstance(value, Value):
+        if value is not None:
             return value
         scope = scope.parent
     return None

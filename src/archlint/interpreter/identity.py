@@ -47,15 +47,15 @@ def argument_key(value: Value, nested: int = 0) -> Hashable:
     """What tells one value from another: constants by value and place, objects by identity."""
     if nested > _NESTED:
         return Itself(value)
-    key = _SHAPES.get(value.__class__)
-    if key is not None:
-        return (value.__class__.__name__, *key(value, nested + 1))
+    shape = _SHAPES.get(value.__class__)
+    if shape is not None:
+        return (value.__class__.__name__, *shape(value, nested + 1))
     if isinstance(value, ForeignValue):
         own = value.identity(lambda one: argument_key(one, nested + 1))
         if own is not None:
             return (value.__class__.__name__, *own)
-    identity = getattr(value, "key", None)
-    return (value.__class__.__name__, Itself(value) if identity is None else identity)
+    key = value.heap_key
+    return (value.__class__.__name__, Itself(value) if key is None else key)
 
 
 def _keys(values: Iterable[Value], nested: int) -> tuple[Hashable, ...]:
@@ -143,6 +143,6 @@ def _closed_over(store: Store, function: FunctionValue) -> list[Value]:
     while scope is not None and scope.kind != "module":
         if scope.kind != "class":
             held = (store.get(scope.key, name) for name in sorted(names))
-            found += [value for value in held if isinstance(value, Value)]
+            found += [value for value in held if value is not None]
         scope = scope.parent
     return found

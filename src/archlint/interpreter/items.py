@@ -15,19 +15,24 @@ from archlint.interpreter.containers import (
     items_of,
     new_list,
 )
-from archlint.interpreter.heap import Entries, Items
 from archlint.interpreter.values import (
+    ENTRIES,
+    FACTORY,
+    ITEMS,
     AttributesValue,
     BoundMethod,
     ClassValue,
     DictValue,
     EachValue,
+    Entries,
     External,
     Instance,
+    Items,
     Known,
     ListValue,
     OneOf,
     Unknown,
+    UnknownKey,
     Value,
     alternatives,
     as_default,
@@ -156,8 +161,8 @@ def _get_entry(machine: Machine, container: DictValue, index: Value, default: Va
 
 def _made_entry(machine: Machine, container: DictValue, index: Value) -> Value:
     """What a ``defaultdict`` makes for a new key."""
-    factory = machine.store.get(container.key, "#factory")
-    if not isinstance(factory, Value):
+    factory = machine.store.get(container.key, FACTORY)
+    if factory is None:
         return Unknown("the dict has no such key")
     made = machine.call(factory)
     set_item(machine, container, index, made)
@@ -175,25 +180,25 @@ def set_item(machine: Machine, container: Value, index: Value, value: Value) -> 
             at = hashable(index)
             updated = dict(entries.entries)
             if at is None:
-                strange = [row for key, row in updated.items() if isinstance(key, tuple) and key[0] == "#unknown"]
+                strange = [row for key, row in updated.items() if isinstance(key, UnknownKey)]
                 if len(strange) < STRANGE_KEYS and (index, value) not in strange:
-                    updated[("#unknown", len(updated))] = (index, value)
-                machine.store.set(target.key, "#items", Entries(updated, True))
+                    updated[UnknownKey(len(updated))] = (index, value)
+                machine.store.set(target.key, ENTRIES, Entries(updated, True))
                 continue
             if several and at in updated:
                 value = one_of((updated[at][1], value))
             updated[at] = (index, value)
             if len(updated) <= ITEM_LIMIT:
-                machine.store.set(target.key, "#items", Entries(updated, entries.open))
+                machine.store.set(target.key, ENTRIES, Entries(updated, entries.open))
         elif isinstance(target, ListValue):
             items = items_of(machine, target)
             if isinstance(index, Known) and isinstance(index.value, int) and not items.open:
                 values = list(items.values)
                 if -len(values) <= index.value < len(values):
                     values[index.value] = value
-                    machine.store.set(target.key, "#items", Items(tuple(values)))
+                    machine.store.set(target.key, ITEMS, Items(tuple(values)))
             else:
-                machine.store.set(target.key, "#items", Items((*items.values, value)[:ITEM_LIMIT], True))
+                machine.store.set(target.key, ITEMS, Items((*items.values, value)[:ITEM_LIMIT], True))
         elif isinstance(target, AttributesValue):
             if isinstance(index, Known) and isinstance(index.value, str):
                 set_attribute(machine, target.instance, index.value, value)
@@ -212,9 +217,9 @@ def delete_item(machine: Machine, container: Value, index: Value) -> None:
     if isinstance(container, DictValue):
         entries = entries_of(machine, container)
         kept = {key: entry for key, entry in entries.entries.items() if key != at}
-        machine.store.set(container.key, "#items", Entries(kept, entries.open or at is None))
+        machine.store.set(container.key, ENTRIES, Entries(kept, entries.open or at is None))
     elif isinstance(container, ListValue):
-        machine.store.set(container.key, "#items", Items(items_of(machine, container).values, True))
+        machine.store.set(container.key, ITEMS, Items(items_of(machine, container).values, True))
 
 
 __all__ = ["delete_item", "get_entry", "get_item", "set_item", "slice_of"]

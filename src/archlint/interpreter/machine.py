@@ -130,6 +130,10 @@ class Machine(ABC):
         """Python refuses the call at a place."""
         self.refused.add(place)
 
+    def are_settled(self, parameters: frozenset[str]) -> bool:
+        """Whether the values of these parameters are certain while what runs now does."""
+        return self.library.are_settled(parameters)
+
     # ------------------------------------------------------------------------------------------- places
 
     @property
@@ -178,7 +182,7 @@ class Machine(ABC):
         while scope is not None:
             if (first or scope.kind != "class") and (scope.bound is None or name in scope.bound):
                 value = self.store.get(scope.key, name)
-                if isinstance(value, Value):
+                if value is not None:
                     return value
                 if scope.bound is not None and name not in scope.outer and scope.kind == "function":
                     return Unknown(f"'{name}' is not assigned on this path")
@@ -252,7 +256,7 @@ class Machine(ABC):
         self.import_module(module)
         assert module.scope is not None
         value = self.store.get(module.scope.key, name)
-        if isinstance(value, Value):
+        if value is not None:
             return value
         if module.is_package:
             below = self.index.find(module, name, level=1)

@@ -51,7 +51,7 @@ def _is_missing(machine: Machine, function: Value, expression: facts.Call) -> bo
     all here, in whose files nothing sets an attribute of that name."""
     made = machine.activation.self_value
     called = expression.func
-    if not isinstance(function, Unknown) or not (function.name or "").startswith("missing:"):
+    if not isinstance(function, Unknown) or function.missing is None:
         return False
     if not isinstance(called, facts.Attribute) or not isinstance(called.value, facts.Name):
         return False

@@ -6,14 +6,12 @@ from typing import TYPE_CHECKING
 
 from archlint.interpreter import containers
 from archlint.interpreter.call_site import CallSite
-from archlint.interpreter.classes import class_lookup
+from archlint.interpreter.classes import SUBCLASSES, class_lookup
 from archlint.interpreter.values import BoundMethod, ClassValue, FunctionValue, Partial, PythonValue, Value
 from archlint.syntax import facts
 
 if TYPE_CHECKING:
     from archlint.interpreter.machine import Machine
-
-_SUBCLASSES = "#subclasses"
 
 
 def decorators_of(machine: Machine, s: facts.Class) -> list[Value]:
@@ -34,9 +32,8 @@ def announce(machine: Machine, s: facts.Class, cls: ClassValue, decorators: list
     """
     for base in cls.bases:
         if isinstance(base, ClassValue):
-            known = machine.store.get(base.key, _SUBCLASSES)
-            before = known if isinstance(known, tuple) else ()
-            machine.store.set(base.key, _SUBCLASSES, (*(one for one in before if one.ir is not cls.ir), cls))
+            before = machine.store.get(base.key, SUBCLASSES) or ()
+            machine.store.set(base.key, SUBCLASSES, (*(other for other in before if other.ir is not cls.ir), cls))
     if cls.bases and isinstance(cls.mro[1], ClassValue):
         hook, _ = class_lookup(machine, cls, "__init_subclass__", after=cls)
         if isinstance(hook, FunctionValue):
@@ -65,10 +62,9 @@ def subclasses(machine: Machine, cls: ClassValue) -> Value:
     """
 
     def listed(*_: Value, **__: Value) -> Value:
-        known = machine.store.get(cls.key, _SUBCLASSES)
-        every = [one for one in known if isinstance(one, ClassValue)] if isinstance(known, tuple) else []
+        every = machine.store.get(cls.key, SUBCLASSES) or ()
         imported = machine.index.imported_by(machine.activations[0].module) if machine.activations else frozenset()
-        seen = [one for one in every if one.scope.module.path in imported]
+        seen = [known for known in every if known.scope.module.path in imported]
         return containers.new_list(machine, seen or every)
 
     return PythonValue("__subclasses__", listed)

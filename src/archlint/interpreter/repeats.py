@@ -9,20 +9,10 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from archlint.interpreter.heap import MISSING, Slot
+from archlint.interpreter.heap import Slot
 from archlint.interpreter.identity import Key, argument_key
 from archlint.interpreter.machine import Repeated
-from archlint.interpreter.values import (
-    BoundMethod,
-    EachValue,
-    ForeignValue,
-    FunctionValue,
-    OneOf,
-    Partial,
-    PythonValue,
-    Unknown,
-    Value,
-)
+from archlint.interpreter.values import FunctionValue, PythonValue, Unknown, Value
 
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterable, Mapping
@@ -76,7 +66,7 @@ def follow(machine: Machine, function: FunctionValue, key: Key, enter: Callable[
 
 def _holds(machine: Machine, around: Mapping[Slot, object]) -> bool:
     """Whether the state is as it was, as far as these slots go."""
-    return all(_same(machine.store.get(*at, MISSING), value) for at, value in around.items())
+    return all(_same(machine.store.held_in(at), value) for at, value in around.items())
 
 
 def _same(now: object, then: object) -> bool:
@@ -90,22 +80,5 @@ def _is_old(value: Value, before: int) -> bool:
     if isinstance(value, PythonValue):
         return False
     if isinstance(value, FunctionValue):
-        return value.scope.key <= before and all(_is_old(one, before) for _, one in value.defaults)
-    key = getattr(value, "key", None)
-    return (not isinstance(key, int) or key <= before) and all(_is_old(part, before) for part in _parts(value))
-
-
-def _parts(value: Value) -> tuple[Value, ...]:
-    """The values that a value is made of."""
-    if isinstance(value, OneOf):
-        return value.values
-    if isinstance(value, Partial):
-        return (value.function, *value.args, *(one for _, one in value.keywords))
-    if isinstance(value, BoundMethod):
-        return (value.function, value.self_value)
-    if isinstance(value, EachValue):
-        return (value.element,)
-    if isinstance(value, ForeignValue):
-        return value.parts()
-    held = getattr(value, "self_value", None)
-    return (held,) if isinstance(held, Value) else ()
+        return value.scope.key <= before and all(_is_old(default, before) for _, default in value.defaults)
+    return (value.heap_key or 0) <= before and all(_is_old(part, before) for part in value.inner)

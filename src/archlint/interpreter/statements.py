@@ -8,10 +8,10 @@ from typing import TYPE_CHECKING, Any
 from archlint.interpreter import calls, caught, containers, decisions, definitions, hints, refusals
 from archlint.interpreter.assignment import assign
 from archlint.interpreter.augmented import augmented, forget_counters
-from archlint.interpreter.heap import Items, Layer
+from archlint.interpreter.heap import Layer
 from archlint.interpreter.items import delete_item
 from archlint.interpreter.machine import UNROLL, Machine, Status
-from archlint.interpreter.values import NONE, External, Unknown, Value, reason
+from archlint.interpreter.values import NONE, External, Items, Unknown, Value, reason
 from archlint.syntax import facts
 
 if TYPE_CHECKING:
@@ -290,11 +290,9 @@ def _import_star(machine: Machine, found: Module | None, dotted: str) -> None:
     machine.import_module(found)
     assert found.scope is not None
     exports = found.facts.exports
-    for (key, name), value in list(machine.store.layers[0].items()):
-        if key == found.scope.key and isinstance(name, str) and isinstance(value, Value):
-            public = name in exports if exports is not None else not name.startswith("_")
-            if public:
-                machine.assign_name(name, value)
+    for name, value in machine.store.variables(found.scope.key):
+        if name in exports if exports is not None else not name.startswith("_"):
+            machine.assign_name(name, value)
     machine.activation.module.star_externals.extend(found.star_externals)
 
 

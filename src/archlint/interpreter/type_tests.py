@@ -14,7 +14,6 @@ from functools import lru_cache
 from typing import TYPE_CHECKING
 
 from archlint.interpreter import containers
-from archlint.interpreter.heap import Items
 from archlint.interpreter.values import (
     FALSE,
     TRUE,
@@ -27,6 +26,7 @@ from archlint.interpreter.values import (
     FunctionValue,
     Holed,
     Instance,
+    Items,
     Known,
     ListValue,
     Unknown,

@@ -7,15 +7,21 @@ from typing import TYPE_CHECKING
 
 from archlint.interpreter import containers, formatting
 from archlint.interpreter.attributes import get_attribute
-from archlint.interpreter.heap import JOINED_LIMIT, Entries, Items
 from archlint.interpreter.items import delete_item, get_entry, get_item, set_item
 from archlint.interpreter.values import (
+    ENTRIES,
     FALSE,
+    ITEMS,
+    JOINED_LIMIT,
     NONE,
     TEXT_LIMIT,
+    ConstantKind,
     DictValue,
+    Entries,
     Holed,
+    Items,
     Known,
+    ListKind,
     ListValue,
     Unknown,
     Value,
@@ -144,8 +150,8 @@ def _text_method(
         rest = [arg.value for arg in args if isinstance(arg, Known)]
         if name != "joinpath" or len(rest) == len(args):
             joined = "/".join([text, *map(str, rest)]) if name == "joinpath" else text
-            kind = "other" if name == "as_posix" else "path"
-            return constant(joined, target.via, kind, file_origin(target, *args))
+            path: ConstantKind = "other" if name == "as_posix" else "path"
+            return constant(joined, target.via, path, file_origin(target, *args))
         return Unknown(reason(*args))
     if target.kind == "path" and name in ("exists", "is_file"):
         machine.library.asked_for_file(text)
@@ -167,7 +173,7 @@ def _text_method(
             pieces = getattr(text, name)(*plain, **named)
         except (TypeError, ValueError, OverflowError):
             return Unknown("an operation that fails")
-        kind = "tuple" if name.endswith("partition") else "list"
+        kind: ListKind = "tuple" if name.endswith("partition") else "list"
         return containers.new_list(machine, [Known(piece, target.via) for piece in pieces], kind)
     if name in _TEXT_METHODS:
         if keywords:
@@ -268,7 +274,7 @@ def _list_method(machine: Machine, target: ListValue, name: str, args: Arguments
     def put(values: tuple[Value, ...], open_: bool, whole: bool = False) -> None:
         full = len(values) > containers.ITEM_LIMIT
         kept = Items(values[: containers.ITEM_LIMIT], open_ or full, whole and not full)
-        machine.store.set(target.key, "#items", kept)
+        machine.store.set(target.key, ITEMS, kept)
 
     if name in ("append", "add") and args:
         # What is not followed to its end anyway is left as it is: nothing to join, after the loops that fill it.
@@ -364,7 +370,7 @@ def _dict_method(machine: Machine, target: DictValue, name: str, args: Arguments
             at = containers.hashable(Known(key))
             assert at is not None
             updated[at] = (Known(key), value)
-        machine.store.set(target.key, "#items", Entries(updated, entries.open or not complete))
+        machine.store.set(target.key, ENTRIES, Entries(updated, entries.open or not complete))
         return NONE
     if name == "pop" and args:
         fallback = args[1] if len(args) > 1 else None
@@ -372,11 +378,11 @@ def _dict_method(machine: Machine, target: DictValue, name: str, args: Arguments
         delete_item(machine, target, args[0])
         return value
     if name == "popitem":
-        machine.store.set(target.key, "#items", Entries(entries.entries, True))
+        machine.store.set(target.key, ENTRIES, Entries(entries.entries, True))
         return Unknown("what popitem() takes")
     if name == "copy":
         return containers.new_dict(machine, dict(entries.entries), entries.open)
     if name == "clear":
-        machine.store.set(target.key, "#items", Entries({}))
+        machine.store.set(target.key, ENTRIES, Entries({}))
         return NONE
     return Unknown(f"dict.{name}() is not followed")

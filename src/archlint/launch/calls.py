@@ -5,12 +5,12 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from archlint.interpreter import containers
-from archlint.interpreter.heap import Items
 from archlint.interpreter.values import (
     NONE,
     ClassValue,
     External,
     Instance,
+    Items,
     OneOf,
     Unknown,
     Value,

@@ -6,8 +6,19 @@ from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
 
 from archlint.interpreter.attributes import get_attribute
-from archlint.interpreter.heap import Items
-from archlint.interpreter.values import NONE, BoundMethod, External, FunctionValue, Instance, Known, Value
+from archlint.interpreter.fields import Field
+from archlint.interpreter.values import (
+    NONE,
+    BoundMethod,
+    External,
+    FunctionValue,
+    Instance,
+    Items,
+    Known,
+    Value,
+    join_items,
+    one_of,
+)
 from archlint.launch.tables import SUBSTITUTIONS
 
 if TYPE_CHECKING:
@@ -18,14 +29,14 @@ if TYPE_CHECKING:
 OWN = "launch."
 """What the paths of launch's classes begin with, wherever they are imported from."""
 
-MADE_BY_BASE = "#action"
-"""The slot of what ``super().__init__()`` makes of an object whose class derives from one of launch's."""
-ENTITIES = "#entities"
-"""The slot of the actions in a launch description, which code adds to."""
-GIVEN = "#given"
-"""The slot of what the constructor of a class that derives from one of launch's is given, by name or position."""
-PAIR_PLACE = "#place"
-"""The slot of where a pair of texts is written in XML and YAML."""
+MADE_BY_BASE: Field[Value] = Field("action", one_of)
+"""What ``super().__init__()`` makes of an object whose class derives from one of launch's."""
+ENTITIES: Field[Items] = Field("entities", join_items)
+"""The actions in a launch description, which code adds to."""
+GIVEN: Field[tuple[tuple[str, Value], ...]] = Field("given")
+"""What the constructor of a class that derives from one of launch's is given, by name or position."""
+PAIR_PLACE: Field[Place] = Field("place of a pair")
+"""Where a pair of texts is written in XML and YAML."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -115,14 +126,12 @@ def own_method(machine: Machine, value: Instance, name: str) -> BoundMethod | No
 
 def given_of(machine: Machine, value: Instance) -> tuple[tuple[str, Value], ...] | None:
     """What the constructor of an object was given, by name or position; None where that is not known in full."""
-    given = machine.store.get(value.key, GIVEN)
-    return given if isinstance(given, tuple) else None
+    return machine.store.get(value.key, GIVEN)
 
 
 def entities_of(machine: Machine, description: Instance) -> Items | None:
     """The actions of a launch description."""
-    entities = machine.store.get(description.key, ENTITIES)
-    return entities if isinstance(entities, Items) else None
+    return machine.store.get(description.key, ENTITIES)
 
 
 def known_text(value: Value | None) -> str | None:

@@ -25,6 +25,10 @@ class EntityValue(ForeignValue):
     """Canonical class: ``rclpy.client.Client`` …"""
     key: int
 
+    @property
+    def heap_key(self) -> int:
+        return self.key
+
     def kind(self) -> Hashable:
         return ("", *map(Itself, self.creations))
 
@@ -37,16 +41,24 @@ class NodeValue(ForeignValue):
     blueprint: Blueprint
     key: int
 
+    @property
+    def heap_key(self) -> int:
+        return self.key
+
 
 @dataclass(frozen=True, slots=True, eq=False)
 class ExecutorValue(ForeignValue):
     """An executor; of the attribute ``executor`` of a node, one that may be missing."""
 
-    is_object: ClassVar[bool] = False
+    may_be_none: ClassVar[bool] = True
 
     use: ExecutorUse
     path: str
     key: int
+
+    @property
+    def heap_key(self) -> int:
+        return self.key
 
 
 @dataclass(frozen=True, slots=True)
@@ -65,7 +77,8 @@ class FutureValue(ForeignValue):
     def kind(self) -> Hashable:
         return (self.api, *map(Itself, self.creations))
 
-    def parts(self) -> tuple[Value, ...]:
+    @property
+    def inner(self) -> tuple[Value, ...]:
         return () if self.result is None else (self.result,)
 
 
@@ -80,6 +93,10 @@ class MessageValue(ForeignValue):
     type: str
     section_name: str = ""
     key: int = 0
+
+    @property
+    def heap_key(self) -> int:
+        return self.key
 
     def identity(self, key_of: Callable[[Value], Hashable]) -> tuple[Hashable, ...]:
         return (self,)

@@ -31,7 +31,7 @@ def written(run: Run, layer: Layer) -> Written:
     return [
         (key, slot, run.store.get(key, slot), value)
         for (key, slot), value in layer.items()
-        if isinstance(slot, str) and not slot.startswith("#")
+        if isinstance(slot, str)
         if (key in run.instances or key in modules) and isinstance(value, Value)
     ]
 
@@ -64,7 +64,7 @@ def _alike(run: Run, one: Value, other: Value) -> bool:
     if isinstance(one, (Known, EntityValue, NodeValue, ExecutorValue)):
         return False
     if isinstance(one, Instance) and isinstance(other, Instance):
-        return one.cls == other.cls and not run.store.get(one.key, "#enum") and not _is_entity(one)
+        return one.cls == other.cls and not one.is_member and not _is_entity(one)
     return True
 
 
@@ -122,7 +122,4 @@ def forget(run: Run, news: dict[str, set[int]]) -> None:
 
 def is_plain(run: Run, value: Value) -> bool:
     """Whether a value is a constant or a member of an enumeration, or one of several."""
-    return all(
-        isinstance(one, Known) or (isinstance(one, Instance) and bool(run.store.get(one.key, "#enum")))
-        for one in alternatives(value)
-    )
+    return all(isinstance(one, Known) or (isinstance(one, Instance) and one.is_member) for one in alternatives(value))

@@ -113,8 +113,7 @@ def run_root(
     depth = run.store.depth
     run.store.push()
     before = attributes_at_any_time(run) if callback.role == model.Role.METHOD else {}
-    for (key, slot), held in before.items():
-        run.store.set(key, slot, held)
+    run.store.layers[-1].update(before)
     try:
         given = run.call(value, CallSite(_fit(value, arguments)))
         if callback.role == model.Role.METHOD and not isinstance(value, BoundMethod):

@@ -7,8 +7,16 @@ from itertools import combinations
 from typing import TYPE_CHECKING
 
 from archlint.branches import BranchArms
-from archlint.interpreter.heap import Items
-from archlint.interpreter.values import BoundMethod, FunctionValue, Instance, Partial, Unknown, Value, alternatives
+from archlint.interpreter.values import (
+    BoundMethod,
+    FunctionValue,
+    Instance,
+    Items,
+    Partial,
+    Unknown,
+    Value,
+    alternatives,
+)
 from archlint.launch import conditions
 from archlint.launch.model import NotACondition
 from archlint.launch.objects import LaunchObject, argument, kind_of, made_by_base

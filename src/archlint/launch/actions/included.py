@@ -7,8 +7,7 @@ from contextlib import nullcontext
 from typing import TYPE_CHECKING
 
 from archlint.finding import Place
-from archlint.interpreter.heap import Items
-from archlint.interpreter.values import Known, Value, alternatives
+from archlint.interpreter.values import Items, Known, Value, alternatives
 from archlint.launch.actions.branches import callable_value, each_alternative, visit_items
 from archlint.launch.actions.pairs import pairs_of
 from archlint.launch.context import Context

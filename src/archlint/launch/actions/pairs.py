@@ -31,7 +31,5 @@ def pairs_of(run: LaunchRun, value: Value | None) -> Iterator[Pair]:
 
 def _place_of(run: LaunchRun, row: Value, first: Value) -> Place:
     """Where a pair is written: in XML and YAML an element, in Python as far as its first text says so."""
-    written = run.store.get(getattr(row, "key", 0), PAIR_PLACE)
-    if isinstance(written, Place):
-        return written
-    return (first.origin if isinstance(first, Known) else None) or run.place_now
+    written = run.store.get(row.heap_key or 0, PAIR_PLACE)
+    return written or (first.origin if isinstance(first, Known) else None) or run.place_now

@@ -8,8 +8,7 @@ from typing import TYPE_CHECKING
 
 from archlint.branches import BranchArms
 from archlint.interpreter import containers
-from archlint.interpreter.heap import Items
-from archlint.interpreter.values import External, Instance, Known, ListValue, OneOf, Value, reason
+from archlint.interpreter.values import External, Instance, Items, Known, ListValue, OneOf, Value, reason
 from archlint.launch.actions import included, processes, scopes
 from archlint.launch.actions.branches import arms_of, each_alternative, note_open, verdict_on, version, visit_items
 from archlint.launch.objects import MADE_BY_BASE, OWN, LaunchObject, kind_of, launch_object, place_of

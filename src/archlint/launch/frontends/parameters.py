@@ -6,7 +6,7 @@ from collections.abc import Hashable
 from typing import TYPE_CHECKING
 
 from archlint.interpreter import containers
-from archlint.interpreter.values import External, Known, Unknown, Value
+from archlint.interpreter.values import External, Known, Unknown, UnknownKey, Value
 from archlint.launch.objects import LaunchObject, known_text
 from archlint.launch.parameters import TYPES, from_yaml, of_type
 from archlint.syntax.launch_elements import Element
@@ -41,11 +41,11 @@ def _nested(frontend: Frontend, element: Element, name: Value) -> Value | None:
         if written is not None:
             key = Known(written, origin=frontend.place(child.span))
         inner = _nested(frontend, child, Known("")) if child.of("param") else _value(frontend, child)
-        entries[("#", number)] = (key, inner or Unknown("a parameter without a value"))
+        entries[UnknownKey(number)] = (key, inner or Unknown("a parameter without a value"))
     made = containers.new_dict(frontend.run, entries)
     if isinstance(name, Known) and not name.value:
         return made
-    return containers.new_dict(frontend.run, {("#", 0): (name, made)})
+    return containers.new_dict(frontend.run, {UnknownKey(0): (name, made)})
 
 
 def set_parameter(frontend: Frontend, element: Element) -> LaunchObject:

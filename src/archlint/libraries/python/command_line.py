@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING, Any
 
 from archlint.interpreter import containers
 from archlint.interpreter.call_site import CallSite
+from archlint.interpreter.fields import Field, Fields
 from archlint.interpreter.values import (
     NONE,
     Builtin,
@@ -48,6 +49,13 @@ class Option:
 
     flags: tuple[str, ...]
     keywords: dict[str, Value]
+
+
+OPEN: Field[bool] = Field("more than is followed")
+"""Whether a parser has arguments that are not known."""
+ARGUMENTS: Fields[Value] = Fields("argument", one_of)
+"""What the attributes of a parser's namespace may hold."""
+OPTIONS: Fields[Option] = Fields("option")
 
 
 class _NotDivided(Exception):
@@ -110,7 +118,7 @@ def _items(run: Run, value: Value) -> list[Value] | None:
 def argument_parser(run: Run, call: ApiUse) -> Value:
     made = Instance(External("argparse.ArgumentParser"), run.store.new_key())
     if call.open or "parents" in call.keywords or "prefix_chars" in call.keywords:
-        run.store.set(made.key, "#open", True)
+        run.store.set(made.key, OPEN, True)
     return made
 
 
@@ -122,13 +130,13 @@ def add_argument(
     names = tuple(arg.value for arg in args if isinstance(arg, Known) and isinstance(arg.value, str))
     name = _destination(names, keywords.get("dest"))
     if name is None or len(names) != len(args) or (e is not None and any(a.star for a in e.args)) or run.branch_arms:
-        run.store.set(receiver.key, "#open", True)
+        run.store.set(receiver.key, OPEN, True)
     if name is not None:
         what = Unknown(f"the command-line argument '{name}'")
         default = keywords.get("default") or _default_of_action(keywords.get("action"))
         value: Value = what if default is None else one_of((as_default(default), what))
-        run.store.set(receiver.key, ("#argument", name), value)
-        run.store.set(receiver.key, ("#option", name), Option(names, keywords))
+        run.store.set(receiver.key, ARGUMENTS[name], value)
+        run.store.set(receiver.key, OPTIONS[name], Option(names, keywords))
     return NONE
 
 
@@ -148,7 +156,7 @@ def _default_of_action(action: Value | None) -> Value | None:
 
 def subparsers(run: Run, receiver: Value, args: list[Value], keywords: dict[str, Value], e: facts.Call | None) -> Value:
     if isinstance(receiver, Instance):
-        run.store.set(receiver.key, "#open", True)
+        run.store.set(receiver.key, OPEN, True)
     return Unknown("subcommands are not followed")
 
 
@@ -170,13 +178,12 @@ def _parsed(
     rest: Value = Unknown("the rest of the command line")
     if not isinstance(receiver, Instance):
         return made, rest
-    for name, value in _slots(run, receiver, "#argument").items():
-        if isinstance(value, Value):
-            run.store.set(made.key, name, value)
+    for name, value in run.store.family(receiver.key, ARGUMENTS).items():
+        run.store.set(made.key, name, value)
     words = _words(run, args[0] if args else keywords.get("args", NONE))
-    if words is None or run.store.get(receiver.key, "#open"):
+    if words is None or run.store.get(receiver.key, OPEN):
         return made, rest
-    options = {n: o for n, o in _slots(run, receiver, "#option").items() if isinstance(o, Option)}
+    options = run.store.family(receiver.key, OPTIONS)
     try:
         found, left = _divide(options, words, some)
     except (_NotDivided, SystemExit, ValueError, TypeError, argparse.ArgumentError):
@@ -184,15 +191,6 @@ def _parsed(
     for name, option in options.items():
         run.store.set(made.key, name, _value(run, option, found, name, words))
     return made, containers.new_list(run, [_word(text, words) for text in left])
-
-
-def _slots(run: Run, receiver: Instance, kind: str) -> dict[str, object]:
-    found: dict[str, object] = {}
-    for layer in run.store.layers:
-        for (key, slot), value in layer.items():
-            if key == receiver.key and isinstance(slot, tuple) and slot[0] == kind:
-                found[slot[1]] = value
-    return found
 
 
 def _words(run: Run, given: Value) -> list[Value] | None:

@@ -10,6 +10,8 @@ from archlint.interpreter import containers
 from archlint.interpreter.builtin_functions import BUILTINS
 from archlint.interpreter.containers import ITEM_LIMIT
 from archlint.interpreter.values import (
+    FACTORY,
+    TUPLE_FIELDS,
     DictValue,
     External,
     Instance,
@@ -155,7 +157,7 @@ def _auto(run: Run, args: list[Value], keywords: dict[str, Value], e: facts.Call
 def _default_dict(run: Run, args: list[Value], keywords: dict[str, Value], e: facts.Call | None) -> Value:
     made = containers.new_dict(run, {}, len(args) > 1)
     if args:
-        run.store.set(made.key, "#factory", args[0])
+        run.store.set(made.key, FACTORY, args[0])
     return made
 
 
@@ -176,7 +178,7 @@ def _named_tuple(run: Run, args: list[Value], keywords: dict[str, Value], e: fac
         for number, name in enumerate(texts):
             given = values[number] if number < len(values) else named.get(name, Unknown("a field that is not set"))
             run.store.set(made.key, name, given)
-        run.store.set(made.key, "#fields", texts)
+        run.store.set(made.key, TUPLE_FIELDS, texts)
         return made
 
     return PythonValue("namedtuple", make)

@@ -27,7 +27,7 @@ def of_value(run: Run, value: ForeignValue, name: str) -> Value:
         return ApiMethod(f"{value.path}.{name}", value)
     if isinstance(value, FutureValue):
         return ApiMethod(f"rclpy.task.Future.{name}", value)
-    key = getattr(value, "key", 0)
+    key = value.heap_key
     stored = run.store.get(key, name) if key else None
     if isinstance(stored, Value):
         return stored

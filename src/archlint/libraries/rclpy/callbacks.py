@@ -293,8 +293,8 @@ def describe(run: Run, value: Value, role: model.Role) -> model.Callback:
         return model.Callback(role, value.name, here, None)
     if isinstance(value, Unknown):
         callback = model.Callback(role, "?", here, None)
-        if (value.name or "").startswith("missing:"):
-            callback.missing = (value.name or "").removeprefix("missing:")
+        if value.missing is not None:
+            callback.missing = value.missing
         return callback
     return model.Callback(role, "?", here, None)
 

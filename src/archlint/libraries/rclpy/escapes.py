@@ -14,8 +14,9 @@ from collections.abc import Iterable, Iterator
 from typing import TYPE_CHECKING
 
 from archlint.finding import Place
-from archlint.interpreter.heap import Entries, Items
 from archlint.interpreter.values import (
+    ENTRIES,
+    ITEMS,
     ApiMethod,
     BoundMethod,
     ClassValue,
@@ -172,7 +173,7 @@ def _reached(run: Run, values: Iterable[Value], how: Escape | None) -> Iterator[
             continue
         if not isinstance(value, _CARRIERS):
             continue
-        key = getattr(value, "key", None)
+        key = value.heap_key
         if isinstance(key, int):
             if key in seen or (how is not None and key in run.escapes.objects):
                 continue
@@ -200,11 +201,11 @@ def _is_followed(value: Partial) -> bool:
 def _inside(run: Run, value: Value, key: int) -> Iterator[Value]:
     """What a container or an object holds."""
     if isinstance(value, (ListValue, DictValue)):
-        items = run.store.get(key, "#items")
-        if isinstance(items, Items):
+        items, entries = run.store.get(key, ITEMS), run.store.get(key, ENTRIES)
+        if items is not None:
             yield from carries(items.values)
-        elif isinstance(items, Entries):
-            for name, held in items.entries.values():
+        if entries is not None:
+            for name, held in entries.entries.values():
                 yield from carries((name, held))
         return
     for slot in run.store.held.get(key, ()):
@@ -240,7 +241,7 @@ def assigned(run: Run, target: Value, name: str, value: Value) -> None:
         root = Root(target.scope.module, name, target.ir.name)
         run.escapes.shared.append(Shared(root, (value,), _place(run, None)))
         return
-    key = getattr(target, "key", None)
+    key = target.heap_key
     if isinstance(key, int):
         kept(run, key, (value,), name)
         if not isinstance(target, Instance) or isinstance(target.cls, ClassValue) or is_own(target.cls.path):
@@ -284,7 +285,7 @@ def share(run: Run, module: Module) -> None:
 
 def _note_shared(run: Run, value: Value, root: Root) -> None:
     for one in _reached(run, (value,), None):
-        key = getattr(one, "key", None)
+        key = one.heap_key
         if isinstance(key, int):
             run.store.shared.setdefault(key, root)
 

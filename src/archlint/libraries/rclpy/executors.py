@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 from archlint import model
 from archlint.interpreter.values import Instance, Known, OneOf, Unknown, Value
 from archlint.libraries.rclpy import nodes
+from archlint.libraries.rclpy.fields import EXECUTOR
 from archlint.libraries.values import ExecutorValue, FutureValue
 from archlint.syntax import facts
 from archlint.syntax.walk import called_name, calls_in, statements_of
@@ -31,7 +32,7 @@ def make_executor(run: Run, call: ApiUse) -> Value:
 def adopt_executor(run: Run, api: Api, receiver: Instance, site: CallSite) -> Value:
     """An executor class of ours: ``super().__init__()`` tells which kind it is."""
     threads = site.keywords.get("num_threads", site.args[0] if site.args else None)
-    run.store.set(receiver.key, "#executor", _new_use(run, api.executor, threads, None))
+    run.store.set(receiver.key, EXECUTOR, _new_use(run, api.executor, threads, None))
     return Known(None)
 
 
@@ -51,7 +52,7 @@ def use_of(run: Run, value: Value | None) -> model.ExecutorUse | None:
     if isinstance(value, ExecutorValue):
         return value.use
     if isinstance(value, Instance):
-        use = run.store.get(value.key, "#executor")
+        use = run.store.get(value.key, EXECUTOR)
         return use if isinstance(use, model.ExecutorUse) else None
     if isinstance(value, OneOf):
         found = [use for use in (use_of(run, option) for option in value.values) if use is not None]

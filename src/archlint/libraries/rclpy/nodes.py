@@ -22,6 +22,7 @@ from archlint.interpreter.values import (
     alternatives,
 )
 from archlint.libraries.rclpy import node_classes, short_lived
+from archlint.libraries.rclpy.fields import OVERRIDES
 from archlint.libraries.texts import text_of_value
 from archlint.libraries.values import NodeValue
 
@@ -308,4 +309,4 @@ def _note_overrides(run: Run, call: ApiUse) -> None:
         if key is not None and isinstance(item, Instance):
             name, value = run.store.get(item.key, "name"), run.store.get(item.key, "value")
             if isinstance(name, Known) and isinstance(value, Value):
-                run.store.set(key, ("#override", name.value), value)
+                run.store.set(key, OVERRIDES[str(name.value)], value)

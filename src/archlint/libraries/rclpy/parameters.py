@@ -25,6 +25,7 @@ from archlint.interpreter.values import (
     one_of,
 )
 from archlint.libraries.rclpy import nodes, profiles
+from archlint.libraries.rclpy.fields import OVERRIDES, PARAMETERS
 from archlint.libraries.texts import text_of_value
 from archlint.libraries.values import MessageValue
 from archlint.syntax.parameter_files import NotKnown
@@ -137,7 +138,7 @@ def declare_one(
         kind = None if dynamic else type_name(run, default)
         typed = _is_type(default)
         has_default = default is not None and not typed and default != NONE
-        override = run.store.get(nodes.node_key(run, call.receiver), ("#override", text.text))
+        override = run.store.get(nodes.node_key(run, call.receiver), OVERRIDES[text.text or ""])
         given = override if isinstance(override, Value) and not ignore_override else None
         for blueprint in nodes.nodes_of(run, call.receiver):
             _note(run, blueprint, text, kind, default if has_default else None, place, ignore_override, dynamic, given)
@@ -154,7 +155,7 @@ def declare_one(
         else:
             value = Unknown(f"the parameter '{text.text}' has no default", text.text)
         if text.text is not None:
-            run.store.set(nodes.node_key(run, call.receiver), ("#parameter", text.text), value)
+            run.store.set(nodes.node_key(run, call.receiver), PARAMETERS[text.text], value)
         found.append(new_parameter(run, option, value))
     return one_of(found)
 
@@ -263,7 +264,7 @@ def read(run: Run, call: ApiUse, name: Value) -> Value:
         if not isinstance(option, Known) or not isinstance(option.value, str):
             found.append(Unknown("the parameter's name is not known"))
             continue
-        value = run.store.get(nodes.node_key(run, call.receiver), ("#parameter", option.value))
+        value = run.store.get(nodes.node_key(run, call.receiver), PARAMETERS[option.value])
         if isinstance(value, Value):
             found.append(value)
         elif option.value in overrides:
@@ -321,7 +322,7 @@ def get_parameters_by_prefix(run: Run, call: ApiUse) -> Value:
 def has_parameter(run: Run, call: ApiUse) -> Value:
     name = call.get("name")
     if isinstance(name, Known):
-        value = run.store.get(nodes.node_key(run, call.receiver), ("#parameter", name.value))
+        value = run.store.get(nodes.node_key(run, call.receiver), PARAMETERS[str(name.value)])
         if isinstance(value, Value):
             return TRUE
         if run.context.role == model.Role.INIT and not run.branch_arms and run.overrides == model.Overrides():
@@ -336,5 +337,5 @@ def set_parameters(run: Run, call: ApiUse) -> Value:
         if isinstance(row, Instance):
             name, value = run.store.get(row.key, "name"), run.store.get(row.key, "value")
             if isinstance(name, Known) and isinstance(value, Value):
-                run.store.set(key, ("#parameter", name.value), from_parameter(run, value, str(name.value)))
+                run.store.set(key, PARAMETERS[str(name.value)], from_parameter(run, value, str(name.value)))
     return Unknown("the result of setting parameters")

@@ -9,7 +9,19 @@ from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
 from archlint.finding import Place
-from archlint.interpreter.values import ClassValue, External, Instance, Known, OneOf, Unknown, Value, alternatives, via
+from archlint.interpreter.fields import Field, Fields
+from archlint.interpreter.values import (
+    ClassValue,
+    External,
+    Instance,
+    Known,
+    OneOf,
+    Unknown,
+    Value,
+    alternatives,
+    one_of,
+    via,
+)
 from archlint.libraries.rclpy import names as rclpy_names
 from archlint.ros.qos import Qos
 
@@ -76,9 +88,7 @@ def make_profile(run: Run, call: ApiUse) -> Value:
     made = Instance(External(PROFILE), run.store.new_key(), place)
     for name, value in call.arguments.items():
         run.store.set(made.key, name, value)
-    names = tuple(sorted(call.arguments))
-    run.store.set(made.key, "#explicit", names)
-    run.store.set(made.key, "#open", call.open)
+    run.store.set(made.key, OPEN, call.open)
     return made
 
 
@@ -108,6 +118,12 @@ def _preset_key(path: str) -> str | None:
     return None
 
 
+OPEN: Field[bool] = Field("more arguments than are known")
+"""Whether a profile is made with arguments that are not known."""
+PRESET: Field[Qos] = Field("preset")
+"""The preset that a profile starts from."""
+_CHANGES: Fields[Value] = Fields("policy of a preset", one_of)
+
 _CHANGED = 0
 """The store's key for what a program has changed about the presets, which all its modules share."""
 
@@ -126,7 +142,7 @@ def change_preset(run: Run, target: External, name: str, value: Value) -> None:
     tail = _preset_key(rclpy_names.canonical(target.path))
     if tail is not None and name in (*_POLICIES, *_DURATIONS, "depth"):
         held = value if run.store.depth > 1 else Unknown("a module changes the preset when it is imported")
-        run.store.set(_CHANGED, (tail, name), held)
+        run.store.set(_CHANGED, _CHANGES[f"{tail} {name}"], held)
 
 
 def _changed(run: Run, value: Value) -> Value:
@@ -135,12 +151,12 @@ def _changed(run: Run, value: Value) -> Value:
     changes = {
         name: held
         for name in (*_POLICIES, *_DURATIONS, "depth")
-        if tail is not None and (held := run.store.get(_CHANGED, (tail, name))) is not None
+        if tail is not None and (held := run.store.get(_CHANGED, _CHANGES[f"{tail} {name}"])) is not None
     }
     if tail is None or not changes:
         return value
     made = Instance(External(PROFILE), run.store.new_key())
-    run.store.set(made.key, "#preset", PRESETS[tail])
+    run.store.set(made.key, PRESET, PRESETS[tail])
     for name, held in changes.items():
         run.store.set(made.key, name, held)
     return made
@@ -212,8 +228,8 @@ def _of_value(run: Run, value: Value) -> Qos:
         if isinstance(value.cls, External) and rclpy_names.canonical(value.cls.path) == PROFILE:
             return _of_profile(run, value)
         if isinstance(value.cls, ClassValue):
-            held = run.store.get(value.key, "value")  # an enum of profiles
-            if isinstance(held, Value) and run.store.get(value.key, "#enum"):
+            held = value.member_value(run)  # an enum of profiles
+            if held is not None:
                 return _of_value(run, held)
             if PROFILE in value.cls.external_bases():
                 return _UNKNOWN
@@ -247,10 +263,10 @@ def _common(profiles: list[Qos]) -> Qos:
 
 
 def _of_profile(run: Run, profile: Instance) -> Qos:
-    if run.store.get(profile.key, "#open"):
+    if run.store.get(profile.key, OPEN):
         return _UNKNOWN
-    copied = run.store.get(profile.key, "#preset")
-    base = copied if isinstance(copied, Qos) else DEFAULT
+    copied = run.store.get(profile.key, PRESET)
+    base = copied or DEFAULT
     explicit: set[str] = set(base.explicit)
     fields: dict[str, object] = {}
     parameters: set[str] = set()
@@ -345,8 +361,11 @@ def copy_profile(run: Run, value: Value) -> Value:
     value = _changed(run, value)
     if isinstance(value, Instance):
         made = Instance(value.cls, run.store.new_key(), value.place, value.arguments)
-        names = ("#open", "#preset", "depth", *_POLICIES, *_DURATIONS)
-        for name in names:
+        run.store.set(made.key, OPEN, run.store.get(value.key, OPEN) or False)
+        copied = run.store.get(value.key, PRESET)
+        if copied is not None:
+            run.store.set(made.key, PRESET, copied)
+        for name in ("depth", *_POLICIES, *_DURATIONS):
             held = run.store.get(value.key, name)
             if held is not None:
                 run.store.set(made.key, name, held)
@@ -355,6 +374,6 @@ def copy_profile(run: Run, value: Value) -> Value:
         known = preset(rclpy_names.canonical(value.path))
         if known is not None:
             made = Instance(External(PROFILE), run.store.new_key())
-            run.store.set(made.key, "#preset", known)
+            run.store.set(made.key, PRESET, known)
             return made
     return value
