@@ -10,7 +10,7 @@ from archlint.branches import BranchArms
 from archlint.finding import Place
 from archlint.launch.kinds import FileKind, FileStatus, GapKind, StartedKind
 from archlint.model import Text
-from archlint.syntax.parameter_files import NotKnown
+from archlint.syntax.parameter_files import NotKnown, ParameterData
 
 
 @dataclass(frozen=True)
@@ -28,11 +28,11 @@ PARAMS_FILE = "--params-file"
 
 @dataclass(frozen=True)
 class ParameterSetting:
-    """One parameter that a launch file sets.  ``value`` is plain Python data, or :class:`NotKnown`; ``name`` is None
-    where only data decides it.  ``shared`` settings (``SetParameter``) are for all nodes of a group."""
+    """One parameter that a launch file sets.  ``name`` is None where only data decides it.  ``shared`` settings
+    (``SetParameter``) are for all nodes of a group."""
 
     name: str | None
-    value: object
+    value: ParameterData
     place: Place
     shared: bool = False
     within: tuple[tuple[str, Place], ...] = ()

@@ -22,7 +22,7 @@ from archlint.launch.kinds import FileKind
 from archlint.launch.model import OpenParameters, ParameterFileUse, ParameterSetting
 from archlint.launch.objects import LaunchObject, kind_of, known_text, place_of
 from archlint.launch.tables import SUBSTITUTIONS
-from archlint.syntax.parameter_files import NotKnown
+from archlint.syntax.parameter_files import NotKnown, ParameterData
 from archlint.syntax.safe_yaml import YamlError, YamlReader, plain_scalar
 
 if TYPE_CHECKING:
@@ -132,7 +132,7 @@ def setting(run: LaunchRun, name: Value, value: Value, place: Place) -> Paramete
     return ParameterSetting(known_text(name), python_of(run, value), place)
 
 
-def python_of(run: LaunchRun, value: Value) -> object:
+def python_of(run: LaunchRun, value: Value) -> ParameterData:
     """The value of a parameter, or :class:`NotKnown`: constants as they are, the text of a substitution as YAML."""
     match value:
         case Known(value=None):
@@ -148,12 +148,12 @@ def python_of(run: LaunchRun, value: Value) -> object:
     return NotKnown(reason(value))
 
 
-def _of_text(text: Value) -> object:
+def _of_text(text: Value) -> ParameterData:
     known = known_text(text)
     return NotKnown(reason(text)) if known is None else from_yaml(known)
 
 
-def _list(run: LaunchRun, value: ListValue) -> object:
+def _list(run: LaunchRun, value: ListValue) -> ParameterData:
     """A list of constants is an array; one with substitutions among texts is one text."""
     items = containers.items_of(run, value)
     if items.open:
@@ -172,7 +172,7 @@ def _list(run: LaunchRun, value: ListValue) -> object:
 TYPES = {"str": str, "int": int, "float": float, "bool": bool}
 
 
-def _typed(run: LaunchRun, value: LaunchObject) -> object:
+def _typed(run: LaunchRun, value: LaunchObject) -> ParameterData:
     """``ParameterValue(value, value_type=str)``."""
     inner, name = value.given("value"), _name_of_type(value.argument("value_type"))
     if not name:
@@ -195,7 +195,7 @@ def _name_of_type(kind: Value | None) -> str:
     return ""
 
 
-def of_type(value: object, name: str) -> object:
+def of_type(value: ParameterData, name: str) -> ParameterData:
     """A value that was read as YAML, where it has the type of this name; an ``int`` is a ``float``, too."""
     match value:
         case NotKnown():
@@ -205,7 +205,7 @@ def of_type(value: object, name: str) -> object:
     return value if isinstance(value, TYPES[name]) else NotKnown(f"a value that is no {name}")
 
 
-def from_yaml(text: str) -> object:
+def from_yaml(text: str) -> ParameterData:
     """A text as launch_ros reads a parameter without a type: as YAML."""
     if len(text) > CONSTANT_LIMIT:
         return NotKnown("a text too long to follow")

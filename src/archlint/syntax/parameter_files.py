@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Union
 
 from archlint.syntax.facts import FileProblem, Span, Suppression
 from archlint.syntax.launch_yaml import suppressions_of_lines
@@ -21,6 +21,10 @@ class NotKnown:
     """Stands for a value that is set from outside and not known here, and why it is not."""
 
     reason: str
+
+
+ParameterData = Union[str, int, float, bool, bytes, None, "list[ParameterData]", NotKnown]
+"""The value of a parameter, as far as it is known."""
 
 
 def first_not_known(values: Iterable[object]) -> NotKnown | None:

@@ -10,7 +10,7 @@ from archlint.interpreter.values import External, Known, Unknown, UnknownKey, Va
 from archlint.launch.objects import LaunchObject, known_text
 from archlint.launch.parameters import TYPES, from_yaml, of_type
 from archlint.syntax.launch_elements import Element
-from archlint.syntax.parameter_files import NotKnown
+from archlint.syntax.parameter_files import NotKnown, ParameterData
 
 if TYPE_CHECKING:
     from archlint.finding import Place
@@ -96,7 +96,7 @@ def _scalar(frontend: Frontend, text: str, kind: str | None) -> Value:
     raise AssertionError(value)
 
 
-def _item(item: object) -> Value:
+def _item(item: ParameterData) -> Value:
     match item:
         case None | str() | int() | float():
             return Known(item)
