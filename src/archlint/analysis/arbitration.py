@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from typing import TYPE_CHECKING
 
-from archlint.analysis.completeness import facts_at
 from archlint.analysis.kept import once
 from archlint.analysis.left_over import idle_methods, kept_calls
 from archlint.analysis.reach import creations_of
@@ -85,7 +84,7 @@ def _publishes(system: System) -> dict[Place, list[ApiCall]]:
 def _asks(system: System, owner: Endpoint) -> frozenset[_Word]:
     """The words that a publisher asks; none where it publishes anything without asking, or where that is not seen."""
     told, workspace, file = _told(source_code(system), owner.node), system.workspace, owner.place.file
-    found = facts_at(workspace, file) if told and workspace is not None else None
+    found = workspace.facts_at(file) if told and workspace is not None else None
     if found is None or workspace is None:
         return frozenset()
     kept = kept_calls(workspace, file).get((owner.place.line, owner.place.column))

@@ -2,10 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from typing import TYPE_CHECKING
-
-import msgspec
 
 from archlint.analysis.kept import once_for_each_file
 from archlint.finding import Place
@@ -17,22 +14,6 @@ if TYPE_CHECKING:
     from archlint.systems.model import Node, WorkspaceIndex
 
 _NODE_BASES = frozenset({"Node", "LifecycleNode", "object", "ABC", "Generic", "Protocol"})
-
-
-def walk(item: object) -> Iterator[object]:
-    """Every fact below one, itself first, in no particular order."""
-    stack = [item]
-    while stack:
-        one = stack.pop()
-        yield one
-        if isinstance(one, msgspec.Struct):
-            stack.extend(getattr(one, name) for name in one.__struct_fields__)
-        elif isinstance(one, (list, tuple)):
-            stack.extend(one)
-
-
-def facts_at(workspace: WorkspaceIndex, file: str) -> facts.Facts | None:
-    return workspace.facts_at(file)
 
 
 def is_whole(workspace: WorkspaceIndex | None, node: Node) -> bool:
@@ -105,7 +86,7 @@ def called_names(found: facts.Facts) -> frozenset[str]:
 
 def enclosing_function(workspace: WorkspaceIndex, place: Place) -> facts.Function | None:
     """The innermost function that a place is in."""
-    found = facts_at(workspace, place.file)
+    found = workspace.facts_at(place.file)
     functions = everything_in([] if found is None else found.body, facts.Function)
     around = [one for one in functions if one.span[0] <= place.line <= one.span[2]]
     return max(around, key=lambda one: one.span[0], default=None)
@@ -128,8 +109,6 @@ __all__ = [
     "declares_all",
     "enclosing_class",
     "enclosing_function",
-    "facts_at",
     "in_sight",
     "is_whole",
-    "walk",
 ]

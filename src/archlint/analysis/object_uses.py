@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from archlint.analysis.completeness import facts_at
 from archlint.finding import Place
 from archlint.syntax import facts
 from archlint.syntax.parts import everything_in
@@ -17,7 +16,7 @@ if TYPE_CHECKING:
 def read_off(workspace: WorkspaceIndex | None, node: Blueprint) -> list[str]:
     """The attributes that the file which makes a node reads, sorted, where it does nothing else with the node:
     ``self.detector = Detector()``, and then only ``self.detector.model``."""
-    found = None if workspace is None or node.made_at is None else facts_at(workspace, node.made_at.file)
+    found = None if workspace is None or node.made_at is None else workspace.facts_at(node.made_at.file)
     if workspace is None or found is None or node.made_at is None:
         return []
     attributes = list(everything_in(found.body, facts.Attribute))
@@ -42,7 +41,7 @@ def _makes(value: facts.Expr, place: Place) -> bool:
 def _is_attribute(workspace: WorkspaceIndex, node: Blueprint, name: str) -> bool:
     """Whether the node's class sets an attribute of this name on itself: a method is not one."""
     for place, qualified in node.classes:
-        found = facts_at(workspace, place.file)
+        found = workspace.facts_at(place.file)
         classes = everything_in([] if found is None else found.body, facts.Class)
         for cls in (one for one in classes if one.name == qualified.rpartition(".")[2]):
             targets = (target for one in everything_in(cls, facts.Assign) for target in one.targets)

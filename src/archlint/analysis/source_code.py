@@ -158,18 +158,18 @@ def _step(span: facts.Span, blocks: Sequence[Sequence[facts.Stmt]]) -> tuple[Seq
 
 def _written(statement: facts.Stmt, span: facts.Span) -> tuple[facts.Base | None, bool]:
     """The call, ``await`` or lambda of a statement that fills a span, and whether that is in the body of a lambda."""
-    stack: list[tuple[object, bool]] = [(statement, False)]
+    stack: list[tuple[facts.Base, bool]] = [(statement, False)]
     while stack:
         item, in_lambda = stack.pop()
-        if isinstance(item, (list, tuple)):
-            stack.extend((one, in_lambda) for one in item if isinstance(one, (facts.Base, list)))
-        elif isinstance(item, facts.Base) and _may_hold(item, span):
-            if isinstance(item, (facts.Call, facts.Await, facts.Lambda)) and item.span == span:
+        if not _may_hold(item, span):
+            continue
+        match item:
+            case facts.Call() | facts.Await() | facts.Lambda() if item.span == span:
                 return item, in_lambda
-            if isinstance(item, facts.Lambda):
-                stack += [(item.params, in_lambda), (item.body, True)]
-            else:
-                stack.extend((getattr(item, name), in_lambda) for name in item.__struct_fields__)
+            case facts.Lambda(params=params, body=body):
+                stack += [*((param, in_lambda) for param in params), (body, True)]
+            case _:
+                stack += [(child, in_lambda) for child in item.children()]
     return None, False
 
 
