@@ -7,12 +7,12 @@ from pathlib import Path
 
 import pytest
 
+from archlint import fixes
 from archlint.cli import main
 from archlint.config.settings import Settings, load
 from archlint.engine import pipeline
 from archlint.engine.pipeline import Request
 from archlint.finding import Finding
-from archlint.fixes import BUILDERS
 from archlint.interpreter import expressions
 from archlint.launch import files as launch_files
 from archlint.syntax import facts
@@ -200,13 +200,13 @@ def test_a_launch_file_that_fails_is_told_and_the_others_are_judged(explode, mon
 
 
 def test_a_fix_that_fails_leaves_the_finding_without_one(monkeypatch: pytest.MonkeyPatch):
-    def fails(finding, source, around):
+    def fails(limits, source):
         raise ZeroDivisionError("boom")
 
     write("waits.py", node(constructor="self.create_client(Trigger, 'other').wait_for_service()"))
     before = findings()
     [fixable] = [one for one in before if one.code == "TMO001"]
-    monkeypatch.setitem(BUILDERS, "TMO001", fails)
+    monkeypatch.setattr(fixes, "limited", fails)
     after = findings()
 
     assert [(one.code, one.place) for one in after if one.code != "LNT003"] == [(one.code, one.place) for one in before]
