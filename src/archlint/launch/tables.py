@@ -173,8 +173,6 @@ ALIASES = {
     "InvalidFrontendLaunchFileError": "",
 }
 
-ACTIONS_WITH_PARAMETERS = ("Node", "LifecycleNode", "ComposableNodeContainer")
-
 _PACKAGES = ("launch", "launch_ros", "launch_xml", "launch_yaml", "nav2_common")
 
 FUNCTIONS = {
