@@ -12,7 +12,7 @@ from robot_package import CMAKE, MANIFEST, SCRIPTS, SETUP, TALKER, node
 @pytest.mark.parametrize(
     ("entries", "message", "help"),
     [
-        ("'talker == robot.talker:main'", "it has '==' for '='", "write 'talker = robot.talker:main'"),
+        ("'talker == robot.talker:main'", "it has '==' instead of '='", "write 'talker = robot.talker:main'"),
         (
             "'talker = robot.talker:main' 'other = robot.talker:main'",
             "a comma is missing between 'talker' and 'other'; newer setuptools stop the build here",

@@ -147,4 +147,4 @@ def test_a_link_into_a_submodule_that_is_not_checked_out(run, tmp_path):
     assert told() == [(message, "git submodule update --init", "INFO")]
     link.unlink()
     link.symlink_to("external/xx/gamestate.py")
-    assert told() == [("is a symbolic link to nothing", "", "WARNING")]
+    assert told() == [("is a broken symbolic link", "", "WARNING")]

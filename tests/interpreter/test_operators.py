@@ -125,7 +125,7 @@ def test_numbers_and_texts_have_bounds():
     assert found.constant("small") == 2**60
     assert found.constant("text") == "a" * TEXT_LIMIT
     assert found.reason("large") == "a number too large to follow"
-    assert found.reason("long") == "a text too long to follow"
+    assert found.reason("long") == "a string too long to follow"
     assert 2**NUMBER_BITS < (2**60) ** 60
 
 

@@ -53,7 +53,7 @@ def test_of_what_is_not_known_the_first_reason_stays():
 
 
 def test_a_text_too_long_is_never_put_together():
-    assert join_texts([Known("a" * 9_000)] * 2_000) == Unknown("a text too long to follow")
+    assert join_texts([Known("a" * 9_000)] * 2_000) == Unknown("a string too long to follow")
     assert join_texts([Known("a"), Known(""), Known("b")]) == Known("ab")
     unknown = Unknown("data")
     assert join_texts([Known(""), unknown, Known(""), unknown]) == unknown
@@ -148,7 +148,7 @@ def test_why_a_result_is_not_known():
 
 def test_constants_have_bounds():
     assert constant("a" * TEXT_LIMIT) == Known("a" * TEXT_LIMIT)
-    assert constant("a" * (TEXT_LIMIT + 1)) == Unknown("a text too long to follow")
+    assert constant("a" * (TEXT_LIMIT + 1)) == Unknown("a string too long to follow")
     assert constant(2**NUMBER_BITS - 1) == Known(2**NUMBER_BITS - 1)
     assert constant(2**NUMBER_BITS) == Unknown("a number too large to follow")
 

@@ -11,8 +11,8 @@ from launching import PYTHON, names
     ("path", "data", "words"),
     [
         ("launch/a.launch.py", b"def generate_launch_description(:\n", "syntax error"),
-        ("launch/a.launch.xml", b'<launch><arg name="caf\xe9"/></launch>', "byte 0xe9 is no utf-8"),
-        ("launch/a.launch.yaml", b"launch:\n- arg: {name: caf\xe9}\n", "byte 0xe9 is no utf-8"),
+        ("launch/a.launch.xml", b'<launch><arg name="caf\xe9"/></launch>', "byte 0xe9 is not valid utf-8"),
+        ("launch/a.launch.yaml", b"launch:\n- arg: {name: caf\xe9}\n", "byte 0xe9 is not valid utf-8"),
         ("launch/a.launch.xml", b" " * 8_000_001, "too large"),
         ("setup.py", b"from setuptools import setup\nsetup(\n", "syntax error"),
     ],
@@ -44,7 +44,7 @@ def test_substitutions_nested_too_deeply_are_unknown(launches):
 def test_a_launch_file_that_gives_no_description_says_so(launches, body):
     launches.file("robot/launch/it.launch.py", f"{PYTHON}\ndef generate_launch_description():\n{body}")
     gaps = launches.run("robot/launch/it.launch.py").gaps
-    assert any("returns no launch description" in gap.reason for gap in gaps)
+    assert any("returns an unknown launch description" in gap.reason for gap in gaps)
 
 
 def test_ros1_files_are_recognised(launches):

@@ -37,7 +37,7 @@ def test_of_a_branch_that_is_not_taken_nothing_is_told(launches):
     [
         ("[make_nodes()]", "make_nodes"),
         ("[OpaqueFunction(function=elsewhere.setup)]", "a function that launch calls, and that is not followed"),
-        ("[ForLoop(length='3', function=lambda i: [])]", "ForLoop is no action that is followed"),
+        ("[ForLoop(length='3', function=lambda i: [])]", "ForLoop is not an action that is followed"),
         ("elsewhere.nodes()", "elsewhere.nodes() is outside of this workspace"),
     ],
 )
@@ -52,7 +52,7 @@ def test_an_element_that_is_not_followed_is_told(launches):
     launched = launches.xml(
         '<for_each values="$(env ROBOTS)"><node pkg="robot" exec="talker"/></for_each><log message="x"/>'
     )
-    assert left_out(launched) == [("launch", "<for_each> is no action that is followed")]
+    assert left_out(launched) == [("launch", "<for_each> is not an action that is followed")]
 
 
 def test_a_class_that_derives_from_an_action_is_one(launches):

@@ -313,7 +313,7 @@ setup(entry_points={{'console_scripts': ['talk = ' + {name} + '.talk:main']}})
 @pytest.mark.parametrize(
     ("written", "found"),
     [
-        ("'talk == robot.talk:main'", {"talk": "it has '==' for '='"}),
+        ("'talk == robot.talk:main'", {"talk": "it has '==' instead of '='"}),
         ("'talk = robot.talk:main,'", {"talk": "it ends in ','"}),
         ("'talk = robot/talk:main'", {"talk": "it is not 'name = package.module:function'"}),
         ("'talk = robot.talk:main' 'hear = robot.hear:main'", {"talk": "a comma is missing …", "hear": ""}),

@@ -90,16 +90,20 @@ def test_text_is_decoded_as_python_does(data, text):
 @pytest.mark.parametrize(
     ("data", "place", "message"),
     [
-        ("x = 1\nö = 'Gr\xff'\n".encode("latin-1"), (2, 1), "byte 0xf6 is no utf-8: save the file as UTF-8"),
-        (b"x = 1\n\xc3\xb6 = '\xff'\n", (2, 6), "byte 0xff is no utf-8: save the file as UTF-8 or name its encoding"),
-        (b"# coding: ascii\nx = '\xff'\n", (2, 6), "byte 0xff is no ascii"),
-        (b"# coding: klingon\n", (1, 1), "the encoding of this file cannot be told: unknown encoding: klingon"),
+        ("x = 1\nö = 'Gr\xff'\n".encode("latin-1"), (2, 1), "byte 0xf6 is not valid utf-8: save the file as UTF-8"),
+        (
+            b"x = 1\n\xc3\xb6 = '\xff'\n",
+            (2, 6),
+            "byte 0xff is not valid utf-8: save the file as UTF-8 or name its encoding",
+        ),
+        (b"# coding: ascii\nx = '\xff'\n", (2, 6), "byte 0xff is not valid ascii"),
+        (b"# coding: klingon\n", (1, 1), "the encoding of this file is not known: unknown encoding: klingon"),
         (b"# coding: hex\n", (1, 1), "the encoding of this file cannot be used"),
         (b"# coding: punycode\n" + b"a" * 900_000, (1, 1), "the encoding of this file cannot be used: punycode"),
-        (b"x = 1\ny = '\xc3\xb6\0'\n", (2, 7), "the file holds a NUL byte: it is no Python source"),
+        (b"x = 1\ny = '\xc3\xb6\0'\n", (2, 7), "the file contains a NUL byte, so it is not Python source"),
         ("import rclpy\n".encode("utf-16"), (1, 1), "the file is UTF-16, which Python does not read"),
-        (rb"# coding: unicode_escape" + b"\nx = '\\ud800'\n", (1, 1), "read as unicode_escape the file holds what"),
-        (rb"# coding: raw_unicode_escape" + b"\nx = '\\u0000'\n", (1, 1), "read as raw_unicode_escape the file"),
+        (rb"# coding: unicode_escape" + b"\nx = '\\ud800'\n", (1, 1), "the file is not text in unicode_escape"),
+        (rb"# coding: raw_unicode_escape" + b"\nx = '\\u0000'\n", (1, 1), "the file is not text in raw_unicode_escape"),
     ],
 )
 def test_what_is_no_text_is_told_with_its_place(data, place, message):

@@ -149,7 +149,7 @@ def test_constants(line, name, value):
         ("int32[] a 1, 2", "in brackets"),
         ("string<=2 a 'abc'", "at most 2"),
         ("string a 'it's'", "must be written as"),
-        ("---", "not even white space"),
+        ("---", "without any white space"),
     ],
 )
 def test_a_line_that_rosidl_refuses(line, words):

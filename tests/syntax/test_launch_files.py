@@ -36,9 +36,9 @@ def test_broken_xml(text, words):
     ("text", "line", "words"),
     [
         ("launch:\n- node: {pkg: a\n", 3, "malformed YAML"),
-        ("launch:\n- node:\n    pkg: !robot a\n", 3, "the tag !robot means nothing"),
+        ("launch:\n- node:\n    pkg: !robot a\n", 3, "the tag !robot has no meaning"),
         ("launch:\n- arg: {name: a, default: !!python/object/apply:os.getcwd []}\n", 2, "the tag !!python/object/"),
-        ("launch:\n- node:\n    pkg: !!python/name:os.system\n", 3, "the tag !!python/name:os.system means"),
+        ("launch:\n- node:\n    pkg: !!python/name:os.system\n", 3, "the tag !!python/name:os.system has no meaning"),
     ],
 )
 def test_broken_yaml(text, line, words):
@@ -57,7 +57,7 @@ def test_aliases_that_explode(monkeypatch):
 
     monkeypatch.setattr(safe_yaml.YamlReader, "spend", counting)
     (problem,) = read_parameters(ALIASES).problems
-    assert "more values" in problem.message
+    assert "too many values" in problem.message
     assert counted <= safe_yaml.NODES + 1
 
 

@@ -532,7 +532,7 @@ def test_what_a_launch_file_does_not_lead_to_is_told_in_the_graph(robot):
     rows = [(row["kind"], row["file"], row["line"], row["reason"]) for row in document(made)["unresolved"]]
     assert rows == [
         ("include", "launch/it.launch.xml", 2, "the environment variable MODEL"),
-        ("launch", "launch/it.launch.xml", 3, "<surprise> is no action that is followed"),
+        ("launch", "launch/it.launch.xml", 3, "<surprise> is not an action that is followed"),
     ]
     assert "include" in render(made)
 

@@ -470,7 +470,7 @@ def test_a_link_to_nothing_is_told(tmp_path):
     workspace = look(tmp_path)
     assert workspace.problems == (
         Problem("circle.py", 1, 1, "is a symbolic link that leads back to itself"),
-        Problem("gone.py", 1, 1, "is a symbolic link to nothing"),
+        Problem("gone.py", 1, 1, "is a broken symbolic link"),
     )
 
 

@@ -95,7 +95,7 @@ def test_a_manifest_that_is_not_well_formed_is_told_with_its_place(tmp_path):
         ("<package>\n</package>", 1, "malformed package.xml: the package has no <name>"),
         ("<package>\n<name> </name></package>", 1, "malformed package.xml: the package has no <name>"),
         ("\n<robot/>", 2, "malformed package.xml: the root element is <robot>, not <package>"),
-        ("<package>\n<name>a b</name></package>", 2, "malformed package.xml: 'a b' is no valid package name"),
+        ("<package>\n<name>a b</name></package>", 2, "malformed package.xml: 'a b' is not a valid package name"),
         (b"\xff\xfe\x00", 1, "malformed package.xml: unclosed token"),
         ("<?xml version='1.0' encoding='none-such'?><package/>", 1, "malformed package.xml: unknown encoding"),
     ],

@@ -56,7 +56,7 @@ def call_builtin(machine: Machine, function: Builtin, site: CallSite) -> Value:
     found = _call_known(machine, function.name, site)
     if function.name in _LEAVE_ALONE:
         return found
-    return machine.library.lost(found, site.values, f"it is given to {function.name}()")
+    return machine.library.lost(found, site.values, f"it is passed to {function.name}()")
 
 
 def _call_known(machine: Machine, name: str, site: CallSite) -> Value:
@@ -145,7 +145,7 @@ def _eval(machine: Machine, args: Arguments, keywords: Keywords, e: object) -> V
         if isinstance(value, (str, int, float)):
             found.append(Known(value, via(option)))
         else:
-            found.append(Unknown("what eval() gives"))
+            found.append(Unknown("the result of eval()"))
     return one_of(found)
 
 
@@ -415,7 +415,7 @@ def _next(machine: Machine, args: Arguments, keywords: Keywords, e: object) -> V
     items = containers.iterate(machine, first)
     if items is not None and items.values:
         return one_of(items.values)
-    return args[1] if len(args) > 1 and items is not None and not items.open else Unknown("what an iterator gives")
+    return args[1] if len(args) > 1 and items is not None and not items.open else Unknown("an item of an iterator")
 
 
 def _same(machine: Machine, args: Arguments, keywords: Keywords, e: object) -> Value:

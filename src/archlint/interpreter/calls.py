@@ -292,7 +292,7 @@ def enter(machine: Machine, value: Value) -> Value:
     """What ``with value as x`` binds."""
     if isinstance(value, ListValue) and value.kind == "generator":
         items = containers.items_of(machine, value)
-        return items.values[0] if items.values else Unknown("what a context manager gives")
+        return items.values[0] if items.values else Unknown("the value of a context manager")
     if isinstance(value, Instance) and isinstance(value.cls, ClassValue):
         method = get_attribute(machine, value, "__enter__")
         if isinstance(method, BoundMethod):

@@ -67,7 +67,7 @@ def _name(machine: Machine, e: facts.Name) -> Value:
     foreign = machine.star_imported(machine.activation.module.star_externals, e.id)
     if foreign is not None:
         return foreign
-    return Unknown(f"'{e.id}' is not defined where this file can be read alone", name=e.id)
+    return Unknown(f"'{e.id}' is not defined in this file", name=e.id)
 
 
 def _attribute(machine: Machine, e: facts.Attribute) -> Value:

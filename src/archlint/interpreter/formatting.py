@@ -175,4 +175,4 @@ def format_one(value: Value, conversion: str | None, spec: str | None) -> Value:
 
 def _short(text: str | None, value: Known) -> Value:
     too_long = text is None or len(text) > TEXT_LIMIT
-    return Unknown("a text too long to follow") if too_long else Known(text, value.via)
+    return Unknown("a string too long to follow") if too_long else Known(text, value.via)

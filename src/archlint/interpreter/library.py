@@ -37,7 +37,7 @@ class Library:
 
     def call_builtin(self, function: Builtin, site: CallSite) -> Value:
         """Call a function of Python's own that asks for something outside of the program: ``open``, ``input``."""
-        return Unknown(f"what {function.name}() gives")
+        return Unknown(f"the result of {function.name}()")
 
     def refuses(self, method: ApiMethod, given: int, keywords: Collection[str]) -> bool:
         """Whether a foreign method certainly raises a TypeError for so many positional arguments and these keywords."""
@@ -170,7 +170,7 @@ class Library:
         """Nothing decides the test of a branch."""
 
     def asked_for_file(self, path: str) -> None:
-        """The code asks whether a file is there."""
+        """The code asks whether a file exists."""
 
     # ----------------------------------------------------------------------- events: what gets out of sight
 

@@ -110,7 +110,7 @@ def _arithmetic(op: str, left: Known, right: Known) -> Value:
         length = len(one) if isinstance(one, str) else len(other) if isinstance(other, str) else 0
         count = other if isinstance(one, str) else one
         if not isinstance(count, int) or length * count > TEXT_LIMIT:
-            return Unknown("a text too long to follow")
+            return Unknown("a string too long to follow")
     try:
         result = _ARITHMETIC[op](one, other)
     except (TypeError, ValueError, ArithmeticError):

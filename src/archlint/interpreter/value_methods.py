@@ -155,7 +155,7 @@ def _text_method(
         return Unknown(reason(*args))
     if target.kind == "path" and name in ("exists", "is_file"):
         machine.library.asked_for_file(text)
-        return Unknown("whether a file is there")
+        return Unknown("whether a file exists")
     if name == "join" and args:
         items = containers.iterate(machine, args[0])
         if items is None or items.open:
@@ -186,7 +186,7 @@ def _text_method(
                 found.append(Unknown("a text method of values" if tuple_argument else reason(*row)))
                 continue
             if _grows(text, name, plain):
-                found.append(Unknown("a text too long to follow"))
+                found.append(Unknown("a string too long to follow"))
                 continue
             try:
                 found.append(constant(getattr(text, name)(*plain), target.via | via(*row)))

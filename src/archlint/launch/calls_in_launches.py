@@ -122,7 +122,7 @@ def _load_yaml(run: LaunchRun, args: list[Value], keywords: dict[str, Value], e:
         return Unknown("the content of a YAML file")
     text = run.paths.text(run.resolve(FileKind.PARAMETERS, path, run.place_now))
     if text is None:
-        return Unknown("the content of a file that is not here")
+        return Unknown("the content of a file that is not in this workspace")
     try:
         reader = YamlReader(text)
         return _value_of(run, None if reader.root is None else reader.value(reader.root))

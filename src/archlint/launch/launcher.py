@@ -55,7 +55,7 @@ class Launcher(LaunchRun):
             if plain and not self.is_conditional and reference.source == min(circle):  # each circle once
                 place = reference.place
                 words = "this include never ends" if reference.source == place.file else "these includes never end"
-                self.files.note_endless(place, f"{words}: {reference.source} comes again")
+                self.files.note_endless(place, f"{words}: {reference.source} is included again")
             return
         if len(self.stack) >= INCLUDE_DEPTH or self.included > INCLUDES:
             self.gap("more includes than can be followed")
@@ -103,7 +103,7 @@ class Launcher(LaunchRun):
         lost = None if (found := self.files.python(path)) is None else undefined_name(found, GENERATE)
         if lost is not None:
             self.result.undefined[Place(path, *lost.span)] = lost.id
-            self.gap(f"{path} stops where it reads '{lost.id}', which is not defined")
+            self.gap(f"{path} fails at '{lost.id}', which is not defined")
             return
         with self.root(module):
             self.import_module(module)
@@ -117,5 +117,5 @@ class Launcher(LaunchRun):
             description = self.call(function)
         if not isinstance(description, (Instance, ListValue, OneOf)):
             why = "it returns nothing" if isinstance(description, Known) else reason(description)
-            self.gap(f"{GENERATE}() of {path} returns no launch description that is known: {why}")
+            self.gap(f"{GENERATE}() of {path} returns an unknown launch description: {why}")
         self.visit(description)

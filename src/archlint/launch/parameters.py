@@ -136,7 +136,7 @@ def python_of(run: LaunchRun, value: Value) -> ParameterData:
     """The value of a parameter, or :class:`NotKnown`: constants as they are, the text of a substitution as YAML."""
     match value:
         case Known(value=None):
-            return NotKnown("None is no value of a parameter")
+            return NotKnown("None is not a parameter value")
         case Known(value=constant):
             return constant
         case LaunchObject(kind="ParameterValue"):
@@ -157,14 +157,14 @@ def _list(run: LaunchRun, value: ListValue) -> ParameterData:
     """A list of constants is an array; one with substitutions among texts is one text."""
     items = containers.items_of(run, value)
     if items.open:
-        return NotKnown("a list that is not known to its end")
+        return NotKnown("a list that is only partly known")
     substitutions = sum(kind_of(item) in SUBSTITUTIONS for item in items.values)
     if substitutions > 1 and substitutions == len(items.values):
         return NotKnown("a list of substitutions only")
     if substitutions:
         return _of_text(run.perform(value))
     if any(isinstance(item, ListValue) for item in items.values):
-        return NotKnown("no parameter is a list of lists")  # and a list may hold itself
+        return NotKnown("a parameter cannot be a list of lists")  # and a list may hold itself
     rows = [python_of(run, item) for item in items.values]
     return next((row for row in rows if isinstance(row, NotKnown)), rows)
 
@@ -208,7 +208,7 @@ def of_type(value: ParameterData, name: str) -> ParameterData:
 def from_yaml(text: str) -> ParameterData:
     """A text as launch_ros reads a parameter without a type: as YAML."""
     if len(text) > CONSTANT_LIMIT:
-        return NotKnown("a text too long to follow")
+        return NotKnown("a string too long to follow")
     if not text[:1] or text[0] not in "[{\"'!&*":
         return text if ": " in text or "\n" in text else plain_scalar(text.strip())
     try:
@@ -216,7 +216,7 @@ def from_yaml(text: str) -> ParameterData:
         found = reader.value(reader.root) if reader.root is not None else None
     except (YamlError, RecursionError):
         return text
-    return NotKnown("no parameter is a map") if isinstance(found, dict) else found
+    return NotKnown("a parameter cannot be a map") if isinstance(found, dict) else found
 
 
 __all__ = ["TYPES", "Parameter", "file_use", "from_yaml", "of_type", "parameters_of", "python_of", "setting"]

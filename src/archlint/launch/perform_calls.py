@@ -53,7 +53,7 @@ def _not_a_context(value: Value | None) -> str | None:
         case Known(value=None):
             return "None"
         case Known():
-            return "no context"
+            return "something else"
     return None
 
 

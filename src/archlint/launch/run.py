@@ -112,7 +112,7 @@ class LaunchRun(Run):
         self._by_place: dict[Place, list[Started]] = {}
         self.in_handler = False
         self.asked_files: set[str] = set()
-        """The paths of which the code asks whether a file is there."""
+        """The paths of which the code asks whether a file exists."""
         self.made_files: dict[str, MadeFile] = {}
         """The files that the launch makes of others, each under a path of its own."""
         self.performing = 0
@@ -354,7 +354,7 @@ class LaunchRun(Run):
 
     def call_handler(self, function: Value) -> Value:
         """Call the function of an event handler with an event and the launch context."""
-        unknown = Unknown("what an event handler is told")
+        unknown = Unknown("the argument of an event handler")
         return self.call_opaque(function, [], None, before=[unknown])
 
     def call_opaque(

@@ -82,10 +82,10 @@ def call_builtin(run: Run, offers: Offers, name: str, site: CallSite) -> Value:
     if api is not None and site.expression is not None:
         record(run, api, None, {}, site.expression)
     if name == "input":
-        return Unknown("what a user types")
+        return Unknown("keyboard input")
     plain = offers.plain.get(name)
     if plain is None:
-        return Unknown(f"what {name}() gives")
+        return Unknown(f"the result of {name}()")
     return plain(run, site.args, site.keywords, site.expression)
 
 

@@ -72,7 +72,7 @@ class Run(Interpreter):
         """Nothing decides the test of a branch; a launch notes why."""
 
     def note_asked_file(self, path: str) -> None:
-        """The code asks whether a file is there; a launch notes which."""
+        """The code asks whether a file exists; a launch notes which."""
 
     def chain(self) -> tuple[model.Frame, ...]:
         """The calls that lead from the start of this root to what runs now."""

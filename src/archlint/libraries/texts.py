@@ -12,7 +12,7 @@ def text_of_value(value: Value | None, missing: str) -> Text:
         return Text(None, "unknown", reason=missing)
     if isinstance(value, Known):
         if not isinstance(value.value, str):
-            return Text(None, "unknown", reason=f"{value.value!r} is no text")
+            return Text(None, "unknown", reason=f"{value.value!r} is not a string")
         if value.via:
             return Text(value.value, "parameter", ",".join(sorted(value.via)), None, value.origin, value.kind)
         return Text(value.value, "exact", None, None, value.origin, value.kind)
@@ -25,5 +25,5 @@ def text_of_value(value: Value | None, missing: str) -> Text:
         known = [option for option in value.values if isinstance(option, (Known, Holed))]
         if len(known) == 1:
             return text_of_value(known[0], missing)
-        return Text(None, "unknown", reason="one of several values, which one only data decides")
+        return Text(None, "unknown", reason="one of several values, chosen at run time")
     return Text(None, "unknown", reason=reason(value))

@@ -40,7 +40,7 @@ def parse_entry(text: str) -> ScriptEntry | None:
     if match is not None:
         return ScriptEntry(match["name"], match["module"], match["function"])
     for meant, wrong in (
-        (text.replace("==", "=", 1), "it has '==' for '='"),
+        (text.replace("==", "=", 1), "it has '==' instead of '='"),
         (text.rstrip().rstrip(",;"), f"it ends in '{text.rstrip()[-1]}'"),
     ):
         match = _ENTRY.match(meant) if meant != text else None

@@ -75,7 +75,7 @@ from archlint.syntax.statements import (
     WithItem,
 )
 
-FACTS_VERSION = 6
+FACTS_VERSION = 7
 """Raised whenever the shape or the meaning of the facts changes: old cache entries are then misses."""
 
 

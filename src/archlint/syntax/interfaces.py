@@ -136,7 +136,7 @@ def _read_line(line: str, number: int, section: Section) -> None:
     if line == _SEPARATOR:
         raise InvalidDefinition("one '---' too many")
     if definition.strip() == _SEPARATOR:
-        raise InvalidDefinition("nothing else may stand on the line of a '---', not even white space")
+        raise InvalidDefinition("a '---' must be alone on its line, without any white space")
     type_name, _, rest = definition.lstrip().partition(" ")
     rest = rest.lstrip()
     if not rest:

@@ -42,7 +42,7 @@ class YamlReader:
         self.left -= 1
         if self.left < 0 or depth > DEPTH:
             mark = node.start_mark
-            raise YamlError("more values than a file for ROS has, or nested too deeply", mark.line + 1, mark.column + 1)
+            raise YamlError("too many values for a ROS file, or nested too deeply", mark.line + 1, mark.column + 1)
 
     def pairs(self, node: yaml.Node, depth: int) -> Iterator[tuple[str, yaml.Node, yaml.Node]]:
         """Keys as text with the nodes of key and value; ``<<`` merges are taken apart."""
@@ -112,7 +112,7 @@ def _refuse_tag(node: yaml.Node) -> None:
     """YAML's own tags will do; what others stand for, ROS refuses to make."""
     if not node.tag.startswith(_STANDARD) or node.tag.startswith(f"{_STANDARD}python/"):
         mark, shown = node.start_mark, node.tag.replace(_STANDARD, "!!")
-        raise YamlError(f"the tag {shown} means nothing to ROS", mark.line + 1, mark.column + 1)
+        raise YamlError(f"the tag {shown} has no meaning in ROS", mark.line + 1, mark.column + 1)
 
 
 def scalar(node: yaml.ScalarNode) -> Scalar:

@@ -135,7 +135,7 @@ def _overridden(text: Text, blueprint: Blueprint, overrides: Mapping[str, object
     default = next((p.default for p in blueprint.parameters if p.name.text == text.parameter), None)
     if isinstance(value, str) and default == text.text:
         return Text(value, "parameter", text.parameter)
-    reason = f"it is built from the parameter {text.parameter!r}, which is set from outside"
+    reason = f"it is built from the parameter {text.parameter!r}, which a launch file or the command line may set"
     return Text(None, "unknown", text.parameter, reason)
 
 

@@ -96,7 +96,7 @@ def read_manifest(file: SourceFile, data: bytes, root: str, relative: str) -> Pa
         if not reader.name:
             raise ManifestError("the package has no <name>", 1)
         if not re.fullmatch(r"[A-Za-z0-9][A-Za-z0-9_-]*", reader.name):
-            raise ManifestError(f"{reader.name!r} is no valid package name", reader.name_line)
+            raise ManifestError(f"{reader.name!r} is not a valid package name", reader.name_line)
     except expat.ExpatError as error:
         words = expat.errors.messages[error.code] if error.code in expat.errors.messages else str(error)
         return Problem(file.relative, error.lineno, error.offset + 1, f"malformed package.xml: {words}")

@@ -110,7 +110,7 @@ class SourceTree:
                 return f"the file is too large to analyse: the limit is {TEXT_LIMIT // 1000} kB"
             return f"cannot read this file: {error.strerror or error}"
         except UnicodeDecodeError as error:
-            return f"byte 0x{error.object[error.start]:02x} is no {error.encoding}: save the file as UTF-8"
+            return f"byte 0x{error.object[error.start]:02x} is not valid {error.encoding}: save the file as UTF-8"
         return None
 
     def _content(self, path: str) -> bytes | None:

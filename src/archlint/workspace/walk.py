@@ -229,7 +229,7 @@ def _why_unreadable(entry: os.DirEntry[str], error: OSError) -> tuple[str, str |
         if submodule is not None:
             message = f"is a symbolic link into the git submodule '{submodule}', which is not checked out"
             return message, "git submodule update --init"
-        return ("is a symbolic link to nothing", None) if entry.is_symlink() else None
+        return ("is a broken symbolic link", None) if entry.is_symlink() else None
     if error.errno == errno.ELOOP:
         return "is a symbolic link that leads back to itself", None
     return f"cannot be read: {error.strerror}", None

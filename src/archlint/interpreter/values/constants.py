@@ -169,7 +169,7 @@ def constant(
 ) -> Value:
     """A constant that a program makes of others; not known where it is longer or larger than is followed."""
     if isinstance(value, str) and len(value) > TEXT_LIMIT:
-        return Unknown("a text too long to follow")
+        return Unknown("a string too long to follow")
     if isinstance(value, int) and value.bit_length() > NUMBER_BITS:
         return Unknown("a number too large to follow")
     return Known(value, via, origin, kind)
@@ -184,7 +184,7 @@ def join_texts(parts: Sequence[Value], origin: Place | None = None) -> Value:
     """The concatenation of texts and of what ``str`` makes of other constants."""
     pieces = [piece for part in parts for piece in part.pieces]
     if sum(len(piece) for piece in pieces if piece is not None) > TEXT_LIMIT:
-        return Unknown("a text too long to follow", next(iter(sorted(via(*parts))), None))
+        return Unknown("a string too long to follow", next(iter(sorted(via(*parts))), None))
     merged: list[str | None] = []
     for known, group in groupby((piece for piece in pieces if piece != ""), key=lambda piece: piece is not None):
         merged.append("".join(piece for piece in group if piece is not None) if known else None)

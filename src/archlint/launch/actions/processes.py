@@ -38,7 +38,7 @@ def node(run: LaunchRun, entity: LaunchObject) -> None:
 def _text_of(run: LaunchRun, value: Value, missing: str) -> Text:
     """A name, which is no default where the file looks at ``sys.argv``: a word there may replace it."""
     if run.program.reads_command_line and any(isinstance(option, (Unknown, Holed)) for option in alternatives(value)):
-        return Text(None, "unknown", reason="a word of the command line may replace it")
+        return Text(None, "unknown", reason="a command-line argument may replace it")
     return text_of_value(value, missing)
 
 
@@ -159,7 +159,7 @@ def _components(run: LaunchRun, entity: LaunchObject, container: Text | None) ->
                     run.gap(f"a component: {reason(option)}")
     match value:
         case ListValue() | Unknown() if run.is_open(value):
-            run.gap("a list of components that is not wholly known")
+            run.gap("a list of components that is only partly known")
 
 
 def _component(run: LaunchRun, entity: LaunchObject, container: Text | None) -> None:

@@ -155,7 +155,7 @@ def _act(run: LaunchRun, entity: Instance) -> None:
         case LaunchObject(kind=kind) if kind in ACTIONS:
             ACTIONS[kind](run, entity)
         case _ if kind_of(entity) not in _IGNORED:
-            run.gap(f"{entity.note or kind_of(entity) or 'an object'} is no action that is followed")
+            run.gap(f"{entity.note or kind_of(entity) or 'an object'} is not an action that is followed")
 
 
 def _known_by_name(entity: Instance) -> Instance:

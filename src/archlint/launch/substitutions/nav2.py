@@ -122,7 +122,7 @@ def has_node(run: LaunchRun, value: LaunchObject) -> Value:
     reference = run.reference(FileKind.PARAMETERS, path, value.place or run.place_now)
     text = run.paths.text(reference)
     if text is None:
-        return Unknown("the content of a file that is not here")
+        return Unknown("the content of a file that is not in this workspace")
     try:
         reader = YamlReader(text)
         keys = {key for key, _, _ in reader.pairs(reader.root, 0)} if reader.root is not None else set()

@@ -52,7 +52,7 @@ def perform(run: LaunchRun, value: Value | None) -> Value:
     if not run.performing:
         run.performed = 0
     if run.performing >= DEEP_TEXT or run.performed >= PARTS:
-        return Unknown("a text of more parts than are followed")
+        return Unknown("a string with too many parts to follow")
     run.performing += 1
     run.performed += 1
     try:
@@ -69,7 +69,7 @@ def _perform(run: LaunchRun, value: Value) -> Value:
         case ListValue():
             items = containers.items_of(run, value)
             if items.open:
-                return Unknown("a text of parts that are not known")
+                return Unknown("a string with unknown parts")
             return texts.concatenate([run.perform(item) for item in items.values])
         case LaunchObject(kind=kind) if kind in SUBSTITUTIONS:
             return SUBSTITUTIONS[kind](run, value)
@@ -116,7 +116,7 @@ SUBSTITUTIONS: dict[str, Callable[[LaunchRun, LaunchObject], Value]] = {
     "Command": _not_here("the output of a command"),
     "FindExecutable": _not_here("the path of an executable"),
     "FileContent": _not_here("the content of a file"),
-    "LocalSubstitution": _not_here("what an event handler is told"),
+    "LocalSubstitution": _not_here("the argument of an event handler"),
     "ForLoopIndex": _not_here("the index of a loop"),
     "ForEachVar": _not_here("the variable of a loop"),
     "ParameterSubstitution": _not_here("the value of a parameter"),

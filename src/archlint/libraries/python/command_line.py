@@ -38,7 +38,7 @@ WORDS = 400
 """How many words of a command line are divided up."""
 ROS_ARGUMENTS, END_OF_ROS_ARGUMENTS = "--ros-args", "--"
 
-_UNKNOWN_WORD = Unknown("a word of the command line that the launch file does not decide")
+_UNKNOWN_WORD = Unknown("a command-line argument that the launch file does not set")
 _MARK = "\0"
 """Starts what stands for a word that is not known: no command line can hold it."""
 
@@ -269,7 +269,7 @@ def _value(run: Run, option: Option, found: dict[str, Any], name: str, words: li
         return Known(given)
     if isinstance(given, list):
         if option.keywords.get("default", NONE) != NONE and option.keywords.get("action") is not None:
-            return Unknown("words that are added to a default")
+            return Unknown("arguments that are added to a default")
         rows = [[item] if isinstance(item, str) else item for item in given]
         flat = [_converted(run, option, _word(text, words)) for row in rows for text in row]
         nested = any(isinstance(item, list) for item in given)
@@ -297,7 +297,7 @@ def _converted(run: Run, option: Option, word: Value) -> Value:
             return Unknown(f"'{word.value}' is no {kind.name}")
     if isinstance(kind, FunctionValue):
         return run.call(kind, CallSite([word]))
-    return Unknown("a word of the command line that code elsewhere converts")
+    return Unknown("a command-line argument that other code converts")
 
 
 def argument_group(

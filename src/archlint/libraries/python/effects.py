@@ -54,7 +54,7 @@ def partial(run: Run, call: ApiUse) -> Value:
 def import_module(run: Run, call: ApiUse) -> Value:
     name = call.get("name")
     if not isinstance(name, Known) or not isinstance(name.value, str):
-        return Unknown("the module is chosen by data")
+        return Unknown("the module is chosen at run time")
     level = len(name.value) - len(name.value.lstrip("."))
     module = run.index.find(run.activation.module, name.value.lstrip("."), level)
     return External(name.value, name.via) if module is None else run.import_module(module)
@@ -74,7 +74,7 @@ def asks_for_file(run: Run, call: ApiUse) -> Value:
     path = call.get("path")
     if isinstance(path, Known):
         run.note_asked_file(str(path.value))
-    return Unknown("whether a file is there")
+    return Unknown("whether a file exists")
 
 
 def environment(run: Run, call: ApiUse) -> Value:

@@ -105,7 +105,7 @@ def register(
                 messages.deliver(run, given, creation)
             run.callbacks.pending.append(Pending(callback, option, given, run.callbacks.lineage))
         elif isinstance(option, (Partial, ApiMethod)):
-            run.library.escaped((option,), "a callback takes it along that is not followed", call.expression)
+            run.library.escaped((option,), "it is bound to a callback that is not followed", call.expression)
         made = made or callback
     return made
 
@@ -240,7 +240,7 @@ def default_arguments(run: Run, role: model.Role, creation: model.Creation | Non
     if role == model.Role.FEEDBACK:
         return (_feedback(run, call),)
     if role in (model.Role.PARAMETER, model.Role.EVENT, model.Role.FILTER):
-        return (Unknown("what rclpy passes to the callback"),)
+        return (Unknown("an argument that rclpy passes to the callback"),)
     return ()
 
 

@@ -24,14 +24,14 @@ def answer(run: Run, future: FutureValue) -> Value:
     ):
         return EntityValue(future.creations, "rclpy.action.client.ClientGoalHandle", run.store.new_key())
     answers = {creation.type: _answer_of(run, creation, future.api) for creation in future.creations}
-    return one_of(answers.values()) if answers else Unknown("what a future gives")
+    return one_of(answers.values()) if answers else Unknown("the result of a future")
 
 
 def _answer_of(run: Run, creation: model.Creation, api: str) -> Value:
     if creation.kind == model.EntityKind.ACTION_CLIENT:
         return _action_answer(run, creation.type, api)
     if creation.type is None:
-        return Unknown("the answer of a service of unknown type")
+        return Unknown("the response of a service of unknown type")
     return MessageValue(creation.type, "Response", run.store.new_key())
 
 
@@ -40,14 +40,14 @@ def _action_answer(run: Run, type_: str | None, api: str) -> Value:
     if "cancel_goal" in api:
         return MessageValue("action_msgs/srv/CancelGoal", "Response", run.store.new_key())
     if type_ is None:
-        return Unknown("the answer of an action of unknown type")
+        return Unknown("the response of an action of unknown type")
     made = MessageValue(type_, "GetResultResponse", run.store.new_key())
     run.store.set(made.key, "result", MessageValue(type_, "Result", run.store.new_key()))
     return made
 
 
 def _none(run: Run, call: ApiUse) -> Value:
-    return Unknown(f"what {call.api.path}() gives")
+    return Unknown(f"the result of {call.api.path}()")
 
 
 def _register_on_client(run: Run, call: ApiUse) -> None:
@@ -62,7 +62,7 @@ def _wait_answer(run: Run, call: ApiUse) -> Value:
     on = creations_of(call.receiver)
     if on:
         return answer(run, FutureValue(on, call.api.path))
-    return Unknown("the answer of a service")
+    return Unknown("the response of a service")
 
 
 def _call_async(run: Run, call: ApiUse) -> Value:
@@ -74,7 +74,7 @@ def _call_async(run: Run, call: ApiUse) -> Value:
 def _future_result(run: Run, call: ApiUse) -> Value:
     if isinstance(call.receiver, FutureValue):
         return answer(run, call.receiver)
-    return Unknown("what a future gives")
+    return Unknown("the result of a future")
 
 
 def _callbacks(run: Run, call: ApiUse) -> Value:
@@ -84,7 +84,7 @@ def _callbacks(run: Run, call: ApiUse) -> Value:
     if node is None and isinstance(call.receiver, ExecutorValue):
         node = _node_of_a_task(run, call.receiver)
     callbacks.register_row(run, call, node, None, _group(run, call))
-    return Unknown(f"what {call.api.path}() gives")
+    return Unknown(f"the result of {call.api.path}()")
 
 
 def _node_of_a_task(run: Run, executor: ExecutorValue) -> model.Blueprint | None:
@@ -112,7 +112,7 @@ def _get_interface(run: Run, call: ApiUse) -> Value:
             else None
         )
         if match is None:
-            found.append(Unknown("the interface is chosen by data"))
+            found.append(Unknown("the interface is chosen at run time"))
             continue
         package, kind, name = match.groups()
         found.append(External(f"{package}.{kind or call.api.variant}.{name}"))

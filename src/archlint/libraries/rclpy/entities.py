@@ -49,11 +49,11 @@ def endpoint(run: Run, call: ApiUse) -> Value:
     on = call.get(api.node) if api.node is not None else call.receiver
     type_value = call.get(api.type)
     if api.type is not None and not _plausible(type_value, on):
-        return Unknown(f"what {api.path}() of another library gives")
+        return Unknown(f"the result of {api.path}() of another library")
     of = nodes.nodes_of if api.node is None else nodes.given_nodes
     blueprints = of(run, on, plausible=api.node is None or isinstance(on, (Unknown, Instance)))
     if not blueprints:
-        return Unknown("a create call on something that is no node")
+        return Unknown("a create call on something that is not a node")
     missing = "passed by * or **" if call.open else "no name is given"
     names = _names(run, call, missing)
     types = types_of(call)
@@ -169,7 +169,7 @@ def group_of(run: Run, value: Value | None) -> model.Group:
 def timer(run: Run, call: ApiUse) -> Value:
     """``create_timer(period, callback)``."""
     if isinstance(call.receiver, Unknown) and call.get("callback") is None:
-        return Unknown("what create_timer() of another library gives")
+        return Unknown("the result of create_timer() of another library")
     place = run.place(call.expression.span) if call.expression is not None else Place("", 1, 1, 1, 1)
     period, parameter = _seconds(call.get("timer_period_sec"))
     made = []

@@ -81,10 +81,10 @@ def to_call(run: Run, values: Iterable[Value], what: str, expression: facts.Call
     callbacks.run_handed_spins(run, given, expression)
     name = what or _name(expression)
     if name.rpartition(".")[2] not in _LOGS:
-        escape(run, given, f"it is given to {name}(), which is not followed" if name else _UNFOLLOWED, expression)
+        escape(run, given, f"it is passed to {name}(), which is not followed" if name else _UNFOLLOWED, expression)
 
 
-_UNFOLLOWED = "it is given to a call that is not followed"
+_UNFOLLOWED = "it is passed to a call that is not followed"
 
 
 def _name(expression: facts.Call | None) -> str:

@@ -166,7 +166,7 @@ def spin(run: Run, call: ApiUse) -> Value:
         for node in spun:
             _visit(use, node, _spell(run, call, node, lasting))
     _serve(run, call)
-    return Unknown("what a spin gives")
+    return Unknown("the result of a spin")
 
 
 def _spell(run: Run, call: ApiUse, node: model.Blueprint, lasting: model.SpinDuration) -> model.Spell:
@@ -213,4 +213,4 @@ def executor_spin(run: Run, call: ApiUse) -> Value:
     if use is not None:
         _spins(run, use, call, _lasting(run, call, use.nodes))
     _serve(run, call)
-    return Unknown("what a spin gives")
+    return Unknown("the result of a spin")

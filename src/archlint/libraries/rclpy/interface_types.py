@@ -15,7 +15,7 @@ def type_of_value(value: Value | None) -> tuple[str | None, str | None]:
         interface, section_name = names.interface_and_section(names.canonical(value.path))
         if interface is not None and not section_name:
             return interface, None
-        return None, f"'{value.path}' is no interface"
+        return None, f"'{value.path}' is not an interface"
     if isinstance(value, ClassValue):
         return None, f"'{value.qualified}' is a class of the workspace, not an interface"
     if isinstance(value, Unknown):

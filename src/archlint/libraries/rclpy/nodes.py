@@ -207,7 +207,7 @@ def held_blueprint(
     blueprint.caller_unknown = True
     blueprint.annotated = annotated
     blueprint.constructed = True
-    blueprint.name = model.Text(None, "unknown", reason="nothing in the workspace hands a node in")
+    blueprint.name = model.Text(None, "unknown", reason="nothing in the workspace passes a node")
     # Like every node that no launch file puts elsewhere, it is in the root namespace.
     return blueprint
 

@@ -116,7 +116,7 @@ def value_from_python(run: Run, value: object) -> Value:
     if isinstance(value, (str, int, float, bool)):
         return Known(value)
     why = value.reason if isinstance(value, NotKnown) else "not known here"
-    return Unknown(f"it is set from outside, to what is not known: {why}")
+    return Unknown(f"it is set to an unknown value: {why}")
 
 
 def declare_one(
@@ -272,7 +272,9 @@ def read(run: Run, call: ApiUse, name: Value) -> Value:
         elif option.value == "use_sim_time":
             found.append(Known(False, frozenset({"use_sim_time"})))
         else:
-            found.append(Unknown(f"the parameter '{option.value}' is not declared in reach", option.value))
+            found.append(
+                Unknown(f"the parameter '{option.value}' is not declared in the code that was followed", option.value)
+            )
     return one_of(found)
 
 

@@ -96,7 +96,7 @@ def preset_by_key(run: Run, call: ApiUse) -> Value:
     name = call.get("name")
     if isinstance(name, Known) and isinstance(name.value, str) and name.value.lower() in PRESETS:
         return External(f"rclpy.qos.QoSPresetProfiles.{name.value.upper()}.value")
-    return Unknown("the preset is chosen by data")
+    return Unknown("the preset is chosen at run time")
 
 
 def make_duration(run: Run, call: ApiUse) -> Value:

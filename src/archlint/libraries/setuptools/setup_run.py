@@ -33,7 +33,7 @@ def record_setup(run: Run, args: list[Value], keywords: dict[str, Value], e: fac
         starred = e is not None and any(argument.star for argument in e.args)
         run.open = starred and "entry_points" not in keywords
         run.called_at = None if e is None else run.place(e.span)
-    return Unknown("what setup() gives")
+    return Unknown("the result of setup()")
 
 
 def glob_pattern(run: Run, args: list[Value], keywords: dict[str, Value], e: facts.Call | None) -> Value:

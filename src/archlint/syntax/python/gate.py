@@ -93,11 +93,11 @@ def decode(data: bytes) -> str | Refusal:
         return Refusal(1, 1, "the file is UTF-16, which Python does not read: save it as UTF-8")
     zero = data.find(b"\0")
     if zero >= 0:
-        return _refused_byte(data, zero, "utf-8", "the file holds a NUL byte: it is no Python source")
+        return _refused_byte(data, zero, "utf-8", "the file contains a NUL byte, so it is not Python source")
     try:
         encoding, _ = tokenize.detect_encoding(io.BytesIO(data).readline)
     except SyntaxError as error:
-        return Refusal(1, 1, f"the encoding of this file cannot be told: {error.msg}")
+        return Refusal(1, 1, f"the encoding of this file is not known: {error.msg}")
     if encoding in _NOT_FOR_SOURCE:
         return Refusal(1, 1, f"the encoding of this file cannot be used: {encoding} is not for source code")
     try:
@@ -107,11 +107,11 @@ def decode(data: bytes) -> str | Refusal:
     except UnicodeDecodeError as error:
         at = error.start
         hint = "save the file as UTF-8 or name its encoding on line 1"
-        return _refused_byte(data, at, encoding, f"byte 0x{data[at]:02x} is no {encoding}: {hint}")
+        return _refused_byte(data, at, encoding, f"byte 0x{data[at]:02x} is not valid {encoding}: {hint}")
     except (LookupError, ValueError) as error:
         return Refusal(1, 1, f"the encoding of this file cannot be used: {error}")
     if "\0" in text or _SURROGATE.search(text):
-        return Refusal(1, 1, f"read as {encoding} the file holds what is no text: save it as UTF-8")
+        return Refusal(1, 1, f"the file is not text in {encoding}: save it as UTF-8")
     return text
 
 
