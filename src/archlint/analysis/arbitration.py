@@ -95,8 +95,8 @@ def _asks(system: System, owner: Endpoint) -> frozenset[_Word]:
     answers = {
         function.name: (end.kind, end.name)
         for end in owner.node.of_kind(EntityKind.SUBSCRIBER, EntityKind.SERVICE)
-        for function in map(code.function, end.creation.callbacks.values())
-        if isinstance(function, facts.Function) and end.name is not None
+        for function in map(code.definition, end.creation.callbacks.values())
+        if function is not None and end.name is not None
     }
     here = {name: words for (file, name), words in told.items() if file == owner.place.file}
     idle = idle_methods(workspace, file)
@@ -153,7 +153,7 @@ def _told(code: SourceCode, node: Node) -> dict[tuple[str, str], set[_Word]]:
         if end.type not in _WORDS or end.name is None or _halts(end.name):
             continue
         for callback in end.creation.callbacks.values():
-            for attribute in _sets(code.function(callback)):
+            for attribute in _sets(code.definition(callback)):
                 found.setdefault((callback.place.file, attribute), set()).add((end.kind, end.name))
     return found
 
@@ -162,9 +162,9 @@ def _halts(name: str) -> bool:
     return not _HALTS.isdisjoint(name.lower().replace("/", "_").split("_"))
 
 
-def _sets(function: facts.Function | facts.Lambda | None) -> set[str]:
+def _sets(function: facts.Function | None) -> set[str]:
     """The attributes of ``self`` that a callback sets, or hands to a function together with its message."""
-    if not isinstance(function, facts.Function) or not function.params:
+    if function is None or not function.params:
         return set()
     message = {param.name for param in function.params[1:]}
     found: set[str] = set()

@@ -36,8 +36,8 @@ def handlers_of(system: System, role: Role) -> Iterator[tuple[Callback, facts.Fu
     """The functions that are given as callbacks of a role and whose code is all there is to see."""
     code = source_code(system)
     for callback in _callbacks(system, role):
-        function = code.function(callback)
-        if isinstance(function, facts.Function) and not function.decorators and not function.is_generator:
+        function = code.definition(callback)
+        if function is not None and not function.decorators and not function.is_generator:
             yield callback, function
 
 

@@ -48,10 +48,10 @@ def is_dead(workspace: WorkspaceIndex | None, program: Program, call: ApiCall) -
         return False
     if callback.node is None or callback.node.escapes:
         return False
-    code, file, function = workspace.code, callback.place.file, code_of(workspace).function(callback)
+    code, file, function = workspace.code, callback.place.file, code_of(workspace).definition(callback)
     uses = _uses(workspace, file)
     package = workspace.package_of(file)
-    if uses is None or package is None or not isinstance(function, facts.Function):
+    if uses is None or package is None or function is None:
         return False
     name = function.name
     others = [other for one in workspace.packages for other in code.files_of(one) if other != file]

@@ -120,8 +120,8 @@ def varies_with_the_round(code: SourceCode, call: ApiCall) -> bool:
 
 def lasts_as_requested(code: SourceCode, call: ApiCall) -> bool:
     """Whether a handler's request says how long a call of it takes: ``time.sleep(request.seconds)``."""
-    function, bound = code.function(call.context), call.context.bound_arguments
-    if call.chain or not isinstance(function, facts.Function):
+    function, bound = code.definition(call.context), call.context.bound_arguments
+    if call.chain or function is None:
         return False
     known = {param.name for param in function.params[bound : bound + 1]}
     for one in statements_of(code.body(call), facts.Assign):

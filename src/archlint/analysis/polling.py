@@ -39,8 +39,8 @@ def is_unguarded(code: SourceCode, call: ApiCall) -> bool:
     body = code.body(call) if loop is None else loop.body
     if call.chain[1:] or _always_comes_to(body, (call.place.line, call.place.column)) is not True:
         return False
-    function = code.function(call.context)
-    if not call.chain or not isinstance(function, facts.Function):
+    function = code.definition(call.context)
+    if not call.chain or function is None:
         return True
     # What runs calls the function that asks: an occasion may be needed for that, too.
     place = call.chain[0].place

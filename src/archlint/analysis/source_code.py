@@ -104,6 +104,11 @@ class SourceCode:
             return inner
         return spot.written if isinstance(spot.written, facts.Lambda) else None
 
+    def definition(self, callback: Callback) -> facts.Function | None:
+        """The ``def`` of a callback; None for a lambda, and for what is not followed."""
+        function = self.function(callback)
+        return function if isinstance(function, facts.Function) else None
+
     def _filling(self, place: Place) -> Iterator[facts.Stmt]:
         return (one for one in self._spot(place).statements if _fills(one, _span(place)))
 
