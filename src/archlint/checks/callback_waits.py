@@ -43,12 +43,12 @@ _GROUP_HELP = "give the client its own callback group (callback_group=MutuallyEx
 @rule("EXE001", scope=Scope.CODE)
 def spin_in_callback(system: System, options: Options) -> Iterator[Finding]:
     """Spins that a callback reaches; of those of a service handler for an answer, SRV003 speaks."""
-    told = nested_spins(system, options.distros)
+    reported = nested_spins(system, options.distros)
     yield from one_for_each_place(
         found
         for program, call in judged_calls(system)
         if is_spin_call(call) and runs_in_executor(call.context)
-        if told.isdisjoint((call.context.place, one) for one in (call.place, *call.loops[-1:]))
+        if reported.isdisjoint((call.context.place, one) for one in (call.place, *call.loops[-1:]))
         for found in _nested_spin(system, program, call, options)
     )
 

@@ -31,8 +31,8 @@ def circular_dependency(system: System, options: Options) -> Iterator[Finding]:
     if workspace is None:
         return
     declared = {name: _declared(package, workspace.packages) for name, package in sorted(workspace.packages.items())}
-    told: set[str] = set()
-    for circle in _circles(declared, told):
+    reported: set[str] = set()
+    for circle in _circles(declared, reported):
         yield finding(
             "PKG003",
             declared[circle[0]][circle[1]],
@@ -42,7 +42,7 @@ def circular_dependency(system: System, options: Options) -> Iterator[Finding]:
         )
     used = _used(workspace, options)
     needs = {name: {**used.get(name, {}), **declared[name]} for name in declared}
-    for circle in _circles(needs, told):
+    for circle in _circles(needs, reported):
         yield _undeclared(circle, needs, used)
 
 
@@ -87,11 +87,11 @@ def _first(uses: list[Use], workspace: WorkspaceIndex) -> dict[str, Place]:
     return {use.needed: use.place for use in reversed(uses) if use.needed in workspace.packages}
 
 
-def _circles(needs: Needs, told: set[str]) -> Iterator[list[str]]:
+def _circles(needs: Needs, reported: set[str]) -> Iterator[list[str]]:
     """A shortest circle for each package that is in one and in none that was ``told``."""
     for start in needs:
-        circle = [] if start in told else _circle(start, needs)
-        told.update(circle)
+        circle = [] if start in reported else _circle(start, needs)
+        reported.update(circle)
         if circle:
             yield circle
 

@@ -38,22 +38,22 @@ def unknown_field(system: System, options: Options) -> Iterator[Finding]:
     for program in system.programs:
         for function, calls in program.callers.items():
             callers.setdefault(function, set()).update(calls)
-    told: set[Place] = set()
+    reported: set[Place] = set()
     for place in sorted(uses):
         missing = sorted(
             (use for use in uses[place] if use.exists is False), key=lambda use: (use.type, use.section_name)
         )
         wrong = _wrongly_passed(uses[place], missing, callers)
         if wrong:
-            yield from (_passed_to(system, use, hop) for use, hop in wrong if use.certain and hop.call not in told)
-            told.update(hop.call for _, hop in wrong)
+            yield from (_passed_to(system, use, hop) for use, hop in wrong if use.certain and hop.call not in reported)
+            reported.update(hop.call for _, hop in wrong)
             continue
         if len(missing) == len(uses[place]):
             yield _unknown_field(system, missing[0])
             continue
-        certain = [use for use in missing if use.delivered is not None and use.delivered.place not in told]
+        certain = [use for use in missing if use.delivered is not None and use.delivered.place not in reported]
         if certain:  # once for each that delivers: the first use ends the callback
-            told.update(use.delivered.place for use in certain if use.delivered is not None)
+            reported.update(use.delivered.place for use in certain if use.delivered is not None)
             yield _of_one_type(system, certain[0], uses[place])
 
 

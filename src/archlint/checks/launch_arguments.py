@@ -31,23 +31,25 @@ def undeclared_launch_argument(system: System, options: Options) -> Iterator[Fin
     if not launched.gaps and not _meant_to_be_included(launched):
         yield from _of_one_call(_undeclared_uses(system, launched))
     # One include may be of one of several files, or of all of them: an argument is for the one that takes it.
-    told: dict[tuple[object, ...], Finding] = {}
+    reported: dict[tuple[object, ...], Finding] = {}
     for place, includes in groupby(launched.included, key=lambda include: include.place):
         for one in _unknown_arguments(system.workspace, list(includes)):
-            first = told.setdefault((place.file, one.message), one)
+            first = reported.setdefault((place.file, one.message), one)
             if first.place != one.place:  # the same file is included with the same arguments again
-                told[place.file, one.message] = replace(first, related=(*first.related, Related(one.place, "and here")))
-    yield from told.values()
+                reported[place.file, one.message] = replace(
+                    first, related=(*first.related, Related(one.place, "and here"))
+                )
+    yield from reported.values()
 
 
 def _undeclared_uses(system: System, launched: Launched) -> Iterator[Finding]:
-    told: set[str] = set()
+    reported: set[str] = set()
     declared = sorted({argument.name for argument in launched.declared})
     for use in launched.undeclared:
         alone = use.file == launched.file
-        if use.conditional or (alone and system.is_included) or use.name in told:
+        if use.conditional or (alone and system.is_included) or use.name in reported:
             continue  # whoever includes it may pass it: that system tells
-        told.add(use.name)
+        reported.add(use.name)
         if use.unseen is not None:
             continue  # an include in front of it is not there, which LCH004 tells: what it declares nobody knows
         if use.own_default is not None:

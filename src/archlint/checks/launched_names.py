@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 
 def names_given_by_launch(system: System) -> Iterator[Finding]:
     """Every bad name that a launch file gives: of nodes, of namespaces, and in remappings; each cause once."""
-    told: dict[tuple[str, Place | str], list[Related]] = {}
+    reported: dict[tuple[str, Place | str], list[Related]] = {}
     found: dict[tuple[str, Place | str], Finding] = {}
     launched = system.launched
     if launched is None:
@@ -35,13 +35,13 @@ def names_given_by_launch(system: System) -> Iterator[Finding]:
                 continue
             key = (one.identity[0], cause)  # the rounds of a loop give several names at one place
             found.setdefault(key, one)
-            others = told.setdefault(key, [Related(started.place, "")])
+            others = reported.setdefault(key, [Related(started.place, "")])
             if one.message != found[key].message:
                 others.append(Related(started.place, one.message))
             elif started.place not in (found[key].place, others[0].place):
                 others.append(Related(started.place, "this one is part of it, too"))
     for key, one in found.items():
-        yield finding(one.code, one.place, one.message, help=one.help, related=told[key][1:], identity=one.identity)
+        yield finding(one.code, one.place, one.message, help=one.help, related=reported[key][1:], identity=one.identity)
 
 
 def _wants_a_value(launched: Launched) -> bool:

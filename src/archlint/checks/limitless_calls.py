@@ -43,12 +43,12 @@ _SPINS = (_ANOTHER, _UNKNOWN)
 @rule("TMO002", scope=Scope.CODE, in_use=True)
 def call_without_timeout(system: System, options: Options) -> Iterator[Finding]:
     """Blocking calls that wait for their answer without limit."""
-    told = spoken_of(system, options.distros) | {wait.call.place for wait in piling_up(system)}
+    reported = spoken_of(system, options.distros) | {wait.call.place for wait in piling_up(system)}
     yield from one_for_each_place(
         _limitless_call(system, program, call, options.distros)
         for program, call in calls_of(system, (_CALL, _SEND_GOAL))
         if not _waits_apart(system, program, call)
-        and call.place not in told
+        and call.place not in reported
         and (call.api == _SEND_GOAL or waits_for_ever(source_code(system), call, "timeout_sec", negative=False))
     )
 

@@ -54,7 +54,7 @@ _Row = tuple["Program", "ApiCall", Stay]
 def slow_callback(system: System, options: Options) -> Iterator[Finding]:
     """Sleeps and waits for the world outside that callbacks reach: one finding for the function that holds them."""
     asked = clients_of_handlers(system, options.distros)
-    told = functions_that_ask(system, options.distros)
+    reported = functions_that_ask(system, options.distros)
     functions: dict[tuple[str, str], dict[Place, _Row]] = {}
     for program, call, stay in _stays(system):
         if call.context.role == Role.SERVICE and stay.kind == "sleep":
@@ -65,7 +65,7 @@ def slow_callback(system: System, options: Options) -> Iterator[Finding]:
             continue  # something has failed, and the callback ends with it
         if not asked.isdisjoint((call.context.place, client.place) for client in creations_of(call.receiver)):
             continue  # a handler that asks the server afterwards is SRV003's: this is part of the same wait
-        if any((call.file, call.function, client.place) in told for client in creations_of(call.receiver)):
+        if any((call.file, call.function, client.place) in reported for client in creations_of(call.receiver)):
             continue  # other callbacks get to the same two waits, of which SRV003 speaks
         rows = functions.setdefault((call.file, call.function), {})
         known = rows.get(call.place)

@@ -126,11 +126,11 @@ def _ready(call: ApiCall) -> str:
 def spin_without_timeout(system: System, options: Options) -> Iterator[Finding]:
     """Spins until a future is complete that nothing limits.  Of a method that nothing calls, and of a client that
     nothing is seen to make, nobody knows whether it is ever there."""
-    told = spoken_of(system, options.distros)
+    reported = spoken_of(system, options.distros)
     yield from one_for_each_place(
         _limitless_spin(system, call)
         for program, call in calls_of(system, (_SPIN, _EXECUTOR_SPIN))
-        if waits_for_ever(source_code(system), call, "timeout_sec") and call.place not in told
+        if waits_for_ever(source_code(system), call, "timeout_sec") and call.place not in reported
         if not is_dead(system.workspace, program, call) and not is_never_made(system.workspace, call)
         if not spins_for_own_future(call) or spins_for_a_message(system, call)
         if call.context.role != Role.METHOD or creations_of(argument(call, "future"))
