@@ -6,13 +6,14 @@ It is built from the back: each statement is given the block that comes after it
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass, replace
 from functools import lru_cache
 
 from archlint.syntax import facts
-from archlint.syntax.flow_graph import Block, Edge, Graph, Kind, Loop, reach
+from archlint.syntax.flow_graph import Block, Edge, Graph, Kind, Loop, WaysOut, reach
 from archlint.syntax.parts import Itself
 
+_Final = Callable[[Block], Block]
+"""A ``finally``: where it begins if it is to lead on to a block."""
 _EXITS = frozenset({"sys.exit", "os._exit", "os.abort", "exit", "quit"})
 """Calls that end the program."""
 
@@ -59,16 +60,14 @@ def comes_round(statement: facts.While | facts.For, inside: facts.Stmt) -> bool:
 
 
 def _build(body: Sequence[facts.Stmt]) -> Graph:
-    end, raised, left = Block(), Block(), Block()
-    builder = _Builder()
-    entry = builder.block(body, end, _Around(raised, left, left))
+    ways_out = WaysOut()
+    builder = _Builder(ways_out)
+    entry = builder.block(body, ways_out.end, _Around(ways_out.raised, ways_out.left, ways_out.left))
     blocks = _in_order(entry)
-    reached = set(blocks)
     for block in blocks:
         for loop in block.loops:
             loop.blocks.append(block)
-    returns = [(statement, exit_) for statement, exit_ in builder.returns if exit_ in reached]
-    return Graph(entry, end, raised, left, returns, blocks)
+    return Graph(entry, blocks, ways_out)
 
 
 def _in_order(entry: Block) -> list[Block]:
@@ -88,18 +87,39 @@ def _in_order(entry: Block) -> list[Block]:
     return order[::-1]
 
 
-@dataclass(frozen=True)
 class _Around:
-    """What is around a statement: where it leads to if it leaves it."""
+    """What is around a statement: where it leads to if it leaves it.
 
-    raises: Block
-    breaks: Block
-    continues: Block
-    finals: tuple[Callable[[Block], Block], ...] = ()
-    """Each ``finally`` around it, outermost first: a copy that leads on to a block."""
-    finals_of_loop: int = 0
-    """How many of these are around its innermost loop, too."""
-    loops: tuple[Loop, ...] = ()
+    ``finals`` are every ``finally`` around it, outermost first, each a copy that leads on to a block; so many of them
+    as ``finals_of_loop`` are around its innermost loop, too.
+    """
+
+    __slots__ = ("breaks", "continues", "finals", "finals_of_loop", "loops", "raises")
+
+    def __init__(
+        self,
+        raises: Block,
+        breaks: Block,
+        continues: Block,
+        finals: tuple[_Final, ...] = (),
+        finals_of_loop: int = 0,
+        loops: tuple[Loop, ...] = (),
+    ) -> None:
+        self.raises = raises
+        self.breaks = breaks
+        self.continues = continues
+        self.finals = finals
+        self.finals_of_loop = finals_of_loop
+        self.loops = loops
+
+    def in_loop(self, head: Block, then: Block) -> _Around:
+        """The same inside a loop."""
+        return _Around(self.raises, then, head, self.finals, len(self.finals), head.loops)
+
+    def in_try(self, raises: Block, *final: _Final) -> _Around:
+        """The same where an exception leads elsewhere, and perhaps every way out through a ``finally``."""
+        finals = (*self.finals, *final)
+        return _Around(raises, self.breaks, self.continues, finals, self.finals_of_loop, self.loops)
 
     def leaving_loop(self, target: Block) -> Block:
         """Where ``break`` or ``continue`` leads to: through every ``finally`` inside the loop."""
@@ -109,15 +129,15 @@ class _Around:
         return self._through(self.finals, target)
 
     @staticmethod
-    def _through(finals: Sequence[Callable[[Block], Block]], target: Block) -> Block:
+    def _through(finals: Sequence[_Final], target: Block) -> Block:
         for final in finals:
             target = final(target)
         return target
 
 
 class _Builder:
-    def __init__(self) -> None:
-        self.returns: list[tuple[facts.Return, Block]] = []
+    def __init__(self, ways_out: WaysOut) -> None:
+        self.ways_out = ways_out
 
     def block(self, body: Sequence[facts.Stmt], then: Block, around: _Around) -> Block:
         """Where a block begins that leads on to ``then``."""
@@ -156,7 +176,7 @@ class _Builder:
 
     def exit(self, s: facts.Return, around: _Around) -> Block:
         leaves = Block()
-        self.returns.append((s, leaves))
+        self.ways_out.returns.append((s, leaves))
         block = Block(s, s, around.loops) if s.value is None else _evaluating(s, s, around)
         block.leaves = True
         return _link(block, around.leaving_function(leaves))
@@ -187,24 +207,23 @@ class _Builder:
         self, s: facts.While | facts.For, head: Block, then: Block, around: _Around, test: facts.Expr | None = None
     ) -> None:
         head.loops = (*around.loops, Loop(s, head))
-        inside = replace(around, breaks=then, continues=head, finals_of_loop=len(around.finals), loops=head.loops)
-        _link(head, self.block(s.body, head, inside), test)
+        _link(head, self.block(s.body, head, around.in_loop(head, then)), test)
 
     def attempt(self, s: facts.Try, then: Block, around: _Around) -> Block:
         if s.final:
             final = self.copies_of(s.final, around)
             then = final(then)
-            around = replace(around, raises=final(around.raises), finals=(*around.finals, final))
+            around = around.in_try(final(around.raises), final)
         raised = Block(None, None, around.loops)
         for handler in s.handlers:
             _link(raised, self.block(handler.body, then, around))
         if all(handler.type is not None for handler in s.handlers):
             raised.edges.append(Edge(raised, around.raises, Kind.RAISE))
         orelse = self.block(s.orelse, then, around)
-        begins = _evaluating(None, s, replace(around, raises=raised))
-        return _link(begins, self.block(s.body, orelse, replace(around, raises=raised)))
+        inside = around.in_try(raised)
+        return _link(_evaluating(None, s, inside), self.block(s.body, orelse, inside))
 
-    def copies_of(self, final: Sequence[facts.Stmt], around: _Around) -> Callable[[Block], Block]:
+    def copies_of(self, final: Sequence[facts.Stmt], around: _Around) -> _Final:
         """A ``finally``, once for each block that it leads on to."""
         copies: dict[Block, Block] = {}
 

@@ -11,7 +11,6 @@ from __future__ import annotations
 
 from collections import deque
 from collections.abc import Callable, Collection, Hashable, Iterator, Sequence
-from dataclasses import dataclass, field
 from enum import Enum, auto
 from typing import Generic, TypeVar
 
@@ -30,28 +29,38 @@ class Kind(Enum):
     """Where an exception goes."""
 
 
-@dataclass(eq=False, slots=True)
 class Block:
-    """One statement or the head of one; ``fact`` is what it evaluates."""
+    """One statement or the head of one; ``fact`` is what it evaluates, ``loops`` are those that it is in, outermost
+    first.
 
-    fact: facts.Base | None = None
-    statement: facts.Stmt | None = None
-    loops: tuple[Loop, ...] = field(default=(), repr=False)
-    """The loops that it is in, outermost first."""
-    leaves: bool = False
-    """Whether it is ``return``, ``raise`` or an end of the program: where that raises, it has not had its effect."""
-    edges: list[Edge] = field(default_factory=list, repr=False)
+    With ``leaves`` it is ``return``, ``raise`` or an end of the program: where that raises, it has not had its effect.
+    """
+
+    __slots__ = ("edges", "fact", "leaves", "loops", "statement")
+
+    def __init__(
+        self, fact: facts.Base | None = None, statement: facts.Stmt | None = None, loops: tuple[Loop, ...] = ()
+    ) -> None:
+        self.fact = fact
+        self.statement = statement
+        self.loops = loops
+        self.leaves = False
+        self.edges: list[Edge] = []
 
 
-@dataclass(frozen=True, eq=False, slots=True)
 class Edge:
     """A way from one block to another, taken where ``test`` comes out as ``holds``."""
 
-    source: Block
-    target: Block
-    kind: Kind = Kind.NEXT
-    test: facts.Expr | None = None
-    holds: bool = True
+    __slots__ = ("holds", "kind", "source", "target", "test")
+
+    def __init__(
+        self, source: Block, target: Block, kind: Kind, test: facts.Expr | None = None, holds: bool = True
+    ) -> None:
+        self.source = source
+        self.target = target
+        self.kind = kind
+        self.test = test
+        self.holds = holds
 
 
 Along = Callable[[Edge], bool]
@@ -80,14 +89,15 @@ def reach(starts: Collection[Block], along: Along = any_way, avoiding: Collectio
     return reached
 
 
-@dataclass(eq=False, slots=True)
 class Loop:
-    """A loop: its ``head`` decides about each round."""
+    """A loop: its ``head`` decides about each round; ``blocks`` are those of its head and its body that run at all."""
 
-    statement: facts.While | facts.For
-    head: Block
-    blocks: list[Block] = field(default_factory=list)
-    """Those of its head and its body that run at all."""
+    __slots__ = ("blocks", "head", "statement")
+
+    def __init__(self, statement: facts.While | facts.For, head: Block) -> None:
+        self.statement = statement
+        self.head = head
+        self.blocks: list[Block] = []
 
     @property
     def exits(self) -> Iterator[Edge]:
@@ -118,29 +128,38 @@ class Loop:
         return edge.target is not self.head and self in edge.target.loops
 
 
-@dataclass
 class Ends(Generic[State]):
     """The ends of a body: each ``return`` with the states that reach it, and those that run off the end."""
 
-    returns: list[tuple[facts.Return, frozenset[State]]]
-    falls: frozenset[State]
+    def __init__(
+        self, returns: list[tuple[facts.Return, frozenset[State]]], falls: frozenset[State] = frozenset()
+    ) -> None:
+        self.returns = returns
+        self.falls = falls
 
 
-@dataclass(eq=False, slots=True)
+class WaysOut:
+    """How a piece of code can be left: off its ``end``, by an exception (``raised``), by ``break`` or ``continue`` of a
+    loop that is around all of it (``left``), and by each ``return``, with what comes after it and after all that
+    ``finally`` still does."""
+
+    def __init__(self) -> None:
+        self.end, self.raised, self.left = Block(), Block(), Block()
+        self.returns: list[tuple[facts.Return, Block]] = []
+
+
 class Graph:
-    """The control flow of a piece of code, from ``entry`` on."""
+    """The control flow of a piece of code, from ``entry`` on; ``blocks`` are all that may run, in an order in which
+    what comes first stands first."""
 
-    entry: Block
-    end: Block
-    """Where it runs off its end."""
-    raised: Block
-    """Where an exception leaves it."""
-    left: Block
-    """Where it breaks off, or goes on with, a loop that is around all of it."""
-    returns: list[tuple[facts.Return, Block]]
-    """Each ``return``, with what comes after it and after all that ``finally`` still does."""
-    blocks: list[Block]
-    """All that may run, in an order in which what comes first stands first."""
+    def __init__(self, entry: Block, blocks: list[Block], ways_out: WaysOut) -> None:
+        self.entry = entry
+        self.blocks = blocks
+        self.end = ways_out.end
+        self.raised = ways_out.raised
+        self.left = ways_out.left
+        reached = set(blocks)
+        self.returns = [(statement, exit_) for statement, exit_ in ways_out.returns if exit_ in reached]
 
     @property
     def exits(self) -> list[Block]:
@@ -206,9 +225,8 @@ class Graph:
     ) -> Ends[State]:
         """The states in which it can end, other than by an exception; as :meth:`states`."""
         found = self.states(start, step, branch)
-        nothing: frozenset[State] = frozenset()
         returns = [(end, found[block]) for end, block in self.returns if block in found]
-        return Ends(returns, found.get(self.end, nothing))
+        return Ends(returns, found.get(self.end, frozenset()))
 
 
 def _entering(
