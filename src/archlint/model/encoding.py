@@ -1,0 +1,190 @@
+"""Programs as MessagePack, and back.
+
+Nodes, create calls, callbacks and the like refer to one another, in circles, and are told apart by identity.  So all
+programs of a workspace are written together, as two tables: the *values* (places, names, what calls are given …), each
+after those that it is made of, and the *objects* that have an identity.  A reference is a row's number.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass, field, fields
+from enum import Enum
+from typing import Any, Final, cast
+
+import msgspec
+
+from archlint.branches import ChoiceOfArgument, ChoiceOfCallee, UnfollowedCondition
+from archlint.finding import Place
+from archlint.model import given
+from archlint.model.calls import ApiCall
+from archlint.model.executors import ExecutorUse, Spell, SpinDuration
+from archlint.model.kinds import EntityKind, ExecutorKind, GroupKind, Role
+from archlint.model.messages import FieldUse, Passed, UnknownInterface
+from archlint.model.nodes import Blueprint, Callback, Creation, Frame, FunctionRef, Group, ParameterDeclaration
+from archlint.model.programs import Program
+from archlint.model.texts import Text
+from archlint.ros.qos import Qos
+
+Plain = Any
+"""None, a truth value, a number, a text, bytes, or a list of such that begins with one of these tags."""
+
+_OBJECT: Final = "object"
+_VALUE: Final = "value"
+_WORD: Final = "word"
+_HUGE: Final = "huge"
+_DICT: Final = "dict"
+
+_CONTAINERS: Mapping[str, type] = {"list": list, "tuple": tuple, "set": set, "frozenset": frozenset}
+_WORD_TYPES: tuple[type, ...] = (
+    *(EntityKind, ExecutorKind, GroupKind, Role, SpinDuration),
+    *(ChoiceOfArgument, ChoiceOfCallee, UnfollowedCondition),
+)
+_WORDS: Mapping[str, type] = {kind.__name__: kind for kind in _WORD_TYPES}
+"""Words and numbers with a type of their own."""
+_RECORD_TYPES: tuple[type, ...] = (
+    *(ApiCall, Blueprint, Callback, Creation, ExecutorUse, FieldUse, Frame, FunctionRef, Group, ParameterDeclaration),
+    *(Passed, Place, Program, Qos, Spell, Text, UnknownInterface),
+    *(given.Given, given.Constant, given.OneOf, given.Entity, given.Future, given.Node, given.Executor),
+    *(given.Message, given.Object, given.GoalHandle, given.Duration, given.ForeignClass, given.Collection),
+)
+_RECORDS: Mapping[str, type] = {kind.__name__: kind for kind in _RECORD_TYPES}
+_FIELDS = {kind: tuple(row.name for row in fields(kind)) for kind in _RECORDS.values()}
+_SMALL = range(-(2**63), 2**63)
+"""What MessagePack has a number for."""
+
+
+class NotEncodable(TypeError):
+    """Something that is no plain data."""
+
+
+class NotPrograms(ValueError):
+    """A payload that is damaged, or of another version."""
+
+
+class Payload(msgspec.Struct, array_like=True):
+    """What is written: the fields that each class has, the rows of both tables, and the numbers of the programs."""
+
+    classes: dict[str, list[str]]
+    values: list[list[Plain]]
+    objects: list[list[Plain]]
+    programs: list[Plain]
+
+
+def encode(programs: Iterable[Program]) -> bytes:
+    """Programs, with all that they refer to."""
+    tables = _Tables()
+    numbers = [tables.plain(program) for program in programs]
+    tables.fill()
+    classes = {kind.__name__: list(names) for kind, names in _FIELDS.items()}
+    return msgspec.msgpack.encode(Payload(classes, tables.values, tables.objects, numbers))
+
+
+def decode(payload: bytes) -> list[Program]:
+    """Programs as they were encoded; raises :class:`NotPrograms`."""
+    try:
+        found = msgspec.msgpack.decode(payload, type=Payload)
+    except (msgspec.MsgspecError, ValueError, RecursionError) as error:
+        raise NotPrograms(str(error)) from error
+    if found.classes != {kind.__name__: list(names) for kind, names in _FIELDS.items()}:
+        raise NotPrograms("written by another version")
+    try:
+        return _Rows(found).programs()
+    except (LookupError, TypeError, ValueError) as error:
+        raise NotPrograms(str(error)) from error
+
+
+@dataclass
+class _Tables:
+    values: list[list[Plain]] = field(default_factory=list)
+    objects: list[list[Plain]] = field(default_factory=list)
+    _numbers: dict[int, Plain] = field(default_factory=dict)
+    """References by the ``id`` of what they refer to."""
+    _waiting: list[object] = field(default_factory=list)
+    """What has a number among the objects, in that order; it is kept alive, and with it its ``id``."""
+    _kept: list[object] = field(default_factory=list)
+
+    def fill(self) -> None:
+        """Write the rows of all objects, and of those that they refer to."""
+        while len(self.objects) < len(self._waiting):
+            self.objects.append(self._row(self._waiting[len(self.objects)]))
+
+    def plain(self, item: object) -> Plain:
+        kind = type(item)
+        if item is None or kind in (bool, float, str, bytes):
+            return item
+        if kind is int:
+            return item if item in _SMALL else [_HUGE, str(item)]
+        if kind in _FIELDS:
+            return self._reference(item)
+        if kind.__name__ in _WORDS:
+            return [_WORD, kind.__name__, item.value if isinstance(item, Enum) else str(item)]
+        match item:
+            case list() | tuple():
+                return [kind.__name__, *map(self.plain, item)]
+            case set() | frozenset():
+                return [kind.__name__, *map(self.plain, sorted(item, key=repr))]
+            case dict():
+                return [_DICT, *(self.plain(part) for row in item.items() for part in row)]
+        raise NotEncodable(f"{kind.__module__}.{kind.__qualname__} is no plain data")
+
+    def _reference(self, item: object) -> Plain:
+        known = self._numbers.get(id(item))
+        if known is None:
+            if type(item).__eq__ is object.__eq__:
+                known = [_OBJECT, len(self._waiting)]
+                self._waiting.append(item)
+            else:
+                row = self._row(item)
+                known = [_VALUE, len(self.values)]
+                self.values.append(row)
+                self._kept.append(item)
+            self._numbers[id(item)] = known
+        return known
+
+    def _row(self, item: object) -> list[Plain]:
+        kind = type(item)
+        return [kind.__name__, *(self.plain(getattr(item, name)) for name in _FIELDS[kind])]
+
+
+class _Rows:
+    def __init__(self, payload: Payload) -> None:
+        self._payload = payload
+        self._values: list[object] = []
+        kinds = [_RECORDS[row[0]] for row in payload.objects]
+        self._objects: list[object] = [object.__new__(kind) for kind in kinds]
+
+    def programs(self) -> list[Program]:
+        for row in self._payload.values:
+            item: object = object.__new__(_RECORDS[row[0]])
+            self._fill(item, row)
+            self._values.append(item)
+        for item, row in zip(self._objects, self._payload.objects, strict=True):
+            self._fill(item, row)
+        return [cast("Program", self._item(number)) for number in self._payload.programs]
+
+    def _fill(self, item: object, row: Sequence[Plain]) -> None:
+        for name, part in zip(_FIELDS[type(item)], row[1:], strict=True):
+            object.__setattr__(item, name, self._item(part))
+
+    def _item(self, plain: Plain) -> object:
+        if not isinstance(plain, list):
+            return plain
+        tag, *parts = plain
+        match tag:
+            case "object":
+                return self._objects[parts[0]]
+            case "value":
+                return self._values[parts[0]]
+            case "word":
+                return _WORDS[parts[0]](parts[1])
+            case "huge":
+                return int(parts[0])
+            case "dict":
+                items = [self._item(part) for part in parts]
+                return dict(zip(items[::2], items[1::2], strict=True))
+            case _:
+                return _CONTAINERS[tag](map(self._item, parts))
+
+
+__all__ = ["NotEncodable", "NotPrograms", "decode", "encode"]

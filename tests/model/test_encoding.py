@@ -1,0 +1,175 @@
+"""Programs are plain data: written as MessagePack and read again, they are judged as before."""
+
+from __future__ import annotations
+
+import re
+from dataclasses import dataclass, fields
+from pathlib import Path
+
+import msgspec
+import pytest
+
+from archlint.branches import ChoiceOfCallee
+from archlint.cli import main
+from archlint.finding import Place
+from archlint.model import (
+    ApiCall,
+    Blueprint,
+    Callback,
+    Creation,
+    EntityKind,
+    ExecutorKind,
+    ExecutorUse,
+    Program,
+    Role,
+    Spell,
+    SpinDuration,
+    Text,
+    encoding,
+    given,
+)
+from archlint.model.encoding import NotEncodable, NotPrograms, decode, encode
+from archlint.programs.linker import EntryPoint, Linker
+
+FIXTURES = Path(__file__).parents[2] / "fixtures"
+PLACE = Place("robot/node.py", 3, 5, 3, 9)
+
+
+def program() -> Program:
+    """A node with a timer whose callback calls something, all of which refer to one another."""
+    name = Text("robot", "exact")
+    node = Blueprint("Robot", name, name, PLACE, "robot", executables=("robot",))
+    callback = Callback(Role.TIMER, "Robot.tick", PLACE, None, node)
+    timer = Creation(EntityKind.TIMER, "an.api", node, PLACE, name, None, callbacks={"timer": callback})
+    timer.branch_arms = frozenset({(ChoiceOfCallee("a branch"), 1)})
+    callback.creation = timer
+    node.creations.append(timer)
+    spell = Spell(PLACE, SpinDuration.A_WHILE, False, False, 1)
+    use = ExecutorUse(ExecutorKind.SINGLE_THREADED, 1, [node], PLACE, spells={node: [spell]})
+    arguments = {
+        "callback": given.Entity((timer,)),
+        "executor": given.Executor(use),
+        "count": given.OneOf((given.Constant(2**900), given.Constant(True), given.Constant(1))),
+        "data": given.Constant(b"\xff", frozenset({"b", "a"}), PLACE),
+        "other": given.UNKNOWN,
+    }
+    call = ApiCall("an.api", PLACE, callback, (), arguments, {"callback": PLACE}, node=node, limits=(None, 1.5))
+    return Program("robot", "robot", PLACE.file, [node], [call], [callback], [use], refused={PLACE})
+
+
+def test_what_is_one_object_stays_one_and_circles_are_closed():
+    [again] = decode(encode([program()]))
+    [node], [call], [use] = again.nodes, again.calls, again.executors
+    [timer] = node.creations
+    assert timer.node is node is call.node is call.context.node is use.nodes[0]
+    assert timer.callbacks["timer"] is call.context is again.callbacks[0]
+    assert call.context.creation is timer and call.arguments["callback"].creations == (timer,)
+    assert call.arguments["executor"].executor is use
+    assert use.lasts_for(node) is SpinDuration.A_WHILE
+
+
+def test_values_keep_their_types():
+    before, [after] = program(), decode(encode([program()]))
+    assert after.refused == {PLACE} and after.nodes[0].executables == ("robot",)
+    assert after.calls[0].limits == (None, 1.5)
+    assert after.calls[0].context.role is Role.TIMER
+    counted, said = (one.calls[0].arguments for one in (before, after))
+    for name in ("count", "data", "other"):
+        assert repr(said[name]) == repr(counted[name])
+    [(branch, _)] = after.nodes[0].creations[0].branch_arms
+    assert type(branch) is ChoiceOfCallee
+
+
+def test_programs_may_share_what_they_refer_to():
+    first, second = program(), program()
+    second.nodes.append(first.nodes[0])
+    one, other = decode(encode([first, second]))
+    assert other.nodes[1] is one.nodes[0] is not other.nodes[0]
+
+
+def test_what_is_no_plain_data_is_refused():
+    @dataclass
+    class Tree:
+        branches: tuple[int, ...] = ()
+
+    made = program()
+    made.calls[0].arguments["callback"] = Tree()
+    with pytest.raises(NotEncodable, match="Tree"):
+        encode([made])
+
+
+@pytest.mark.parametrize(
+    "payload",
+    [
+        b"",
+        b"\xc1",
+        msgspec.msgpack.encode([{}, [], [], []]),
+        encode([program()])[:-1],
+        encode([program()]).replace(b"ApiCall", b"ApiCell"),
+    ],
+)
+def test_a_damaged_payload_is_refused(payload: bytes):
+    with pytest.raises(NotPrograms):
+        decode(payload)
+
+
+def test_a_payload_of_other_fields_is_refused(monkeypatch: pytest.MonkeyPatch):
+    written = encode([program()])
+    kept = {kind: names[1:] if kind is Program else names for kind, names in encoding._FIELDS.items()}
+    monkeypatch.setattr(encoding, "_FIELDS", kept)
+    with pytest.raises(NotPrograms, match="version"):
+        decode(written)
+
+
+def test_every_class_of_the_model_is_known():
+    """Each class that a field of a program names, and each kind of what a call is given."""
+    annotations = " ".join(str(row.type) for kind in encoding._RECORDS.values() for row in fields(kind))
+    named = set(re.findall(r"\b[A-Z]\w+\b", annotations)) - {"None", "Literal"}
+    aliases = {"BranchArm", "BranchArms", "ClassKey", "GuardKind", "Resolution", "Access"}
+    assert named - aliases <= encoding._RECORDS.keys() | encoding._WORDS.keys()
+    assert {kind.__name__ for kind in given.Given.__subclasses__()} <= encoding._RECORDS.keys()
+
+
+# ------------------------------------------------------------------------------------------------ fixtures
+
+
+@pytest.fixture
+def through_bytes(monkeypatch: pytest.MonkeyPatch) -> list[int]:
+    """Every program of a run is written and read before anything else looks at it; how many there were."""
+    run_all, run_entry, counted = Linker.run_all, Linker.run_entry, [0]
+
+    def all_again(linker: Linker, entries: list[EntryPoint]) -> list[Program]:
+        programs = run_all(linker, entries)
+        every = list({id(one): one for one in (*programs, *linker.started.values())}.values())
+        again = dict(zip(map(id, every), decode(encode(every)), strict=True))
+        linker.started = {key: again[id(one)] for key, one in linker.started.items()}
+        counted[0] += len(programs)
+        return [again[id(one)] for one in programs]
+
+    def entry_again(linker: Linker, *arguments: object) -> Program:
+        made = run_entry(linker, *arguments)
+        return decode(encode([made]))[0] if linker._settled else made
+
+    monkeypatch.setattr(Linker, "run_all", all_again)
+    monkeypatch.setattr(Linker, "run_entry", entry_again)
+    return counted
+
+
+def output(command: str, capsys: pytest.CaptureFixture[str]) -> str:
+    arguments = [command, ".", "--format", "json", "--no-cache", "--jobs", "1", "--isolated"]
+    main(arguments)
+    return re.sub(r'"elapsed_s": [\d.]+', "", capsys.readouterr().out)
+
+
+@pytest.mark.parametrize("fixture", sorted(path.name for path in FIXTURES.iterdir() if path.is_dir()))
+def test_programs_that_were_read_again_are_judged_as_before(
+    fixture: str,
+    capsys: pytest.CaptureFixture[str],
+    monkeypatch: pytest.MonkeyPatch,
+    request: pytest.FixtureRequest,
+):
+    monkeypatch.chdir(FIXTURES / fixture)
+    before = [output(command, capsys) for command in ("check", "graph")]
+    counted = request.getfixturevalue("through_bytes")
+    assert [output(command, capsys) for command in ("check", "graph")] == before
+    assert counted[0] > 0 or fixture == "bad_input"
