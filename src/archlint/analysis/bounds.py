@@ -66,9 +66,9 @@ class _Numbers:
 
     def _of_call(self, e: facts.Call, tests: Sequence[_Test], steps: int) -> _Range | None:
         function = e.func.variable
-        if any(one.keyword or one.star for one in e.args) or not e.args:
+        if any(arg.keyword or arg.star for arg in e.args) or not e.args:
             return None
-        given = [self.range_of(one.value, tests, steps) for one in e.args]
+        given = [self.range_of(arg.value, tests, steps) for arg in e.args]
         known = [one for one in given if one is not None]
         if function == "min" and known and len(given) > 1:
             low = min(one[0] for one in known) if len(known) == len(given) else -math.inf

@@ -34,4 +34,4 @@ def whole_node(system: System, node: Node) -> bool:
         return False
     if node.program is not None and node.program.exhausted:
         return False
-    return all(followed(one) and declares_all(system.workspace, one) for one in node.blueprints)
+    return all(followed(blueprint) and declares_all(system.workspace, blueprint) for blueprint in node.blueprints)

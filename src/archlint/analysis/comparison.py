@@ -39,7 +39,9 @@ def compare(
         made = topics_of(system, observed, is_external)
     else:
         made = _Comparing(system, observed, is_external).result()
-    return replace(made, differences=tuple(one for one in made.differences if one.place.file not in context))
+    return replace(
+        made, differences=tuple(difference for difference in made.differences if difference.place.file not in context)
+    )
 
 
 class _Comparing:
@@ -189,7 +191,10 @@ def _is_started(node: Node) -> bool:
     """Whether nothing but its own failure keeps a node from running."""
     if node.condition is not None or node.alternatives or node.error is not None or node.unfollowed is not None:
         return False
-    return all(not one.branch_arms and one.until is None and not one.caller_unknown for one in node.blueprints)
+    return all(
+        not blueprint.branch_arms and blueprint.until is None and not blueprint.caller_unknown
+        for blueprint in node.blueprints
+    )
 
 
 def _class_of(node: Node) -> tuple[tuple[Place, str], ...]:

@@ -227,9 +227,11 @@ class _Kind:
         if not profiles or len(wanted) < len(expected):
             return
         for end, qos in wanted:
-            if not certain(end) or any(not contradictions(qos, one, self.kind) for one in profiles):
+            if not certain(end) or any(not contradictions(qos, profile, self.kind) for profile in profiles):
                 continue
-            lone = [one for one in profiles if all(contradictions(other, one, self.kind) for _, other in wanted)]
+            lone = [
+                profile for profile in profiles if all(contradictions(other, profile, self.kind) for _, other in wanted)
+            ]
             policies = contradictions(qos, (lone or profiles)[0], self.kind)
             self.result.same -= 1
             self.result.differences.append(self._other_qos(name, end, policies))

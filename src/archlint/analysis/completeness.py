@@ -88,7 +88,7 @@ def enclosing_function(workspace: WorkspaceIndex, place: Place) -> facts.Functio
     """The innermost function that a place is in."""
     found = workspace.facts_at(place.file)
     functions = everything_in([] if found is None else found.body, facts.Function)
-    around = [one for one in functions if one.span[0] <= place.line <= one.span[2]]
+    around = [function for function in functions if function.span[0] <= place.line <= function.span[2]]
     return max(around, key=lambda one: one.span[0], default=None)
 
 

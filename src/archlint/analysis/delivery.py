@@ -25,8 +25,8 @@ class Undelivered:
     def reason(self) -> str:
         """``best effort offered, reliable requested``, for each policy."""
         return "; ".join(
-            f"{policy_words(one, one.offered)} offered, {policy_words(one, one.requested)} requested"
-            for one in self.verdicts
+            f"{policy_words(verdict, verdict.offered)} offered, {policy_words(verdict, verdict.requested)} requested"
+            for verdict in self.verdicts
         )
 
 

@@ -57,7 +57,7 @@ def _is_relative(test: facts.Unary) -> bool:
     asked = test.operand
     if test.op != "not" or not isinstance(asked, facts.Call):
         return False
-    return called_name(asked) == "startswith" and [one.value.text for one in asked.args] == ["/"]
+    return called_name(asked) == "startswith" and [arg.value.text for arg in asked.args] == ["/"]
 
 
 def _called(workspace: WorkspaceIndex, file: str, body: Sequence[facts.Stmt]) -> Iterator[Sequence[facts.Stmt]]:

@@ -104,7 +104,7 @@ def _names_of(function: facts.Function, name: str) -> frozenset[str]:
 def _decides(fact: facts.Base, goal: _Goal) -> bool:
     """Whether a statement gives the goal its outcome, or asks whether somebody else has (``is_active``)."""
     attributes = parts_of(fact, facts.Attribute)
-    return any(one.attr in _DECIDES and dotted(one.value) in goal.names for one in attributes)
+    return any(attribute.attr in _DECIDES and dotted(attribute.value) in goal.names for attribute in attributes)
 
 
 def _hands_on(fact: facts.Base, goal: _Goal) -> bool:

@@ -42,7 +42,9 @@ def handlers_of(system: System, role: Role) -> Iterator[tuple[Callback, facts.Fu
 
 
 def _callbacks(system: System, role: Role) -> Iterator[Callback]:
-    return (one for one in system.callbacks if one.role == role and not system.roles.is_test(one.file))
+    return (
+        callback for callback in system.callbacks if callback.role == role and not system.roles.is_test(callback.file)
+    )
 
 
 def is_stub(body: Sequence[facts.Stmt]) -> bool:

@@ -63,7 +63,7 @@ def _only_true(code: SourceCode, call: ApiCall) -> bool:
     message = given[0].value
     match message:
         case facts.Call(args=args):
-            return [one.value.is_true for one in args if one.keyword == "data"] == [True]
+            return [arg.value.is_true for arg in args if arg.keyword == "data"] == [True]
         case facts.Name(id=name):
             assigned = statements_of(code.body(call), facts.Assign)
             values = [value for one in assigned for value in _values_of(one, name)]
@@ -76,5 +76,5 @@ def _values_of(statement: facts.Assign, name: str) -> list[facts.Expr]:
     fields = [target.attribute for target in statement.targets if target.dotted == f"{name}.{target.attribute}"]
     found = [statement.value] * len(fields)
     if isinstance(statement.value, facts.Call) and any(target.variable == name for target in statement.targets):
-        found += [one.value for one in statement.value.args]
+        found += [arg.value for arg in statement.value.args]
     return found

@@ -26,7 +26,7 @@ def writes_files(workspace: WorkspaceIndex | None, file: str) -> bool:
 def _writes(found: facts.Facts) -> bool:
     for call in everything_in(found.body, facts.Call):
         name = called_name(call)
-        modes = (one.value for one in call.args[1:])
+        modes = (arg.value for arg in call.args[1:])
         texts = (str(mode.value) for mode in modes if isinstance(mode, facts.Literal))
         if name in _WRITERS or (name == "open" and any(text[:1] in ("w", "a", "x") for text in texts)):
             return True
@@ -89,7 +89,7 @@ def _names(found: facts.Facts) -> Iterator[facts.Expr | None]:
         yield from mapping.keys
     for call in everything_in(found.body, facts.Call):
         if called_name(call) in _STARTS:
-            yield from (one.value for one in call.args if one.keyword in _NAMES_OF_NODES)
+            yield from (arg.value for arg in call.args if arg.keyword in _NAMES_OF_NODES)
 
 
 __all__ = ["has_action_for", "is_for_several_distros", "may_read_argument", "words_of_launch_code", "writes_files"]

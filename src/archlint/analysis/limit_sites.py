@@ -84,7 +84,7 @@ def _log_loop(tree: Tree, file: str, statement: facts.Expression, call: facts.Ca
 def _node_at_hand(tree: Tree, call: facts.Call, statement: facts.Expression) -> str | None:
     """The node whose logger can say it: ``self`` of a node's method, or who made the client in this function."""
     function = tree.function_around(statement)
-    normal = [] if function is None else [one.name for one in function.params if one.kind == "normal"]
+    normal = [] if function is None else [param.name for param in function.params if param.kind == "normal"]
     if normal[:1] == ["self"] and is_node(tree, facts.Name("self", statement.span), statement):
         return "self"
     match call.func:
@@ -229,15 +229,15 @@ def _call_at(workspace: WorkspaceIndex | None, place: Place) -> tuple[Tree | Non
 
 def _given(call: facts.Call, keyword: str, position: int | None) -> facts.Expr | None:
     """What a call gives for a parameter, by keyword or by position."""
-    named = next((one.value for one in call.args if one.keyword == keyword), None)
-    in_order = [one.value for one in call.args if one.keyword is None]
+    named = next((arg.value for arg in call.args if arg.keyword == keyword), None)
+    in_order = [arg.value for arg in call.args if arg.keyword is None]
     return in_order[position] if named is None and position is not None and position < len(in_order) else named
 
 
 def _limit(place: Place, call: facts.Call, keyword: str, position: int | None) -> LimitlessCall | None:
     """Where the limit is set: where None or a negative number stands for it now, in place of that; else as a
     keyword."""
-    if any(one.star for one in call.args):
+    if any(arg.star for arg in call.args):
         return None
     # From the function's name on: what stands before the bracket may hold brackets of its own.
     match call.func:

@@ -82,7 +82,7 @@ def connections(system: System) -> tuple[Connection, ...]:
 
 def named(system: System, contract: Contract) -> list[Connection]:
     """The connections that a contract is about by their names."""
-    return [one for one in connections(system) if is_named(contract, one)]
+    return [connection for connection in connections(system) if is_named(contract, connection)]
 
 
 def is_named(contract: Contract, connection: Connection) -> bool:

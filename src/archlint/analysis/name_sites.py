@@ -93,7 +93,7 @@ def _node_of(call: facts.Call) -> facts.Name | facts.Attribute | None:
     interface = _INTERFACES.get(called_name(call))
     node: facts.Expr | None = None
     if interface == "action":
-        node = next((one.value for one in call.args if one.keyword is None and not one.star), None)
+        node = next((arg.value for arg in call.args if arg.keyword is None and not arg.star), None)
     elif interface is not None:
         match call.func:
             case facts.Attribute(value=value):
@@ -108,7 +108,7 @@ def _is_parameter(function: facts.Function | None, name: facts.Expr) -> bool:
     """Whether the caller gives (a part of) a name: another call may give another one."""
     if function is None or function.name == "__init__":
         return False
-    own = {one.name for one in function.params if one.kind in ("positional_only", "normal", "keyword_only")}
+    own = {param.name for param in function.params if param.kind in ("positional_only", "normal", "keyword_only")}
     return not _variables_in(name).isdisjoint(own - {"self"})
 
 

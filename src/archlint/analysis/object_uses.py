@@ -24,8 +24,8 @@ def read_off(workspace: WorkspaceIndex | None, node: Blueprint) -> list[str]:
     target = kept[0][0] if kept and len(kept[0]) == 1 else None
     if not isinstance(target, facts.Attribute):
         return []
-    uses = [one for one in attributes if one.attr == target.attr and one != target]
-    reads = [one for one in attributes if one.value.attribute == target.attr]
+    uses = [attribute for attribute in attributes if attribute.attr == target.attr and attribute != target]
+    reads = [attribute for attribute in attributes if attribute.value.attribute == target.attr]
     stored = (one for statement in everything_in(found.body) for one in statement.assigned)
     changed = any(part in reads for one in stored for part in everything_in(one, facts.Attribute))
     read = {one.attr for one in reads}

@@ -41,7 +41,7 @@ def is_named_again(workspace: WorkspaceIndex, declaration: ParameterDeclaration,
     if found is None or any(one.attr in _BY_NAME_UNSEEN for one in everything_in(found.body, facts.Attribute)):
         return True
     lines = (one.value for one in everything_in(found.body, facts.Expression))
-    spelled = (_plainly_declared(one, declaration, name) for one in lines if isinstance(one, facts.Call))
+    spelled = (_plainly_declared(line, declaration, name) for line in lines if isinstance(line, facts.Call))
     written = next((text for text in spelled if text is not None), None)
     texts = (one.text for one in everything_in(found.body, facts.Literal))
     return written is None or sum(text in (name, written) for text in texts) != 1

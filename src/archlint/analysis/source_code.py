@@ -110,7 +110,7 @@ class SourceCode:
         return function if isinstance(function, facts.Function) else None
 
     def _filling(self, place: Place) -> Iterator[facts.Stmt]:
-        return (one for one in self._spot(place).statements if _fills(one, _span(place)))
+        return (statement for statement in self._spot(place).statements if _fills(statement, _span(place)))
 
     def _spot(self, place: Place) -> _Spot:
         spot = self._spots.get(place)

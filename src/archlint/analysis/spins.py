@@ -39,7 +39,9 @@ def spun_node(call: ApiCall, program: Program) -> Blueprint | None:
         nodes = [] if use is None else use.nodes
         return call.context.node if call.context.node in nodes else nodes[0] if len(nodes) == 1 else None
     value = argument(call, "node")
-    options = [one for one in value.alternatives if isinstance(one, (Object, Node))] if value else []
+    options = (
+        [alternative for alternative in value.alternatives if isinstance(alternative, (Object, Node))] if value else []
+    )
     if len(options) != 1:
         return None
     if isinstance(options[0], Node):

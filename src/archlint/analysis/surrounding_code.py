@@ -84,7 +84,7 @@ def _is_plain_node(tree: Tree, cls: facts.Class, seen: frozenset[str], elsewhere
 
 def bases_of(cls: facts.Class) -> list[str]:
     """The last names of what a class derives from."""
-    return [one.value.last_name if not one.star else "" for one in cls.bases if one.keyword is None]
+    return [base.value.last_name if not base.star else "" for base in cls.bases if base.keyword is None]
 
 
 def _derives_plainly(cls: facts.Class) -> bool:

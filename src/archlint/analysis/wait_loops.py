@@ -90,7 +90,11 @@ def _asks_a_variable(loop: facts.While) -> bool:
     """``while not ready``, where nothing in the loop but an answer about a server sets ``ready``."""
     match loop.test:
         case facts.Unary(op="not", operand=facts.Name(id=name)):
-            assigned = [one for one in _assignments(loop.body) if name in [target.variable for target in one.targets]]
+            assigned = [
+                assignment
+                for assignment in _assignments(loop.body)
+                if name in [target.variable for target in assignment.targets]
+            ]
             return bool(assigned) and all(_says(one.value, there=True) for one in assigned)
     return False
 

@@ -56,11 +56,11 @@ def forbidden_connection(system: System, options: Options) -> Iterator[Finding]:
     """Connections that a contract rules out, one finding for each end and contract."""
     for contract in options.contracts:
         if contract.kind == FORBID:
-            chosen = [one for one in links(system, contract.source, contract.target) if one.goes(contract)]
+            chosen = [link for link in links(system, contract.source, contract.target) if link.goes(contract)]
             yield from _broken(contract, chosen)
         elif contract.kind == INDEPENDENT:
             groups = [(glob,) for glob in contract.nodes]
-            yield from _broken(contract, [one for one in links(system, *groups) if _ties(groups, one)])
+            yield from _broken(contract, [link for link in links(system, *groups) if _ties(groups, link)])
         elif contract.kind == TYPES:
             yield from _other_types(system, contract)
         elif contract.kind == QOS:

@@ -33,11 +33,11 @@ def undeclared_launch_argument(system: System, options: Options) -> Iterator[Fin
     # One include may be of one of several files, or of all of them: an argument is for the one that takes it.
     reported: dict[tuple[object, ...], Finding] = {}
     for place, includes in groupby(launched.included, key=lambda include: include.place):
-        for one in _unknown_arguments(system.workspace, list(includes)):
-            first = reported.setdefault((place.file, one.message), one)
-            if first.place != one.place:  # the same file is included with the same arguments again
-                reported[place.file, one.message] = replace(
-                    first, related=(*first.related, Related(one.place, "and here"))
+        for unknown_argument in _unknown_arguments(system.workspace, list(includes)):
+            first = reported.setdefault((place.file, unknown_argument.message), unknown_argument)
+            if first.place != unknown_argument.place:  # the same file is included with the same arguments again
+                reported[place.file, unknown_argument.message] = replace(
+                    first, related=(*first.related, Related(unknown_argument.place, "and here"))
                 )
     yield from reported.values()
 

@@ -56,7 +56,7 @@ def _instead(installs: Installs, name: str, workspace: WorkspaceIndex) -> tuple[
             f": it is installed as {where}",
             "install the content of the folder, with a trailing slash: install(DIRECTORY …/ …)",
         )
-    owners = [one.package for one in workspace.installs.values() if name in one.executables]
+    owners = [install.package for install in workspace.installs.values() if name in install.executables]
     if len(owners) == 1:
         return f"; package '{owners[0]}' installs it", f"start it from package '{owners[0]}'"
     build = _build_file(installs, workspace)
@@ -64,7 +64,7 @@ def _instead(installs: Installs, name: str, workspace: WorkspaceIndex) -> tuple[
     there = [file for file in files if posixpath.basename(file) == name]
     if len(there) == 1:
         return did_you_mean(name, known), f"install {there[0]} in {build}"
-    stems = {name, name.removesuffix("_node")} - {_stem(one) for one in installs.executables.values()}
+    stems = {name, name.removesuffix("_node")} - {_stem(executable) for executable in installs.executables.values()}
     meant = [file for file in files if posixpath.basename(file).removesuffix(".py") in stems]
     if len(meant) == 1:  # nearer than another node of a similar name
         return f"; {meant[0]} is there, and not installed", f"install it in {build} under the name '{name}'"

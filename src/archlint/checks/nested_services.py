@@ -234,7 +234,9 @@ def _cost(wait: Wait, held_up: Sequence[Callback]) -> str:
 
 def _names_of(callbacks: Sequence[Callback]) -> str:
     """``the service 'stop' and tick``."""
-    words = [endpoint_words(one.creation) if one.role == Role.SERVICE else one.name for one in callbacks]
+    words = [
+        endpoint_words(callback.creation) if callback.role == Role.SERVICE else callback.name for callback in callbacks
+    ]
     if len(words) > _NAMES_SHOWN:
         words[_NAMES_SHOWN - 1 :] = [f"{len(words) - _NAMES_SHOWN + 1} more"]
     return words[0] if len(words) == 1 else f"{', '.join(words[:-1])} and {words[-1]}"

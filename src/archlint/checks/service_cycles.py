@@ -98,7 +98,7 @@ def _circles(start: _Key, edges: dict[_Key, list[Edge]], system: System) -> Iter
             continue
         for edge in edges.get(target, ()):
             nodes = {edge.server.node, *(one.server.node for one in path)}
-            if all(one is other or system.may_coexist(one, other) for one in nodes for other in nodes):
+            if all(node is other or system.may_coexist(node, other) for node in nodes for other in nodes):
                 waiting.append([*path, edge])
 
 

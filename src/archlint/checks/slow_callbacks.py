@@ -207,7 +207,7 @@ def _is_made_after(creation: Creation, call: ApiCall) -> bool:
 def _callbacks_that_follow(code: SourceCode, node: Blueprint, call: ApiCall) -> list[Callback]:
     """The done callbacks of futures that the waiting function makes further down, and of those that these make."""
     follow: list[Callback] = []
-    rest = [one for one in node.callbacks if one.role == Role.DONE and one.registered is not None]
+    rest = [callback for callback in node.callbacks if callback.role == Role.DONE and callback.registered is not None]
     body = [] if call.loops else code.body(call)
     span = getattr(body[-1], "span", None) if body else None
     bodies = [] if span is None else [(call.place, span[2])]

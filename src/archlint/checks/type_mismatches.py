@@ -81,7 +81,11 @@ def _if_both_run(found: Finding) -> Finding:
 
 def _missing_types(system: System) -> set[str]:
     """Types that no package defines, of which MSG002 speaks: what imports one does not even start."""
-    return {f"{one.package}/{one.kind}/{one.name}" for program in system.programs for one in program.unknown_interfaces}
+    return {
+        f"{unknown_interface.package}/{unknown_interface.kind}/{unknown_interface.name}"
+        for program in system.programs
+        for unknown_interface in program.unknown_interfaces
+    }
 
 
 def _one_type(one: Endpoint, other: Endpoint) -> bool:

@@ -104,11 +104,11 @@ def combined(systems: Sequence[System]) -> System:
     first, *others = systems
     if not others:
         return first
-    nodes = sorted((n for one in systems for n in one.nodes), key=lambda n: (n.name is None, n.name or ""))
+    nodes = sorted((n for system in systems for n in system.nodes), key=lambda n: (n.name is None, n.name or ""))
     return replace(
         first,
         nodes=nodes,
-        programs=[program for one in systems for program in one.programs],
-        unowned=[entry for one in systems for entry in one.unowned],
-        neighbours=[node for one in systems for node in one.neighbours],
+        programs=[program for system in systems for program in system.programs],
+        unowned=[entry for system in systems for entry in system.unowned],
+        neighbours=[node for system in systems for node in system.neighbours],
     )

@@ -33,7 +33,7 @@ class Outcome:
 
 def fixable(findings: Iterable[Finding], unsafe: bool) -> list[Finding]:
     """The findings with a fix that may be applied."""
-    return [one for one in findings if one.fix is not None and (unsafe or one.fix.safety == "safe")]
+    return [finding for finding in findings if finding.fix is not None and (unsafe or finding.fix.safety == "safe")]
 
 
 def apply(findings: Sequence[Finding]) -> Outcome:

@@ -83,7 +83,7 @@ def prefix_namespace(base: Value | None, namespace: Value | None) -> Value | Non
         return None if found is None else _stripped(found)
     if known_text(namespace) == "":
         return _stripped(base)
-    rows = [_below(one, other) for one in alternatives(base) for other in alternatives(namespace)]
+    rows = [_below(alternative, other) for alternative in alternatives(base) for other in alternatives(namespace)]
     return _stripped(one_of(rows))
 
 

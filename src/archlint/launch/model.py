@@ -137,7 +137,7 @@ Parameters = list["ParameterSetting | ParameterFileUse | OpenParameters"]
 
 def files_among(parameters: Iterable[ParameterSetting | ParameterFileUse | OpenParameters]) -> list[ParameterFileUse]:
     """The parameter files among what sets parameters."""
-    return [one for one in parameters if isinstance(one, ParameterFileUse)]
+    return [parameter for parameter in parameters if isinstance(parameter, ParameterFileUse)]
 
 
 @dataclass(frozen=True)

@@ -106,7 +106,7 @@ def _of_message(data: Any, file: str, text: str, digest: str) -> Observed:
     match data:
         case {"nodes": list() as nodes} if "..." in nodes:
             raise Malformed("the message is truncated: use `ros2 topic echo --full-length`")
-        case {"nodes": list() as nodes} if "version" not in data and all(_may_be_message(one) for one in nodes):
+        case {"nodes": list() as nodes} if "version" not in data and all(_may_be_message(node) for node in nodes):
             return _of_monitor(_converted(data, _Graph), file, text, digest)
     raise NotOfThisForm
 
@@ -298,9 +298,9 @@ def _ends_of(node: _Node) -> Iterable[SeenEnd]:
         (program.EntityKind.PUBLISHER, node.publishers),
         (program.EntityKind.SUBSCRIBER, node.subscriptions),
     ):
-        for one in topics:
-            type_ = one.type if isinstance(one.type, str) else one.type.name
-            yield SeenEnd(kind, one.name, type_ or None, one.qos.profile() if one.qos else None)
+        for topic in topics:
+            type_ = topic.type if isinstance(topic.type, str) else topic.type.name
+            yield SeenEnd(kind, topic.name, type_ or None, topic.qos.profile() if topic.qos else None)
     for kind, services in (
         (program.EntityKind.SERVICE, node.service_servers),
         (program.EntityKind.CLIENT, node.service_clients),

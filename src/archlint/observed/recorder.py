@@ -176,7 +176,7 @@ def with_qos(known: list[tuple[str, str]], ask: Any, full: str) -> list[Entity]:
     found: list[Entity] = []
     for name, type_ in known:
         infos = [one for one in ask(name) if f"{one.node_namespace.rstrip('/')}/{one.node_name}" == full]
-        profiles: list[Entity | None] = [qos(one.qos_profile) for one in infos if one.topic_type == type_]
+        profiles: list[Entity | None] = [qos(info.qos_profile) for info in infos if info.topic_type == type_]
         profiles.sort(key=lambda profile: json.dumps(profile, sort_keys=True))
         found += [{"name": name, "type": type_, "qos": profile} for profile in profiles or [None]]
     return found

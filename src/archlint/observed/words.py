@@ -14,7 +14,7 @@ def comparison_words(compared: Comparison | None) -> Iterator[str]:
     """A sentence on what was compared with what, and what came of it."""
     if compared is None:
         return
-    status = Counter(one.status for one in compared.differences)
+    status = Counter(difference.status for difference in compared.differences)
     found = ", ".join(f"{status[word]} {word}" for word in ("missing", "unexpected", "different") if status[word])
     what = [(compared.nodes, "node"), (compared.ends, "endpoint" if compared.nodes else "topic")]
     same = " and ".join(f"{count} {word}{'' if count == 1 else 's'}" for count, word in what if count)

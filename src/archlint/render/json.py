@@ -70,7 +70,7 @@ def _compared(compared: Comparison) -> dict[str, Any]:
         "compared_with": compared.with_what,
         "nodes": compared.nodes,
         "endpoints": compared.ends,
-        "differences": [_difference(one) for one in compared.differences],
+        "differences": [_difference(difference) for difference in compared.differences],
         "left_open": list(compared.left_open),
         "notes": list(compared.notes),
     }

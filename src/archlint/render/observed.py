@@ -29,13 +29,13 @@ _TOWARDS_NODE = (EntityKind.SUBSCRIBER, EntityKind.SERVICE, EntityKind.ACTION_SE
 
 def mark(graph: networkx.MultiDiGraph, system: System, compared: Comparison) -> None:
     graph.graph["compared"] = compared.observed.file
-    for one in compared.differences:
-        if one.kind == NODE:
-            _mark_node(graph, system, one)
-        elif one.kind == TOPIC:
-            _interface(graph, (TOPIC, one.name), one.observed or None)
+    for difference in compared.differences:
+        if difference.kind == NODE:
+            _mark_node(graph, system, difference)
+        elif difference.kind == TOPIC:
+            _interface(graph, (TOPIC, difference.name), difference.observed or None)
         else:
-            _mark_end(graph, one)
+            _mark_end(graph, difference)
 
 
 def _mark_node(graph: networkx.MultiDiGraph, system: System, one: Difference) -> None:

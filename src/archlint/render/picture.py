@@ -52,4 +52,4 @@ def broken_ends(system: System) -> dict[int, str]:
 def _partners(system: System, end: Endpoint) -> list[Endpoint]:
     """The other side of an end's topic."""
     topic = system.topics[end.name or ""]
-    return topic.users if any(end is one for one in topic.providers) else topic.providers
+    return topic.users if any(end is provider for provider in topic.providers) else topic.providers

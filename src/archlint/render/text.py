@@ -250,7 +250,7 @@ def _compared(system: System, paint: Paint) -> Iterator[str]:
     yield "\n".join(f"  {paint(line, 'plain')}" for line in comparison_words(compared))
     if compared.differences:
         rows = sorted(compared.differences, key=lambda one: (one.status, one.message))
-        yield "\n".join(_table([_difference_row(one) for one in rows], paint))
+        yield "\n".join(_table([_difference_row(row) for row in rows], paint))
     quiet = [*(f"not compared: {one}" for one in compared.left_open), *compared.notes]
     if quiet:
         yield "\n".join(f"  {paint(line, 'quiet')}" for line in quiet)

@@ -115,8 +115,8 @@ def _lists(fact: facts.Base) -> Iterator[list[object]]:
 def _single(target: facts.Expr) -> Iterator[facts.Expr]:
     match target:
         case facts.Sequence(elements=elements):
-            for one in elements:
-                yield from _single(one)
+            for element in elements:
+                yield from _single(element)
         case facts.Starred(value=value):
             yield from _single(value)
         case _:

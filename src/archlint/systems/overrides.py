@@ -148,7 +148,7 @@ def file_value(value: Any, use: ParameterFileUse, quoted: bool = False) -> objec
 
 def _list_value(values: list[Any], use: ParameterFileUse) -> object:
     """Of what stands in a list, quotes are not kept: a text is known where it is one without them, too."""
-    found = [file_value(one, use) for one in values]
+    found = [file_value(value, use) for value in values]
     changed = [now for one, now in zip(values, found, strict=True) if now is not one]
     if all(isinstance(now, str) for now in changed):
         return found

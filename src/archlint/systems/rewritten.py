@@ -70,7 +70,7 @@ def _read(text: str, convert: bool) -> object:
 
 def _read_back(section: ParameterSection) -> ParameterSection:
     """All is dumped anew, with quotes only where PyYAML needs them."""
-    entries = (replace(one, value=_again(one.value), quoted=False) for one in section.entries)
+    entries = (replace(entry, value=_again(entry.value), quoted=False) for entry in section.entries)
     return replace(section, entries=tuple(entries))
 
 

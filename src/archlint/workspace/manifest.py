@@ -74,7 +74,9 @@ class _Reader:
         self.text = []
 
     def needs(self, name: str) -> bool:
-        return any(one.name == name and condition_holds(one.condition) for one in self.dependencies)
+        return any(
+            dependency.name == name and condition_holds(dependency.condition) for dependency in self.dependencies
+        )
 
     def holds(self) -> bool:
         return condition_holds(self.attributes.get("condition"))
