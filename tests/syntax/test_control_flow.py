@@ -179,6 +179,22 @@ def test_the_end_of_a_function_always_follows_what_does_not_return() -> None:
     assert not flow.always_followed("b", "c", though_it_raises=True)
 
 
+def test_a_raise_is_a_way_out_even_where_nothing_else_raises() -> None:
+    flow = Flow("""
+        a()
+        if test():
+            raise ValueError
+        b()
+        try:
+            c()
+        except ValueError:
+            raise
+        d()
+    """)
+    assert not flow.always_followed("a", "b")
+    assert flow.always_followed("b", "d")
+
+
 def test_finally_follows_whatever_becomes_of_the_rest() -> None:
     graph = graph_of(
         body("""

@@ -73,8 +73,8 @@ def any_way(edge: Edge) -> bool:
 
 
 def without_exceptions(edge: Edge) -> bool:
-    """The edges that code takes as long as nothing raises but ``raise`` itself."""
-    return edge.kind is not Kind.RAISE
+    """The edges that code takes as long as nothing raises but ``raise`` itself, or what ends the program."""
+    return edge.kind is not Kind.RAISE or len(edge.source.edges) == 1
 
 
 def reach(starts: Collection[Block], along: Along = any_way, avoiding: Collection[Block] = ()) -> set[Block]:
