@@ -181,7 +181,7 @@ def test_layers_that_are_not_neighbours(findings):
         ),
         (
             {"topic": '"/cmd_vel"', "through": '"/mux"'},
-            "/planner publishes '/cmd_vel' and /motor gets it without passing /mux",
+            "/planner publishes '/cmd_vel' and /motor receives it without passing /mux",
         ),
         ({"topic": '"/cmd_vel"', "through": '"/motor"'}, None),
         ({"topic": '"/cmd_vel"', "through": '"/planner"'}, None),

@@ -86,7 +86,7 @@ def test_an_executable_whose_file_is_there(findings):
     [
         (
             ["track.py", "crack.py"],
-            "; scripts/track.py is there, and not installed",
+            "; scripts/track.py exists but is not installed",
             "install it in CMakeLists.txt under",
         ),
         (["crack.py"], "; did you mean 'crack_node'?", "add it to"),

@@ -83,7 +83,7 @@ def printed(capsys: pytest.CaptureFixture[str], *arguments: str) -> str:
 def test_the_graph_of_a_package_names_the_partner_in_the_next_one(capsys: pytest.CaptureFixture[str]) -> None:
     drawn = printed(capsys, "graph", "src/talker")
     assert "subscribed by  /listener" in drawn
-    assert "nobody here" not in drawn
+    assert "no node here" not in drawn
     assert "Listener" not in drawn, "its own entry was not asked for"
 
 

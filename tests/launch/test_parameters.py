@@ -114,7 +114,7 @@ def setup(context):
         ('value="1" type="str"', "1"),
         ('value="yes" type="bool"', True),
         ('value="0.5"', 0.5),
-        ('value="x" type="int"', NotKnown("a value that is no int")),
+        ('value="x" type="int"', NotKnown("a value that is not of type int")),
     ],
 )
 def test_the_type_of_a_parameter_in_xml(launches, attributes, value):

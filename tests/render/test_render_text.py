@@ -76,7 +76,7 @@ def test_colour_changes_nothing_but_the_colour() -> None:
 
 
 def test_an_end_that_nobody_holds() -> None:
-    assert "  published by   nobody here\n" in render(system(node("/n", subscriber("/scan"))))
+    assert "  published by   no node here\n" in render(system(node("/n", subscriber("/scan"))))
 
 
 def test_types_that_differ() -> None:

@@ -88,7 +88,7 @@ def _created(system: System, creation: Creation, callback: Callback, left: bool)
     words = {"client": "client of", "service": "service", "publisher": "publisher of", "subscriber": "subscription to"}
     made = f"{words.get(creation.kind, creation.kind.replace('_', ' '))} {what}".rstrip()
     made = made if what else made.removesuffix(" of").removesuffix(" to")
-    gets = "gets here" if creation.guard else "runs"
+    gets = "reaches this line" if creation.guard else "runs"
     end = "the old one is never destroyed"
     if left:
         raises = (

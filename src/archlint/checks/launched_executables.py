@@ -67,7 +67,7 @@ def _instead(installs: Installs, name: str, workspace: WorkspaceIndex) -> tuple[
     stems = {name, name.removesuffix("_node")} - {_stem(executable) for executable in installs.executables.values()}
     meant = [file for file in files if posixpath.basename(file).removesuffix(".py") in stems]
     if len(meant) == 1:  # nearer than another node of a similar name
-        return f"; {meant[0]} is there, and not installed", f"install it in {build} under the name '{name}'"
+        return f"; {meant[0]} exists but is not installed", f"install it in {build} under the name '{name}'"
     return did_you_mean(name, known), f"add it to {build}, or start one that the package installs: {listed(known)}"
 
 

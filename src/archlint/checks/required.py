@@ -159,13 +159,13 @@ def _around(system: System, contract: Contract, outside: bool) -> Iterator[Findi
 
 def _passes_by(contract: Contract, topic: Connection, end: Endpoint, past: list[Link]) -> Finding:
     through = " or ".join(contract.through)
-    reaches = f"and {past[0].target.node.name} gets it" if past else "which no node there subscribes to"
+    reaches = f"and {past[0].target.node.name} receives it" if past else "which no node there subscribes to"
     return _finding(
         contract,
         f"{end.node.name} publishes '{topic.name}' {reaches} without passing {through}, which the contract "
         f"'{contract.name}' requires",
         Related(end.place, f"{end.node.name} publishes it here"),
-        *(Related(link.target.place, f"{link.target.node.name} gets it here") for link in past),
+        *(Related(link.target.place, f"{link.target.node.name} receives it here") for link in past),
         identity=(topic.name, end.node.name or ""),
     )
 

@@ -51,7 +51,7 @@ def evaluate(text: str) -> object:
     except NotFollowed:
         raise
     except (SyntaxError, ValueError, RecursionError, MemoryError):
-        raise NotFollowed("an expression that is no Python") from None
+        raise NotFollowed("an expression that is not Python") from None
     except (TypeError, ArithmeticError, LookupError):
         raise NotFollowed("an expression that fails") from None
 

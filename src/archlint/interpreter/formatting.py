@@ -63,11 +63,11 @@ def percent_format(machine: Machine, template: Value, argument: Value, span: fac
             parts.append(Known("%"))
             continue
         if not arguments:
-            return Unknown("% has fewer arguments than the text asks for")
+            return Unknown("% has too few arguments")
         parts.append(_formatted(match.group(), arguments.pop(0)))
     parts.append(Known(text[at:], template.via))
     if arguments or "%" in re.sub(_PERCENT, "", text):
-        return Unknown(reason(*arguments, Unknown("% does not get what the text asks for")))
+        return Unknown(reason(*arguments, Unknown("the arguments of % do not fit the string")))
     return combine(machine, parts, span)
 
 
@@ -93,7 +93,7 @@ def _percent_dict(machine: Machine, template: Known, argument: DictValue, span: 
     parts: list[Value] = []
     at = 0
     if "%" in re.sub(_PERCENT_OF_DICT, "", template.value):
-        return Unknown("% does not get what the text asks for")
+        return Unknown("the arguments of % do not fit the string")
     for match in _PERCENT_OF_DICT.finditer(template.value):
         parts.append(Known(template.value[at : match.start()], template.via))
         at = match.end()

@@ -91,7 +91,7 @@ class Launcher(LaunchRun):
             for action in actions_of(self, path, found.root):
                 self.visit(action)
         else:
-            why = found.problems[0].message if found.problems else "it is no launch file"
+            why = found.problems[0].message if found.problems else "it is not a launch file"
             self.gap(f"{path} cannot be read: {why}")
 
     def _enter_python(self, path: str) -> None:

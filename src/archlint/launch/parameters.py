@@ -202,7 +202,7 @@ def of_type(value: ParameterData, name: str) -> ParameterData:
             return value
         case int() if name == "float" and value is not True and value is not False:
             return float(value)
-    return value if isinstance(value, TYPES[name]) else NotKnown(f"a value that is no {name}")
+    return value if isinstance(value, TYPES[name]) else NotKnown(f"a value that is not of type {name}")
 
 
 def from_yaml(text: str) -> ParameterData:

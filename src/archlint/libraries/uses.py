@@ -25,7 +25,7 @@ def unseen_use(run: Run, root: Root) -> str | None:
             continue
         for function in _functions(Itself(module.facts)):
             if id(function) not in run.ran and _uses(function, root, here):
-                return f"{function.name}() in {module.path} can get at it, and nothing here calls that"
+                return f"{function.name}() in {module.path} can access it, and nothing here calls that function"
     return None
 
 

@@ -117,7 +117,7 @@ def run_root(
     try:
         given = run.call(value, CallSite(_fit(value, arguments)))
         if callback.role == model.Role.METHOD and not isinstance(value, BoundMethod):
-            escapes.escape(run, [given], f"{callback.name}() gives it to whoever calls that")
+            escapes.escape(run, [given], f"{callback.name}() returns it to its caller")
     except Exception as error:
         run.note_fault(f"following {callback.name}", error, callback.place)
     finally:

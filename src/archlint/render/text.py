@@ -215,7 +215,7 @@ def _broken(system: System, topic: Connection) -> Iterator[str]:
 
 def _names(endpoints: Sequence[Endpoint], paint: Paint) -> str:
     names = [name or "a node whose name is not known" for name in json.node_names(endpoints)]
-    return paint(", ".join(names), "plain") if names else paint("nobody here", "quiet")
+    return paint(", ".join(names), "plain") if names else paint("no node here", "quiet")
 
 
 def _shape(system: System, paint: Paint) -> Iterator[str]:

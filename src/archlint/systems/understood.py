@@ -30,11 +30,11 @@ def doubt(started: Started, nodes: Sequence[Node], settings: Sequence[Setting]) 
     remaps = [remap for remap in started.remaps if not remap.group and remap.source.text != remap.target.text]
     created = any(node.endpoints for node in nodes)
     if len(remaps) >= (MANY if created else SEVERAL) and not any(_is_remapped(node, started) for node in nodes):
-        return f"none of its {len(remaps)} remappings meets anything that its code is seen to create"
+        return f"none of its {len(remaps)} remappings matches a name in its code"
     own = [setting for setting in settings if not setting.shared]
     declared = any(node.parameters for node in nodes)
     if len(own) >= SETTINGS and not created and not declared:
-        return f"{len(own)} parameters are set, and its code is not seen to declare or create anything"
+        return f"{len(own)} parameters are set, but its code is not seen to declare or create anything"
     return None
 
 

@@ -195,7 +195,7 @@ def test_what_a_function_uses_that_nothing_here_calls(tmp_path, body, use):
     handler = f"@dashboard.route('/')\ndef page():\n    {use}.create_publisher(String, 'paged', 10)\n\n"
     node = robot(tmp_path, body, handler)
     [(_, reason)] = node.gaps
-    assert "page() in robot.py can get at it, and nothing here calls that" in reason
+    assert "page() in robot.py can access it, and nothing here calls that function" in reason
 
 
 def test_what_another_module_keeps(tmp_path):

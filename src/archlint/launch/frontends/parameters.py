@@ -88,7 +88,9 @@ def _scalar(frontend: Frontend, text: str, kind: str | None) -> Value:
     value = from_yaml(text)
     match of_type(value, kind) if kind in TYPES else value:
         case NotKnown():
-            return Unknown(f"a value that is no {kind}" if kind in TYPES else "a value that a parameter cannot have")
+            return Unknown(
+                f"a value that is not of type {kind}" if kind in TYPES else "a value that a parameter cannot have"
+            )
         case list(items):
             return frontend.list([_item(item) for item in items])
         case None | str() | int() | float() as constant:

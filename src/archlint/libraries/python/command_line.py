@@ -294,7 +294,7 @@ def _converted(run: Run, option: Option, word: Value) -> Value:
         try:
             return Known(_TYPES[kind.name](word.value))
         except ValueError:
-            return Unknown(f"'{word.value}' is no {kind.name}")
+            return Unknown(f"'{word.value}' is not a valid {kind.name}")
     if isinstance(kind, FunctionValue):
         return run.call(kind, CallSite([word]))
     return Unknown("a command-line argument that other code converts")
