@@ -122,16 +122,13 @@ class SourceCode:
 
 def source_code(system: System) -> SourceCode:
     """The code that a system was made of."""
-    return _NO_CODE if system.workspace is None else code_of(system.workspace)
+    return SourceCode(lambda file: None) if system.workspace is None else code_of(system.workspace)
 
 
 @once
 def code_of(workspace: WorkspaceIndex) -> SourceCode:
     """The code of a workspace."""
     return SourceCode(workspace.facts_at)
-
-
-_NO_CODE = SourceCode(lambda file: None)
 
 
 def _look_up(found: facts.Facts, span: facts.Span) -> _Spot:
