@@ -27,8 +27,8 @@ def augmented(machine: Machine, s: facts.Augmented) -> Status:
         assign(machine, s.target, before)
         return None
     value = operators.binary(machine, s.op, before, operand, s.span)
-    counted = isinstance(s.target, facts.Attribute) and machine.phase is Phase.LATER
-    if counted and isinstance(value, Known) and not isinstance(value.value, str):
+    counted = s.target.attribute and machine.phase is Phase.LATER
+    if counted and isinstance(value, Known) and not value.is_text:
         value = Unknown("the value changes at run time")
     assign(machine, s.target, value)
     return None
@@ -46,19 +46,26 @@ _GROWS = {
 
 def _is_collection(value: Value) -> bool:
     """Whether a value is a list, set or dict, which ``+=`` and ``|=`` change in place."""
-    options = alternatives(value)
-    return all(isinstance(o, DictValue) or (isinstance(o, ListValue) and o.kind in ("list", "set")) for o in options)
+    return all(map(_is_mutable, alternatives(value)))
+
+
+def _is_mutable(value: Value) -> bool:
+    match value:
+        case DictValue() | ListValue(kind="list" | "set"):
+            return True
+    return False
 
 
 def forget_counters(machine: Machine, block: list[facts.Stmt]) -> None:
     """A loop that is run once stands for many rounds: what it counts up is no longer known."""
     for statement in block:
-        if isinstance(statement, facts.Augmented) and isinstance(statement.target, facts.Name):
-            before = machine.lookup(statement.target.id)
-            if before is None or not _is_collection(before):
-                machine.assign_name(statement.target.id, Unknown("the value changes in a loop"))
-        elif isinstance(statement, (facts.If, facts.While, facts.For)):
-            forget_counters(machine, statement.body)
-            forget_counters(machine, statement.orelse)
-        elif isinstance(statement, (facts.With, facts.Try)):
-            forget_counters(machine, statement.body)
+        match statement:
+            case facts.Augmented(target=facts.Name(id=name)):
+                before = machine.lookup(name)
+                if before is None or not _is_collection(before):
+                    machine.assign_name(name, Unknown("the value changes in a loop"))
+            case facts.If() | facts.While() | facts.For():
+                forget_counters(machine, statement.body)
+                forget_counters(machine, statement.orelse)
+            case facts.With() | facts.Try():
+                forget_counters(machine, statement.body)

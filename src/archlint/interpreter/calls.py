@@ -8,25 +8,25 @@ from archlint.branches import ChoiceOfCallee
 from archlint.finding import Place
 from archlint.interpreter import containers, hints, refusals, repeats
 from archlint.interpreter.activation import Activation
-from archlint.interpreter.attributes import get_attribute
+from archlint.interpreter.attributes import method_of
 from archlint.interpreter.bindings import bound_names
-from archlint.interpreter.builtin_functions import BUILTINS, call_builtin
+from archlint.interpreter.builtins import BUILTINS, call_builtin
 from archlint.interpreter.call_site import NOTHING_GIVEN, CallSite
-from archlint.interpreter.definitions import instantiate
 from archlint.interpreter.heap import Layer
 from archlint.interpreter.machine import DEPTH, Machine, Status
+from archlint.interpreter.objects.classes import instantiate
 from archlint.interpreter.values import (
     NONE,
     ApiMethod,
     BoundMethod,
     Builtin,
     ClassValue,
-    DictValue,
+    Entries,
     External,
     ForeignValue,
     FunctionValue,
     Instance,
-    Known,
+    Items,
     ListValue,
     OneOf,
     Partial,
@@ -46,9 +46,11 @@ __all__ = ["BUILTINS", "call", "call_function", "place_of"]
 
 
 def evaluate_call(machine: Machine, e: facts.Call) -> Value:
-    if isinstance(e.func, facts.Name) and e.func.id == "super" and machine.lookup("super") is None:
+    """The value of a call expression."""
+    name = e.func.variable
+    if name == "super" and machine.lookup("super") is None:
         return _super(machine, e)
-    if isinstance(e.func, facts.Name) and e.func.id in ("locals", "globals"):
+    if name in ("locals", "globals"):
         return Unknown("the variables as a dict")
     function = machine.evaluate(e.func)
     machine.library.coroutines_started(function, e)
@@ -62,30 +64,34 @@ def call_site(machine: Machine, e: facts.Call) -> CallSite:
     """The arguments of a call expression."""
     args: list[Value] = []
     keywords: dict[str, Value] = {}
-    open_ = False
+    complete = True
     for argument in e.args:
         value = machine.evaluate(argument.value)
         if argument.star == "*":
-            items = containers.iterate(machine, value)
-            if items is None or items.open:
-                open_ = True
-            if items is not None:
-                args.extend(items.values[: max(0, containers.ITEM_LIMIT - len(args))])
-                open_ = open_ or len(args) >= containers.ITEM_LIMIT
+            complete &= _add_items(args, value.items(machine))
         elif argument.star == "**":
-            if isinstance(value, DictValue):
-                entries = containers.entries_of(machine, value)
-                open_ = open_ or entries.open
-                for key, item in entries.entries.values():
-                    if isinstance(key, Known) and isinstance(key.value, str):
-                        keywords[key.value] = item
-            else:
-                open_ = True
+            complete &= _add_entries(keywords, value.entries(machine))
         elif argument.keyword is not None:
             keywords[argument.keyword] = value
         else:
             args.append(value)
-    return CallSite(args, keywords, e, open_)
+    return CallSite(args, keywords, e, not complete)
+
+
+def _add_items(args: list[Value], items: Items | None) -> bool:
+    """Add the arguments of ``*items``; whether they are all."""
+    if items is None:
+        return False
+    args.extend(items.values[: max(0, containers.ITEM_LIMIT - len(args))])
+    return not items.open and len(args) < containers.ITEM_LIMIT
+
+
+def _add_entries(keywords: dict[str, Value], entries: Entries | None) -> bool:
+    """Add the arguments of ``**entries``; whether they are all."""
+    if entries is None:
+        return False
+    keywords.update((key.text, value) for key, value in entries.entries.values() if key.text is not None)
+    return not entries.open
 
 
 def _super(machine: Machine, e: facts.Call) -> Value:
@@ -105,31 +111,32 @@ def _super(machine: Machine, e: facts.Call) -> Value:
 
 def call(machine: Machine, function: Value, site: CallSite) -> Value:
     """Call a value.  What is not known to be callable evaluates to unknown."""
-    if isinstance(function, OneOf):
-        return _call_alternatives(machine, function, site)
-    if isinstance(function, BoundMethod):
-        if isinstance(function.function, FunctionValue):
-            return call_function(machine, function.function, site.after(function.self_value), function.self_value)
-        return call(machine, function.function, site.after(function.self_value))
-    if isinstance(function, FunctionValue):
-        return call_function(machine, function, site)
-    if isinstance(function, ClassValue):
-        return instantiate(machine, function, site)
-    if isinstance(function, Partial):
-        merged = {**dict(function.keywords), **site.keywords}
-        return call(machine, function.function, replace(site, args=[*function.args, *site.args], keywords=merged))
-    if isinstance(function, PythonValue):
-        return function.function(*site.args, **site.keywords)
-    if isinstance(function, ApiMethod):
-        return machine.library.call_method(function, site)
-    if isinstance(function, External):
-        return machine.library.call_function(function, site)
-    if isinstance(function, Builtin):
-        return call_builtin(machine, function, site)
-    if isinstance(function, Instance) and isinstance(function.cls, ClassValue):
-        method = get_attribute(machine, function, "__call__")
-        if isinstance(method, BoundMethod):
-            return call(machine, method, site)
+    match function:
+        case BoundMethod(function=FunctionValue() as method):
+            return call_function(machine, method, site.after(function.self_value), function.self_value)
+        case BoundMethod():
+            return call(machine, function.function, site.after(function.self_value))
+        case FunctionValue():
+            return call_function(machine, function, site)
+        case External():
+            return machine.library.call_function(function, site)
+        case ApiMethod():
+            return machine.library.call_method(function, site)
+        case Builtin():
+            return call_builtin(machine, function, site)
+        case ClassValue():
+            return instantiate(machine, function, site)
+        case OneOf():
+            return _call_alternatives(machine, function, site)
+        case Partial():
+            merged = {**dict(function.keywords), **site.keywords}
+            return call(machine, function.function, replace(site, args=[*function.args, *site.args], keywords=merged))
+        case PythonValue():
+            return function.function(*site.args, **site.keywords)
+        case Instance(cls=ClassValue()):
+            bound = method_of(machine, function, "__call__")
+            if bound is not None:
+                return call(machine, bound, site)
     machine.library.given_away(site)
     if isinstance(function, Unknown):
         return Unknown(function.reason, function.parameter)
@@ -137,7 +144,7 @@ def call(machine: Machine, function: Value, site: CallSite) -> Value:
 
 
 def _call_alternatives(machine: Machine, function: OneOf, site: CallSite) -> Value:
-    callable_ = [f for f in function.values if not (isinstance(f, Known) and f.value is None)]
+    callable_ = [option for option in function.values if not option.is_none]
     if len(callable_) == 1:
         return call(machine, callable_[0], site)
     span = site.expression.span if site.expression is not None else (0, 0, 0, 0)
@@ -166,10 +173,7 @@ def bind_arguments(machine: Machine, function: FunctionValue, site: CallSite) ->
             bound[param.name] = containers.new_list(machine, rest, "tuple", site.open)
             rest = []
         elif param.kind == "double_star":
-            entries = {containers.hashable(Known(k)): (Known(k), v) for k, v in left.items()}
-            bound[param.name] = containers.new_dict(
-                machine, {k: v for k, v in entries.items() if k is not None}, site.open
-            )
+            bound[param.name] = containers.dict_of_names(machine, left, site.open)
             left = {}
         elif param.kind in ("positional_only", "normal") and rest:
             bound[param.name] = rest.pop(0)
@@ -205,13 +209,39 @@ def call_function(machine: Machine, function: FunctionValue, site: CallSite, sel
 
 
 def enter_function(machine: Machine, function: FunctionValue, site: CallSite, self_value: Value | None) -> Value:
+    """Run a function once more, whatever was followed before."""
     ir = function.ir
-    module = function.scope.module
     bound = bind_arguments(machine, function, site)
     self_value = self_value or _self_of(function, bound)
-    on = (self_value.heap_key or 0) if isinstance(self_value, (Instance, ForeignValue)) else 0
-    machine.executed.add((on, id(ir)))
+    on_object = isinstance(self_value, (Instance, ForeignValue))
+    machine.executed.add(((self_value.heap_key or 0) if on_object and self_value is not None else 0, id(ir)))
     machine.ran.add(id(ir))
+    activation = _activation(machine, function, site, self_value)
+    depth = machine.store.depth
+    machine.store.push()
+    for name, value in bound.items():
+        machine.store.set(activation.scope.key, name, value)
+    machine.activations.append(activation)
+    result: Value = NONE
+    status: Status = None
+    try:
+        if isinstance(ir, facts.Lambda):
+            result = machine.evaluate(ir.body)
+        else:
+            status = machine.execute(ir.body)
+    finally:
+        machine.activations.pop()
+        layer = machine.store.cut(depth)
+        machine.library.function_left(activation)
+    if isinstance(ir, facts.Lambda):
+        machine.store.merge([layer])
+        return result
+    return _leave_function(machine, ir, activation, status, layer)
+
+
+def _activation(machine: Machine, function: FunctionValue, site: CallSite, self_value: Value | None) -> Activation:
+    """The frame of a call, with a scope of its own."""
+    ir, module = function.ir, function.scope.module
     names, outer = bound_names(ir)
     scope = machine.new_scope(function.scope, module, "function", function.qualified, names, outer)
     body = ir.body if isinstance(ir, facts.Function) else []
@@ -223,25 +253,7 @@ def enter_function(machine: Machine, function: FunctionValue, site: CallSite, se
     activation = Activation(function.qualified, module, scope, body, depth, function, self_value, call_place)
     activation.branch_arms = len(machine.branch_arms)
     activation.scopes.append(scope.key)
-    machine.store.push()
-    for name, value in bound.items():
-        machine.store.set(scope.key, name, value)
-    machine.activations.append(activation)
-    try:
-        if isinstance(ir, facts.Lambda):
-            result = machine.evaluate(ir.body)
-            status = None
-        else:
-            status = machine.execute(body)
-            result = NONE
-    finally:
-        machine.activations.pop()
-        layer = machine.store.cut(depth)
-        machine.library.function_left(activation)
-    if isinstance(ir, facts.Lambda):
-        machine.store.merge([layer])
-        return result
-    return _leave_function(machine, ir, activation, status, layer)
+    return activation
 
 
 def _self_of(function: FunctionValue, bound: dict[str, Value]) -> Value | None:
@@ -279,24 +291,22 @@ def _leave_function(
 
 def awaited(machine: Machine, value: Value, expression: facts.Await) -> Value:
     """``await value``."""
-    found = []
-    for option in alternatives(value):
-        if isinstance(option, ForeignValue):
-            found.append(machine.library.awaited(option, expression))
-        else:
-            found.append(option)
-    return one_of(found)
+    return one_of(
+        machine.library.awaited(option, expression) if isinstance(option, ForeignValue) else option
+        for option in alternatives(value)
+    )
 
 
 def enter(machine: Machine, value: Value) -> Value:
     """What ``with value as x`` binds."""
-    if isinstance(value, ListValue) and value.kind == "generator":
-        items = containers.items_of(machine, value)
-        return items.values[0] if items.values else Unknown("the value of a context manager")
-    if isinstance(value, Instance) and isinstance(value.cls, ClassValue):
-        method = get_attribute(machine, value, "__enter__")
-        if isinstance(method, BoundMethod):
-            return call(machine, method, NOTHING_GIVEN)
+    match value:
+        case ListValue(kind="generator"):
+            items = value.items(machine)
+            return items.values[0] if items.values else Unknown("the value of a context manager")
+        case Instance(cls=ClassValue()):
+            method = method_of(machine, value, "__enter__")
+            if method is not None:
+                return call(machine, method, NOTHING_GIVEN)
     return value
 
 
@@ -305,14 +315,15 @@ _EXITS = frozenset({"sys.exit", "os._exit"})
 
 def never_returns(machine: Machine, e: facts.Call) -> bool:
     """``sys.exit()`` and the like."""
-    if isinstance(e.func, facts.Name):
-        return e.func.id in ("exit", "quit") and machine.lookup(e.func.id) is None
-    if isinstance(e.func, facts.Attribute) and isinstance(e.func.value, facts.Name):
-        value = machine.lookup(e.func.value.id)
-        return isinstance(value, External) and f"{value.path}.{e.func.attr}" in _EXITS
+    match e.func:
+        case facts.Name(id=name):
+            return name in ("exit", "quit") and machine.lookup(name) is None
+        case facts.Attribute(value=facts.Name(id=name), attr=attribute):
+            value = machine.lookup(name)
+            return value is not None and f"{value.dotted}.{attribute}" in _EXITS
     return False
 
 
 def place_of(function: FunctionValue) -> Place:
-    span = function.ir.name_span if isinstance(function.ir, facts.Function) else function.ir.span
-    return Place(function.scope.module.path, *span)
+    """Where a function is defined."""
+    return Place(function.scope.module.path, *function.place_span)

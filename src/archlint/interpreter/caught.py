@@ -19,11 +19,8 @@ _TELLS = frozenset({"debug", "info", "warn", "warning", "error", "fatal", "criti
 
 def is_import_error(expression: facts.Expr | None) -> bool:
     """Whether a handler is for imports that fail, and for nothing else."""
-    if isinstance(expression, facts.Name):
-        return expression.id in _IMPORT_ERRORS
-    if isinstance(expression, facts.Sequence):
-        return bool(expression.elements) and all(is_import_error(e) for e in expression.elements)
-    return False
+    classes = [] if expression is None else expression.unpacked
+    return bool(classes) and all(cls.variable in _IMPORT_ERRORS for cls in classes)
 
 
 def may_expect_missing_attribute(handler: facts.Handler) -> bool:
@@ -47,36 +44,41 @@ def _names_attribute_error(expression: facts.Expr | None) -> bool:
 
 
 def _is_for_all(expression: facts.Expr | None) -> bool:
-    return expression is None or _last_name(expression) in _FOR_ALL
+    return expression is None or expression.last_name in _FOR_ALL
 
 
 def _last_name(expression: facts.Expr | None) -> str:
-    return expression.id if isinstance(expression, facts.Name) else getattr(expression, "attr", "")
+    return "" if expression is None else expression.last_name
 
 
 def _only_tells(handler: facts.Handler) -> bool:
     """Whether a handler says something or raises, and does nothing else but leave."""
-    speaks = [isinstance(one, facts.Raise) or _is_telling_call(one, handler.name) for one in handler.body]
-    return any(speaks) and all(said or _returns_nothing(one) for said, one in zip(speaks, handler.body, strict=True))
+    speaks = [isinstance(part, facts.Raise) or _is_telling_call(part, handler.name) for part in handler.body]
+    return any(speaks) and all(said or _returns_nothing(part) for said, part in zip(speaks, handler.body, strict=True))
 
 
 def _is_telling_call(statement: facts.Stmt, error: str | None) -> bool:
     """Whether a statement logs or prints words or the error: ``print(scan.ranges)`` may be another way to the data."""
-    call = statement.value if isinstance(statement, facts.Expression) else None
-    if not isinstance(call, facts.Call) or _last_name(call.func) not in _TELLS:
-        return False
-    given = [argument.value for argument in call.args]
-    return not given or any(_is_text(value) or (isinstance(value, facts.Name) and value.id == error) for value in given)
+    match statement:
+        case facts.Expression(value=facts.Call(func=function, args=args)) if function.last_name in _TELLS:
+            given = [argument.value for argument in args]
+            return not given or any(_is_text(value) or (error and value.variable == error) for value in given)
+    return False
 
 
 def _is_text(value: facts.Expr) -> bool:
-    if isinstance(value, facts.Literal):
-        return isinstance(value.value, str)
-    if isinstance(value, facts.Call):
-        return _last_name(value.func) in ("str", "repr", "format", "format_exc")
-    return isinstance(value, facts.FormatString) or (isinstance(value, facts.Binary) and _is_text(value.left))
+    match value:
+        case facts.Call(func=function):
+            return function.last_name in ("str", "repr", "format", "format_exc")
+        case facts.FormatString():
+            return True
+        case facts.Binary(left=left):
+            return _is_text(left)
+    return value.text is not None
 
 
 def _returns_nothing(statement: facts.Stmt) -> bool:
-    value = statement.value if isinstance(statement, facts.Return) else statement
-    return value is None or (isinstance(value, facts.Literal) and value.value is None)
+    match statement:
+        case facts.Return(value=None | facts.Literal(value=None)):
+            return True
+    return False

@@ -15,10 +15,9 @@ _CONSTRUCTOR = "__init__"
 def changed_attributes(cls: ClassValue) -> dict[str, tuple[Value, ...]]:
     """The attributes that the methods of a class, and of those it derives from, change, and what they put there."""
     given: dict[str, list[tuple[bool, Value]]] = {}
-    for base in cls.mro:
-        if isinstance(base, ClassValue):
-            for name, later, value in _assigned(Itself(base.ir)):
-                given.setdefault(name, []).append((later, value))
+    for base in cls.classes:
+        for name, later, value in _assigned(Itself(base.ir)):
+            given.setdefault(name, []).append((later, value))
     return {
         name: tuple(dict.fromkeys(value for _, value in rows))
         for name, rows in given.items()
@@ -40,14 +39,15 @@ def _assigned(key: Itself[facts.Class]) -> tuple[tuple[str, bool, Value], ...]:
 
 
 def _targets(statement: facts.Base, own: str) -> Iterator[tuple[str, Value]]:
-    if isinstance(statement, facts.Assign):
-        known = _literal(statement.value)
-        for target in statement.targets:
-            yield from ((name, known) for name in _names(target, own))
-    elif isinstance(statement, facts.Augmented):
-        yield from ((name, _CHANGES) for name in _names(statement.target, own))
-    elif isinstance(statement, facts.Annotated) and statement.value is not None:
-        yield from ((name, _literal(statement.value)) for name in _names(statement.target, own))
+    match statement:
+        case facts.Assign():
+            known = _literal(statement.value)
+            for target in statement.targets:
+                yield from ((name, known) for name in _names(target, own))
+        case facts.Augmented():
+            yield from ((name, _CHANGES) for name in _names(statement.target, own))
+        case facts.Annotated() if statement.value is not None:
+            yield from ((name, _literal(statement.value)) for name in _names(statement.target, own))
 
 
 _CHANGES = Unknown("methods change it")
@@ -59,8 +59,9 @@ def _literal(value: facts.Expr) -> Value:
 
 def _names(target: facts.Expr, own: str) -> Iterator[str]:
     """The attributes of ``own`` in the target of an assignment."""
-    if isinstance(target, facts.Sequence):
-        for element in target.elements:
-            yield from _names(element, own)
-    elif isinstance(target, facts.Attribute) and isinstance(target.value, facts.Name) and target.value.id == own:
-        yield target.attr
+    match target:
+        case facts.Sequence():
+            for element in target.elements:
+                yield from _names(element, own)
+        case facts.Attribute(value=facts.Name(id=name)) if name == own:
+            yield target.attr

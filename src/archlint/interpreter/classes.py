@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING
 
 from archlint.interpreter.fields import Field, Fields
 from archlint.interpreter.values import ClassValue, FunctionValue, Value
+from archlint.syntax import facts
 
 if TYPE_CHECKING:
     from archlint.interpreter.machine import Machine
@@ -23,4 +24,9 @@ def class_lookup(
     return cls.lookup(machine, name, after)
 
 
-__all__ = ["SETTERS", "SUBCLASSES", "class_lookup"]
+def called(decorator: facts.Expr) -> facts.Expr:
+    """What a decorator is, without the arguments that it is given."""
+    return decorator.func if isinstance(decorator, facts.Call) else decorator
+
+
+__all__ = ["SETTERS", "SUBCLASSES", "called", "class_lookup"]

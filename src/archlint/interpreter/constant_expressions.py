@@ -57,47 +57,58 @@ def evaluate(text: str) -> object:
 
 
 def _value(node: ast.expr) -> Any:
-    if isinstance(node, ast.Constant) and isinstance(node.value, (str, int, float, bool, type(None))):
-        return node.value
-    if isinstance(node, ast.BoolOp):
-        stop = isinstance(node.op, ast.Or)
-        value: Any = None
-        for part in node.values:
-            value = _value(part)
-            if bool(value) is stop:
-                return value
-        return value
-    if isinstance(node, ast.UnaryOp):
-        operand = _value(node.operand)
-        if isinstance(node.op, ast.Not):
-            return not operand
-        if isinstance(node.op, ast.USub):
-            return -operand
-        if isinstance(node.op, ast.UAdd):
-            return +operand
-    if isinstance(node, ast.Compare):
-        left = _value(node.left)
-        for op, part in zip(node.ops, node.comparators, strict=True):
-            right = _value(part)
-            if type(op) not in _COMPARE:
-                raise NotFollowed("a comparison that is not followed")
-            if not _COMPARE[type(op)](left, right):
-                return False
-            left = right
-        return True
-    if isinstance(node, ast.BinOp) and type(node.op) in _BINARY:
-        left, right = _value(node.left), _value(node.right)
-        texts = isinstance(left, (str, list, tuple)) or isinstance(right, (str, list, tuple))
-        if texts and not isinstance(node.op, ast.Add):
-            raise NotFollowed("an operation on texts that is not followed")
-        return _BINARY[type(node.op)](left, right)
-    if isinstance(node, ast.IfExp):
-        return _value(node.body if _value(node.test) else node.orelse)
-    if isinstance(node, (ast.List, ast.Tuple, ast.Set)):
-        return [_value(item) for item in node.elts]
-    if isinstance(node, ast.Call) and not node.keywords:
-        return _call(node)
+    match node:
+        case ast.Constant(value=None | str() | int() | float()):
+            return node.value
+        case ast.BoolOp():
+            return _decided(node)
+        case ast.UnaryOp(op=ast.Not() | ast.USub() | ast.UAdd()):
+            return _UNARY[type(node.op)](_value(node.operand))
+        case ast.Compare():
+            return _compared(node)
+        case ast.BinOp() if type(node.op) in _BINARY:
+            return _combined(node)
+        case ast.IfExp():
+            return _value(node.body if _value(node.test) else node.orelse)
+        case ast.List() | ast.Tuple() | ast.Set():
+            return [_value(item) for item in node.elts]
+        case ast.Call(keywords=[]):
+            return _call(node)
     raise NotFollowed("an expression that is not followed")
+
+
+_UNARY: dict[type, Callable[[Any], Any]] = {ast.Not: operator.not_, ast.USub: operator.neg, ast.UAdd: operator.pos}
+
+
+def _decided(node: ast.BoolOp) -> Any:
+    """``and``, ``or``: the first operand that decides, or the last."""
+    stop = isinstance(node.op, ast.Or)
+    value: Any = None
+    for part in node.values:
+        value = _value(part)
+        if bool(value) is stop:
+            return value
+    return value
+
+
+def _compared(node: ast.Compare) -> bool:
+    left = _value(node.left)
+    for op, part in zip(node.ops, node.comparators, strict=True):
+        right = _value(part)
+        if type(op) not in _COMPARE:
+            raise NotFollowed("a comparison that is not followed")
+        if not _COMPARE[type(op)](left, right):
+            return False
+        left = right
+    return True
+
+
+def _combined(node: ast.BinOp) -> Any:
+    left, right = _value(node.left), _value(node.right)
+    texts = any(isinstance(side, (str, list, tuple)) for side in (left, right))
+    if texts and not isinstance(node.op, ast.Add):
+        raise NotFollowed("an operation on texts that is not followed")
+    return _BINARY[type(node.op)](left, right)
 
 
 _FUNCTIONS: dict[str, Callable[..., Any]] = {"str": str, "int": int, "float": float, "bool": bool, "len": len}
@@ -106,14 +117,15 @@ _METHODS = frozenset({"lower", "upper", "strip", "startswith", "endswith", "repl
 
 def _call(node: ast.Call) -> Any:
     arguments = [_value(argument) for argument in node.args]
-    if any(not isinstance(argument, (str, int, float, bool, list)) for argument in arguments):
+    if any(not isinstance(argument, (str, int, float, list)) for argument in arguments):
         raise NotFollowed("a call that is not followed")
-    if isinstance(node.func, ast.Name) and node.func.id in _FUNCTIONS and len(arguments) == 1:
-        return _FUNCTIONS[node.func.id](arguments[0])
-    if isinstance(node.func, ast.Attribute) and node.func.attr in _METHODS:
-        receiver = _value(node.func.value)
-        if isinstance(receiver, str) and all(isinstance(argument, str) for argument in arguments):
-            found = getattr(receiver, node.func.attr)(*arguments)
-            if isinstance(found, (bool, list)) or len(found) <= LIMIT:
-                return found
+    match node.func:
+        case ast.Name(id=name) if name in _FUNCTIONS and len(arguments) == 1:
+            return _FUNCTIONS[name](arguments[0])
+        case ast.Attribute(attr=name) if name in _METHODS:
+            receiver = _value(node.func.value)
+            if all(isinstance(part, str) for part in (receiver, *arguments)):
+                result = getattr(receiver, name)(*arguments)
+                if isinstance(result, (bool, list)) or len(result) <= LIMIT:
+                    return result
     raise NotFollowed("a call that is not followed")

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Hashable, Iterable, Sequence
+from collections.abc import Hashable, Iterable, Mapping, Sequence
 from typing import TYPE_CHECKING
 
 from archlint.interpreter.values import (
@@ -13,6 +13,7 @@ from archlint.interpreter.values import (
     Entries,
     Instance,
     Items,
+    Known,
     ListKind,
     ListValue,
     Unknown,
@@ -46,6 +47,12 @@ def new_dict(machine: Machine, entries: dict[Hashable, tuple[Value, Value]], ope
     made = DictValue(machine.store.new_key())
     machine.store.set(made.key, ENTRIES, Entries(entries, open_))
     return made
+
+
+def dict_of_names(machine: Machine, values: Mapping[str, Value], open_: bool = False) -> DictValue:
+    """A dict with texts for keys."""
+    names = ((Known(name), value) for name, value in values.items())
+    return new_dict(machine, {name.entry_key(): (name, value) for name, value in names}, open_)
 
 
 def items_of(machine: Machine, value: ListValue) -> Items:

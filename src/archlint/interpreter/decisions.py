@@ -2,30 +2,25 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from typing import TYPE_CHECKING
 
 from archlint.interpreter.attributes import set_attribute
-from archlint.interpreter.classes import class_lookup
-from archlint.interpreter.containers import entries_of, hashable, items_of, iterate
-from archlint.interpreter.operators import compare_values, is_object
+from archlint.interpreter.operators import compare_values
 from archlint.interpreter.type_tests import classes_of, is_any
 from archlint.interpreter.values import (
-    ApiMethod,
     Builtin,
-    ClassValue,
     DictValue,
+    Entries,
     External,
-    Holed,
-    Instance,
+    Items,
     Known,
     ListValue,
-    OneOf,
     Unknown,
     Value,
     alternatives,
+    depends_on,
     one_of,
-    via,
 )
 from archlint.syntax import facts
 
@@ -34,72 +29,48 @@ if TYPE_CHECKING:
 
 
 def truth(machine: Machine, value: Value) -> bool | None:
-    """Whether a value is true; None where that is not known.
-
-    A parameter's default is one value of many: the default decides nothing.  What a launch file sets decides
-    while the program starts; callbacks may see what was set later.
-    """
-    if isinstance(value, Known):
-        settled = not value.via or machine.library.are_settled(value.via)
-        return bool(value.value) if settled else None
-    if isinstance(value, OneOf):
-        found = {truth(machine, alternative) for alternative in value.values}
-        return found.pop() if len(found) == 1 else None
-    if isinstance(value, ListValue):
-        items = items_of(machine, value)
-        return True if items.values and not items.open else None if items.open else False
-    if isinstance(value, DictValue):
-        entries = entries_of(machine, value)
-        return True if entries.entries and not entries.open else None if entries.open else False
-    if isinstance(value, Holed):
-        return True if any(value.parts) else None
-    if isinstance(value, Instance) and isinstance(value.cls, ClassValue):
-        return _object_truth(machine, value, value.cls)
-    if isinstance(value, ApiMethod):
-        return None  # what a library's object has may be a property: goal_handle.is_cancel_requested
-    if is_object(value):
-        return True
-    return None
-
-
-def _object_truth(machine: Machine, value: Instance, cls: ClassValue) -> bool | None:
-    """An object is true, but where its class says otherwise: members of ``IntEnum`` are as true as their numbers."""
-    held = value.member_value(machine)
-    if held is not None and set(cls.external_bases()) - {"enum.Enum"}:
-        return truth(machine, held)
-    says = any(class_lookup(machine, cls, name)[0] is not None for name in ("__bool__", "__len__"))
-    return None if says else True
+    """Whether a value is true; None where that is not known."""
+    return value.truth(machine)
 
 
 def narrow(machine: Machine, test: facts.Expr, holds: bool) -> None:
     """Keep what a test proves about a variable or attribute inside a branch."""
-    if isinstance(test, facts.Unary) and test.op == "not":
-        narrow(machine, test.operand, not holds)
-    elif isinstance(test, facts.Boolean):
-        if (test.op == "and") == holds:
-            for value in test.values:
-                narrow(machine, value, holds)
-    elif isinstance(test, (facts.Name, facts.Attribute)):
-        _keep(machine, test, lambda value: _raw_truth(machine, value) in (None, holds))
-    elif isinstance(test, facts.Assigned):
-        narrow(machine, test.target, holds)
-    elif isinstance(test, facts.Call):
-        _narrow_class(machine, test, holds)
-    elif isinstance(test, facts.Compare) and len(test.ops) == 1:
-        op, other = test.ops[0], test.comparators[0]
-        if op in ("is not", "!=", "not in"):
-            op, holds = {"is not": "is", "!=": "==", "not in": "in"}[op], not holds
-        if not isinstance(test.left, (facts.Name, facts.Attribute)) or op not in ("is", "==", "in"):
-            return
-        if not isinstance(other, (facts.Literal, facts.Name, facts.Attribute, facts.Sequence)):
-            return
-        right = machine.evaluate(other)
-        proven = right if holds and op == "==" and isinstance(right, Known) else None
-        _keep(machine, test.left, lambda value: compare_values(machine, op, value, right) in (None, holds), proven)
+    match test:
+        case facts.Unary(op="not"):
+            narrow(machine, test.operand, not holds)
+        case facts.Boolean():
+            if (test.op == "and") == holds:
+                for value in test.values:
+                    narrow(machine, value, holds)
+        case facts.Name() | facts.Attribute():
+            _keep(machine, test, lambda value: _raw_truth(machine, value) in (None, holds))
+        case facts.Assigned():
+            narrow(machine, test.target, holds)
+        case facts.Call():
+            _narrow_class(machine, test, holds)
+        case facts.Compare(left=facts.Name() | facts.Attribute() as left, ops=[op], comparators=[right]):
+            _narrow_compared(machine, left, op, right, holds)
+
+
+_OPPOSITE = {"is not": "is", "!=": "==", "not in": "in"}
+
+
+def _narrow_compared(
+    machine: Machine, left: facts.Name | facts.Attribute, op: str, other: facts.Expr, holds: bool
+) -> None:
+    """Keep what ``left op other`` proves of ``left``."""
+    if op in _OPPOSITE:
+        op, holds = _OPPOSITE[op], not holds
+    plain = isinstance(other, (facts.Literal, facts.Name, facts.Attribute, facts.Sequence))
+    if op not in ("is", "==", "in") or not plain:
+        return
+    right = machine.evaluate(other)
+    proven = right if holds and op == "==" and isinstance(right, Known) else None
+    _keep(machine, left, lambda value: compare_values(machine, op, value, right) in (None, holds), proven)
 
 
 def _narrow_class(machine: Machine, test: facts.Call, holds: bool) -> None:
-    """``isinstance(self.robot, Mock)``: keep the alternatives that are, or may be, of the class, or not of it."""
+    """Keep the alternatives that are, or may be, of the class, or not of it."""
     if len(test.args) != 2 or any(argument.keyword is not None or argument.star for argument in test.args):
         return
     subject, of = (argument.value for argument in test.args)
@@ -112,101 +83,113 @@ def _narrow_class(machine: Machine, test: facts.Call, holds: bool) -> None:
 
 def _raw_truth(machine: Machine, value: Value) -> bool | None:
     """Like :func:`truth`, with a parameter's default taken at its word."""
-    return bool(value.value) if isinstance(value, Known) else truth(machine, value)
+    return bool(value.value) if isinstance(value, Known) else value.truth(machine)
 
 
 def _keep(
     machine: Machine,
     target: facts.Name | facts.Attribute,
     wanted: Callable[[Value], bool],
-    proven: Value | None = None,
+    proven: Known | None = None,
 ) -> None:
-    """Drop the alternatives that a test rules out.  Where none is left (a parameter's default that this
-    branch contradicts), the value is what the test proves, or unknown."""
-    if isinstance(target, facts.Attribute) and not isinstance(target.value, facts.Name):
+    """Drop the alternatives that a test rules out."""
+    if isinstance(target, facts.Attribute) and not target.value.variable:
         return
-    before = machine.lookup(target.id) if isinstance(target, facts.Name) else machine.evaluate(target)
+    before = machine.lookup(target.variable) if target.variable else machine.evaluate(target)
     if before is None:
         return
-    kept = [value for value in alternatives(before) if wanted(value)]
-    after: Value
-    if kept:
-        after = one_of(kept)
-        if proven is not None and isinstance(after, Unknown):
-            after = proven
-    elif proven is not None:
-        after = Known(proven.value, via(before)) if isinstance(proven, Known) else proven
-    else:
-        names = sorted(via(before))
-        if not names:
-            return
-        after = Unknown(f"the parameter '{names[0]}' decides it", names[0])
-    if after is before or (isinstance(before, (Unknown, Known)) and after == before):
+    after = _narrowed(before, wanted, proven)
+    if after is None or after is before or (isinstance(before, (Unknown, Known)) and after == before):
         return
     if isinstance(target, facts.Name):
         machine.assign_name(target.id, after)
-    else:
-        # A test changes nothing: what it proves of an object that all programs share must not be kept there.
-        own = [value for value in alternatives(machine.evaluate(target.value)) if not isinstance(value, External)]
-        if own:
-            set_attribute(machine, one_of(own), target.attr, after)
+        return
+    # A test changes nothing: what it proves of an object that all programs share must not be kept there.
+    own = [value for value in alternatives(machine.evaluate(target.value)) if not isinstance(value, External)]
+    if own:
+        set_attribute(machine, one_of(own), target.attr, after)
+
+
+def _narrowed(before: Value, wanted: Callable[[Value], bool], proven: Known | None) -> Value | None:
+    """What a value is after a test.  Where no alternative is left (a parameter's default that this branch
+    contradicts), it is what the test proves, or unknown; None where nothing is known to decide it."""
+    kept = [value for value in alternatives(before) if wanted(value)]
+    if kept:
+        after = one_of(kept)
+        return proven if proven is not None and isinstance(after, Unknown) else after
+    if proven is not None:
+        return Known(proven.value, before.via)
+    name = depends_on(before)
+    return None if name is None else Unknown(f"the parameter '{name}' decides it", name)
 
 
 def matches(machine: Machine, pattern: facts.Pattern, subject: Value) -> bool | None:
-    if pattern.kind == "capture":
-        return True
-    if pattern.kind == "value" and pattern.value is not None:
-        return compare_values(machine, "==", subject, machine.evaluate(pattern.value))
-    if pattern.kind == "or":
-        verdicts = [matches(machine, part, subject) for part in pattern.parts]
-        return True if True in verdicts else None if None in verdicts else False
-    if pattern.kind == "as" and pattern.parts:
-        return matches(machine, pattern.parts[0], subject)
-    if pattern.kind == "mapping" and isinstance(subject, DictValue):
-        return _matches_mapping(machine, pattern, subject)
-    if pattern.kind == "sequence" and isinstance(subject, ListValue):
-        items = items_of(machine, subject)
-        if items.open or any(part.kind == "other" for part in pattern.parts):
-            return None
-        if len(items.values) != len(pattern.parts):
-            return False
-        verdicts = [matches(machine, p, v) for p, v in zip(pattern.parts, items.values, strict=True)]
-        return False if False in verdicts else None if None in verdicts else True
+    """Whether a pattern matches; None where that is not known."""
+    match pattern.kind, subject:
+        case "capture", _:
+            return True
+        case "value", _ if pattern.value is not None:
+            return compare_values(machine, "==", subject, machine.evaluate(pattern.value))
+        case "or", _:
+            verdicts = [matches(machine, part, subject) for part in pattern.parts]
+            return True if True in verdicts else None if None in verdicts else False
+        case "as", _ if pattern.parts:
+            return matches(machine, pattern.parts[0], subject)
+        case "mapping", DictValue():
+            return _matches_mapping(machine, pattern, subject.entries(machine))
+        case "sequence", ListValue():
+            return _matches_sequence(machine, pattern, subject.items(machine))
     return None
 
 
-def _matches_mapping(machine: Machine, pattern: facts.Pattern, subject: DictValue) -> bool | None:
-    entries = entries_of(machine, subject)
+def _matches_sequence(machine: Machine, pattern: facts.Pattern, items: Items) -> bool | None:
+    if items.open or any(part.kind == "other" for part in pattern.parts):
+        return None
+    if items.size != len(pattern.parts):
+        return False
+    return _all(matches(machine, part, item) for part, item in zip(pattern.parts, items.values, strict=True))
+
+
+def _matches_mapping(machine: Machine, pattern: facts.Pattern, entries: Entries) -> bool | None:
     verdicts: list[bool | None] = []
     for part in pattern.parts:
         if part.kind != "entry" or part.value is None:
             continue
-        at = hashable(machine.evaluate(part.value))
-        found = entries.entries.get(at) if at is not None else None
-        if found is None:
+        at = machine.evaluate(part.value).entry_key()
+        entry = None if at is None else entries.entries.get(at)
+        if entry is None:
             verdicts.append(None if entries.open or at is None else False)
         else:
-            verdicts.append(matches(machine, part.parts[0], found[1]))
-    return False if False in verdicts else None if None in verdicts else True
+            verdicts.append(matches(machine, part.parts[0], entry[1]))
+    return _all(verdicts)
+
+
+def _all(verdicts: Iterable[bool | None]) -> bool | None:
+    found = set(verdicts)
+    return False if False in found else None if None in found else True
 
 
 def bind_pattern(machine: Machine, pattern: facts.Pattern, subject: Value) -> None:
+    """Bind the names of a pattern that matches."""
     if pattern.name is not None:
         machine.assign_name(pattern.name, subject)
     if pattern.kind == "mapping" and isinstance(subject, DictValue):
-        entries = entries_of(machine, subject).entries
-        for part in pattern.parts:
-            at = hashable(machine.evaluate(part.value)) if part.value is not None else None
-            if part.kind == "entry" and at in entries:
-                bind_pattern(machine, part.parts[0], entries[at][1])
-            else:
-                bind_pattern(machine, part.parts[0], Unknown("part of a mapping"))
+        _bind_mapping(machine, pattern, subject.entries(machine))
         return
-    items = iterate(machine, subject) if pattern.kind == "sequence" else None
+    items = subject.items(machine) if pattern.kind == "sequence" else None
+    known = () if items is None or items.open else items.values
     for number, part in enumerate(pattern.parts):
         if pattern.kind in ("as", "or"):
             bind_pattern(machine, part, subject)
-        elif items is not None and not items.open and number < len(items.values):
-            bind_pattern(machine, part, items.values[number])
+        elif number < len(known):
+            bind_pattern(machine, part, known[number])
         else:
             bind_pattern(machine, part, Unknown("part of a value that a pattern takes apart"))
+
+
+def _bind_mapping(machine: Machine, pattern: facts.Pattern, entries: Entries) -> None:
+    for part in pattern.parts:
+        at = None if part.value is None else machine.evaluate(part.value).entry_key()
+        known = part.kind == "entry" and at in entries.entries
+        value = entries.entries[at][1] if known and at is not None else Unknown("part of a mapping")
+        bind_pattern(machine, part.parts[0], value)

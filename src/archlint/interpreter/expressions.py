@@ -11,7 +11,6 @@ from archlint.interpreter.assignment import assign
 from archlint.interpreter.attributes import get_attribute
 from archlint.interpreter.containers import (
     ITEM_LIMIT,
-    entries_of,
     hashable,
     items_of,
     iterate,
@@ -28,8 +27,6 @@ from archlint.interpreter.values import (
     NO_PARAMETERS,
     NONE,
     Builtin,
-    DictValue,
-    EachValue,
     Known,
     ListValue,
     Unknown,
@@ -130,12 +127,9 @@ def _mapping(machine: Machine, e: facts.Mapping) -> Value:
     for key_expression, value_expression in zip(e.keys, e.values, strict=True):
         value = machine.evaluate(value_expression)
         if key_expression is None:
-            if isinstance(value, DictValue):
-                other = entries_of(machine, value)
-                entries.update(other.entries)
-                open_ = open_ or other.open
-            else:
-                open_ = True
+            other = value.entries(machine)
+            entries.update({} if other is None else other.entries)
+            open_ = open_ or other is None or other.open
             continue
         key = machine.evaluate(key_expression)
         at = hashable(key)
@@ -173,7 +167,7 @@ def _comprehension(machine: Machine, e: facts.Comprehension) -> Value:
             open_, whole = True, False
             why = reason(iterable)
             why = "what the loop runs over is not known" if why.startswith("the value") else why
-            values = (iterable.element if isinstance(iterable, EachValue) else Unknown(why),)
+            values = (iterable.each or Unknown(why),)
         else:
             open_ = open_ or items.open
             whole = whole and items.whole
@@ -210,9 +204,9 @@ def _slice_bounds(machine: Machine, index: facts.Slice) -> slice | None:
     bounds: list[int | None] = []
     for part in (index.lower, index.upper, index.step):
         value = NONE if part is None else machine.evaluate(part)
-        if not isinstance(value, Known) or not (value.value is None or isinstance(value.value, int)):
+        if not value.is_none and value.whole_number is None:
             return None
-        bounds.append(value.value)
+        bounds.append(value.whole_number)
     return slice(*bounds)
 
 
@@ -249,13 +243,12 @@ def _unary(machine: Machine, e: facts.Unary) -> Value:
     if e.op == "not":
         known = truth(machine, value)
         return Unknown(reason(value)) if known is None else Known(not known, via(value))
-    if isinstance(value, Known) and isinstance(value.value, (int, float)):
-        number = value.value
-        if e.op == "-":
+    match e.op, value.constant:
+        case "-", int(number) | float(number):
             return constant(-number, value.via)
-        if e.op == "+":
+        case "+", int(number) | float(number):
             return constant(+number, value.via)
-        if isinstance(number, int):
+        case "~", int(number):
             return constant(~number, value.via)
     return Unknown(reason(value))
 
@@ -343,7 +336,7 @@ def _compare(machine: Machine, e: facts.Compare) -> Value:
 
 
 def _is_set(value: Value) -> bool:
-    return all(isinstance(option, Known) and option.value is not None for option in alternatives(value))
+    return all(option.constant is not None for option in alternatives(value))
 
 
 EXPRESSIONS: dict[type, Callable[[Machine, Any], Value]] = {

@@ -6,12 +6,10 @@ import re
 from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING
 
-from archlint.interpreter.attributes import get_attribute
-from archlint.interpreter.containers import items_of
+from archlint.interpreter.attributes import method_of
 from archlint.interpreter.items import get_entry
 from archlint.interpreter.values import (
     TEXT_LIMIT,
-    BoundMethod,
     ClassValue,
     DictValue,
     Holed,
@@ -21,6 +19,7 @@ from archlint.interpreter.values import (
     Unknown,
     Value,
     alternatives,
+    depends_on,
     join_texts,
     one_of,
     reason,
@@ -42,22 +41,26 @@ _WIDE = re.compile(r"\d{5,}")
 
 def percent_format(machine: Machine, template: Value, argument: Value, span: facts.Span) -> Value:
     """``'…%s…' % argument``."""
-    if not isinstance(template, Known) or not isinstance(template.value, str):
-        return Unknown(reason(template))
-    if isinstance(argument, ListValue) and argument.kind == "tuple":
-        items = items_of(machine, argument)
-        if items.open:
-            return Unknown("the arguments of % are not known")
-        arguments = list(items.values)
-    elif isinstance(argument, DictValue):
-        return _percent_dict(machine, template, argument, span)
-    else:
-        arguments = [argument]
+    match template, argument:
+        case Known(value=str(text)), ListValue(kind="tuple"):
+            items = argument.items(machine)
+            if items.open:
+                return Unknown("the arguments of % are not known")
+            return _percent_items(machine, text, template.via, list(items.values), span)
+        case Known(value=str(text)), DictValue():
+            return _percent_dict(machine, text, template.via, argument, span)
+        case Known(value=str(text)), _:
+            return _percent_items(machine, text, template.via, [argument], span)
+    return Unknown(reason(template))
+
+
+def _percent_items(
+    machine: Machine, text: str, parameters: frozenset[str], arguments: list[Value], span: facts.Span
+) -> Value:
     parts: list[Value] = []
-    text = template.value
     at = 0
     for match in _PERCENT.finditer(text):
-        parts.append(Known(text[at : match.start()], template.via))
+        parts.append(Known(text[at : match.start()], parameters))
         at = match.end()
         if match.group() == "%%":
             parts.append(Known("%"))
@@ -65,44 +68,42 @@ def percent_format(machine: Machine, template: Value, argument: Value, span: fac
         if not arguments:
             return Unknown("% has too few arguments")
         parts.append(_formatted(match.group(), arguments.pop(0)))
-    parts.append(Known(text[at:], template.via))
+    parts.append(Known(text[at:], parameters))
     if arguments or "%" in re.sub(_PERCENT, "", text):
         return Unknown(reason(*arguments, Unknown("the arguments of % do not fit the string")))
     return combine(machine, parts, span)
 
 
 def _formatted(conversion: str, value: Value) -> Value:
-    found: list[Value] = []
-    for alternative in alternatives(value):
-        if isinstance(alternative, Known):
-            try:
-                text = None if _WIDE.search(conversion) else conversion % (alternative.value,)
-            except (TypeError, ValueError, OverflowError):
-                found.append(Unknown("a format that fails"))
-                continue
-            found.append(_short(text, alternative))
-        elif conversion == "%s":
-            found.append(alternative)
-        else:
-            found.append(Unknown(reason(alternative)))
-    return one_of(found)
+    return one_of(_formatted_constant(conversion, option) for option in alternatives(value))
 
 
-def _percent_dict(machine: Machine, template: Known, argument: DictValue, span: facts.Span) -> Value:
-    assert isinstance(template.value, str)
+def _formatted_constant(conversion: str, value: Value) -> Value:
+    if not isinstance(value, Known):
+        return value if conversion == "%s" else Unknown(reason(value))
+    try:
+        text = None if _WIDE.search(conversion) else conversion % (value.value,)
+    except (TypeError, ValueError, OverflowError):
+        return Unknown("a format that fails")
+    return _short(text, value)
+
+
+def _percent_dict(
+    machine: Machine, text: str, parameters: frozenset[str], argument: DictValue, span: facts.Span
+) -> Value:
     parts: list[Value] = []
     at = 0
-    if "%" in re.sub(_PERCENT_OF_DICT, "", template.value):
+    if "%" in re.sub(_PERCENT_OF_DICT, "", text):
         return Unknown("the arguments of % do not fit the string")
-    for match in _PERCENT_OF_DICT.finditer(template.value):
-        parts.append(Known(template.value[at : match.start()], template.via))
+    for match in _PERCENT_OF_DICT.finditer(text):
+        parts.append(Known(text[at : match.start()], parameters))
         at = match.end()
         if match.group(1) is None:
             parts.append(Known("%"))
         else:
             value = get_entry(machine, argument, Known(match.group(1)), None)
             parts.append(_formatted("%" + match.group(2), value))
-    parts.append(Known(template.value[at:], template.via))
+    parts.append(Known(text[at:], parameters))
     return combine(machine, parts, span)
 
 
@@ -124,12 +125,7 @@ def _meant(part: Value) -> Sequence[Value]:
     options = alternatives(part)
     if len(options) == 1:
         return options
-    return [Unknown("it may be None in this text") if _is_none(option) else option for option in options]
-
-
-def _is_none(value: Value) -> bool:
-    """Whether a value is ``None``, whichever parameter chose it."""
-    return isinstance(value, Known) and value.value is None
+    return [Unknown("it may be None in this text") if option.is_none else option for option in options]
 
 
 def plain_text(machine: Machine, value: Value) -> Value:
@@ -142,27 +138,24 @@ def plain_text(machine: Machine, value: Value) -> Value:
 
 def text_of(machine: Machine, value: Value) -> Value:
     """``str(value)``."""
-    if isinstance(value, (Known, Holed, Unknown)):
-        return value
-    if isinstance(value, Instance) and isinstance(value.cls, ClassValue):
-        enum = value.member_value(machine)
-        if isinstance(enum, Known) and _is_text_enum(value.cls):
-            return enum
-        for name in ("__str__", "__repr__"):
-            method = get_attribute(machine, value, name)
-            if isinstance(method, BoundMethod):
-                return machine.call(method)
+    match value:
+        case Known() | Holed() | Unknown():
+            return value
+        case Instance(cls=ClassValue() as cls):
+            held = value.member_value(machine)
+            if isinstance(held, Known) and "enum.StrEnum" in cls.external_bases():
+                return held
+            for name in ("__str__", "__repr__"):
+                method = method_of(machine, value, name)
+                if method is not None:
+                    return machine.call(method)
     return Unknown(reason(value))
-
-
-def _is_text_enum(cls: ClassValue) -> bool:
-    return any(path in ("enum.StrEnum",) for path in cls.external_bases())
 
 
 def format_one(value: Value, conversion: str | None, spec: str | None) -> Value:
     """What one ``{value!conversion:spec}`` gives."""
     if isinstance(value, Holed):
-        return Unknown(value.reason, next(iter(sorted(value.via)), None))
+        return Unknown(value.reason, depends_on(value))
     if not isinstance(value, Known):
         return value
     try:

@@ -24,9 +24,10 @@ _EMPTY_CALLS = frozenset({"dict", "list", "set", "deque", "defaultdict", "Ordere
 def open_up(machine: Machine) -> None:
     """Forget that collections are empty which objects keep and methods of theirs fill, once for each."""
     for instance in list(machine.instances.values()):
-        if isinstance(instance.cls, ClassValue) and instance.key not in machine.opened:
+        cls = instance.own_class
+        if cls is not None and instance.key not in machine.opened:
             machine.opened.add(instance.key)
-            for name in _filled_of(instance.cls) & machine.store.held.get(instance.key, {}).keys():
+            for name in _filled_of(cls) & machine.store.held.get(instance.key, {}).keys():
                 value = machine.store.get(instance.key, name)
                 if value is not None:
                     _open(machine, value)
@@ -44,48 +45,41 @@ def _open(machine: Machine, value: Value) -> None:
 
 def _filled_of(cls: ClassValue) -> frozenset[str]:
     """The attributes that methods other than constructors fill, of a class and of those it derives from."""
-    return frozenset().union(*(_filled(Itself(base.ir)) for base in cls.mro if isinstance(base, ClassValue)))
+    return frozenset().union(*(_filled(Itself(base.ir)) for base in cls.classes))
 
 
 @lru_cache(maxsize=4096)
 def _filled(key: Itself[facts.Class]) -> frozenset[str]:
-    return frozenset(
-        name
-        for method in key.fact.body
-        if isinstance(method, facts.Function) and method.name != "__init__"
-        for part in everything_in(method)
-        for name in _fills(part)
-    )
+    methods = (method for method in key.fact.body if isinstance(method, facts.Function) and method.name != "__init__")
+    return frozenset(name for method in methods for part in everything_in(method) for name in _fills(part) if name)
 
 
 def _fills(part: object) -> Iterator[str]:
-    """The attributes that a statement or a call puts something into."""
-    if isinstance(part, facts.Assign):
-        for target in part.targets:
-            if isinstance(target, facts.Subscript):
-                yield from _attribute(target.value)
-            elif not _is_empty(part.value):
-                yield from _attribute(target)
-    elif isinstance(part, facts.Augmented):
-        yield from _attribute(part.target)
-    elif isinstance(part, facts.Call) and isinstance(part.func, facts.Attribute) and part.func.attr in _FILLS:
-        filled = part.func.value
-        yield from _attribute(filled.value if isinstance(filled, facts.Subscript) else filled)
-
-
-def _attribute(expression: facts.Expr) -> Iterator[str]:
-    if isinstance(expression, facts.Attribute):
-        yield expression.attr
+    """The attributes that a statement or a call puts something into; empty of what is none."""
+    match part:
+        case facts.Assign():
+            for target in part.targets:
+                if isinstance(target, facts.Subscript):
+                    yield target.value.attribute
+                elif not _is_empty(part.value):
+                    yield target.attribute
+        case facts.Augmented():
+            yield part.target.attribute
+        case facts.Call(func=facts.Attribute(value=facts.Subscript(value=filled), attr=name)) if name in _FILLS:
+            yield filled.attribute
+        case facts.Call(func=facts.Attribute(value=filled, attr=name)) if name in _FILLS:
+            yield filled.attribute
 
 
 def _is_empty(value: facts.Expr) -> bool:
     """Whether an expression makes an empty collection."""
-    if isinstance(value, facts.Sequence):
-        return not value.elements
-    if isinstance(value, facts.Mapping):
-        return not value.keys
-    if isinstance(value, facts.Call):
-        function = value.func
-        name = function.id if isinstance(function, facts.Name) else getattr(function, "attr", "")
-        return name in _EMPTY_CALLS
-    return isinstance(value, facts.Literal) and value.value is None
+    match value:
+        case facts.Sequence():
+            return not value.elements
+        case facts.Mapping():
+            return not value.keys
+        case facts.Call():
+            return value.func.last_name in _EMPTY_CALLS
+        case facts.Literal():
+            return value.value is None
+    return False

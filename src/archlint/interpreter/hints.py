@@ -17,32 +17,21 @@ _OPTIONAL = ("Optional", "Annotated", "Final", "ClassVar")
 
 def class_named(machine: Machine, scope: Scope, annotation: facts.Expr | None) -> ClassValue | None:
     """The class of the workspace that an annotation in a scope means, be it one of ours or nothing."""
-    if isinstance(annotation, facts.Binary):
-        return class_named(machine, scope, annotation.left) or class_named(machine, scope, annotation.right)
-    if isinstance(annotation, facts.Subscript):
-        inside = annotation.index if _last(annotation.value) in _OPTIONAL else None
-        return class_named(machine, scope, inside)
-    if isinstance(annotation, facts.Literal) and isinstance(annotation.value, str):
-        path = annotation.value.split(".")
-    else:
-        path = _path(annotation)
+    path: list[str] = []
+    match annotation:
+        case facts.Binary():
+            return class_named(machine, scope, annotation.left) or class_named(machine, scope, annotation.right)
+        case facts.Subscript():
+            inside = annotation.index if annotation.value.last_name in _OPTIONAL else None
+            return class_named(machine, scope, inside)
+        case facts.Literal(value=str(text)):
+            path = text.split(".")
+        case facts.Name() | facts.Attribute():
+            path = annotation.dotted.split(".")
     value = _lookup(machine, scope, path[0]) if path else None
     for name in path[1:]:
         value = machine.module_attribute(value.module, name) if isinstance(value, ModuleValue) else None
     return value if isinstance(value, ClassValue) else None
-
-
-def _path(expression: facts.Expr | None) -> list[str]:
-    if isinstance(expression, facts.Name):
-        return [expression.id]
-    if isinstance(expression, facts.Attribute):
-        above = _path(expression.value)
-        return [*above, expression.attr] if above else []
-    return []
-
-
-def _last(expression: facts.Expr) -> str:
-    return (_path(expression) or [""])[-1]
 
 
 def _lookup(machine: Machine, scope: Scope | None, name: str) -> Value | None:
@@ -61,15 +50,14 @@ def annotated(machine: Machine, value: Value, annotation: facts.Expr) -> Value:
     return replace(value, annotation=class_named(machine, machine.activation.scope, annotation))
 
 
-def declared(machine: Machine, cls: ClassValue, name: str) -> Value | None:
+def declared(machine: Machine, cls: ClassValue, name: str) -> Unknown | None:
     """What the attribute of an object is where its class only says ``name: Supervisor``; None where it does not."""
-    for base in cls.mro:
-        for statement in base.ir.body if isinstance(base, ClassValue) else ():
-            if not isinstance(statement, facts.Annotated) or not isinstance(base, ClassValue):
-                continue
-            if isinstance(statement.target, facts.Name) and statement.target.id == name:
-                meant = class_named(machine, base.scope, statement.annotation)
-                return None if meant is None else Unknown(f"nothing here sets '{name}'", annotation=meant)
+    for base in cls.classes:
+        for statement in base.ir.body:
+            match statement:
+                case facts.Annotated(target=facts.Name(id=declared_name)) if declared_name == name:
+                    meant = class_named(machine, base.scope, statement.annotation)
+                    return None if meant is None else Unknown(f"nothing here sets '{name}'", annotation=meant)
     return None
 
 
@@ -79,20 +67,17 @@ def attribute_of(machine: Machine, value: Unknown, name: str) -> Value | None:
     if not isinstance(cls, ClassValue):
         return None
     given = declared(machine, cls, name)
-    if isinstance(given, Unknown):
-        return given.annotation
-    return AttributeOf(cls, _behind_property(machine, cls, name))
+    return AttributeOf(cls, _behind_property(machine, cls, name)) if given is None else given.annotation
 
 
 def _behind_property(machine: Machine, cls: ClassValue, name: str) -> str:
     """The attribute that a property gives: of ``return self._node``, ``_node``."""
-    for base in cls.mro:
-        found = machine.store.get(base.key, name) if isinstance(base, ClassValue) else None
-        if isinstance(found, FunctionValue) and "property" in found.decorators and isinstance(found.ir, facts.Function):
-            last = found.ir.body[-1]
-            given = last.value if isinstance(last, facts.Return) else None
-            if isinstance(given, facts.Attribute) and isinstance(given.value, facts.Name):
-                return given.attr
+    for base in cls.classes:
+        match machine.store.get(base.key, name):
+            case FunctionValue(ir=facts.Function(body=[*_, last])) as function if "property" in function.decorators:
+                match last:
+                    case facts.Return(value=facts.Attribute(value=facts.Name(), attr=attribute)):
+                        return attribute
     return name
 
 

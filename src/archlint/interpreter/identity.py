@@ -106,32 +106,29 @@ def kind_key(store: Store, value: Value, nested: int = 0, *, closely: bool = Tru
     are alike.  ``closely``: functions differ in what they take along, too."""
     if nested > _NESTED:
         return ()
-    if isinstance(value, (Known, External, ClassValue)):
-        return value
-    if isinstance(value, Holed):
-        return value.parts
-    kind = value.kind() if isinstance(value, ForeignValue) else None
-    if kind is not None:
-        return kind
-    if isinstance(value, Instance):
-        return (kind_key(store, value.cls, nested + 1), value.place)
-    if isinstance(value, FunctionValue) and not closely:
-        return id(value.ir)
+    match value:
+        case Known() | External() | ClassValue():
+            return value
+        case Holed():
+            return value.parts
+        case Instance():
+            return (kind_key(store, value.cls, nested + 1), value.place)
+        case FunctionValue() if not closely:
+            return id(value.ir)
+        case ForeignValue() if (kind := value.kind()) is not None:
+            return kind
     parts, deeper = _kind_parts(store, value)
-    inner = tuple(kind_key(store, one, nested + deeper, closely=closely) for one in parts)
+    inner = tuple(kind_key(store, part, nested + deeper, closely=closely) for part in parts)
     return (id(value.ir) if isinstance(value, FunctionValue) else value.__class__.__name__, *inner)
 
 
 def _kind_parts(store: Store, value: Value) -> tuple[Iterable[Value], int]:
     """The values that a value is made of, and how much deeper they count: functions may close over each other."""
-    if isinstance(value, OneOf):
-        return value.values, 1
-    if isinstance(value, BoundMethod):
-        return (value.function, value.self_value), 1
-    if isinstance(value, Partial):
-        return (value.function, *value.args, *(one for _, one in value.keywords)), 1
-    if isinstance(value, FunctionValue):
-        return [*(one for _, one in value.defaults), *_closed_over(store, value)], 4
+    match value:
+        case OneOf() | BoundMethod() | Partial():
+            return value.inner, 1
+        case FunctionValue():
+            return [*(default for _, default in value.defaults), *_closed_over(store, value)], 4
     return (), 1
 
 

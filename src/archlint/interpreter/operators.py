@@ -7,29 +7,21 @@ import posixpath
 from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
-from archlint.interpreter.classes import class_lookup
-from archlint.interpreter.containers import ITEM_LIMIT, PYTHON, entries_of, hashable, items_of, new_dict, new_list
+from archlint.interpreter.containers import ITEM_LIMIT, PYTHON, new_dict, new_list
 from archlint.interpreter.formatting import CARTESIAN, percent_format, plain_text
 from archlint.interpreter.values import (
     TEXT_LIMIT,
-    ApiMethod,
-    BoundMethod,
-    Builtin,
-    ClassValue,
+    Constant,
     DictValue,
     External,
-    ForeignValue,
-    FunctionValue,
-    Holed,
     Instance,
     Known,
     ListValue,
-    ModuleValue,
-    Partial,
     Unknown,
     Value,
     alternatives,
     constant,
+    depends_on,
     file_origin,
     join_texts,
     one_of,
@@ -60,69 +52,77 @@ _ARITHMETIC: dict[str, Callable[[Any, Any], Any]] = {
 
 def binary(machine: Machine, op: str, left: Value, right: Value, span: facts.Span) -> Value:
     """``left op right`` over all alternatives."""
-    found = [_binary_one(machine, op, one, other, span) for one in alternatives(left) for other in alternatives(right)]
-    result = one_of(found[:CARTESIAN])
-    return result if is_text(left) else machine.library.lost(result, (left, right), f"it is an operand of '{op}'")
+    results = [_combined(machine, op, a, b, span) for a in alternatives(left) for b in alternatives(right)]
+    result = one_of(results[:CARTESIAN])
+    return result if left.is_text else machine.library.lost(result, (left, right), f"it is an operand of '{op}'")
 
 
-def is_text(value: Value) -> bool:
-    return (isinstance(value, Known) and isinstance(value.value, str)) or isinstance(value, Holed)
-
-
-def _binary_one(machine: Machine, op: str, left: Value, right: Value, span: facts.Span) -> Value:
+def _combined(machine: Machine, op: str, left: Value, right: Value, span: facts.Span) -> Value:
     left, right = plain_text(machine, left), plain_text(machine, right)
-    if op == "+" and (is_text(left) or is_text(right)):
-        both_known = isinstance(left, Known) and isinstance(right, Known)
-        if both_known and not (is_text(left) and is_text(right)):
+    match op, left, right:
+        case "+", _, _ if left.is_text or right.is_text:
+            return _joined_texts(machine, left, right, span)
+        case "/", Known(value=str(folder)), Known(value=str(name)):  # of a pathlib.Path
+            joined = posixpath.join(folder, name)
+            return constant(joined, via(left, right), kind="path", origin=file_origin(left, right))
+        case "%", _, _ if left.is_text:
+            return percent_format(machine, left, right, span)
+        case "+", ListValue(), ListValue() if left.kind == right.kind:
+            return _joined_lists(machine, left, right)
+        case "|", DictValue(), DictValue():
+            first, second = left.entries(machine), right.entries(machine)
+            return new_dict(machine, {**first.entries, **second.entries}, first.open or second.open)
+        case "*", ListValue(), Known(value=int(times)):
+            items = left.items(machine)
+            if 0 <= times * items.size <= ITEM_LIMIT:
+                return new_list(machine, items.values * min(times, ITEM_LIMIT), left.kind, items.open)
+        case _, Known(), Known():
+            return _arithmetic(op, left, right)
+    return Unknown(reason(left, right), depends_on(left, right))
+
+
+def _joined_texts(machine: Machine, left: Value, right: Value, span: facts.Span) -> Value:
+    match left, right:
+        case Known(), Known() if not (left.is_text and right.is_text):
             return Unknown("adding a text and something else fails")
-        return join_texts((left, right), machine.place(span))
-    if op == "/" and isinstance(left, Known) and isinstance(right, Known) and is_text(left) and is_text(right):
-        joined = posixpath.join(str(left.value), str(right.value))  # of a pathlib.Path
-        return constant(joined, via(left, right), kind="path", origin=file_origin(left, right))
-    if op == "%" and is_text(left):
-        return percent_format(machine, left, right, span)
-    if op == "+" and isinstance(left, ListValue) and isinstance(right, ListValue) and left.kind == right.kind:
-        one, other = items_of(machine, left), items_of(machine, right)
-        values = one.values + other.values
-        long = len(values) > ITEM_LIMIT
-        whole = one.whole and other.whole and not long
-        return new_list(machine, values[:ITEM_LIMIT], left.kind, one.open or other.open or long, whole)
-    if op == "|" and isinstance(left, DictValue) and isinstance(right, DictValue):
-        first, second = entries_of(machine, left), entries_of(machine, right)
-        return new_dict(machine, {**first.entries, **second.entries}, first.open or second.open)
-    if op == "*" and isinstance(left, ListValue) and isinstance(right, Known):
-        items = items_of(machine, left)
-        if isinstance(right.value, int) and 0 <= right.value * len(items.values) <= ITEM_LIMIT:
-            return new_list(machine, items.values * min(right.value, ITEM_LIMIT), left.kind, items.open)
-    if isinstance(left, Known) and isinstance(right, Known):
-        return _arithmetic(op, left, right)
-    return Unknown(reason(left, right), next(iter(sorted(via(left, right))), None))
+    return join_texts((left, right), machine.place(span))
+
+
+def _joined_lists(machine: Machine, left: ListValue, right: ListValue) -> Value:
+    first, second = left.items(machine), right.items(machine)
+    values = first.values + second.values
+    long = len(values) > ITEM_LIMIT
+    whole = first.whole and second.whole and not long
+    return new_list(machine, values[:ITEM_LIMIT], left.kind, first.open or second.open or long, whole)
 
 
 def _arithmetic(op: str, left: Known, right: Known) -> Value:
-    one, other = left.value, right.value
     if op not in _ARITHMETIC:
         return Unknown(f"the operator {op} is not followed")
-    big = isinstance(one, (int, float)) and isinstance(other, (int, float))
-    if op in ("**", "<<") and (not big or abs(other) > 64):  # type: ignore[arg-type]
-        return Unknown("a number too large to follow")
-    if op == "*" and (isinstance(one, str) or isinstance(other, str)):
-        length = len(one) if isinstance(one, str) else len(other) if isinstance(other, str) else 0
-        count = other if isinstance(one, str) else one
-        if not isinstance(count, int) or length * count > TEXT_LIMIT:
+    match op, left.value, right.value:
+        case "**" | "<<", int() | float(), int(exponent) | float(exponent):
+            if abs(exponent) > 64:
+                return Unknown("a number too large to follow")
+        case "**" | "<<", _, _:
+            return Unknown("a number too large to follow")
+        case ("*", str(text), int(times)) | ("*", int(times), str(text)):
+            if len(text) * times > TEXT_LIMIT:
+                return Unknown("a string too long to follow")
+        case ("*", str(), _) | ("*", _, str()):
             return Unknown("a string too long to follow")
     try:
-        result = _ARITHMETIC[op](one, other)
+        result = _ARITHMETIC[op](left.value, right.value)
     except (TypeError, ValueError, ArithmeticError):
         return Unknown("an operation that fails")
-    if not isinstance(result, (str, int, float, bool)):
+    if not isinstance(result, (str, int, float)):
         return Unknown("an operation whose result is not a constant")
     return constant(result, left.via | right.via)
 
 
 def compare_values(machine: Machine, op: str, left: Value, right: Value) -> bool | None:
-    found = {_compare_one(machine, op, one, other) for one in alternatives(left) for other in alternatives(right)}
-    return found.pop() if len(found) == 1 else None
+    """``left op right`` where all alternatives agree."""
+    verdicts = {_compared(machine, op, a, b) for a in alternatives(left) for b in alternatives(right)}
+    return verdicts.pop() if len(verdicts) == 1 else None
 
 
 _ORDER: dict[str, Callable[[Any, Any], bool]] = {
@@ -133,104 +133,86 @@ _ORDER: dict[str, Callable[[Any, Any], bool]] = {
 }
 
 
-def _compare_one(machine: Machine, op: str, left: Value, right: Value) -> bool | None:
-    if op in ("not in", "!=", "is not"):
-        opposite = {"not in": "in", "!=": "==", "is not": "is"}[op]
-        verdict = _compare_one(machine, opposite, left, right)
+_OPPOSITE = {"not in": "in", "!=": "==", "is not": "is"}
+
+
+def _compared(machine: Machine, op: str, left: Value, right: Value) -> bool | None:
+    if op in _OPPOSITE:
+        verdict = _compared(machine, _OPPOSITE[op], left, right)
         return None if verdict is None else not verdict
     if op == "in":
         return _contains(machine, left, right)
-    if isinstance(left, External) and left.path == "sys.version_info":
-        return _compare_version(machine, op, right)
-    if isinstance(left, Known) and isinstance(right, Known):
-        if op == "==":
-            return bool(left.value == right.value)
-        if op == "is":
-            return type(left.value) is type(right.value) and left.value == right.value
-        try:
-            return bool(_ORDER[op](left.value, right.value))
-        except (TypeError, KeyError):
-            return None
+    match left, right:
+        case External(path="sys.version_info"), _:
+            return _compare_version(machine, op, right)
+        case Known(), Known():
+            return _compare_constants(op, left.value, right.value)
     if op in ("==", "is"):
         same = _same(left, right)
         return None if same is False and op == "==" and _may_equal(machine, left, right) else same
     return None
 
 
+def _compare_constants(op: str, left: Constant, right: Constant) -> bool | None:
+    if op == "==":
+        return bool(left == right)
+    if op == "is":
+        return type(left) is type(right) and left == right
+    try:
+        return bool(_ORDER[op](left, right))
+    except (TypeError, KeyError):
+        return None
+
+
 def _compare_version(machine: Machine, op: str, right: Value) -> bool | None:
     """``sys.version_info >= (3, 8)``: decided where it is the same for every supported Python."""
-    if not isinstance(right, ListValue):
+    items = right.items(machine)
+    numbers = () if items is None else tuple(item.constant for item in items.values if item.constant is not None)
+    whole = [number for number in numbers if isinstance(number, int)]
+    if not numbers or len(whole) < len(numbers) or tuple(whole) > PYTHON:
         return None
-    numbers = tuple(item.value for item in items_of(machine, right).values if isinstance(item, Known))
-    if not numbers or not all(isinstance(number, int) for number in numbers):
-        return None
-    if numbers <= PYTHON:
-        return {">=": True, ">": True, "<": False, "<=": False}.get(op)
-    return None
-
-
-_OBJECTS = (Instance, FunctionValue, BoundMethod, ClassValue)
-
-
-def _has_identity(value: Value) -> bool:
-    """Whether a value is equal to itself alone."""
-    return isinstance(value, _OBJECTS) or (isinstance(value, ForeignValue) and value.is_object)
+    return {">=": True, ">": True, "<": False, "<=": False}.get(op)
 
 
 def _same(left: Value, right: Value) -> bool | None:
-    for one, other in ((left, right), (right, left)):
-        if isinstance(one, Known) and one.value is None and is_object(other):
-            return False
-    if _has_identity(left) and _has_identity(right):
+    if (left.is_none and right.is_object) or (right.is_none and left.is_object):
+        return False
+    if left.has_identity and right.has_identity:
         return left == right if type(left) is type(right) else False
-    if isinstance(left, External) and isinstance(right, External):
+    if left.dotted and right.dotted:
         return left == right
     return None
 
 
 def _may_equal(machine: Machine, left: Value, right: Value) -> bool:
     """Whether two objects may be equal though they are two: messages are, and so are those of some classes."""
-    if isinstance(left, ForeignValue) and type(left) is type(right) and left.has_content:
+    if type(left) is type(right) and left.has_content:
         return True
-    return any(_compares(machine, one) for one in (left, right) if isinstance(one, Instance))
+    return any(isinstance(side, Instance) and _compares(machine, side) for side in (left, right))
 
 
 def _compares(machine: Machine, value: Instance) -> bool:
     """Whether the class of an object says what is equal, or may do so: it is not here, or one of data."""
-    if isinstance(value.cls, External):
+    cls = value.own_class
+    if cls is None:
         return True
-    data = any(
-        "dataclass" in path for base in value.cls.mro if isinstance(base, ClassValue) for path in base.decorators
-    )
-    return (
-        data
-        or "typing.NamedTuple" in value.cls.external_bases()
-        or class_lookup(machine, value.cls, "__eq__")[0] is not None
-    )
-
-
-def is_object(value: Value) -> bool:
-    """Whether a value is certainly not None."""
-    return _has_identity(value) or isinstance(
-        value, (ListValue, DictValue, Holed, ModuleValue, Partial, Builtin, ApiMethod)
-    )
+    data = any("dataclass" in path for base in cls.classes for path in base.decorators)
+    return data or "typing.NamedTuple" in cls.external_bases() or cls.lookup(machine, "__eq__")[0] is not None
 
 
 def _contains(machine: Machine, item: Value, container: Value) -> bool | None:
-    if isinstance(container, Known) and isinstance(container.value, str):
-        if isinstance(item, Known) and isinstance(item.value, str):
-            return item.value in container.value
-        return None
-    if isinstance(container, DictValue):
-        at = hashable(item)
-        entries = entries_of(machine, container)
-        if at is None:
-            return None
-        return True if at in entries.entries else None if entries.open else False
-    if isinstance(container, ListValue):
-        items = items_of(machine, container)
-        verdicts = [_compare_one(machine, "==", item, other) for other in items.values]
-        if True in verdicts:
-            return True
-        return None if None in verdicts or items.open else False
+    match container:
+        case Known(value=str(text)):
+            return None if item.text is None else item.text in text
+        case DictValue():
+            at, entries = item.entry_key(), container.entries(machine)
+            if at is None:
+                return None
+            return True if at in entries.entries else None if entries.open else False
+        case ListValue():
+            items = container.items(machine)
+            verdicts = [_compared(machine, "==", item, other) for other in items.values]
+            if True in verdicts:
+                return True
+            return None if None in verdicts or items.open else False
     return None

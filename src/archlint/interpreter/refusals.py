@@ -9,15 +9,14 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING
 
+from archlint.finding import Place
 from archlint.interpreter.machine import Phase, Refused
 from archlint.interpreter.values import (
     ApiMethod,
     BoundMethod,
     ClassValue,
-    External,
     FunctionValue,
     Instance,
-    Known,
     ModuleValue,
     Unknown,
     Value,
@@ -49,40 +48,39 @@ def check_call(machine: Machine, function: Value, site: CallSite, expression: fa
 def _is_missing(machine: Machine, function: Value, expression: facts.Call) -> bool:
     """Whether a method is asked for that ``self`` has not: of an object that the program makes, of classes that are
     all here, in whose files nothing sets an attribute of that name."""
-    made = machine.activation.self_value
-    called = expression.func
-    if not isinstance(function, Unknown) or function.missing is None:
-        return False
-    if not isinstance(called, facts.Attribute) or not isinstance(called.value, facts.Name):
-        return False
-    if not isinstance(made, Instance) or made.place is None or not isinstance(made.cls, ClassValue):
-        return False
-    if machine.evaluate(called.value) is not made:
-        return False
-    modules = {base.scope.module.path: base.scope.module for base in made.cls.mro if isinstance(base, ClassValue)}
-    return not any(_may_set(module.facts, called.attr) for module in modules.values())
+    match function, expression.func, machine.activation.self_value:
+        case (
+            Unknown(missing=str()),
+            facts.Attribute(value=facts.Name() as owner, attr=name),
+            Instance(cls=ClassValue() as cls, place=Place()) as target,
+        ) if machine.evaluate(owner) is target:
+            modules = {base.scope.module.path: base.scope.module for base in cls.classes}
+            return not any(_may_set(module.facts, name) for module in modules.values())
+    return False
 
 
 def _may_set(found: facts.Facts, name: str) -> bool:
     """Whether code may set an attribute of this name, on whatever object."""
     if not names_in(found.body).isdisjoint({"setattr", "__dict__", "__setattr__", "__getattribute__"}):
         return True
-    stores = (one.targets for one in everything_in(found.body) if isinstance(one, facts.Assign))
-    return any(isinstance(target, facts.Attribute) and target.attr == name for targets in stores for target in targets)
+    stores = (part.targets for part in everything_in(found.body) if isinstance(part, facts.Assign))
+    return any(target.attribute == name for targets in stores for target in targets)
 
 
 def is_module(machine: Machine, base: Value) -> bool:
     """Whether a class is to inherit from a module: ``import rclpy.node as Node``, then ``class Robot(Node)``."""
     return all(
-        isinstance(option, ModuleValue) or (isinstance(option, External) and machine.library.is_module(option.path))
+        isinstance(option, ModuleValue) or (bool(option.dotted) and machine.library.is_module(option.dotted))
         for option in alternatives(base)
     )
 
 
 def refuses_to_iterate(machine: Machine, iterable: Value) -> bool:
     """Whether a ``for`` over a value fails: ``for i in len(items)``."""
-    number = isinstance(iterable, Known) and isinstance(iterable.value, (int, float)) and not iterable.via
-    return number and machine.phase is Phase.LATER
+    match iterable.constant:
+        case int() | float() if not iterable.via:
+            return machine.phase is Phase.LATER
+    return False
 
 
 def is_certain(machine: Machine) -> bool:
@@ -92,12 +90,17 @@ def is_certain(machine: Machine) -> bool:
 
 
 def _refuses(machine: Machine, function: Value, given: int, keywords: Mapping[str, Value]) -> bool:
-    if isinstance(function, ApiMethod):
-        return machine.library.refuses(function, given, keywords)
-    if isinstance(function, BoundMethod):
-        function, given = function.function, given + 1
-    if not isinstance(function, FunctionValue):
-        return False
+    match function:
+        case ApiMethod():
+            return machine.library.refuses(function, given, keywords)
+        case BoundMethod(function=FunctionValue() as method):
+            return _refused_by(method, given + 1, keywords)
+        case FunctionValue():
+            return _refused_by(function, given, keywords)
+    return False
+
+
+def _refused_by(function: FunctionValue, given: int, keywords: Mapping[str, Value]) -> bool:
     ir = function.ir
     if isinstance(ir, facts.Function) and (
         len(ir.decorators) != len(function.decorators) or not function.decorators <= _TRANSPARENT

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 from archlint.interpreter import containers
 from archlint.interpreter.call_site import CallSite
-from archlint.interpreter.classes import SUBCLASSES, class_lookup
+from archlint.interpreter.classes import SUBCLASSES, called
 from archlint.interpreter.values import BoundMethod, ClassValue, FunctionValue, Partial, PythonValue, Value
 from archlint.syntax import facts
 
@@ -16,12 +16,16 @@ if TYPE_CHECKING:
 
 def decorators_of(machine: Machine, s: facts.Class) -> list[Value]:
     """The decorators of a class that are code of the workspace; those from elsewhere are known by name alone."""
-    found = []
+    decorators: list[Value] = []
     for decorator in s.decorators:
-        value = machine.evaluate(decorator.func if isinstance(decorator, facts.Call) else decorator)
-        if isinstance(value, (FunctionValue, BoundMethod, Partial)):
-            found.append(machine.evaluate(decorator) if isinstance(decorator, facts.Call) else value)
-    return found
+        function = called(decorator)
+        value = machine.evaluate(function)
+        if isinstance(value, _OURS):
+            decorators.append(value if function is decorator else machine.evaluate(decorator))
+    return decorators
+
+
+_OURS = (FunctionValue, BoundMethod, Partial)
 
 
 def announce(machine: Machine, s: facts.Class, cls: ClassValue, decorators: list[Value]) -> Value:
@@ -35,15 +39,15 @@ def announce(machine: Machine, s: facts.Class, cls: ClassValue, decorators: list
             before = machine.store.get(base.key, SUBCLASSES) or ()
             machine.store.set(base.key, SUBCLASSES, (*(other for other in before if other.ir is not cls.ir), cls))
     if cls.bases and isinstance(cls.mro[1], ClassValue):
-        hook, _ = class_lookup(machine, cls, "__init_subclass__", after=cls)
+        hook, _ = cls.lookup(machine, "__init_subclass__", after=cls)
         if isinstance(hook, FunctionValue):
             machine.call(BoundMethod(hook, cls), CallSite(keywords=_keywords(machine, s)))
-    made: Value = cls
+    value = cls
     for decorator in reversed(decorators):
-        if isinstance(decorator, (FunctionValue, BoundMethod, Partial)):
-            given = machine.call(decorator, CallSite([made]))
-            made = given if isinstance(given, ClassValue) else made
-    return made
+        if isinstance(decorator, _OURS):
+            result = machine.call(decorator, CallSite([value]))
+            value = result if isinstance(result, ClassValue) else value
+    return value
 
 
 def _keywords(machine: Machine, s: facts.Class) -> dict[str, Value]:

@@ -28,8 +28,6 @@ def _assign(machine: Machine, s: facts.Assign) -> Status:
 def _annotated(machine: Machine, s: facts.Annotated) -> Status:
     if s.value is not None:
         assign(machine, s.target, hints.annotated(machine, machine.evaluate(s.value), s.annotation))
-    elif machine.activation.scope.kind == "class" and isinstance(s.target, facts.Name):
-        pass  # a dataclass field without a default; its value comes from the constructor
     return None
 
 
@@ -206,12 +204,14 @@ def _try(machine: Machine, s: facts.Try) -> Status:
 
 def _cannot_raise(body: list[facts.Stmt]) -> bool:
     """Whether a block only binds constants."""
-    return all(
-        isinstance(statement, facts.Assign)
-        and isinstance(statement.value, facts.Literal)
-        and all(isinstance(target, facts.Name) for target in statement.targets)
-        for statement in body
-    )
+    return all(map(_binds_constant, body))
+
+
+def _binds_constant(statement: facts.Stmt) -> bool:
+    match statement:
+        case facts.Assign(value=facts.Literal(), targets=targets):
+            return all(target.variable for target in targets)
+    return False
 
 
 def _match(machine: Machine, s: facts.Match) -> Status:

@@ -13,7 +13,6 @@ from collections.abc import Iterator
 from functools import lru_cache
 from typing import TYPE_CHECKING
 
-from archlint.interpreter import containers
 from archlint.interpreter.values import (
     FALSE,
     TRUE,
@@ -26,7 +25,6 @@ from archlint.interpreter.values import (
     FunctionValue,
     Holed,
     Instance,
-    Items,
     Known,
     ListValue,
     Unknown,
@@ -36,7 +34,6 @@ from archlint.interpreter.values import (
 
 if TYPE_CHECKING:
     from archlint.interpreter.machine import Machine
-    from archlint.syntax import facts
 
 _LIBRARIES: dict[str, object] = {
     "builtins": builtins,
@@ -62,8 +59,8 @@ _ABSTRACT = frozenset({"abc.ABC", "typing.Protocol", "typing_extensions.Protocol
 """Bases of classes that may take others, which do not derive from them, for their own."""
 
 
-def isinstance_of(machine: Machine, args: list[Value], keywords: dict[str, Value], e: facts.Call | None) -> Value:
-    """``isinstance(value, classes)``; what is not known of the value or of a class leaves it open."""
+def isinstance_of(machine: Machine, args: list[Value]) -> Value:
+    """Whether a value is of some classes; what is not known of the value or of a class leaves it open."""
     if len(args) != 2:
         return Unknown("isinstance() without a type")
     classes = classes_of(machine, args[1])
@@ -77,16 +74,18 @@ def isinstance_of(machine: Machine, args: list[Value], keywords: dict[str, Value
 
 def classes_of(machine: Machine, given: Value) -> list[Value] | None:
     """The classes of a test, those in nested tuples too; None where not all of them are known."""
-    items = containers.iterate(machine, given) if isinstance(given, ListValue) else Items((given,))
-    if items is None or items.open:
+    if not isinstance(given, ListValue):
+        return [given]
+    items = given.items(machine)
+    if items.open:
         return None
-    found: list[Value] = []
+    classes: list[Value] = []
     for item in items.values:
-        inner = classes_of(machine, item) if isinstance(item, ListValue) else [item]
+        inner = classes_of(machine, item)
         if inner is None:
             return None
-        found += inner
-    return found
+        classes += inner
+    return classes
 
 
 def is_any(machine: Machine, value: Value, classes: list[Value]) -> bool | None:
@@ -99,14 +98,15 @@ def _is_a(machine: Machine, value: Value, cls: Value) -> bool | None:
     python = _python_class(cls)
     if python is object:
         return True
-    if isinstance(value, (Known, Holed, ListValue, DictValue)):
-        return _plain_is_a(machine, value, cls, python)
-    if isinstance(value, ForeignValue):
-        return machine.library.is_instance(value, cls, python)
-    if isinstance(value, Instance):
-        return _object_is_a(machine, value, cls, python)
-    if isinstance(value, (ClassValue, FunctionValue, BoundMethod)) and python in (str, int, float, bool, list, dict):
-        return False
+    match value:
+        case Known() | Holed() | ListValue() | DictValue():
+            return _plain_is_a(machine, value, cls, python)
+        case ForeignValue():
+            return machine.library.is_instance(value, cls, python)
+        case Instance():
+            return _object_is_a(machine, value, cls, python)
+        case ClassValue() | FunctionValue() | BoundMethod() if python in (str, int, float, bool, list, dict):
+            return False
     return None
 
 
@@ -116,25 +116,33 @@ def _plain_is_a(
     """Of constants and collections of Python's own."""
     if python is not None:
         return _sample_is_a(value, python)
-    if isinstance(cls, ClassValue):
-        return None if _ABSTRACT & set(cls.external_bases()) else False
-    return False if isinstance(cls, External) and machine.library.is_ordinary_class(cls.path) else None
+    match cls:
+        case ClassValue():
+            return None if _ABSTRACT & set(cls.external_bases()) else False
+        case External() if machine.library.is_ordinary_class(cls.path):
+            return False
+    return None
 
 
 def _sample_is_a(value: Known | Holed | ListValue | DictValue, python: type) -> bool | None:
-    sample: object
-    if isinstance(value, Known):
-        sample = pathlib.Path() if value.kind == "path" else value.value
-    elif isinstance(value, ListValue):
-        if value.kind not in _SAMPLES:
-            return True if python in _OF_EVERY_SET else None if python in _OF_SOME_SETS else False
-        sample = _SAMPLES[value.kind]
-    else:
-        sample = "" if isinstance(value, Holed) else {}
+    if isinstance(value, ListValue) and value.kind == "set":
+        return True if python in _OF_EVERY_SET else None if python in _OF_SOME_SETS else False
     try:
-        return isinstance(sample, python)
+        return isinstance(_sample(value), python)
     except TypeError:  # a protocol that cannot be asked for
         return None
+
+
+def _sample(value: Known | Holed | ListValue | DictValue) -> object:
+    """What is of the same classes as a value."""
+    match value:
+        case Known():
+            return pathlib.Path() if value.kind == "path" else value.value
+        case Holed():
+            return ""
+        case ListValue():
+            return _SAMPLES[value.kind]
+    return {}
 
 
 _OF_EVERY_SET = frozenset(
@@ -155,7 +163,7 @@ def _object_is_a(machine: Machine, value: Instance, cls: Value, python: type | N
     mro = value.cls.mro
     if any(base is cls or base == cls for base in mro):
         return True
-    foreign = [base.path for base in mro if isinstance(base, External)]
+    foreign = value.cls.external_bases()
     if python is not None:
         names = {f"{python.__module__}.{python.__name__}", python.__name__}
         if names & set(foreign):
@@ -167,9 +175,12 @@ def _object_is_a(machine: Machine, value: Instance, cls: Value, python: type | N
 
 def _python_class(cls: Value) -> type | None:
     """The class itself, of Python's own library."""
-    if isinstance(cls, Builtin):
-        return _class_at(f"builtins.{cls.name}")
-    return _class_at(cls.path) if isinstance(cls, External) else None
+    match cls:
+        case Builtin():
+            return _class_at(f"builtins.{cls.name}")
+        case External():
+            return _class_at(cls.path)
+    return None
 
 
 @lru_cache(maxsize=1024)

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Hashable
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Protocol, TypeVar, overload
+from typing import TYPE_CHECKING, ClassVar, Protocol, TypeVar, overload
 
 from archlint.interpreter.fields import Field
 from archlint.interpreter.python_classes import PLAIN_BASES
@@ -125,6 +125,9 @@ class Value:
         """Whether it certainly is not ``None``."""
         return self.has_identity
 
+    has_content: ClassVar[bool] = False
+    """Whether two of its class may be equal that are not the same."""
+
     @property
     def is_callable(self) -> bool:
         """Whether it certainly can be called."""
@@ -153,6 +156,10 @@ class Value:
 
     def items(self, state: State) -> Items | None:
         """The items that iterating yields; None where nothing is known of them."""
+        return None
+
+    def entries(self, state: State) -> Entries | None:
+        """The entries of a dict; None where it is none."""
         return None
 
     @property

@@ -50,8 +50,6 @@ class ForeignValue(Value):
 
     is_hashable: ClassVar[bool] = False
     """Whether the machine follows it as the key of a dict."""
-    has_content: ClassVar[bool] = False
-    """Whether two of its class may be equal."""
     may_be_none: ClassVar[bool] = False
     """Whether it may be ``None``, and is not the same as itself alone."""
 

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 from archlint.finding import Place
 from archlint.interpreter import containers
-from archlint.interpreter.value_methods import update_entries
+from archlint.interpreter.objects.dicts import update_entries
 from archlint.interpreter.values import Known, Unknown, Value
 from archlint.launch.frontends.tables import SUBSTITUTIONS
 from archlint.launch.frontends.texts import closing, unquoted, words_of

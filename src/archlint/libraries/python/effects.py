@@ -7,7 +7,8 @@ from collections.abc import Callable
 from typing import TYPE_CHECKING
 
 from archlint.interpreter import containers
-from archlint.interpreter.builtin_functions import BUILTINS
+from archlint.interpreter.builtins import BUILTINS
+from archlint.interpreter.call_site import CallSite
 from archlint.interpreter.containers import ITEM_LIMIT
 from archlint.interpreter.values import (
     FACTORY,
@@ -131,7 +132,8 @@ def _copied_deep(run: Run, value: Value, copies: dict[int, Value]) -> Value:
 
 
 def _builtin(name: str) -> Plain:
-    return BUILTINS[name]
+    function = BUILTINS[name]
+    return lambda run, args, keywords, e: function(run, CallSite(args, keywords, e))
 
 
 def _identity(run: Run, args: list[Value], keywords: dict[str, Value], e: facts.Call | None) -> Value:

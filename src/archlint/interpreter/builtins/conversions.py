@@ -1,0 +1,91 @@
+"""``str``, ``int``, ``bool`` and what else makes one constant of another."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import TYPE_CHECKING, Any
+
+from archlint.interpreter import formatting
+from archlint.interpreter.builtins.handlers import Handler, because_of, first
+from archlint.interpreter.constant_expressions import NotFollowed, evaluate
+from archlint.interpreter.values import (
+    FALSE,
+    Known,
+    Unknown,
+    Value,
+    alternatives,
+    constant,
+    constants_of,
+    one_of,
+    reason,
+    via,
+)
+
+if TYPE_CHECKING:
+    from archlint.interpreter.call_site import CallSite
+    from archlint.interpreter.machine import Machine
+
+
+def text(machine: Machine, site: CallSite) -> Value:
+    """``str(value)``."""
+    if not site.args:
+        return Known("")
+    return one_of(_plain(formatting.text_of(machine, option)) for option in alternatives(site.args[0]))
+
+
+def _plain(value: Value) -> Value:
+    """A constant as a text; of a path, a text like any other."""
+    if not isinstance(value, Known):
+        return value
+    return Known(str(value.value), value.via, value.origin, "other" if value.kind == "path" else value.kind)
+
+
+def number(convert: Callable[..., Any]) -> Handler:
+    """``int``, ``float``, ``abs``."""
+
+    def handler(machine: Machine, site: CallSite) -> Value:
+        if not site.args:
+            return Known(convert()) if isinstance(convert, type) else Unknown("a call that fails")
+        rest = [*site.args[1:], *site.keywords.values()]
+        base = constants_of(rest)
+        if base is None:
+            return Unknown(reason(*rest))
+        return one_of(_converted(option, convert, base, via(*rest)) for option in alternatives(site.args[0]))
+
+    return handler
+
+
+def _converted(value: Value, convert: Callable[..., Any], base: list[Any], parameters: frozenset[str]) -> Value:
+    if not isinstance(value, Known):
+        return because_of(value)
+    try:
+        return constant(convert(value.value, *base), value.via | parameters)
+    except (TypeError, ValueError, OverflowError):
+        return Unknown("a conversion that fails")
+
+
+def boolean(machine: Machine, site: CallSite) -> Value:
+    """``bool(value)``."""
+    if not site.args:
+        return FALSE
+    value = site.args[0]
+    if isinstance(value, Known):
+        return Known(bool(value.value), value.via)
+    known = value.truth(machine)
+    return Unknown(reason(value)) if known is None else Known(known)
+
+
+def evaluated(machine: Machine, site: CallSite) -> Value:
+    """``eval('True')``: how launch files turn an argument's text into a value.  Constants only; nothing runs."""
+    return one_of(_evaluated(option) for option in alternatives(first(site)))
+
+
+def _evaluated(value: Value) -> Value:
+    try:
+        result = None if value.text is None else evaluate(value.text)
+    except NotFollowed:
+        result = None
+    return Known(result, value.via) if isinstance(result, (str, int, float)) else Unknown("the result of eval()")
+
+
+__all__ = ["boolean", "evaluated", "number", "text"]
