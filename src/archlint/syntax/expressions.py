@@ -308,11 +308,21 @@ class Comprehension(Base, frozen=True, tag="comp"):
 
 
 class Lambda(Base, frozen=True, tag="lambda"):
+    """A function without a name, of one expression."""
+
     is_scope: ClassVar[bool] = True
+    is_async: ClassVar[bool] = False
+    is_generator: ClassVar[bool] = False
+    name: ClassVar[str] = ""
 
     params: list[Param]
     body: Expr
     span: Span
+
+    @property
+    def name_span(self) -> Span:
+        """Where it stands: nothing names it."""
+        return self.span
 
 
 class Assigned(Base, frozen=True, tag="walrus"):

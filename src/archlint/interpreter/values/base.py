@@ -144,6 +144,11 @@ class Value:
         return ""
 
     @property
+    def callee(self) -> Value:
+        """What runs in the end when it is called, whatever is bound to it."""
+        return self
+
+    @property
     def inner(self) -> tuple[Value, ...]:
         """The values that it is made of."""
         return ()

@@ -71,6 +71,10 @@ class BoundMethod(Value):
         return True
 
     @property
+    def callee(self) -> Value:
+        return self.function.callee
+
+    @property
     def inner(self) -> tuple[Value, ...]:
         return (self.function, self.self_value)
 
@@ -90,6 +94,10 @@ class Partial(Value):
     @property
     def is_callable(self) -> bool:
         return True
+
+    @property
+    def callee(self) -> Value:
+        return self.function.callee
 
     @property
     def inner(self) -> tuple[Value, ...]:

@@ -85,9 +85,7 @@ def register(
 ) -> model.Callback | None:
     """Note a callable under its role; the first callable of several alternatives names the callback."""
     made: model.Callback | None = None
-    for option in alternatives(value):
-        if isinstance(option, Known):
-            continue  # None: no callback
+    for option in _callables(value):
         callback = describe(run, option, role)
         callback.node = node
         callback.creation = creation
@@ -110,11 +108,15 @@ def register(
     return made
 
 
+def _callables(value: Value) -> list[Value]:
+    """What a value may be, but for constants: None is no callback."""
+    return [option for option in alternatives(value) if not isinstance(option, Known)]
+
+
 def _is_one_of_several(value: Value, creation: model.Creation) -> bool:
     """Whether it is not known which of several callables, names or types the create call is given: they may belong
     together in pairs."""
-    callables = [option for option in alternatives(value) if not isinstance(option, Known)]
-    return len(callables) > 1 or any(isinstance(branch, ChoiceOfArgument) for branch, _ in creation.branch_arms)
+    return len(_callables(value)) > 1 or any(isinstance(branch, ChoiceOfArgument) for branch, _ in creation.branch_arms)
 
 
 def _is_new(run: Run, key: tuple[Any, ...], callback: model.Callback, given: Iterable[Value | None]) -> bool:
@@ -136,9 +138,8 @@ def hand_out(run: Run, values: Iterable[Value]) -> None:
     matter are run."""
     for option in (option for value in values for option in alternatives(value)):
         function, given = _taken_apart(option)
-        method = isinstance(function, BoundMethod) and any(isinstance(value, _OBJECTS) for value in given)
-        inner = function.function if isinstance(function, BoundMethod) else function
-        if not isinstance(inner, FunctionValue) or (inner is not function and not method):
+        inner = function.callee
+        if not isinstance(inner, FunctionValue) or (inner is not function and not any(map(_holds_more, given))):
             continue
         if not (given or any(interesting(one.ir) or _passes_on(run, one) for one in _led_to(run, inner))):
             continue
@@ -152,7 +153,9 @@ def hand_out(run: Run, values: Iterable[Value]) -> None:
         run.callbacks.pending.append(Pending(callback, option, (), run.callbacks.lineage))
 
 
-_OBJECTS = (Instance, NodeValue, ListValue, DictValue)
+def _holds_more(value: object) -> bool:
+    """Whether a value is an object or a collection, from which others may be got."""
+    return isinstance(value, (Instance, NodeValue, ListValue, DictValue))
 
 
 def _taken_apart(value: Value) -> tuple[Value, list[Value]]:
@@ -185,21 +188,22 @@ def _led_to(run: Run, function: FunctionValue) -> Iterator[FunctionValue]:
 def _passes_on(run: Run, function: FunctionValue) -> bool:
     """Whether a function hands on an object that it closes over."""
     own = bound_names(function.ir)[0]
-    closed_over: set[str] = {name for name, value in function.defaults if isinstance(value, _OBJECTS)}
+    closed_over: set[str] = {name for name, value in function.defaults if _holds_more(value)}
     scope: Scope | None = function.scope
     while scope is not None and scope.kind != "module":
         if scope.kind != "class":
             names = names_in(function.ir) - own
-            closed_over |= {name for name in names if isinstance(run.store.get(scope.key, name), _OBJECTS)}
+            closed_over |= {name for name in names if _holds_more(run.store.get(scope.key, name))}
         scope = scope.parent
     return bool(closed_over) and bare(function.ir, frozenset(closed_over))
 
 
 def _receiver(value: Value) -> int:
-    if isinstance(value, BoundMethod) and isinstance(value.self_value, Instance):
-        return value.self_value.key
-    if isinstance(value, Partial):
-        return _receiver(value.function)
+    match value:
+        case BoundMethod(self_value=Instance(key=key)):
+            return key
+        case Partial(function=function):
+            return _receiver(function)
     return 0
 
 
@@ -265,57 +269,52 @@ def _feedback(run: Run, call: ApiUse) -> Value:
 def describe(run: Run, value: Value, role: model.Role) -> model.Callback:
     """What a callable is, for people: its name and where it is defined."""
     here = run.place((1, 1, 1, 1))
-    if isinstance(value, FunctionValue):
-        span = value.ir.name_span if isinstance(value.ir, facts.Function) else value.ir.span
-        place = Place(value.scope.module.path, *span)
-        is_async = isinstance(value.ir, facts.Function) and value.ir.is_async
-        code = model.FunctionRef(value.qualified, place, isinstance(value.ir, facts.Lambda))
-        return model.Callback(role, value.qualified, place, code, is_async=is_async, file=place.file)
-    if isinstance(value, BoundMethod):
-        callback = describe(run, value.function, role)
-        callback.bound_arguments += 1
-        return callback
-    if isinstance(value, Partial):
-        callback = describe(run, value.function, role)
-        callback.bound_arguments += len(value.args)
-        callback.bound_keywords |= {name for name, _ in value.keywords}
-        return callback
-    if isinstance(value, Instance) and isinstance(value.cls, ClassValue):
-        method = get_attribute(run, value, "__call__")
-        if isinstance(method, BoundMethod):
-            return describe(run, method, role)
-        return model.Callback(role, value.cls.qualified, here, None)
-    if isinstance(value, (ApiMethod, External)):
-        callback = model.Callback(role, value.path, here, None)
-        callback.missing = _missing_method(value)
-        return callback
-    if isinstance(value, Builtin):
-        return model.Callback(role, value.name, here, None)
-    if isinstance(value, Unknown):
-        callback = model.Callback(role, "?", here, None)
-        if value.missing is not None:
+    match value:
+        case FunctionValue(ir=ir, qualified=qualified):
+            place = Place(value.scope.module.path, *ir.name_span)
+            code = model.FunctionRef(qualified, place, isinstance(ir, facts.Lambda))
+            return model.Callback(role, qualified, place, code, is_async=ir.is_async, file=place.file)
+        case BoundMethod(function=function):
+            callback = describe(run, function, role)
+            callback.bound_arguments += 1
+        case Partial(function=function):
+            callback = describe(run, function, role)
+            callback.bound_arguments += len(value.args)
+            callback.bound_keywords |= {name for name, _ in value.keywords}
+        case Instance(cls=ClassValue(qualified=qualified)):
+            method = get_attribute(run, value, "__call__")
+            bound = isinstance(method, BoundMethod)
+            callback = describe(run, method, role) if bound else model.Callback(role, qualified, here, None)
+        case ApiMethod(path=name) | External(path=name) | Builtin(name=name):
+            callback = model.Callback(role, name, here, None)
+            callback.missing = _missing_method(value)
+        case Unknown():
+            callback = model.Callback(role, "?", here, None)
             callback.missing = value.missing
-        return callback
-    return model.Callback(role, "?", here, None)
+        case _:
+            callback = model.Callback(role, "?", here, None)
+    return callback
 
 
 def function_of(run: Run, value: Value) -> FunctionValue | None:
     """The function that a callable runs in the end, whatever is bound to it."""
-    while isinstance(value, (BoundMethod, Partial)):
-        value = value.function
-    if isinstance(value, Instance) and isinstance(value.cls, ClassValue):
-        method = get_attribute(run, value, "__call__")
-        return function_of(run, method) if isinstance(method, BoundMethod) else None
-    return value if isinstance(value, FunctionValue) else None
+    match callee := value.callee:
+        case FunctionValue():
+            return callee
+        case Instance(cls=ClassValue()):
+            method = get_attribute(run, callee, "__call__")
+            return function_of(run, method) if isinstance(method, BoundMethod) else None
+    return None
 
 
-def _missing_method(value: ApiMethod | External) -> str | None:
+def _missing_method(value: Value) -> str | None:
     """The name of a method that a node of ours is asked for and that neither its class nor rclpy's has."""
-    if not isinstance(value, ApiMethod) or not isinstance(value.self_value, Instance):
-        return None
-    cls, (base, _, name) = value.self_value.cls, value.path.rpartition(".")
-    special = name.startswith("__") and name.endswith("__")
-    if not isinstance(cls, ClassValue) or base not in rclpy_names.NODE_CLASSES or special:
+    match value:
+        case ApiMethod(path=path, self_value=Instance(cls=ClassValue() as cls)):
+            base, _, name = path.rpartition(".")
+        case _:
+            return None
+    if base not in rclpy_names.NODE_CLASSES or (name.startswith("__") and name.endswith("__")):
         return None
     public = rclpy_names.is_node_attribute(name) and not name.startswith(("on_", "__"))
     of_rclpy = public or name in rclpy_names.PRIVATE_NODE_METHODS
@@ -337,9 +336,7 @@ def thread(run: Run, call: ApiUse) -> Value:
             continue
         if isinstance(keywords, DictValue):
             entries = containers.entries_of(run, keywords).entries.values()
-            pairs = tuple(
-                (key.value, item) for key, item in entries if isinstance(key, Known) and isinstance(key.value, str)
-            )
+            pairs = tuple((key.text, item) for key, item in entries if key.text is not None)
             value = Partial(value, (), pairs) if pairs else value
         register(run, value, role, None, None, None, call, tuple(arguments))
         if isinstance(value, (Unknown, OneOf)):
@@ -353,11 +350,9 @@ def _run_foreign_target(run: Run, value: Value, arguments: list[Value], call: Ap
     """``Thread(target=executor.spin)`` and ``Thread(target=rclpy.spin, args=(node,))``: no function of ours, so
     nothing is left to be run later."""
     for option in alternatives(value):
-        target = option
-        while isinstance(target, Partial):
-            target = target.function
-        if isinstance(target, (ApiMethod, External)):
-            _run_apart(run, option, target.path, arguments, call.expression)
+        match option.callee:
+            case ApiMethod(path=path) | External(path=path):
+                _run_apart(run, option, path, arguments, call.expression)
 
 
 def _run_apart(run: Run, target: Value, name: str, arguments: Iterable[Value], expression: facts.Call | None) -> None:
@@ -375,6 +370,7 @@ def run_handed_spins(run: Run, values: Iterable[Value], expression: facts.Call |
     """Run the spins of executors that code is given which we do not see: it can do nothing with one but call it, in a
     thread of its own most likely, as ``loop.run_in_executor(None, executor.spin)`` does."""
     for option in (option for value in values for option in alternatives(value)):
-        row = tables.find(option.path) if isinstance(option, ApiMethod) else None
-        if row is not None and row.effect == "executor_spin" and isinstance(option, ApiMethod):
-            _run_apart(run, option, option.path, (), expression)
+        path = option.path if isinstance(option, ApiMethod) else ""
+        row = tables.find(path)
+        if row is not None and row.effect == "executor_spin":
+            _run_apart(run, option, path, (), expression)

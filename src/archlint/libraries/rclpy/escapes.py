@@ -63,7 +63,7 @@ _LOGS = frozenset({"debug", "info", "warn", "warning", "error", "fatal", "critic
 _HARMLESS_METHODS = ("destroy_", "get_name", "get_fully", "get_clock", "get_logger", "resolve_", "wait_for_")
 
 
-def carries(values: Iterable[Value]) -> list[Value]:
+def carries(values: Iterable[object]) -> list[Value]:
     """Those of some values that can lead to a node."""
     return [value for value in values if isinstance(value, _CARRIERS)]
 
@@ -89,14 +89,19 @@ _UNFOLLOWED = "it is passed to a call that is not followed"
 
 def _name(expression: facts.Call | None) -> str:
     """What a call calls, as it is written: ``a.b.c``; empty where that is no name."""
-    parts: list[str] = []
-    item: facts.Expr | None = None if expression is None else expression.func
-    while isinstance(item, facts.Attribute):
-        parts.append(item.attr)
-        item = item.value
-    if isinstance(item, facts.Name):
-        parts.append(item.id)
-    return ".".join(reversed(parts))
+    if expression is None:
+        return ""
+    written = expression.func.dotted
+    return written or _attributes(expression.func)
+
+
+def _attributes(expression: facts.Expr) -> str:
+    """The attributes in a row that an expression ends with: ``a.b`` of ``make().a.b``."""
+    names: list[str] = []
+    while isinstance(expression, facts.Attribute):
+        names.append(expression.attr)
+        expression = expression.value
+    return ".".join(reversed(names))
 
 
 def lost(run: Run, result: Value, values: Iterable[Value], how: str) -> Value:
@@ -119,18 +124,19 @@ def _spread(run: Run, values: Iterable[Value], how: Escape) -> None:
         node = nodes.known_node(run, value)
         if node is not None:
             mark(node, how)
-        elif isinstance(value, ClassValue):
-            nodes.hand_out_class(run, value)
-        elif isinstance(value, ExecutorValue):
-            for one in value.use.nodes:
-                mark(one, how)
-        elif isinstance(value, (FunctionValue, BoundMethod, Partial)):
-            functions.append(value)
+            continue
+        match value:
+            case ClassValue():
+                nodes.hand_out_class(run, value)
+            case ExecutorValue(use=use):
+                for served in use.nodes:
+                    mark(served, how)
+            case FunctionValue() | BoundMethod() | Partial():
+                functions.append(value)
     for function in functions:
-        while isinstance(function, (BoundMethod, Partial)):
-            function = function.function
-        if isinstance(function, FunctionValue):
-            run.callers.setdefault(id(function.ir), set()).add(None)
+        callee = function.callee
+        if isinstance(callee, FunctionValue):
+            run.callers.setdefault(id(callee.ir), set()).add(None)
     callbacks.hand_out(run, functions)
 
 
@@ -161,20 +167,20 @@ def _reached(run: Run, values: Iterable[Value], how: Escape | None) -> Iterator[
     seen: set[int] = set()
     while waiting:
         value = waiting.pop()
-        if isinstance(value, OneOf):
-            waiting.extend(value.values)
-            continue
-        if isinstance(value, ApiMethod):
-            if _creates(value) and value.self_value is not None:
-                waiting.append(value.self_value)
-            continue
-        if isinstance(value, Partial) and not _is_followed(value):
-            waiting.extend(carries([*value.args, *(given for _, given in value.keywords)]))
-            continue
-        if not isinstance(value, _CARRIERS):
-            continue
+        match value:
+            case OneOf(values=options):
+                waiting.extend(options)
+                continue
+            case ApiMethod(self_value=owner):
+                waiting += [owner] if _creates(value) else []
+                continue
+            case Partial(args=given, keywords=named) if not _is_followed(value):
+                waiting += carries([*given, *(one for _, one in named)])
+                continue
+            case _ if not carries((value,)):
+                continue
         key = value.heap_key
-        if isinstance(key, int):
+        if key is not None:
             if key in seen or (how is not None and key in run.escapes.objects):
                 continue
             seen.add(key)
@@ -192,10 +198,7 @@ def _creates(method: ApiMethod) -> bool:
 
 def _is_followed(value: Partial) -> bool:
     """Whether a partial ends in a function that is here: that one is run."""
-    inner: Value = value
-    while isinstance(inner, Partial):
-        inner = inner.function
-    return isinstance(inner, (FunctionValue, BoundMethod))
+    return isinstance(value.callee, FunctionValue)
 
 
 def _inside(run: Run, value: Value, key: int) -> Iterator[Value]:
@@ -209,9 +212,7 @@ def _inside(run: Run, value: Value, key: int) -> Iterator[Value]:
                 yield from carries((name, held))
         return
     for slot in run.store.held.get(key, ()):
-        held_value = run.store.get(key, slot)
-        if isinstance(held_value, _CARRIERS):
-            yield held_value
+        yield from carries((run.store.get(key, slot),))
 
 
 # ------------------------------------------------------------------------------------------- what is kept
@@ -234,7 +235,7 @@ def kept(run: Run, key: int, values: Iterable[Value], name: str | None = None) -
 
 def assigned(run: Run, target: Value, name: str, value: Value) -> None:
     """``target.name = value``, where the target may be anything."""
-    if not isinstance(value, _CARRIERS):
+    if not carries((value,)):
         return
     if isinstance(target, ClassValue):
         run.store.held.setdefault(target.key, {})[name] = None
@@ -242,29 +243,33 @@ def assigned(run: Run, target: Value, name: str, value: Value) -> None:
         run.escapes.shared.append(Shared(root, (value,), _place(run, None)))
         return
     key = target.heap_key
-    if isinstance(key, int):
+    if key is not None:
         kept(run, key, (value,), name)
-        if not isinstance(target, Instance) or isinstance(target.cls, ClassValue) or is_own(target.cls.path):
+        foreign = target.cls.dotted if isinstance(target, Instance) else ""
+        if not foreign or is_own(foreign):
             return
     escape(run, (value,), f"it is stored as '{name}' of {_what(target)}, whose uses are not followed")
 
 
 def _what(target: Value) -> str:
-    if isinstance(target, ModuleValue):
-        return f"the module {target.module.name}"
-    if isinstance(target, External):
-        return target.path
-    if isinstance(target, Instance) and isinstance(target.cls, External):
-        return f"an object of {target.cls.path}"
+    match target:
+        case ModuleValue(module=module):
+            return f"the module {module.name}"
+        case External(path=path):
+            return path
+        case Instance(cls=External(path=path)):
+            return f"an object of {path}"
     return "something"
 
 
-_NAMED = (Instance, NodeValue, ListValue, DictValue, OneOf, Partial)
+def _holds_nodes(value: object) -> bool:
+    """Whether a variable with this value may be how code gets at a node."""
+    return isinstance(value, (Instance, NodeValue, ListValue, DictValue, OneOf, Partial))
 
 
 def named(run: Run, module: Module, name: str, value: Value) -> None:
     """A variable of a module is set."""
-    if isinstance(value, _NAMED):
+    if _holds_nodes(value):
         run.escapes.shared.append(Shared(Root(module, name), (value,), _place(run, None)))
 
 
@@ -274,20 +279,16 @@ def share(run: Run, module: Module) -> None:
     for name in sorted(variables(module)) if scope is not None else ():
         assert scope is not None
         value = run.store.get(scope.key, name)
-        if isinstance(value, _NAMED):
-            _note_shared(run, value, Root(module, name))
-        elif isinstance(value, ClassValue) and value.scope.module is module:
+        _note_shared(run, value, Root(module, name))
+        if isinstance(value, ClassValue) and value.scope.module is module:
             for attribute in sorted(class_variables(value.ir)):
-                held = run.store.get(value.key, attribute)
-                if isinstance(held, _NAMED):
-                    _note_shared(run, held, Root(module, attribute, value.ir.name))
+                _note_shared(run, run.store.get(value.key, attribute), Root(module, attribute, value.ir.name))
 
 
-def _note_shared(run: Run, value: Value, root: Root) -> None:
-    for one in _reached(run, (value,), None):
-        key = one.heap_key
-        if isinstance(key, int):
-            run.store.shared.setdefault(key, root)
+def _note_shared(run: Run, value: object, root: Root) -> None:
+    for one in _reached(run, carries((value,)), None) if _holds_nodes(value) else ():
+        if one.heap_key is not None:
+            run.store.shared.setdefault(one.heap_key, root)
 
 
 def settle(run: Run) -> None:
@@ -309,9 +310,8 @@ def holders(run: Run, instance: Instance, names: Iterable[str]) -> frozenset[str
 
 
 def _leads_to_node(run: Run, value: object) -> bool:
-    if not isinstance(value, _NAMED):
-        return False
-    return any(nodes.known_node(run, one) is not None for one in _reached(run, (value,), None))
+    reached = _reached(run, carries((value,)), None) if _holds_nodes(value) else ()
+    return any(nodes.known_node(run, one) is not None for one in reached)
 
 
 __all__ = ["Escape", "Shared", "assigned", "escape", "holders", "kept", "lost", "named", "settle", "share", "to_call"]
