@@ -23,20 +23,23 @@ if TYPE_CHECKING:
 
 def of_value(run: Run, value: ForeignValue, name: str) -> Value:
     """``value.name`` of a node, an entity, an executor, a future or a message."""
-    if isinstance(value, ExecutorValue):
-        return ApiMethod(f"{value.path}.{name}", value)
-    if isinstance(value, FutureValue):
-        return ApiMethod(f"rclpy.task.Future.{name}", value)
+    match value:
+        case ExecutorValue(path=path):
+            return ApiMethod(f"{path}.{name}", value)
+        case FutureValue():
+            return ApiMethod(f"rclpy.task.Future.{name}", value)
     key = value.heap_key
     stored = run.store.get(key, name) if key else None
     if isinstance(stored, Value):
         return stored
-    if isinstance(value, NodeValue):
-        return _of_node(run, value, name)
-    if isinstance(value, EntityValue):
-        return _of_entity(value, name)
-    assert isinstance(value, MessageValue)
-    return _of_message(run, value, name)
+    match value:
+        case NodeValue():
+            return _of_node(run, value, name)
+        case EntityValue():
+            return _of_entity(value, name)
+        case MessageValue():
+            return _of_message(run, value, name)
+    raise TypeError(f"a value of rclpy that nobody knows: {value!r}")
 
 
 def of_unknown(value: Value, name: str) -> Value | None:
@@ -64,7 +67,7 @@ def _node_attribute(run: Run, value: Value, name: str) -> Value | None:
     if name == "default_callback_group":
         return External("rclpy.node.Node.default_callback_group")
     if name == "executor":
-        use = executors.running(run, run.nodes.by_object.get(value.key) if isinstance(value, Instance) else None)
+        use = executors.running(run, run.nodes.by_object.get(value.heap_key or 0))
         if use is not None:
             return ExecutorValue(use, "rclpy.executors.Executor", run.store.new_key())
         return Unknown("the executor is set when the node is spun")

@@ -9,6 +9,7 @@ from archlint.branches import ChoiceOfArgument
 from archlint.finding import Place
 from archlint.interpreter.formatting import plain_text
 from archlint.interpreter.values import (
+    ClassValue,
     External,
     Instance,
     Known,
@@ -153,16 +154,17 @@ _GROUPS = {
 
 def group_of(run: Run, value: Value | None) -> model.Group:
     """The callback group that an argument names."""
-    if value is None or (isinstance(value, Known) and value.value is None):
-        return model.Group(model.GroupKind.DEFAULT)
-    if isinstance(value, External) and value.path.endswith("default_callback_group"):
-        return model.Group(model.GroupKind.DEFAULT)
-    if isinstance(value, Instance):
-        bases = [value.cls.path] if isinstance(value.cls, External) else value.cls.external_bases()
-        for base in bases:
-            kind = _GROUPS.get(rclpy_names.canonical(base))
+    match value:
+        case None | Known(value=None):
+            return model.Group(model.GroupKind.DEFAULT)
+        case External(path=path) if path.endswith("default_callback_group"):
+            return model.Group(model.GroupKind.DEFAULT)
+        case Instance(cls=cls, key=key, place=place):
+            bases = cls.external_bases() if isinstance(cls, ClassValue) else [cls.path]
+            kinds = (_GROUPS.get(rclpy_names.canonical(base)) for base in bases)
+            kind = next((kind for kind in kinds if kind is not None), None)
             if kind is not None:
-                return model.Group(kind, str(value.key), value.place)
+                return model.Group(kind, str(key), place)
     return model.Group(model.GroupKind.UNKNOWN)
 
 
@@ -206,10 +208,11 @@ def timer(run: Run, call: ApiUse) -> Value:
 
 
 def _seconds(value: Value | None) -> tuple[float | None, str | None]:
-    if isinstance(value, Known) and isinstance(value.value, (int, float)):
-        return float(value.value), ",".join(sorted(value.via)) or None
-    if isinstance(value, Unknown):
-        return None, value.parameter
+    match value:
+        case Known(value=int() | float() as seconds, via=parameters):
+            return float(seconds), ",".join(sorted(parameters)) or None
+        case Unknown(parameter=parameter):
+            return None, parameter
     return None, None
 
 
@@ -247,7 +250,7 @@ def _subscription_of(path: str, qos: str, default: DefaultQos) -> Api:
 def transform_buffer(run: Run, call: ApiUse) -> Value:
     """``Buffer(cache_time, node)`` offers the service ``tf2_frames`` on the node it is given."""
     node = call.get("node")
-    if node is not None and not (isinstance(node, Known) and node.value is None):
+    if node is not None and not node.is_none:
         row = Api(call.api.path, "", "endpoint", kind=model.EntityKind.SERVICE, default_qos="services_default")
         part = ApiUse(row, None, {}, call.expression, False, [], {})
         for blueprint in nodes.given_nodes(run, node):

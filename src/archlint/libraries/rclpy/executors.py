@@ -39,7 +39,7 @@ def adopt_executor(run: Run, api: Api, receiver: Instance, site: CallSite) -> Va
 def _new_use(
     run: Run, kind: model.ExecutorKind | None, threads: Value | None, call: ApiUse | None
 ) -> model.ExecutorUse:
-    count = threads.value if isinstance(threads, Known) and isinstance(threads.value, int) else None
+    count = None if threads is None else threads.whole_number
     if kind in (model.ExecutorKind.SINGLE_THREADED, model.ExecutorKind.EVENTS):
         count = 1
     place = run.place(call.expression.span) if call is not None and call.expression is not None else None
@@ -130,24 +130,18 @@ def _lasting(run: Run, call: ApiUse, spun: Sequence[model.Blueprint]) -> model.S
 
 def _endless(loop: facts.While | facts.For) -> bool:
     """``while rclpy.ok()`` or ``while True``, with no other way out."""
-    if not isinstance(loop, facts.While):
-        return False
-    endless = isinstance(loop.test, facts.Call) and called_name(loop.test) == "ok"
-    return (endless or loop.test.truth is True) and not any(
-        isinstance(one, facts.Return) or (isinstance(one, facts.Jump) and one.kind == "break")
-        for one in statements_of(loop.body)
-    )
+    match loop:
+        case facts.While(test):
+            endless = test.truth is True or (isinstance(test, facts.Call) and called_name(test) == "ok")
+            breaks = any(jump.kind == "break" for jump in statements_of(loop.body, facts.Jump))
+            return endless and not breaks and not any(statements_of(loop.body, facts.Return))
+    return False
 
 
 def _makes(run: Run, node: model.Blueprint) -> bool:
     """Whether the constructor of a node is running."""
-    constructors = (one for one in run.activations if one.function is not None and _is_init(one.function.ir))
-    made = (one.self_value for one in constructors)
-    return any(isinstance(one, Instance) and run.nodes.by_object.get(one.key) is node for one in made)
-
-
-def _is_init(function: facts.Function | facts.Lambda) -> bool:
-    return isinstance(function, facts.Function) and function.name == "__init__"
+    constructors = (one for one in run.activations if one.function is not None and one.function.ir.name == "__init__")
+    return any(nodes.known_node(run, one.self_value) is node for one in constructors)
 
 
 def spin(run: Run, call: ApiUse) -> Value:
@@ -158,7 +152,7 @@ def spin(run: Run, call: ApiUse) -> Value:
         given = call.get("executor")
         use = use_of(run, given)
         if use is None:
-            unknown = given is not None and not (isinstance(given, Known) and given.value is None)
+            unknown = given is not None and not given.is_none
             use = _new_use(run, model.ExecutorKind.UNKNOWN, None, call) if unknown else _global_use(run)
         _spins(run, use, call, lasting)
         use.astray = use.astray or not spun

@@ -11,18 +11,16 @@ def type_of_value(value: Value | None) -> tuple[str | None, str | None]:
     """The ROS type that a class stands for, or why it is not known."""
     if value is None:
         return None, "no type is given"
-    if isinstance(value, External):
-        interface, section_name = names.interface_and_section(names.canonical(value.path))
-        if interface is not None and not section_name:
-            return interface, None
-        return None, f"'{value.path}' is not an interface"
-    if isinstance(value, ClassValue):
-        return None, f"'{value.qualified}' is a class of the workspace, not an interface"
-    if isinstance(value, Unknown):
-        written = value.name or ""
-        if written.startswith(messages.MISSING):
-            return written.removeprefix(messages.MISSING), None
-        return None, value.reason
+    match value:
+        case External(path=path):
+            interface, section = names.interface_and_section(names.canonical(path))
+            known = interface is not None and not section
+            return (interface, None) if known else (None, f"'{path}' is not an interface")
+        case ClassValue(qualified=name):
+            return None, f"'{name}' is a class of the workspace, not an interface"
+        case Unknown(reason=why, name=written):
+            missing = (written or "").startswith(messages.MISSING)
+            return ((written or "").removeprefix(messages.MISSING), None) if missing else (None, why)
     return None, "the type is not an interface class"
 
 

@@ -12,7 +12,6 @@ from archlint.interpreter.values import (
     AttributeOf,
     ClassValue,
     External,
-    FunctionValue,
     Instance,
     Known,
     ListValue,
@@ -53,7 +52,7 @@ def new_blueprint(run: Run, class_name: str, place: Place, key: str, package: st
 
 def adopt(run: Run, instance: Instance) -> None:
     """Give an object its blueprint if its class is a node."""
-    if isinstance(instance.cls, ClassValue) and node_classes.is_node(instance.cls):
+    if instance.own_class is not None and node_classes.is_node(instance.own_class):
         blueprint_of_instance(run, instance)
 
 
@@ -91,10 +90,11 @@ def _met_again(run: Run, same: tuple[Place, Place | None, str]) -> model.Bluepri
 
 def known_node(run: Run, value: Value | None) -> model.Blueprint | None:
     """The blueprint of a value that is a node for certain."""
-    if isinstance(value, NodeValue):
-        return value.blueprint
-    if isinstance(value, Instance):
-        return run.nodes.by_object.get(value.key)
+    match value:
+        case NodeValue(blueprint=node):
+            return node
+        case Instance(key=key):
+            return run.nodes.by_object.get(key)
     return None
 
 
@@ -135,61 +135,60 @@ def given_nodes(run: Run, value: Value | None, *, plausible: bool = True) -> lis
 
 def nodes_of(run: Run, value: Value | None, *, plausible: bool = True) -> list[model.Blueprint]:
     """The nodes that a create call makes something on; an unseen one where nobody hands it in."""
-    if isinstance(value, OneOf):
-        found: list[model.Blueprint] = []
-        options: list[Value] = [o for o in value.values if isinstance(o, (NodeValue, Instance))]
-        options = options or list(value.values)
-        for option in options:
-            found.extend(node for node in nodes_of(run, option, plausible=plausible) if node not in found)
-        return found
-    if isinstance(value, NodeValue):
-        return [value.blueprint]
-    if isinstance(value, Instance):
-        known = run.nodes.by_object.get(value.key)
-        if known is not None:
-            return [known]
-        if isinstance(value.cls, ClassValue):
-            if node_classes.may_inherit(value.cls):
-                return [blueprint_of_instance(run, value)]
-            if plausible:
-                return [held_blueprint(run, value)]  # a mixin: whoever inherits it is the node
-        elif isinstance(value.cls, External) and value.cls.path.startswith("rclpy."):
-            return []
-        return [held_blueprint(run)] if plausible else []
-    if isinstance(value, (Unknown, External)) and plausible:
-        return [held_blueprint(run, annotated=_annotated(value))]
+    match value:
+        case OneOf(values=options):
+            objects = [option for option in options if isinstance(option, (NodeValue, Instance))]
+            found: list[model.Blueprint] = []
+            for option in objects or options:
+                found.extend(node for node in nodes_of(run, option, plausible=plausible) if node not in found)
+            return found
+        case NodeValue(blueprint=node):
+            return [node]
+        case Instance():
+            return _nodes_of_object(run, value, plausible)
+        case Unknown() | External() if plausible:
+            return [held_blueprint(run, annotated=_annotated(value))]
     return []
 
 
+def _nodes_of_object(run: Run, value: Instance, plausible: bool) -> list[model.Blueprint]:
+    known, cls = run.nodes.by_object.get(value.key), value.own_class
+    if known is not None:
+        return [known]
+    if cls is not None and node_classes.may_inherit(cls):
+        return [blueprint_of_instance(run, value)]
+    if not plausible or value.cls.dotted.startswith("rclpy."):
+        return []
+    # A mixin: whoever inherits it is the node.
+    return [held_blueprint(run, value if cls is not None else None)]
+
+
 def _annotated(value: Value) -> tuple[model.ClassKey, str] | None:
-    meant = value.annotation if isinstance(value, Unknown) else None
-    if isinstance(meant, AttributeOf):
-        return node_classes.keys(meant.cls)[0], meant.name
-    return (node_classes.keys(meant)[0], "") if isinstance(meant, ClassValue) else None
+    match value:
+        case Unknown(annotation=AttributeOf(cls=cls, name=name)):
+            return node_classes.keys(cls)[0], name
+        case Unknown(annotation=ClassValue() as cls):
+            return node_classes.keys(cls)[0], ""
+    return None
+
+
+def _whose(cls: ClassValue) -> tuple[str, Place, str | None]:
+    module = cls.scope.module
+    return cls.qualified, Place(module.path, *cls.ir.name_span), module.file.package
 
 
 def _holder(run: Run, instance: Instance | None = None) -> tuple[str, Place, str | None]:
     """Which class (or function) holds a node that nobody hands in: the object whose method is running."""
-    if instance is not None and isinstance(instance.cls, ClassValue):
-        cls = instance.cls
-        return cls.qualified, Place(cls.scope.module.path, *cls.ir.name_span), cls.scope.module.file.package
+    cls = None if instance is None else instance.own_class
+    if cls is not None:
+        return _whose(cls)
     for activation in reversed(run.activations):
-        value = activation.self_value
-        if isinstance(value, Instance) and isinstance(value.cls, ClassValue):
-            cls = value.cls
-            return (
-                cls.qualified,
-                Place(cls.scope.module.path, *cls.ir.name_span),
-                cls.scope.module.file.package,
-            )
-        if activation.function is not None and isinstance(activation.function, FunctionValue):
-            ir = activation.function.ir
-            span = getattr(ir, "name_span", ir.span)
-            return (
-                activation.qualified,
-                Place(activation.module.path, *span),
-                activation.module.file.package,
-            )
+        cls = None if activation.self_value is None else activation.self_value.own_class
+        if cls is not None:
+            return _whose(cls)
+        if activation.function is not None:
+            place = Place(activation.module.path, *activation.function.ir.name_span)
+            return activation.qualified, place, activation.module.file.package
     activation = run.activation
     return activation.qualified, Place(activation.module.path, 1, 1, 1, 1), activation.module.file.package
 

@@ -18,6 +18,7 @@ from archlint.interpreter.values import (
     Instance,
     Known,
     ListValue,
+    OneOf,
     Unknown,
     Value,
     alternatives,
@@ -67,55 +68,57 @@ def make_parameter(run: Run, call: ApiUse) -> Value:
 
 def type_name(run: Run, value: Value | None) -> str | None:
     """The ROS type of a default, or of a ``Parameter.Type``."""
-    if isinstance(value, Known):
-        return _TYPES.get(type(value.value))
-    if isinstance(value, External) and profiles.policy_number(value.path) is not None:
-        return "integer"
-    if isinstance(value, External) and ".Type." in value.path:
-        return _TYPE_NAMES.get(value.path.rpartition(".")[2])
-    if isinstance(value, ListValue):
-        items = containers.items_of(run, value)
-        kinds = {type_name(run, item) for item in items.values}
-        if len(kinds) == 1 and not items.open:
-            kind = kinds.pop()
+    match value:
+        case Known(value=constant):
+            return _TYPES.get(type(constant))
+        case External(path=path) if profiles.policy_number(path) is not None:
+            return "integer"
+        case External(path=path) if ".Type." in path:
+            return _TYPE_NAMES.get(path.rpartition(".")[2])
+        case ListValue():
+            items = containers.items_of(run, value)
+            kinds = {type_name(run, item) for item in items.values}
+            kind = kinds.pop() if len(kinds) == 1 and not items.open else None
             return None if kind is None else f"{kind}_array"
     return None
 
 
 def _is_type(value: Value | None) -> bool:
-    return isinstance(value, External) and (".Type." in value.path or ".ParameterType." in value.path)
+    return value is not None and (".Type." in value.dotted or ".ParameterType." in value.dotted)
 
 
 def from_parameter(run: Run, value: Value, name: str) -> Value:
     """A default as the value of a parameter: known, but by way of the parameter."""
-    if isinstance(value, External):
-        number = profiles.policy_number(value.path)
-        value = value if number is None else Known(number)
-    if isinstance(value, Known):
-        return Known(value.value, value.via | {name}, value.origin, value.kind)
-    if isinstance(value, Holed):
-        return Holed(value.parts, value.reason, value.via | {name}, value.origin)
-    if isinstance(value, ListValue):
-        items = containers.items_of(run, value)
-        # An empty default waits for somebody to fill it, unless a launch file is seen to leave it so.
-        open_ = items.open or not (items.values or name in run.overrides.settled)
-        return containers.new_list(run, [from_parameter(run, item, name) for item in items.values], value.kind, open_)
-    if isinstance(value, Unknown):
-        return Unknown(f"the parameter '{name}' has a default that is not known: {value.reason}", name)
-    return (
-        one_of(from_parameter(run, option, name) for option in alternatives(value))
-        if (len(alternatives(value)) > 1)
-        else Unknown(f"the parameter '{name}' decides it", name)
-    )
+    match value:
+        case External(path=path) if (number := profiles.policy_number(path)) is not None:
+            return Known(number, frozenset({name}))
+        case Known():
+            return Known(value.value, value.via | {name}, value.origin, value.kind)
+        case Holed():
+            return Holed(value.parts, value.reason, value.via | {name}, value.origin)
+        case ListValue():
+            items = containers.items_of(run, value)
+            # An empty default waits for somebody to fill it, unless a launch file is seen to leave it so.
+            open_ = items.open or not (items.values or name in run.overrides.settled)
+            filled = [from_parameter(run, item, name) for item in items.values]
+            return containers.new_list(run, filled, value.kind, open_)
+        case Unknown(reason=why):
+            return Unknown(f"the parameter '{name}' has a default that is not known: {why}", name)
+        case OneOf(values=options):
+            return one_of(from_parameter(run, option, name) for option in options)
+    return Unknown(f"the parameter '{name}' decides it", name)
 
 
 def value_from_python(run: Run, value: object) -> Value:
     """A value of a parameter file or launch file."""
-    if isinstance(value, (list, tuple)):
-        return containers.new_list(run, [value_from_python(run, item) for item in value])
-    if isinstance(value, (str, int, float, bool)):
-        return Known(value)
-    why = value.reason if isinstance(value, NotKnown) else "not known here"
+    why = "not known here"
+    match value:
+        case list() | tuple():
+            return containers.new_list(run, [value_from_python(run, item) for item in value])
+        case str() | int() | float():
+            return Known(value)
+        case NotKnown(reason=why):
+            pass
     return Unknown(f"it is set to an unknown value: {why}")
 
 
@@ -202,13 +205,14 @@ def _note(
 
 def to_python(run: Run, value: Value | None) -> tuple[object, bool]:
     """The Python value of a constant, and whether it is known."""
-    if isinstance(value, Known):
-        return value.value, True
-    if isinstance(value, ListValue):
-        items = containers.items_of(run, value)
-        rows = [to_python(run, item) for item in items.values]
-        if not items.open and all(known for _, known in rows):
-            return [item for item, _ in rows], True
+    match value:
+        case Known(value=constant):
+            return constant, True
+        case ListValue():
+            items = containers.items_of(run, value)
+            rows = [to_python(run, item) for item in items.values]
+            if not items.open and all(known for _, known in rows):
+                return [item for item, _ in rows], True
     return None, False
 
 
@@ -235,7 +239,7 @@ def declare_parameters(run: Run, call: ApiUse) -> Value:
             continue
         name = parts.values[0]
         place = _entry_place(run, call, name)
-        if isinstance(namespace, Known) and namespace.value:
+        if namespace is not None and namespace.constant:
             name = one_of(join_texts((namespace, Known("."), option)) for option in alternatives(name))
         elif namespace is not None and not isinstance(namespace, Known):
             name = Unknown("the namespace of the parameters is not known")
@@ -261,20 +265,19 @@ def read(run: Run, call: ApiUse, name: Value) -> Value:
     found: list[Value] = []
     overrides = run.overrides.of(nodes.known_node(run, call.receiver))
     for option in alternatives(name):
-        if not isinstance(option, Known) or not isinstance(option.value, str):
+        text = option.text
+        if text is None:
             found.append(Unknown("the parameter's name is not known"))
             continue
-        value = run.store.get(nodes.node_key(run, call.receiver), PARAMETERS[option.value])
+        value = run.store.get(nodes.node_key(run, call.receiver), PARAMETERS[text])
         if isinstance(value, Value):
             found.append(value)
-        elif option.value in overrides:
-            found.append(from_parameter(run, value_from_python(run, overrides[option.value]), option.value))
-        elif option.value == "use_sim_time":
+        elif text in overrides:
+            found.append(from_parameter(run, value_from_python(run, overrides[text]), text))
+        elif text == "use_sim_time":
             found.append(Known(False, frozenset({"use_sim_time"})))
         else:
-            found.append(
-                Unknown(f"the parameter '{option.value}' is not declared in the code that was followed", option.value)
-            )
+            found.append(Unknown(f"the parameter '{text}' is not declared in the code that was followed", text))
     return one_of(found)
 
 

@@ -8,7 +8,6 @@ from __future__ import annotations
 from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
-from archlint.finding import Place
 from archlint.interpreter.fields import Field, Fields
 from archlint.interpreter.values import (
     ClassValue,
@@ -94,8 +93,9 @@ def make_profile(run: Run, call: ApiUse) -> Value:
 
 def preset_by_key(run: Run, call: ApiUse) -> Value:
     name = call.get("name")
-    if isinstance(name, Known) and isinstance(name.value, str) and name.value.lower() in PRESETS:
-        return External(f"rclpy.qos.QoSPresetProfiles.{name.value.upper()}.value")
+    text = None if name is None else name.text
+    if text is not None and text.lower() in PRESETS:
+        return External(f"rclpy.qos.QoSPresetProfiles.{text.upper()}.value")
     return Unknown("the preset is chosen at run time")
 
 
@@ -147,7 +147,7 @@ def change_preset(run: Run, target: External, name: str, value: Value) -> None:
 
 def _changed(run: Run, value: Value) -> Value:
     """A preset that was changed, as a profile of its own; any other value as it is."""
-    tail = _preset_key(rclpy_names.canonical(value.path)) if isinstance(value, External) else None
+    tail = _preset_key(rclpy_names.canonical(value.dotted)) if value.dotted else None
     changes = {
         name: held
         for name in (*_POLICIES, *_DURATIONS, "depth")
@@ -164,7 +164,7 @@ def _changed(run: Run, value: Value) -> Value:
 
 def resolve(run: Run, value: Value | None, default: DefaultQos, call: ApiUse) -> Qos:
     """The profile that an argument gives, with the API's default where none is given."""
-    if value is None or (isinstance(value, Known) and value.value is None):
+    if value is None or value.is_none:
         found = _UNKNOWN if call.open else _API_DEFAULTS[default]
     else:
         found = _of_value(run, value)
@@ -191,9 +191,7 @@ def resolve_all(run: Run, value: Value | None, default: DefaultQos, call: ApiUse
 def _variants(run: Run, value: Value) -> list[Value]:
     """A profile whose policies depend on a branch, as one profile for each choice."""
     value = _changed(run, value)
-    if not isinstance(value, Instance) or not isinstance(value.cls, External):
-        return [value]
-    if rclpy_names.canonical(value.cls.path) != PROFILE:
+    if not isinstance(value, Instance) or rclpy_names.canonical(value.cls.dotted) != PROFILE:
         return [value]
     rows: list[dict[str, Value]] = [{}]
     for name in (*_POLICIES, "depth"):
@@ -206,8 +204,7 @@ def _variants(run: Run, value: Value) -> list[Value]:
         return [value]
     made: list[Value] = []
     for row in rows:
-        variant = copy_profile(run, value)
-        assert isinstance(variant, Instance)
+        variant = _copy_of(run, value)
         for name, option in row.items():
             run.store.set(variant.key, name, option)
         made.append(variant)
@@ -216,27 +213,23 @@ def _variants(run: Run, value: Value) -> list[Value]:
 
 def _of_value(run: Run, value: Value) -> Qos:
     value = _changed(run, value)
-    if isinstance(value, Known):
-        if isinstance(value.value, bool) or not isinstance(value.value, int):
+    match value:
+        case Known(value=bool()):
             return _UNKNOWN
-        parameter = ",".join(sorted(value.via)) or None
-        return Qos(depth=value.value, explicit=frozenset({"depth"}), parameter=parameter)
-    if isinstance(value, External):
-        known = preset(rclpy_names.canonical(value.path))
-        return known if known is not None else _UNKNOWN
-    if isinstance(value, Instance):
-        if isinstance(value.cls, External) and rclpy_names.canonical(value.cls.path) == PROFILE:
+        case Known(value=int(depth), via=parameters):
+            return Qos(depth=depth, explicit=frozenset({"depth"}), parameter=",".join(sorted(parameters)) or None)
+        case External(path=path):
+            return preset(rclpy_names.canonical(path)) or _UNKNOWN
+        case Instance(cls=External(path=path)) if rclpy_names.canonical(path) == PROFILE:
             return _of_profile(run, value)
-        if isinstance(value.cls, ClassValue):
+        case Instance(cls=ClassValue()):
             held = value.member_value(run)  # an enum of profiles
             if held is not None:
                 return _of_value(run, held)
-            if PROFILE in value.cls.external_bases():
-                return _UNKNOWN
-    if isinstance(value, OneOf):
-        return _common([_of_value(run, option) for option in value.values])
-    if isinstance(value, Unknown) and value.parameter is not None:
-        return replace(_UNKNOWN, parameter=value.parameter)
+        case OneOf(values=options):
+            return _common([_of_value(run, option) for option in options])
+        case Unknown(parameter=str(parameter)):
+            return replace(_UNKNOWN, parameter=parameter)
     return _UNKNOWN
 
 
@@ -282,8 +275,8 @@ def _of_profile(run: Run, profile: Instance) -> Qos:
     if isinstance(depth, Value):
         explicit.add("depth")
         parameters |= via(depth)
-        number = depth.value if isinstance(depth, Known) else None
-        fields["depth"] = number if isinstance(number, int) and not isinstance(number, bool) else None
+        number = depth.whole_number
+        fields["depth"] = None if isinstance(number, bool) else number
     for name, field in _DURATIONS.items():
         value = run.store.get(profile.key, name)
         if isinstance(value, Value):
@@ -298,7 +291,7 @@ def _of_profile(run: Run, profile: Instance) -> Qos:
         explicit=frozenset(explicit),
         unknown_durations=frozenset(unknown),
         parameter=",".join(sorted(parameters)) or None,
-        place=profile.place if isinstance(profile.place, Place) else None,
+        place=profile.place,
     )
     return replace(result, **fields)  # type: ignore[arg-type]
 
@@ -323,15 +316,15 @@ def policy_number(path: str) -> int | None:
 
 def policy(name: str, value: Value) -> str | None:
     """The policy that an enum member, its number or its short key stands for."""
-    if isinstance(value, External):
-        tail = value.path.removesuffix(".value").rpartition(".")[2].upper()
-        tail = tail.removeprefix(f"RMW_QOS_POLICY_{name.upper()}_").lower()
-        return tail if tail in _KNOWN_POLICIES[name] else None
-    if isinstance(value, Known):
-        if isinstance(value.value, int):
-            return _BY_NUMBER[name].get(value.value)
-        if isinstance(value.value, str) and value.value.lower() in _KNOWN_POLICIES[name]:
-            return value.value.lower()
+    match value:
+        case External(path=path):
+            tail = path.removesuffix(".value").rpartition(".")[2].upper()
+            tail = tail.removeprefix(f"RMW_QOS_POLICY_{name.upper()}_").lower()
+            return tail if tail in _KNOWN_POLICIES[name] else None
+        case Known(value=int(number)):
+            return _BY_NUMBER[name].get(number)
+        case Known(value=str(text)) if text.lower() in _KNOWN_POLICIES[name]:
+            return text.lower()
     return None
 
 
@@ -341,18 +334,17 @@ _ENDLESS = 9223372036.0
 
 def duration_seconds(value: Value) -> float | None:
     """Seconds of a ``Duration``, 0 for an endless one, which is no bound either; None where unknown."""
-    if isinstance(value, External) and value.path == "rclpy.duration.Infinite":
-        return 0.0
-    if isinstance(value, Instance) and isinstance(value.cls, External):
-        total = 0.0
-        for name, scale in (("seconds", 1.0), ("nanoseconds", 1e-9)):
-            part = value.arguments.get(name)
-            if part is None:
-                continue
-            if not isinstance(part, Known) or not isinstance(part.value, (int, float)):
-                return None
-            total += part.value * scale
-        return 0.0 if total >= _ENDLESS else total
+    match value:
+        case External("rclpy.duration.Infinite"):
+            return 0.0
+        case Instance(cls=External(), arguments=given):
+            total = 0.0
+            for name, scale in (("seconds", 1.0), ("nanoseconds", 1e-9)):
+                number = given[name].constant if name in given else 0.0
+                if not isinstance(number, (int, float)):
+                    return None
+                total += number * scale
+            return 0.0 if total >= _ENDLESS else total
     return None
 
 
@@ -360,20 +352,23 @@ def copy_profile(run: Run, value: Value) -> Value:
     """A copy of a profile: its own object, or an object made from a preset."""
     value = _changed(run, value)
     if isinstance(value, Instance):
-        made = Instance(value.cls, run.store.new_key(), value.place, value.arguments)
-        run.store.set(made.key, OPEN, run.store.get(value.key, OPEN) or False)
-        copied = run.store.get(value.key, PRESET)
-        if copied is not None:
-            run.store.set(made.key, PRESET, copied)
-        for name in ("depth", *_POLICIES, *_DURATIONS):
-            held = run.store.get(value.key, name)
-            if held is not None:
-                run.store.set(made.key, name, held)
-        return made
-    if isinstance(value, External):
-        known = preset(rclpy_names.canonical(value.path))
-        if known is not None:
-            made = Instance(External(PROFILE), run.store.new_key())
-            run.store.set(made.key, PRESET, known)
-            return made
-    return value
+        return _copy_of(run, value)
+    known = preset(rclpy_names.canonical(value.dotted)) if value.dotted else None
+    if known is None:
+        return value
+    made = Instance(External(PROFILE), run.store.new_key())
+    run.store.set(made.key, PRESET, known)
+    return made
+
+
+def _copy_of(run: Run, value: Instance) -> Instance:
+    made = Instance(value.cls, run.store.new_key(), value.place, value.arguments)
+    run.store.set(made.key, OPEN, run.store.get(value.key, OPEN) or False)
+    copied = run.store.get(value.key, PRESET)
+    if copied is not None:
+        run.store.set(made.key, PRESET, copied)
+    for name in ("depth", *_POLICIES, *_DURATIONS):
+        held = run.store.get(value.key, name)
+        if held is not None:
+            run.store.set(made.key, name, held)
+    return made
