@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from archlint.interpreter.changing import changed_attributes
 from archlint.interpreter.heap import Layer
-from archlint.interpreter.values import ClassValue, Value, one_of
+from archlint.interpreter.values import Value, one_of
 from archlint.libraries.run import Run
 from archlint.programs.left_behind import is_plain
 
@@ -19,11 +19,12 @@ def attributes_at_any_time(run: Run) -> Layer:
     found: Layer = {}
     changed: dict[int, dict[str, tuple[Value, ...]]] = {}
     for instance in run.instances.values():
-        if not isinstance(instance.cls, ClassValue):
+        cls = instance.own_class
+        if cls is None:
             continue
-        if instance.cls.key not in changed:
-            changed[instance.cls.key] = changed_attributes(instance.cls)
-        for name, others in changed[instance.cls.key].items():
+        if cls.key not in changed:
+            changed[cls.key] = changed_attributes(cls)
+        for name, others in changed[cls.key].items():
             value = run.store.get(instance.key, name)
             if isinstance(value, Value) and is_plain(run, value):
                 joined = one_of([value, *others])

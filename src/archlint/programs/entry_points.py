@@ -195,7 +195,7 @@ def _read_setup(installs: Installs, module: Module, index: ModuleIndex, tree: Tr
 
 def _items(run: SetupRun, value: Value | None) -> tuple[list[Value], bool]:
     """The items of a list, and whether there may be more."""
-    if value is None or (isinstance(value, Known) and value.value is None):
+    if value is None or value.is_none:
         return [], False
     items = containers.iterate(run, value)
     return ([], True) if items is None else (list(items.values), items.open)
@@ -210,7 +210,7 @@ def _console_scripts(installs: Installs, run: SetupRun, value: Value | None, whe
     entries = containers.entries_of(run, value)
     installs.open_executables |= entries.open
     for key, rows in entries.entries.values():
-        if not isinstance(key, Known) or key.value != "console_scripts":
+        if key.text != "console_scripts":
             continue
         texts, more = _items(run, rows)
         if isinstance(rows, Known) and isinstance(rows.value, str):
@@ -221,23 +221,25 @@ def _console_scripts(installs: Installs, run: SetupRun, value: Value | None, whe
 
 
 def _script_text(installs: Installs, text: Value, where: Place, tree: Tree) -> None:
-    if isinstance(text, OneOf):
-        for option in text.values:
-            _script_text(installs, option, where, tree)
-        return
-    if not isinstance(text, Known) or not isinstance(text.value, str):
-        installs.open_executables = True
-        return
-    entry = parse_entry(text.value)
+    match text:
+        case OneOf(values=options):
+            for option in options:
+                _script_text(installs, option, where, tree)
+            return
+        case Known(value=str(written), origin=origin):
+            entry = parse_entry(written)
+        case _:
+            installs.open_executables = True
+            return
     if entry is None:
         return
-    run_together = _run_together(text.origin, tree) if entry.wrong else []
+    run_together = _run_together(origin, tree) if entry.wrong else []
     if run_together:
         names = " and ".join(f"'{one.name}'" for one in run_together)
         wrong = f"a comma is missing between {names}; newer setuptools stop the build here"
         entry = replace(run_together[0], wrong=wrong)
     for one in (entry, *run_together[1:]):
-        place = text.origin or where
+        place = origin or where
         installs.add(Executable(one.name, installs.package, place, one.module, one.function, wrong=one.wrong))
 
 
@@ -262,12 +264,13 @@ def _scripts(installs: Installs, run: SetupRun, value: Value | None, where: Plac
     rows, more = _items(run, value)
     installs.open_executables |= more
     for row in rows:
-        if isinstance(row, Known) and isinstance(row.value, str) and "*" not in row.value:
-            shown = posixpath.normpath(posixpath.join(installs.folder, row.value))
-            name = posixpath.basename(row.value)
-            installs.add(Executable(name, installs.package, row.origin or where, script=shown))
-        else:
-            installs.open_executables = True
+        match row:
+            case Known(value=str(written), origin=origin) if "*" not in written:
+                shown = posixpath.normpath(posixpath.join(installs.folder, written))
+                name = posixpath.basename(written)
+                installs.add(Executable(name, installs.package, origin or where, script=shown))
+            case _:
+                installs.open_executables = True
 
 
 def _data_files(installs: Installs, run: SetupRun, value: Value | None) -> None:

@@ -8,7 +8,6 @@ from archlint import model
 from archlint.finding import Place
 from archlint.interpreter.modules import Module
 from archlint.interpreter.roots import enter_root
-from archlint.interpreter.values import ClassValue
 from archlint.libraries.rclpy import escapes
 from archlint.libraries.run import Run
 from archlint.programs.budget import Budget
@@ -81,8 +80,8 @@ class FollowedProgram:
         progress.budget.settle(run)
         progress.ran |= run.ran
         for instance in run.instances.values():
-            if isinstance(instance.cls, ClassValue):
-                progress.made.update(id(base) for base in instance.cls.mro)
+            if instance.own_class is not None:
+                progress.made.update(id(base) for base in instance.own_class.mro)
         try:
             finish(run)
         except Exception as raised:

@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, TypeVar
 from archlint import model
 from archlint.finding import Place
 from archlint.interpreter.heap import Slot
-from archlint.interpreter.values import ClassValue, Value, alternatives
+from archlint.interpreter.values import Value, alternatives
 from archlint.libraries.rclpy import node_classes, nodes
 from archlint.programs.roots import NOT_PASSED
 
@@ -30,12 +30,12 @@ def note_holders(holders: Holders, run: Run, layer: Mapping[Slot, object]) -> No
     """Which objects of a program hold a node in the end, and in which attribute."""
     for (key, slot), value in layer.items():
         holder = run.instances.get(key)
-        if holder is None or not isinstance(slot, str) or not isinstance(holder.cls, ClassValue):
+        if holder is None or not isinstance(slot, str) or holder.own_class is None:
             continue
         for option in alternatives(value) if isinstance(value, Value) else ():
             node = nodes.known_node(run, option)
             if node is not None:
-                for cls in node_classes.keys(holder.cls):
+                for cls in node_classes.keys(holder.own_class):
                     holders.setdefault((cls, slot), []).append(node)
 
 

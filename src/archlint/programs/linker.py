@@ -290,7 +290,7 @@ class Linker:
                 mentioned[name] = mentioned.get(name, 0) + 1
         for last in (False, True):
             for module, value in candidates:
-                name = value.ir.name if isinstance(value.ir, (facts.Class, facts.Function)) else ""
+                name = value.ir.name
                 own = 1 if name in names_in(value.ir) else 0
                 if (mentioned.get(name, 0) > own) is not last:
                     continue

@@ -148,14 +148,15 @@ def _fit(value: Value, arguments: tuple[Value, ...]) -> list[Value]:
 
 
 def _function_and_bound(value: Value) -> tuple[facts.Function | facts.Lambda | None, int]:
-    if isinstance(value, FunctionValue):
-        return value.ir, 0
-    if isinstance(value, BoundMethod):
-        ir, bound = _function_and_bound(value.function)
-        return ir, bound + 1
-    if isinstance(value, Partial):
-        ir, bound = _function_and_bound(value.function)
-        return ir, bound + len(value.args)
+    match value:
+        case FunctionValue(ir=ir):
+            return ir, 0
+        case BoundMethod(function=function):
+            inner, bound = _function_and_bound(function)
+            return inner, bound + 1
+        case Partial(function=function, args=given):
+            inner, bound = _function_and_bound(function)
+            return inner, bound + len(given)
     return None, 0
 
 
@@ -163,8 +164,8 @@ def _run_methods(run: Run) -> None:
     """Methods of the program's objects that nothing has called, if they can matter."""
     seen: dict[int, int] = {}
     for instance in list(run.instances.values()):
-        cls = instance.cls
-        if not isinstance(cls, ClassValue):
+        cls = instance.own_class
+        if cls is None:
             continue
         seen[id(cls)] = seen.get(id(cls), 0) + 1
         if seen[id(cls)] > INSTANCES:
@@ -206,8 +207,7 @@ def _uncalled_arguments(ir: facts.Function, bound: int) -> tuple[Value, ...]:
     for param in ir.params[bound:]:
         if param.kind not in ("positional_only", "normal"):
             break
-        flag = isinstance(param.default, facts.Literal) and isinstance(param.default.value, bool)
-        if param.default is None or flag:
+        if param.default is None or _flag(param) is not None:
             given.append(Unknown(f"{NOT_PASSED} '{param.name}'", name=param.name))
             known = len(given)
         else:
@@ -224,12 +224,18 @@ def flags_of(function: Value | None) -> dict[str, Value]:
     if not isinstance(function, FunctionValue):
         return {}
     return {
-        param.name: OneOf((Known(param.default.value), Known(not param.default.value)))
+        param.name: OneOf((Known(flag), Known(not flag)))
         for param in function.ir.params
-        if param.kind in ("normal", "keyword_only")
-        and isinstance(param.default, facts.Literal)
-        and isinstance(param.default.value, bool)
+        if param.kind in ("normal", "keyword_only") and (flag := _flag(param)) is not None
     }
+
+
+def _flag(param: facts.Param) -> bool | None:
+    """The truth value that a parameter defaults to; None where its default is something else."""
+    match param.default:
+        case facts.Literal(bool(value)):
+            return value
+    return None
 
 
 def bind_quietly(function: FunctionValue, instance: Instance, owner: ClassValue) -> Value:

@@ -260,13 +260,14 @@ def _salt() -> str:
 
 def _modules_of(statement: Stmt) -> list[bytes]:
     """The modules that a statement may import; none for what is no import."""
-    if isinstance(statement, model.Import):
-        return [statement.module.encode()]
-    if not isinstance(statement, model.ImportFrom):
-        return []
-    origin = "." * statement.level + statement.module
-    dot = "" if origin.endswith(".") else "."
-    return [name.encode() for name in (origin, *(f"{origin}{dot}{name}" for name, _ in statement.names))]
+    match statement:
+        case model.Import(module):
+            return [module.encode()]
+        case model.ImportFrom(module, level, names):
+            origin = "." * level + module
+            dot = "" if origin.endswith(".") else "."
+            return [name.encode() for name in (origin, *(f"{origin}{dot}{name}" for name, _ in names))]
+    return []
 
 
 def _imported(data: bytes) -> list[bytes]:

@@ -63,20 +63,19 @@ def _element(reader: YamlReader, tag: str, key: yaml.Node, node: yaml.Node, dept
     attributes: dict[str, Attribute] = {}
     children: list[Element] = []
     for name, name_node, value in reader.pairs(node, min(depth, 50)):
-        if isinstance(value, yaml.ScalarNode):
-            span = (*span_of(name_node)[:2], *span_of(value)[2:])
-            attributes[name] = Attribute(_scalar(value), span)
-        elif isinstance(value, yaml.SequenceNode):
-            items = value.value
-            if items and all(isinstance(item, yaml.ScalarNode) for item in items):
+        match value:
+            case yaml.ScalarNode():
+                span = (*span_of(name_node)[:2], *span_of(value)[2:])
+                attributes[name] = Attribute(_scalar(value), span)
+            case yaml.SequenceNode(value=items) if items and all(isinstance(item, yaml.ScalarNode) for item in items):
                 attributes[name] = Attribute([_scalar(item) for item in items], span_of(name_node))
-            elif name == "children":
+            case yaml.SequenceNode() if name == "children":
                 children.extend(_children(reader, value, depth + 1))
-            else:
+            case yaml.SequenceNode(value=items):
                 for item in items:
                     children.append(_element(reader, name, _first_key(item) or name_node, item, depth + 1))
-        else:
-            children.append(_element(reader, name, name_node, value, depth + 1))
+            case _:
+                children.append(_element(reader, name, name_node, value, depth + 1))
     return Element(tag, attributes, tuple(children), span_of(key))
 
 

@@ -53,20 +53,22 @@ class YamlReader:
         for key, value in node.value:
             self.spend(key, depth)
             self.spend(value, depth)
-            if isinstance(key, yaml.ScalarNode) and key.tag == "tag:yaml.org,2002:merge":
-                yield from self.pairs(value, depth + 1)
-            elif isinstance(key, yaml.ScalarNode):
-                yield key.value, key, value
+            match key:
+                case yaml.ScalarNode(tag="tag:yaml.org,2002:merge"):
+                    yield from self.pairs(value, depth + 1)
+                case yaml.ScalarNode(value=text):
+                    yield text, key, value
 
     def value(self, node: yaml.Node, depth: int = 0) -> Any:
         """Plain Python data: scalars, lists and dicts with text keys."""
         import yaml
 
         self.spend(node, depth)
-        if isinstance(node, yaml.ScalarNode):
-            return scalar(node)
-        if isinstance(node, yaml.SequenceNode):
-            return [self.value(item, depth + 1) for item in node.value]
+        match node:
+            case yaml.ScalarNode():
+                return scalar(node)
+            case yaml.SequenceNode(value=items):
+                return [self.value(item, depth + 1) for item in items]
         return {key: self.value(value, depth + 1) for key, _, value in self.pairs(node, depth)}
 
 
