@@ -9,8 +9,9 @@ from archlint.libraries.values import MessageValue
 
 def class_of(value: ForeignValue) -> Value | None:
     """``type(value)``: of a message the class of its interface."""
-    if isinstance(value, MessageValue) and not value.section_name:
-        return External(value.type.replace("/", "."))
+    match value:
+        case MessageValue(type=interface, section_name=""):
+            return External(interface.replace("/", "."))
     return None
 
 
@@ -18,11 +19,9 @@ def is_instance(value: ForeignValue, cls: Value, python: type | None) -> bool | 
     """Whether a message is of a class; None where that is not known, and of all other values."""
     if not isinstance(value, MessageValue):
         return None
-    if python is not None and python.__module__ == "builtins":
+    if isinstance(cls, ClassValue) or (python is not None and python.__module__ == "builtins"):
         return False
-    if isinstance(cls, ClassValue):
-        return False
-    interface, section_name = interface_and_section(cls.path) if isinstance(cls, External) else (None, "")
+    interface, section_name = interface_and_section(cls.dotted)
     return None if interface is None else (interface, section_name) == (value.type, value.section_name)
 
 

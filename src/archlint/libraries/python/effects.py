@@ -53,17 +53,17 @@ def partial(run: Run, call: ApiUse) -> Value:
 
 
 def import_module(run: Run, call: ApiUse) -> Value:
-    name = call.get("name")
-    if not isinstance(name, Known) or not isinstance(name.value, str):
-        return Unknown("the module is chosen at run time")
-    level = len(name.value) - len(name.value.lstrip("."))
-    module = run.index.find(run.activation.module, name.value.lstrip("."), level)
-    return External(name.value, name.via) if module is None else run.import_module(module)
+    match call.get("name"):
+        case Known(value=str(name), via=parameters):
+            level = len(name) - len(name.lstrip("."))
+            module = run.index.find(run.activation.module, name.lstrip("."), level)
+            return External(name, parameters) if module is None else run.import_module(module)
+    return Unknown("the module is chosen at run time")
 
 
 def path_join(run: Run, call: ApiUse) -> Value:
     parts = [call.get("path"), *call.rest]
-    texts = [part.value for part in parts if isinstance(part, Known) and isinstance(part.value, str)]
+    texts = [part.text for part in parts if part is not None and part.text is not None]
     if len(texts) != len(parts):
         return Unknown(reason(*(part for part in parts if part is not None)))
     there = [part for part in parts if part is not None]
@@ -93,17 +93,18 @@ Plain = Callable[["Run", list[Value], dict[str, Value], "facts.Call | None"], Va
 
 
 def _copy(run: Run, args: list[Value], keywords: dict[str, Value], e: facts.Call | None) -> Value:
-    found: list[Value] = []
-    for value in alternatives(args[0]) if args else ():
-        if isinstance(value, ListValue):
+    return one_of(_copied(run, value) for value in (alternatives(args[0]) if args else ()))
+
+
+def _copied(run: Run, value: Value) -> Value:
+    match value:
+        case ListValue():
             items = containers.items_of(run, value)
-            found.append(containers.new_list(run, items.values, value.kind, items.open, items.whole))
-        elif isinstance(value, DictValue):
+            return containers.new_list(run, items.values, value.kind, items.open, items.whole)
+        case DictValue():
             entries = containers.entries_of(run, value)
-            found.append(containers.new_dict(run, dict(entries.entries), entries.open))
-        else:
-            found.append(profiles.copy_profile(run, value))
-    return one_of(found)
+            return containers.new_dict(run, dict(entries.entries), entries.open)
+    return profiles.copy_profile(run, value)
 
 
 def _deep_copy(run: Run, args: list[Value], keywords: dict[str, Value], e: facts.Call | None) -> Value:
@@ -166,14 +167,14 @@ def _default_dict(run: Run, args: list[Value], keywords: dict[str, Value], e: fa
 def _named_tuple(run: Run, args: list[Value], keywords: dict[str, Value], e: facts.Call | None) -> Value:
     """``namedtuple('Point', 'x y')``: a class whose objects have these fields."""
     fields = args[1] if len(args) > 1 else keywords.get("field_names")
-    if isinstance(fields, Known) and isinstance(fields.value, str):
-        names: list[Value] = [Known(name) for name in fields.value.replace(",", " ").split()]
+    if fields is not None and fields.text is not None:
+        names: list[Value] = [Known(name) for name in fields.text.replace(",", " ").split()]
     else:
         items = containers.iterate(run, fields) if fields is not None else None
         if items is None or items.open:
             return Unknown("a named tuple whose fields are not known")
         names = list(items.values)
-    texts = tuple(name.value for name in names if isinstance(name, Known) and isinstance(name.value, str))
+    texts = tuple(name.text for name in names if name.text is not None)
 
     def make(*values: Value, **named: Value) -> Value:
         made = Instance(External("collections.namedtuple"), run.store.new_key())
@@ -231,8 +232,9 @@ def _chain(run: Run, args: list[Value]) -> Value:
 
 
 def _path_part(args: list[Value], at: int) -> Value:
-    if args and isinstance(args[0], Known) and isinstance(args[0].value, str):
-        return Known(posixpath.split(args[0].value)[at], args[0].via)
+    match args:
+        case [Known(value=str(path), via=parameters), *_]:
+            return Known(posixpath.split(path)[at], parameters)
     return Unknown(reason(*args))
 
 

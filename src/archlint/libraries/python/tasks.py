@@ -6,10 +6,11 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from typing import TYPE_CHECKING
 
-from archlint.interpreter.values import BoundMethod, External, FunctionValue, Unknown, Value
+from archlint.interpreter.values import External, FunctionValue, Unknown, Value
 from archlint.libraries.rclpy import callbacks
 from archlint.model import Role
 from archlint.syntax import facts
+from archlint.syntax.walk import called_name
 
 if TYPE_CHECKING:
     from archlint.libraries.run import Run
@@ -21,8 +22,7 @@ executor of rclpy is none of them: its task runs in the executor's thread."""
 
 def note_started(run: Run, e: facts.Call, starter: Value) -> None:
     """Remember the calls among the arguments of ``e`` whose coroutines it starts."""
-    name = e.func.attr if isinstance(e.func, facts.Attribute) else e.func.id if isinstance(e.func, facts.Name) else ""
-    if name in STARTERS and isinstance(starter, (External, Unknown)):
+    if called_name(e) in STARTERS and isinstance(starter, (External, Unknown)):
         run.callbacks.coroutines.update(
             id(argument.value) for argument in e.args if isinstance(argument.value, facts.Call)
         )
@@ -32,10 +32,9 @@ def note_started(run: Run, e: facts.Call, starter: Value) -> None:
 def apart(run: Run, e: facts.Call, function: Value) -> Iterator[None]:
     """While ``e`` is called: the body of a coroutine that another call starts is followed like that of a thread, so
     that what it waits for holds up nobody here."""
-    inner = function.function if isinstance(function, BoundMethod) else function
-    if id(e) not in run.callbacks.coroutines or not (
-        isinstance(inner, FunctionValue) and getattr(inner.ir, "is_async", False)
-    ):
+    inner = function.callee
+    is_coroutine = isinstance(inner, FunctionValue) and inner.ir.is_async
+    if id(e) not in run.callbacks.coroutines or not is_coroutine:
         yield
         return
     kept = run.context

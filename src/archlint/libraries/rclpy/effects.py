@@ -6,7 +6,7 @@ import re
 from typing import TYPE_CHECKING
 
 from archlint import model
-from archlint.interpreter.values import External, Known, Unknown, Value, alternatives, one_of
+from archlint.interpreter.values import External, Unknown, Value, alternatives, one_of
 from archlint.libraries.api_use import ApiUse, Effect
 from archlint.libraries.rclpy import callbacks, entities, executors, node_names, nodes, parameters, profiles
 from archlint.libraries.values import EntityValue, ExecutorValue, FutureValue, MessageValue, creations_of
@@ -106,11 +106,7 @@ _GET_INTERFACE = re.compile(r"^([a-z][a-z0-9_]*)/(?:(msg|srv|action)/)?([A-Z]\w*
 def _get_interface(run: Run, call: ApiUse) -> Value:
     found: list[Value] = []
     for option in alternatives(call.arguments.get("identifier", Unknown("no name"))):
-        match = (
-            _GET_INTERFACE.match(option.value)
-            if (isinstance(option, Known) and isinstance(option.value, str))
-            else None
-        )
+        match = _GET_INTERFACE.match(option.text or "")
         if match is None:
             found.append(Unknown("the interface is chosen at run time"))
             continue

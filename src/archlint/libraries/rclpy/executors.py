@@ -49,14 +49,14 @@ def _new_use(
 
 
 def use_of(run: Run, value: Value | None) -> model.ExecutorUse | None:
-    if isinstance(value, ExecutorValue):
-        return value.use
-    if isinstance(value, Instance):
-        use = run.store.get(value.key, EXECUTOR)
-        return use if isinstance(use, model.ExecutorUse) else None
-    if isinstance(value, OneOf):
-        found = [use for use in (use_of(run, option) for option in value.values) if use is not None]
-        return found[0] if len(found) == 1 else None
+    match value:
+        case ExecutorValue(use=use):
+            return use
+        case Instance(key=key):
+            return run.store.get(key, EXECUTOR)
+        case OneOf(values=options):
+            uses = [use for use in (use_of(run, option) for option in options) if use is not None]
+            return uses[0] if len(uses) == 1 else None
     return None
 
 

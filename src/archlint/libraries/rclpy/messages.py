@@ -36,12 +36,14 @@ _CALLBACK = 2
 def of_value(value: Value) -> MessageValue | None:
     """The message that a value certainly is when an attribute of it can be read: None is no other choice, for
     it has no attributes."""
-    if isinstance(value, MessageValue):
-        return value
-    if not isinstance(value, OneOf):
-        return None
-    rest = [option for option in value.values if not (isinstance(option, Known) and option.value is None)]
-    return rest[0] if len(rest) == 1 and isinstance(rest[0], MessageValue) else None
+    match value:
+        case MessageValue():
+            return value
+        case OneOf(values=options):
+            match [option for option in options if not option.is_none]:
+                case [MessageValue() as message]:
+                    return message
+    return None
 
 
 def nested(run: Run, value: MessageValue, name: str) -> MessageValue | EachValue | None:

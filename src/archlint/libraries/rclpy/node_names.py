@@ -54,7 +54,7 @@ def get_namespace(run: Run, call: ApiUse) -> Value:
 
 def get_fully_qualified_name(run: Run, call: ApiUse) -> Value:
     namespace, name = get_namespace(run, call), get_name(run, call)
-    if isinstance(namespace, Known) and namespace.value == "/":
+    if namespace.text == "/":
         return join_texts((Known("/"), name))
     return join_texts((namespace, Known("/"), name))
 
@@ -62,11 +62,12 @@ def get_fully_qualified_name(run: Run, call: ApiUse) -> Value:
 def resolve_name(run: Run, call: ApiUse) -> Value:
     """``resolve_topic_name``: without remaps, rcl's expansion."""
     value = call.get("topic") or call.get("service")
-    if isinstance(value, Known) and isinstance(value.value, str) and not value.value.startswith("/"):
+    text = None if value is None else value.text
+    if value is not None and text is not None and not text.startswith("/"):
         namespace = get_namespace(run, call)
-        if value.value.startswith("~"):
-            return join_texts((get_fully_qualified_name(run, call), Known(value.value[1:])))
-        if isinstance(namespace, Known) and namespace.value == "/":
+        if text.startswith("~"):
+            return join_texts((get_fully_qualified_name(run, call), Known(text[1:])))
+        if namespace.text == "/":
             return join_texts((Known("/"), value))
         return join_texts((namespace, Known("/"), value))
     return value if value is not None else Unknown("no name to resolve")

@@ -246,7 +246,7 @@ def create_node(run: Run, call: ApiUse) -> Value:
 def node_init(run: Run, call: ApiUse) -> Value:
     """``super().__init__('x')`` of a node class."""
     receiver = call.receiver
-    if isinstance(receiver, Instance) and isinstance(receiver.cls, ClassValue):
+    if isinstance(receiver, Instance) and receiver.own_class is not None:
         blueprint = blueprint_of_instance(run, receiver)
         _set_names(run, blueprint, call)
     return Known(None)
@@ -294,9 +294,7 @@ def _set_names(run: Run, blueprint: model.Blueprint, call: ApiUse) -> None:
     arguments = call.get("cli_args")
     if isinstance(arguments, ListValue):
         items = containers.items_of(run, arguments)
-        blueprint.cli_arguments = tuple(
-            item.value for item in items.values if isinstance(item, Known) and isinstance(item.value, str)
-        )
+        blueprint.cli_arguments = tuple(item.text for item in items.values if item.text is not None)
 
 
 def _note_overrides(run: Run, call: ApiUse) -> None:

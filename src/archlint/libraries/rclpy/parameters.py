@@ -262,23 +262,25 @@ def _entry_place(run: Run, call: ApiUse, name: Value) -> Place | None:
 
 def read(run: Run, call: ApiUse, name: Value) -> Value:
     """The value of a parameter by name."""
-    found: list[Value] = []
+    return one_of(_read_option(run, call, option.text) for option in alternatives(name))
+
+
+def _read_option(run: Run, call: ApiUse, name: str | None) -> Value:
+    if name is None:
+        return Unknown("the parameter's name is not known")
+    undeclared = Unknown(f"the parameter '{name}' is not declared in the code that was followed", name)
+    return _value_in_reach(run, call, name) or undeclared
+
+
+def _value_in_reach(run: Run, call: ApiUse, name: str) -> Value | None:
+    """The value of a parameter that is declared, or set from outside; None of others."""
+    value = run.store.get(nodes.node_key(run, call.receiver), PARAMETERS[name])
+    if value is not None:
+        return value
     overrides = run.overrides.of(nodes.known_node(run, call.receiver))
-    for option in alternatives(name):
-        text = option.text
-        if text is None:
-            found.append(Unknown("the parameter's name is not known"))
-            continue
-        value = run.store.get(nodes.node_key(run, call.receiver), PARAMETERS[text])
-        if isinstance(value, Value):
-            found.append(value)
-        elif text in overrides:
-            found.append(from_parameter(run, value_from_python(run, overrides[text]), text))
-        elif text == "use_sim_time":
-            found.append(Known(False, frozenset({"use_sim_time"})))
-        else:
-            found.append(Unknown(f"the parameter '{text}' is not declared in the code that was followed", text))
-    return one_of(found)
+    if name in overrides:
+        return from_parameter(run, value_from_python(run, overrides[name]), name)
+    return Known(False, frozenset({name})) if name == "use_sim_time" else None
 
 
 def get_parameter(run: Run, call: ApiUse) -> Value:
@@ -298,11 +300,11 @@ def get_parameter_or(run: Run, call: ApiUse) -> Value:
     name = call.get("name") or Unknown("no name is given")
     value = read(run, call, name)
     alternative = call.get("alternative_value")
-    undeclared = isinstance(value, Unknown) and "not declared" in value.reason
-    if undeclared and isinstance(alternative, Instance) and isinstance(name, Known):
+    text = name.text
+    if text is not None and isinstance(alternative, Instance) and _value_in_reach(run, call, text) is None:
         held = run.store.get(alternative.key, "value")
         if isinstance(held, Value):
-            value = from_parameter(run, held, str(name.value))
+            value = from_parameter(run, held, text)
     return new_parameter(run, name, value)
 
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Collection
 
-from archlint.interpreter.values import ApiMethod, ClassValue, Instance, Value
+from archlint.interpreter.values import ApiMethod, Value
 from archlint.libraries import tables
 from archlint.libraries.rclpy import names, node_classes, signatures
 from archlint.libraries.values import NodeValue
@@ -36,8 +36,8 @@ def _is_node(value: Value) -> bool:
     """Whether a value is a node for certain, whose methods are rclpy's own where the workspace defines none."""
     if isinstance(value, NodeValue):
         return not value.blueprint.caller_unknown
-    cls = value.cls if isinstance(value, Instance) else None
-    return isinstance(cls, ClassValue) and node_classes.has_only(cls)
+    cls = value.own_class
+    return cls is not None and node_classes.has_only(cls)
 
 
 __all__ = ["is_module", "refuses"]

@@ -64,13 +64,16 @@ def _name(run: Run) -> Value:
 def _is_manifest(args: list[Value]) -> bool:
     """Whether a path is that of the manifest; one that is not known is, for a setup.py reads no other XML file."""
     path = args[0] if args else None
-    if isinstance(path, Holed):
-        return (path.parts[-1] or "").endswith(MANIFEST)
-    return not isinstance(path, Known) or posixpath.basename(str(path.value)) == MANIFEST
+    match path:
+        case Holed(parts=parts):
+            return (parts[-1] or "").endswith(MANIFEST)
+        case Known(value=text):
+            return posixpath.basename(str(text)) == MANIFEST
+    return True
 
 
 def _asks_for_name(values: tuple[Value, ...]) -> bool:
-    return bool(values) and isinstance(values[0], Known) and values[0].value in ("name", "./name", ".//name")
+    return bool(values) and values[0].text in ("name", "./name", ".//name")
 
 
 def _object(run: Run, **attributes: Value) -> Value:
