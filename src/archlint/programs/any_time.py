@@ -26,7 +26,7 @@ def attributes_at_any_time(run: Run) -> Layer:
             changed[cls.key] = changed_attributes(cls)
         for name, others in changed[cls.key].items():
             value = run.store.get(instance.key, name)
-            if isinstance(value, Value) and is_plain(run, value):
+            if value is not None and is_plain(run, value):
                 joined = one_of([value, *others])
                 if joined != value:
                     found[(instance.key, name)] = joined

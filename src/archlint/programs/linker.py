@@ -251,7 +251,7 @@ class Linker:
         assert module.scope is not None
         names = [s.name for s in definitions(module.facts.body)]
         found = [self.store.get(module.scope.key, name) for name in dict.fromkeys(names)]
-        return [value for value in found if isinstance(value, Value)]
+        return [value for value in found if value is not None]
 
     def _classes(self, module: Module) -> list[ClassValue]:
         return [

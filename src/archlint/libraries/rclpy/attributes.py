@@ -30,7 +30,7 @@ def of_value(run: Run, value: ForeignValue, name: str) -> Value:
             return ApiMethod(f"rclpy.task.Future.{name}", value)
     key = value.heap_key
     stored = run.store.get(key, name) if key else None
-    if isinstance(stored, Value):
+    if stored is not None:
         return stored
     match value:
         case NodeValue():
@@ -78,12 +78,12 @@ def of_object(run: Run, value: Instance, path: str, name: str) -> Value:
     """``value.name`` of an object of a class of rclpy's."""
     held = run.store.get(value.key, "value")
     if path == "rclpy.parameter.Parameter" and name in ("value", "get_parameter_value"):
-        answer = held if isinstance(held, Value) else Unknown("the parameter has no value here")
+        answer = held if held is not None else Unknown("the parameter has no value here")
         if name == "value":
             return answer
         return PythonValue("get_parameter_value", lambda *_, **__: _parameter_value(run, answer))
     if path in names.PARAMETER_VALUES:
-        if isinstance(held, Value) and name.endswith("_value"):
+        if held is not None and name.endswith("_value"):
             return held
         if name == "type":
             if isinstance(held, Known) and type(held.value) in _PARAMETER_TYPES:

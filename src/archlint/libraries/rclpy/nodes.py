@@ -305,5 +305,5 @@ def _note_overrides(run: Run, call: ApiUse) -> None:
     for item in items.values if items is not None else ():
         if key is not None and isinstance(item, Instance):
             name, value = run.store.get(item.key, "name"), run.store.get(item.key, "value")
-            if isinstance(name, Known) and isinstance(value, Value):
+            if isinstance(name, Known) and value is not None:
                 run.store.set(key, OVERRIDES[str(name.value)], value)

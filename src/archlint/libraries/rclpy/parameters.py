@@ -142,11 +142,11 @@ def declare_one(
         typed = _is_type(default)
         has_default = default is not None and not typed and default != NONE
         override = run.store.get(nodes.node_key(run, call.receiver), OVERRIDES[text.text or ""])
-        given = override if isinstance(override, Value) and not ignore_override else None
+        given = override if override is not None and not ignore_override else None
         for blueprint in nodes.nodes_of(run, call.receiver):
             _note(run, blueprint, text, kind, default if has_default else None, place, ignore_override, dynamic, given)
         value: Value
-        if isinstance(override, Value) and text.text is not None and not ignore_override:
+        if override is not None and text.text is not None and not ignore_override:
             value = from_parameter(run, override, text.text)
         elif text.text is None or text.resolution not in ("exact", "parameter"):
             value = Unknown("the parameter's name is not known")
@@ -303,7 +303,7 @@ def get_parameter_or(run: Run, call: ApiUse) -> Value:
     text = name.text
     if text is not None and isinstance(alternative, Instance) and _value_in_reach(run, call, text) is None:
         held = run.store.get(alternative.key, "value")
-        if isinstance(held, Value):
+        if held is not None:
             value = from_parameter(run, held, text)
     return new_parameter(run, name, value)
 
@@ -330,7 +330,7 @@ def has_parameter(run: Run, call: ApiUse) -> Value:
     name = call.get("name")
     if isinstance(name, Known):
         value = run.store.get(nodes.node_key(run, call.receiver), PARAMETERS[str(name.value)])
-        if isinstance(value, Value):
+        if value is not None:
             return TRUE
         if run.context.role == model.Role.INIT and not run.branch_arms and run.overrides == model.Overrides():
             return FALSE
@@ -343,6 +343,6 @@ def set_parameters(run: Run, call: ApiUse) -> Value:
     for row in rows.values if rows is not None else ():
         if isinstance(row, Instance):
             name, value = run.store.get(row.key, "name"), run.store.get(row.key, "value")
-            if isinstance(name, Known) and isinstance(value, Value):
+            if isinstance(name, Known) and value is not None:
                 run.store.set(key, PARAMETERS[str(name.value)], from_parameter(run, value, str(name.value)))
     return Unknown("the result of setting parameters")

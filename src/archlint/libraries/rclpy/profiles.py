@@ -267,19 +267,19 @@ def _of_profile(run: Run, profile: Instance) -> Qos:
     # rclpy fills what is not given from the default profile: keep last, 10, reliable, volatile.
     for name in _POLICIES:
         value = run.store.get(profile.key, name)
-        if isinstance(value, Value):
+        if value is not None:
             explicit.add(name)
             parameters |= via(value)
             fields[name] = policy(name, value)
     depth = run.store.get(profile.key, "depth")
-    if isinstance(depth, Value):
+    if depth is not None:
         explicit.add("depth")
         parameters |= via(depth)
         number = depth.whole_number
         fields["depth"] = None if isinstance(number, bool) else number
     for name, field in _DURATIONS.items():
         value = run.store.get(profile.key, name)
-        if isinstance(value, Value):
+        if value is not None:
             explicit.add(name)
             seconds = duration_seconds(value)
             if seconds is None:
