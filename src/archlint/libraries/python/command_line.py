@@ -98,7 +98,7 @@ def remove_ros_args(run: Run, args: list[Value], keywords: dict[str, Value], e: 
 def without_ros_arguments(words: Sequence[Value]) -> list[Value]:
     found, inside = [], False
     for word in words:
-        text = word.value if isinstance(word, Known) else None
+        text = word.text
         if text == ROS_ARGUMENTS or (inside and text == END_OF_ROS_ARGUMENTS):
             inside = text == ROS_ARGUMENTS
         elif not inside:
@@ -127,7 +127,7 @@ def add_argument(
 ) -> Value:
     if not isinstance(receiver, Instance):
         return NONE
-    names = tuple(arg.value for arg in args if isinstance(arg, Known) and isinstance(arg.value, str))
+    names = tuple(arg.text for arg in args if arg.text is not None)
     name = _destination(names, keywords.get("dest"))
     if name is None or len(names) != len(args) or (e is not None and any(a.star for a in e.args)) or run.branch_arms:
         run.store.set(receiver.key, OPEN, True)
@@ -149,8 +149,8 @@ def _destination(names: tuple[str, ...], given: Value | None) -> str | None:
 
 def _default_of_action(action: Value | None) -> Value | None:
     """``store_true`` is false unless it is given, and the other way round."""
-    if isinstance(action, Known) and action.value in ("store_true", "store_false"):
-        return Known(action.value == "store_false")
+    if action is not None and action.text in ("store_true", "store_false"):
+        return Known(action.text == "store_false")
     return None
 
 
@@ -209,9 +209,7 @@ def _divide(options: dict[str, Option], words: list[Value], some: bool) -> tuple
         parser.add_argument(*option.flags, **_plain_keywords(option, name))
         if not option.flags[0].startswith("-") and "nargs" in option.keywords:
             optional.add(name)
-    texts = [
-        w.value if isinstance(w, Known) and isinstance(w.value, str) else f"{_MARK}{n}" for n, w in enumerate(words)
-    ]
+    texts = [f"{_MARK}{n}" if word.text is None else word.text for n, word in enumerate(words)]
     found, left = parser.parse_known_args(texts)
     if left and not some:
         raise _NotDivided
@@ -260,8 +258,7 @@ def _value(run: Run, option: Option, found: dict[str, Any], name: str, words: li
     """What an attribute of the namespace holds."""
     if name not in found:
         default = option.keywords.get("default") or _default_of_action(option.keywords.get("action")) or NONE
-        text = isinstance(default, Known) and isinstance(default.value, str)
-        return as_default(_converted(run, option, default) if text else default)
+        return as_default(default if default.text is None else _converted(run, option, default))
     given = found[name]
     if given == _CONST:
         return option.keywords.get("const", NONE)
