@@ -729,3 +729,30 @@ def test_the_lookups_of_a_function_are_one_finding(run: Run):
     assert first.code == other.code == "EXE007" and other.place.line == first.place.line + 6
     asked = [one.place.line for one in first.related if one.message == "it looks up a transform here, too"]
     assert asked == [first.place.line + 2]
+
+
+@pytest.mark.parametrize(
+    ("test", "expected"),
+    [
+        ("stop and not problems", []),
+        ("not problems and stop", []),
+        ("not (problems or not stop)", []),
+        ("not problems or stop", ["SRV008"]),
+        ("not problems", ["SRV008"]),
+    ],
+)
+def test_a_sleep_behind_a_flag_that_the_handler_turns_off(run: Run, test: str, expected: list[str]):
+    """It does not matter whether what is known stands before what is not."""
+    methods = f"""
+        def check(self, *, stop=True):
+            problems = []
+            if not self.get_clock():
+                problems.append('no clock')
+            if {test}:
+                time.sleep(5.0)
+
+        def handle(self, request, response):
+            self.check(stop=False)
+            return response
+    """
+    assert codes(run(source("self.create_service(Trigger, 'start', self.handle)\n", methods))) == expected

@@ -122,3 +122,40 @@ def test_truth(value: Any, verdict: bool | None):
 )
 def test_truth_of_collections_and_functions(source: str, verdict: bool):
     assert interpret(f"it = 1 if {source} else 0").options("it") == {int(verdict)}
+
+
+@pytest.mark.parametrize(
+    ("test", "arms"),
+    [
+        ("x and False", {"no"}),
+        ("x and off", {"no"}),
+        ("x and y and off", {"no"}),
+        ("x and off and y", {"no"}),
+        ("x or True", {"yes"}),
+        ("not (x and off)", {"yes"}),
+        ("not (x or not off)", {"no"}),
+        ("(x and off) or off", {"no"}),
+        ("y or (x and off)", {"yes", "no"}),
+        ("x and True", {"yes", "no"}),
+        ("x or off", {"yes", "no"}),
+        ("x and y", {"yes", "no"}),
+        ("x and flag", {"yes", "no"}),  # a parameter's default decides nothing
+    ],
+)
+@pytest.mark.parametrize(
+    "form",
+    [
+        "if {test}:\n    it = 'yes'\nelse:\n    it = 'no'\n",
+        "it = 'yes' if {test} else 'no'\n",
+        "it = 'no'\nwhile {test}:\n    it = 'yes'\n    break\nelse:\n    it = 'no'\n",
+    ],
+)
+def test_an_operand_that_is_known_decides_a_test_behind_one_that_is_not(test: str, arms: set[str], form: str):
+    parameter = "from rclpy.node import Node\nflag = Node('n').declare_parameter('flag', False).value\n"
+    start = f"{OUTSIDE}{parameter}x = outside.one()\ny = outside.two()\noff = False\n"
+    assert interpret(start + form.format(test=test)).options("it") == arms
+
+
+def test_the_value_of_a_test_that_never_holds_is_still_not_known():
+    found = interpret(f"{OUTSIDE}x = outside.one()\nit = x and ''\n")
+    assert isinstance(found.value("it"), OneOf) and found.options("it") == {..., ""}

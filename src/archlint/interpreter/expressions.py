@@ -43,7 +43,7 @@ from archlint.syntax import facts
 if TYPE_CHECKING:
     from archlint.interpreter.machine import Machine
 
-__all__ = ["EXPRESSIONS"]
+__all__ = ["EXPRESSIONS", "evaluate_test"]
 
 
 # ------------------------------------------------------------------------------------------ simple things
@@ -179,7 +179,7 @@ def _comprehension(machine: Machine, e: facts.Comprehension) -> Value:
             machine.items_left -= len(values)
         for item in values:
             assign(machine, generator.target, item)
-            truths = [truth(machine, machine.evaluate(condition)) for condition in generator.conditions]
+            truths = [evaluate_test(machine, condition)[1] for condition in generator.conditions]
             if False in truths:
                 continue
             if None in truths:
@@ -238,11 +238,23 @@ def _format_string(machine: Machine, e: facts.FormatString) -> Value:
     return combine(machine, parts, e.span)
 
 
+def evaluate_test(machine: Machine, e: facts.Expr) -> tuple[Value, bool | None]:
+    """The value of a test, and whether it holds (None where that is not known).  The two are asked for together
+    because ``unknown and False`` never holds, though what its value is nobody knows."""
+    match e:
+        case facts.Boolean():
+            return _operands(machine, e)
+        case facts.Unary(op="not"):
+            value, known = evaluate_test(machine, e.operand)
+            return (Unknown(reason(value)), None) if known is None else (Known(not known, via(value)), not known)
+    value = machine.evaluate(e)
+    return value, truth(machine, value)
+
+
 def _unary(machine: Machine, e: facts.Unary) -> Value:
-    value = machine.evaluate(e.operand)
     if e.op == "not":
-        known = truth(machine, value)
-        return Unknown(reason(value)) if known is None else Known(not known, via(value))
+        return evaluate_test(machine, e)[0]
+    value = machine.evaluate(e.operand)
     match e.op, value.constant:
         case "-", int(number) | float(number):
             return constant(-number, value.via)
@@ -254,8 +266,14 @@ def _unary(machine: Machine, e: facts.Unary) -> Value:
 
 
 def _boolean(machine: Machine, e: facts.Boolean) -> Value:
-    """``and``/``or``: the first operand that decides, or one of those that may."""
+    return _operands(machine, e)[0]
+
+
+def _operands(machine: Machine, e: facts.Boolean) -> tuple[Value, bool | None]:
+    """``and``/``or``: the first operand that decides, or one of those that may; and whether the test holds, which
+    a later operand can decide alone."""
     possible: list[Value] = []
+    holds: bool | None = None
     stop = e.op == "or"
     pushed = 0
     key = machine.key_of(e.span)
@@ -263,14 +281,14 @@ def _boolean(machine: Machine, e: facts.Boolean) -> Value:
     asked: frozenset[str] = NO_PARAMETERS
     try:
         for number, operand in enumerate(e.values):
-            value = machine.evaluate(operand)
+            value, verdict = evaluate_test(machine, operand)
             if stop and asked:
                 # What stands in for a parameter that may be empty can be set by that parameter.
                 value = one_of(_chosen_by(asked, option) for option in alternatives(value))
             last = number == len(e.values) - 1
-            verdict = truth(machine, value)
             if last or verdict is stop:
                 possible.append(value)
+                holds = verdict if verdict is stop or not pushed else None
                 break
             if verdict is None:
                 possible.extend(_with_truth(machine, value, stop))
@@ -286,7 +304,7 @@ def _boolean(machine: Machine, e: facts.Boolean) -> Value:
             machine.branch_arms.pop()
         if pushed:
             machine.store.merge([machine.store.cut(depth), {}])
-    return one_of(possible)
+    return one_of(possible), holds
 
 
 def _chosen_by(parameters: frozenset[str], value: Value) -> Value:
@@ -299,8 +317,7 @@ def _with_truth(machine: Machine, value: Value, wanted: bool) -> list[Value]:
 
 
 def _conditional(machine: Machine, e: facts.Conditional) -> Value:
-    test = machine.evaluate(e.test)
-    verdict = truth(machine, test)
+    test, verdict = evaluate_test(machine, e.test)
     if verdict is not None:
         return machine.evaluate(e.body if verdict else e.orelse)
     key = machine.key_of(e.span)

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 from archlint.interpreter import calls, caught, containers, decisions, definitions, hints, refusals
 from archlint.interpreter.assignment import assign
 from archlint.interpreter.augmented import augmented, forget_counters
+from archlint.interpreter.expressions import evaluate_test
 from archlint.interpreter.heap import Layer
 from archlint.interpreter.items import delete_item
 from archlint.interpreter.machine import UNROLL, Machine, Status
@@ -53,8 +54,7 @@ def _raise(machine: Machine, s: facts.Raise) -> Status:
 
 
 def _if(machine: Machine, s: facts.If) -> Status:
-    test = machine.evaluate(s.test)
-    truth = decisions.truth(machine, test)
+    test, truth = evaluate_test(machine, s.test)
     if truth is not None:
         return machine.execute(s.body if truth else s.orelse)
     key = machine.key_of(s.span)
@@ -134,7 +134,7 @@ def _while(machine: Machine, s: facts.While) -> Status:
     activation.loops.append(s)
     try:
         for _ in range(UNROLL):
-            truth = decisions.truth(machine, machine.evaluate(s.test))
+            _, truth = evaluate_test(machine, s.test)
             if truth is False:
                 break
             constant = isinstance(s.test, facts.Literal)
@@ -224,7 +224,7 @@ def _match(machine: Machine, s: facts.Match) -> Status:
             continue
         with machine.arm(key, arm) as taken:
             decisions.bind_pattern(machine, case.pattern, subject)
-            guard = None if case.guard is None else decisions.truth(machine, machine.evaluate(case.guard))
+            guard = None if case.guard is None else evaluate_test(machine, case.guard)[1]
             certain = verdict is True and (case.guard is None or guard is True)
             if guard is False:
                 continue
