@@ -41,7 +41,7 @@ def test_a_fix_looks_for_names_beside_a_pipe_and_an_endless_link(tmp_path: Path)
     (tmp_path / "zero.py").symlink_to("/dev/zero")
     (tmp_path / "other.py").write_text("taken = 1\n")
     (tmp_path / "node.py").write_text("x = 1\n")
-    around = Surroundings((), [str(path) for path in tmp_path.glob("*.py")])
+    around = Surroundings([str(path) for path in tmp_path.glob("*.py")])
     source = around.source(str(tmp_path / "node.py"))
     assert isinstance(source, Source)
 
