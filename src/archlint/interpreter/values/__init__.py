@@ -102,7 +102,6 @@ __all__ = [
     "Value",
     "alternatives",
     "as_default",
-    "by",
     "constant",
     "constants_of",
     "depends_on",
@@ -112,7 +111,6 @@ __all__ = [
     "join_texts",
     "one_of",
     "reason",
-    "them",
     "via",
     "with_via",
 ]
