@@ -273,6 +273,49 @@ def test_a_node_of_its_own_may_be_spun_while_another_executor_runs(run: Run):
     assert codes(run(source(setup, method, ON_ONE_THREAD))) == ["EXE001"]
 
 
+CAMERA = """
+class Camera(Node):
+    def __init__(self):
+        super().__init__('camera')
+        self.create_subscription(Empty, 'image', self.keep, 10)
+
+    def keep(self, message):
+        self.image = message
+
+
+"""
+
+
+@pytest.mark.parametrize("head", ["def tick(self, request, response):", "def tick(self):"])
+def test_a_node_that_only_a_callback_spins_needs_an_executor_of_its_own(run: Run, head: str):
+    """Its groups are its own, so humble lets the spin in; but nothing else would ever run its callbacks."""
+    setup = "self.camera = Camera()\n" + (HANDLER if "request" in head else TIMER)
+    answer = "\n    return response" if "request" in head else ""
+    method = f"{head}\n    rclpy.spin_once(self.camera)\n    self.newest()\n    rclpy.spin_once(self.camera){answer}\n"
+    text = source(setup, method + "\ndef newest(self):\n    rclpy.spin_once(self.camera)\n")
+    text = text.replace("class Robot", CAMERA + "class Robot")
+    [found] = run(text)
+    assert found.code == "EXE001" and "this works in humble and raises" in found.message
+    assert found.help == (
+        "add the other node to a SingleThreadedExecutor() of its own, and call that executor's spin_once() here"
+    )
+    assert [one.message for one in found.related].count("it spins here, too") == 2
+    assert run(text, distro="humble") == []
+    mended = text.replace("Camera()\n", "Camera()\n        self.eyes = SingleThreadedExecutor()\n", 1)
+    mended = mended.replace(
+        "self.eyes = SingleThreadedExecutor()\n",
+        "self.eyes = SingleThreadedExecutor()\n        self.eyes.add_node(self.camera)\n",
+    )
+    assert run(mended.replace("rclpy.spin_once(self.camera)", "self.eyes.spin_once()")) == []
+
+
+def test_a_node_that_a_thread_spins_as_well_needs_no_further_executor(run: Run):
+    setup = "self.camera = Camera()\nthreading.Thread(target=rclpy.spin, args=(self.camera,), daemon=True).start()\n"
+    text = source(setup + TIMER, "def tick(self):\n    rclpy.spin_once(self.camera)\n")
+    [found] = [one for one in run(text.replace("class Robot", CAMERA + "class Robot")) if one.code == "EXE001"]
+    assert found.help.startswith("return instead")
+
+
 def test_another_node_of_the_executor_that_runs_is_taken_from_it(run: Run):
     setup = "self.client = helper.create_client(Trigger, 'check')\nself.helper = helper\n" + TIMER
     main = """

@@ -190,12 +190,7 @@ def judge_spin(
     callback = call.context
     node = callback.node
     running = program.executors_of(node) if node is not None else []
-    relation = group_relation(callback.group, client.group if client is not None else None)
-    if client is not None and node is not None and client.node is not node:
-        relation = OTHER
-    elif client is None and "future" not in call.arguments and relation == UNCLEAR:
-        # What spins without a future waits for any work, and the group keeps out that of its own.
-        relation = SAME if callback.group is not None and callback.group.kind != GroupKind.REENTRANT else OTHER
+    relation = _relation_of_spin(call, spun, client)
     globally = call.api.startswith("rclpy.spin") and not _given(call, "executor")
     form: Form = LIMITED_SPIN if limited else SPIN
     # A spin without a future ends as soon as there is any work.
@@ -213,6 +208,23 @@ def judge_spin(
     if (globally and running) or _on_one_of_its_own(call, node, running):
         return look_up(steal, ANY, relation, _STOLEN, distros)
     return look_up(form, ANY, relation, _NESTED, distros)
+
+
+def _relation_of_spin(call: ApiCall, spun: Blueprint | None, client: Creation | None) -> Relation:
+    """How the group of what a spin is for relates to that of the callback which spins."""
+    callback = call.context
+    if client is not None:
+        apart = callback.node is not None and client.node is not callback.node
+        return OTHER if apart else group_relation(callback.group, client.group)
+    if callback.node is not None and spun is not None and spun is not callback.node:
+        # A default group is the node's own; any other may be handed from node to node.
+        handed = callback.group is not None and callback.group.kind != GroupKind.DEFAULT
+        return UNCLEAR if handed and any(one.group == callback.group for one in spun.creations) else OTHER
+    relation = group_relation(callback.group, None)
+    if "future" not in call.arguments and relation == UNCLEAR:
+        # What spins without a future waits for any work, and the group keeps out that of its own.
+        return SAME if callback.group is not None and callback.group.kind != GroupKind.REENTRANT else OTHER
+    return relation
 
 
 def _on_one_of_its_own(call: ApiCall, node: Blueprint, running: Sequence[ExecutorUse]) -> bool:

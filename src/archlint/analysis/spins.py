@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 from archlint.analysis.callback_roles import runs_in_executor
 from archlint.analysis.completeness import enclosing_function
 from archlint.analysis.reach import argument, judged_calls, same_expression
-from archlint.model import Role
+from archlint.model import Role, SpinDuration
 from archlint.model.given import Node, Object
 from archlint.syntax import facts
 from archlint.syntax.parts import everything_in
@@ -78,6 +78,17 @@ def spun_by_several(system: System) -> set[int]:
                 if known <= {"start"}:  # a thread whose target is the spin itself makes no call
                     known.add("thread")
     return {node for node, where in threads.items() if len(where) > 1}
+
+
+def is_left_to(call: ApiCall, spun: Blueprint | None, program: Program) -> bool:
+    """Whether a callback spins another node than its own, and whoever else does so hands it over for that time only:
+    no executor has the node, so its callbacks run in such spins or not at all."""
+    if spun is None or spun is call.context.node or not call.api.startswith("rclpy.spin"):
+        return False
+    uses = [use for use in program.executors if spun in use.nodes]
+    return not any(
+        use.in_thread or spun not in use.spells or use.lasts_for(spun) == SpinDuration.TO_THE_END for use in uses
+    )
 
 
 def spin_before(code: SourceCode, program: Program, place: Place) -> Place | None:

@@ -20,7 +20,7 @@ from archlint.analysis.reach import (
     node_name,
     one_for_each_place,
 )
-from archlint.analysis.spins import is_spin_call, spun_node
+from archlint.analysis.spins import is_left_to, is_spin_call, spun_node
 from archlint.analysis.stuck import is_spin, nested_spins, stuck_waits
 from archlint.analysis.waits import Wait
 from archlint.checks.folding import folds
@@ -30,7 +30,7 @@ from archlint.finding import Finding, Related, Severity
 from archlint.model import Role
 
 if TYPE_CHECKING:
-    from archlint.model import ApiCall, Program
+    from archlint.model import ApiCall, Blueprint, Program
     from archlint.systems.model import System
 
 _DONE = "send the request with call_async(), return, and continue in a done callback"
@@ -54,8 +54,7 @@ def spin_in_callback(system: System, options: Options) -> Iterator[Finding]:
 
 
 def _nested_spin(system: System, program: Program, call: ApiCall, options: Options) -> Iterator[Finding]:
-    future = argument(call, "future")
-    clients = creations_of(future)
+    clients = creations_of(argument(call, "future"))
     client = clients[0] if clients else None
     spun = spun_node(call, program)
     limited = has_limit(call, "timeout_sec")
@@ -69,17 +68,21 @@ def _nested_spin(system: System, program: Program, call: ApiCall, options: Optio
         "EXE001",
         call.place,
         f"{callback_words(call.context)} calls {function}(), and {verdict.why}: this {verdict.words}",
-        help=_DONE if future is not None else _instead_of_spinning(program, call),
+        help=_instead_of_spinning(program, call, spun),
         related=tuple(related_to(call, program, client)),
         node=node_name(system, call.context.node),
         identity=(call.context.name, function),
-        group=(call.file, str(call.context.place.line), call.context.name),
+        group=(call.context.place.file, str(call.context.place.line), call.context.name),
     )
     yield replace(found, severity=Severity.WARNING) if verdict.safe else found
 
 
-def _instead_of_spinning(program: Program, call: ApiCall) -> str:
+def _instead_of_spinning(program: Program, call: ApiCall, spun: Blueprint | None) -> str:
     """What to do; whoever spins in a loop waits for something, and the answer of a handler must wait for it, too."""
+    if is_left_to(call, spun, program):
+        return _OWN_EXECUTOR.format(call.api.rpartition(".")[2])
+    if argument(call, "future") is not None:
+        return _DONE
     several = threads_of(call.context.node, program) == blocking.SEVERAL
     if call.looped and call.context.role == Role.EXECUTE:
         return _PAUSE if several else f"spin the node with a MultiThreadedExecutor, and {_PAUSE}"
@@ -88,6 +91,7 @@ def _instead_of_spinning(program: Program, call: ApiCall) -> str:
     return "return instead: the executor runs the other callbacks once this one has returned"
 
 
+_OWN_EXECUTOR = "add the other node to a SingleThreadedExecutor() of its own, and call that executor's {}() here"
 _PAUSE = "use time.sleep(…) instead: the executor's other threads keep running callbacks"
 _EVENT = "wait for a threading.Event with a timeout; put the callback that sets it into another callback group"
 
