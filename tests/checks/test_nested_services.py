@@ -131,6 +131,7 @@ class TestExecutorsAndGroups:
         [found] = judge("SRV003", gripper(CALL, THREADS, client=", callback_group=self.apart"))
 
         assert found.severity is Severity.WARNING
+        assert "since the client is in another callback group" in found.message
 
     def test_several_threads_and_the_default_group_deadlock(self, judge: Judge):
         [found] = judge("SRV003", gripper(CALL, THREADS))
@@ -148,6 +149,7 @@ class TestExecutorsAndGroups:
         [found] = judge("SRV003", gripper(CALL, THREADS, client=group, service=group))
 
         assert found.severity is Severity.WARNING
+        assert "since the handler and the client share a reentrant callback group" in found.message
 
     def test_a_pool_of_one_thread_deadlocks(self, judge: Judge):
         main = ["executor = MultiThreadedExecutor(num_threads=1)", *THREADS[1:]]

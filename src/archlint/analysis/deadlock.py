@@ -67,7 +67,11 @@ _NO_SPIN = "nothing here spins the node with several threads, and a single threa
 _NO_EXECUTOR = "it is not known which executor spins the node"
 _NO_GROUP = "it is not known which callback group the client is in"
 _THREADS = "another thread processes the response, since the client is in another callback group"
+_THREADS_REENTRANT = (
+    "another thread processes the response, since the {who} and the client share a reentrant callback group"
+)
 _FREE = "the client is in another callback group, so the response is processed"
+_FREE_REENTRANT = "the {who} and the client share a reentrant callback group, so the response is processed"
 _NESTED = "its executor is already spinning"
 _STOLEN = "its node is spun by another executor"
 _STOLEN_FROM_US = "the executor that runs this callback already spins that node"
@@ -104,13 +108,14 @@ def _form(kind: Form, call: ApiCall, limited: bool) -> Form:
 def _why(form: Form, threads: Threads, relation: Relation, role: Role | None) -> str:
     who = "handler" if role == Role.SERVICE else "callback"
     if form == AWAIT:
-        return {SAME: _GROUP_HELD.format(who=who), UNCLEAR: _NO_GROUP}.get(relation, _FREE)
+        words = {SAME: _GROUP_HELD, UNCLEAR: _NO_GROUP, REENTRANT: _FREE_REENTRANT}.get(relation, _FREE)
+        return words.format(who=who)
     if threads == ONE:
         return _ONE_HELD.format(who=who)
     if relation == SAME and threads != NOBODY:
         return _GROUP_HELD.format(who=who)
     if threads == SEVERAL:
-        return _NO_GROUP if relation == UNCLEAR else _THREADS
+        return {UNCLEAR: _NO_GROUP, REENTRANT: _THREADS_REENTRANT}.get(relation, _THREADS).format(who=who)
     return _NO_SPIN if threads == NOBODY else _NO_EXECUTOR
 
 
