@@ -243,6 +243,17 @@ def test_a_broken_interface_is_one_finding_and_information_where_nothing_builds_
     assert ("so it is not built" in found.message) == (severity == Severity.INFO)
 
 
+def test_a_broken_interface_of_a_python_package_is_listed_nowhere():
+    python = "<export><build_type>ament_python</build_type></export></package>"
+    write("msgs/package.xml", PACKAGE.format(name="msgs").replace("</package>", python))
+    write("msgs/setup.py", "from setuptools import setup\nsetup(name='msgs', packages=['msgs'])\n")
+    write("msgs/srv/Bad.srv", BROKEN_SRV)
+    [found] = run().findings
+    assert (found.code, found.severity) == ("LNT002", Severity.INFO)
+    assert "ament_python, which generates no interfaces, so it is not built" in found.message
+    assert "CMakeLists" not in found.message
+
+
 def test_a_rule_that_raises_is_a_finding_and_the_others_run(add: Add):
     @add
     @rule("SRV002", scope=Scope.SYSTEM)

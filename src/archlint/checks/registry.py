@@ -202,12 +202,13 @@ def unreadable(file: str, line: int, column: int, message: str, help: str | None
     return finding("LNT003", place, f"{what}; everything else was checked", help=_REPORT, identity=(message,))
 
 
-def unreadable_interface(file: str, problems: Sequence[tuple[int, int, str]], built: bool) -> Finding:
-    """The LNT002 finding for all lines of an interface file; information where no build reads the file."""
+def unreadable_interface(file: str, problems: Sequence[tuple[int, int, str]], unbuilt: str) -> Finding:
+    """The LNT002 finding for all lines of an interface file; information where no build reads the file, and ``unbuilt``
+    says why."""
     first, *others = problems
     related = tuple(Related(Place(file, line, column, line, column), message) for line, column, message in others)
     one = replace(unreadable(file, *first), related=related)
-    if built:
+    if not unbuilt:
         return one
-    message = f"{one.message}; the CMakeLists.txt of its package does not list this file, so it is not built"
+    message = f"{one.message}; {unbuilt}, so it is not built"
     return replace(one, message=message, severity=Severity.INFO)

@@ -165,12 +165,19 @@ def _of_interfaces(workspace: Workspace, systems: Sequence[System], faults: Faul
     """One LNT002 for an interface file that rosidl would refuse."""
     table = systems[0].workspace.interfaces if systems[0].workspace is not None else None
     old = {package.name for package in workspace.packages if package.ros1}
+    python = {package.name for package in workspace.packages if package.build_type == "ament_python"}
     for file in workspace.files:
         if file.kind == "interface" and not file.context and file.package not in old:
             with faults.contained("reading this interface", Place(file.relative, 1, 1, 1, 1)):
                 problems = interface_problems(file.path)
                 if problems:
-                    yield unreadable_interface(file.relative, problems, table is None or table.is_built(file))
+                    built = table is None or table.is_built(file)
+                    unbuilt = _BY_PYTHON if file.package in python else _NOT_LISTED
+                    yield unreadable_interface(file.relative, problems, "" if built else unbuilt)
+
+
+_NOT_LISTED = "the CMakeLists.txt of its package does not list this file"
+_BY_PYTHON = "its package has the build type ament_python, which generates no interfaces"
 
 
 def _importers(module: SourceFile, files: Sequence[SourceFile], facts: FactsOfFiles) -> list[Place]:
