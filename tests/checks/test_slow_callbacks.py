@@ -119,6 +119,51 @@ def test_what_a_callback_asks_for_after_it_has_waited_does_not_wait(run: Run, mo
     assert [one.code for one in run(source(create, GO_ON)) if one.code == "EXE003"] == expected
 
 
+RELAY = """
+def go(self, message):
+    {wait}
+    self.client.send_goal_async(Fibonacci.Goal(), feedback_callback=self.told).add_done_callback(self.taken)
+
+def told(self, feedback):
+    self.get_logger().info('on the way')
+
+def taken(self, future):
+    future.result().get_result_async().add_done_callback(self.ended)
+
+def ended(self, future):
+    self.get_logger().info('there')
+"""
+
+
+@pytest.mark.parametrize(
+    ("wait", "more", "severity"),
+    [
+        ("if not self.client.wait_for_server(timeout_sec=5.0): return", "", Severity.INFO),
+        # The feedback of the goal before comes, and has to wait.
+        ("time.sleep(5.0)", "", Severity.WARNING),
+        (
+            "if not self.client.wait_for_server(timeout_sec=5.0): return",
+            "self.create_subscription(Empty, 'stop', print, 10)\n",
+            Severity.WARNING,
+        ),
+    ],
+)
+def test_a_server_that_is_not_there_gives_no_feedback(run: Run, wait: str, more: str, severity: Severity):
+    setup = (
+        "self.client = ActionClient(self, Fibonacci, 'count')\nself.create_subscription(Empty, 'goal', self.go, 10)\n"
+    )
+    [found] = [one for one in run(source(setup + more, RELAY.format(wait=wait))) if one.code == "EXE003"]
+    assert found.severity is severity
+
+
+def test_a_parameter_callback_has_no_group_that_it_could_be_given(run: Run):
+    slow = "for param in params:\n        time.sleep(1.0)\n    return SetParametersResult(successful=True)"
+    method = f"def on_set(self, params):\n    {slow}\n\n"
+    text = source(TIMER + "self.add_on_set_parameters_callback(self.on_set)\n", method + timer("pass"))
+    [found] = run("from rcl_interfaces.msg import SetParametersResult\n" + text)
+    assert found.code == "EXE003" and found.help == "store the new value, return, and continue from a timer"
+
+
 def test_a_timer_that_is_all_there_is_may_be_late(run: Run):
     assert codes(run(source(ALONE, timer("time.sleep(1.0)")))) == []
     assert codes(run(source(ALONE, timer("subprocess.run(['make'])")))) == []
@@ -682,6 +727,20 @@ def test_how_often_the_loop_of_a_caller_goes_round(run: Run, loop: str, expected
         ("self.process.terminate()\n    self.process.wait()", ["EXE003"]),
         ("self.process.kill()\n    self.process.wait()", []),
         ("self.other.kill()\n    self.process.wait()", ["EXE003"]),
+        ("import os, signal; os.kill(self.process.pid, signal.SIGINT)\n    self.process.wait(timeout=5)", []),
+        ("import os, signal; os.kill(self.process.pid, signal.SIGINT)\n    self.process.wait()", ["EXE003"]),
+        ("import os; os.kill(self.process.pid, 9)\n    self.process.wait()", []),
+        ("import os; os.kill(self.process.pid, 0)\n    self.process.wait(timeout=5)", ["EXE003"]),
+        (
+            "import os, signal; os.killpg(os.getpgid(self.process.pid), signal.SIGTERM)\n"
+            "    self.process.wait(timeout=5)",
+            [],
+        ),
+        (
+            "import os, signal; os.killpg(os.getpgid(self.other.pid), signal.SIGTERM)\n"
+            "    self.process.wait(timeout=5)",
+            ["EXE003"],
+        ),
         ("self.process.wait(timeout=5)", ["EXE003"]),
         ("self.process.wait(timeout=5)\n    self.process.kill()", ["EXE003"]),
         ("self.other.terminate()\n    self.process.wait(timeout=5)", ["EXE003"]),

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 from archlint.analysis.assumptions import dotted
 from archlint.finding import Place
 from archlint.syntax import facts
+from archlint.syntax.parts import everything_in
 from archlint.syntax.walk import calls_in
 
 if TYPE_CHECKING:
@@ -17,6 +18,9 @@ if TYPE_CHECKING:
 _OF_PROCESS = ("subprocess.Popen.wait", "subprocess.Popen.communicate")
 _ENDS = frozenset({"terminate", "kill", "send_signal"})
 _KILLS = frozenset({"kill"})
+_KILLING: frozenset[object] = frozenset({"SIGKILL", 9})
+_ENDING = _KILLING | {"SIGINT", 2, "SIGTERM", 15, "SIGHUP", 1, "SIGQUIT", 3}
+"""Signals that end a process: always, or unless it does otherwise."""
 
 
 def is_told_to_end(code: SourceCode, call: ApiCall, stay: Stay) -> bool:
@@ -26,9 +30,20 @@ def is_told_to_end(code: SourceCode, call: ApiCall, stay: Stay) -> bool:
     name = "" if expression is None or call.api not in _OF_PROCESS else _owner(expression)
     ends = _KILLS if stay.seconds is None else _ENDS
     return name != "" and any(
-        one.func.attribute in ends and _owner(one) == name and Place.of(call.file, one.span) < call.place
+        Place.of(call.file, one.span) < call.place
+        and ((one.func.attribute in ends and _owner(one) == name) or _signals(one, name, stay.seconds is None))
         for one in calls_in(code.body(call))
     )
+
+
+def _signals(call: facts.Call, process: str, certainly: bool) -> bool:
+    """Whether a call is ``os.kill(process.pid, signal.SIGTERM)``, or the same for the process's group."""
+    if dotted(call.func) not in ("os.kill", "os.killpg") or len(call.args) != len(("pid", "sig")):
+        return False
+    who, what = (argument.value for argument in call.args)
+    number = what.value if isinstance(what, facts.Literal) else dotted(what).rpartition(".")[2]
+    pids = (one for one in everything_in([who], facts.Attribute) if one.attr == "pid")
+    return number in (_KILLING if certainly else _ENDING) and any(dotted(one.value) == process for one in pids)
 
 
 def _owner(call: facts.Call) -> str:

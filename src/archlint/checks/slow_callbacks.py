@@ -205,9 +205,11 @@ def _is_made_after(creation: Creation, call: ApiCall) -> bool:
 
 
 def _callbacks_that_follow(code: SourceCode, node: Blueprint, call: ApiCall) -> list[Callback]:
-    """The done callbacks of futures that the waiting function makes further down, and of those that these make."""
+    """The done callbacks of futures that the waiting function makes further down, and of those that these make; while
+    it waits for an action server, the feedback of goals that it sends further down: nobody is there to give any."""
     follow: list[Callback] = []
-    rest = [callback for callback in node.callbacks if callback.role == Role.DONE and callback.registered is not None]
+    roles = {Role.DONE, Role.FEEDBACK} if call.api == _FOR_SERVER else {Role.DONE}
+    rest = [callback for callback in node.callbacks if callback.role in roles and callback.registered is not None]
     body = [] if call.loops else code.body(call)
     span = getattr(body[-1], "span", None) if body else None
     bodies = [] if span is None else [(call.place, span[2])]
@@ -220,6 +222,9 @@ def _callbacks_that_follow(code: SourceCode, node: Blueprint, call: ApiCall) -> 
             if function is not None:
                 bodies.append((one.place, function.span[2]))
     return follow
+
+
+_FOR_SERVER = "rclpy.action.client.ActionClient.wait_for_server"
 
 
 def _is_between(place: Place | None, start: Place, end_line: int) -> bool:
@@ -313,6 +318,8 @@ def _instead(call: ApiCall, stay: Stay) -> str:
         return "check once without waiting, and respond that it is not available"
     if call.context.role == Role.SERVICE and stay.kind != "network":
         return "make it an action: its execute callback may take long"
+    if call.context.role == Role.PARAMETER:
+        return "store the new value, return, and continue from a timer"  # its group is that of the node's own services
     if call.context.role in _ANSWERS:
         return "spin the node with a MultiThreadedExecutor, and give this callback its own callback group"
     return _INSTEAD.get(stay.kind, "do it in a separate thread or a ThreadPoolExecutor")
