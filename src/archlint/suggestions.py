@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Sequence
+from itertools import takewhile
 
 
 def distance(one: str, other: str, limit: int) -> int:
@@ -66,6 +67,13 @@ def _is_slip(one: str, other: str) -> bool:
         return short > 0 and long == short + 1
     limit = max(1, long // 3)
     return distance(one, other, limit) <= limit
+
+
+def common_words(one: str, other: str) -> str:
+    """What two names begin with, up to the end of the last ``_`` that they share: ``front_`` of ``front_left`` and
+    ``front_light``."""
+    shared = "".join(left for left, _ in takewhile(lambda pair: pair[0] == pair[1], zip(one, other, strict=False)))
+    return shared[: shared.rfind("_") + 1]
 
 
 def have_same_words(one: str, other: str) -> bool:

@@ -58,6 +58,32 @@ def test_a_missing_file_is_named_with_the_near_one_beside_it(findings, written, 
     assert found.message == f"package 'robot' has no launch file '{written}'{hint}"
 
 
+def test_what_names_the_missing_file_is_not_proposed(findings):
+    include = '<launch><include file="$(find-pkg-share robot)/launch/{}"/></launch>'.format
+    files = {"launch/robot_demos.launch.xml": include("robot_demo.launch.xml")}  # it would include itself
+    (found,) = findings("LCH004", **files)
+    assert found.message == "package 'robot' has no launch file 'launch/robot_demo.launch.xml'"
+    files["launch/robot_demo2.launch.xml"] = include("robot_demo.launch.xml")  # neither is the other's
+    first, second = findings("LCH004", **files)
+    assert "did you mean" not in first.message + second.message
+    files["launch/robt_demo.launch.xml"] = "<launch/>"
+    assert ["did you mean 'robt_demo.launch.xml'?" in one.message for one in findings("LCH004", **files)] == [True] * 2
+
+
+@pytest.mark.parametrize(
+    ("there", "hint"),
+    [
+        ("new_robot_in_simulation_grasp_it_demo.launch.xml", False),  # alike only in how all of them begin
+        ("new_robot_in_simulation_workcel.launch.xml", True),
+        ("new_robt_in_simulation_workcell.launch.xml", True),
+    ],
+)
+def test_how_all_files_of_a_folder_begin_makes_no_two_alike(findings, there: str, hint: bool):
+    include = '<include file="$(find-pkg-share robot)/launch/new_robot_in_simulation_workcell.launch.xml"/>'
+    (found,) = findings("LCH004", include, **{f"launch/{there}": "<launch/>"})
+    assert (f"did you mean '{there}'?" in found.message) is hint
+
+
 def test_a_file_that_is_there_but_not_installed(findings):
     (found,) = findings(
         "LCH004", '<include file="$(find-pkg-share robot)/more/x.launch.xml"/>', **{"more/x.launch.xml": "<launch/>"}

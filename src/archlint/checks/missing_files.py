@@ -14,7 +14,7 @@ from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.finding import Finding, Related
 from archlint.launch.kinds import FileKind, FileStatus
-from archlint.suggestions import did_you_mean, distance, have_same_words
+from archlint.suggestions import common_words, did_you_mean, distance, have_same_words
 
 if TYPE_CHECKING:
     from archlint.finding import Place
@@ -83,8 +83,15 @@ def _did_you_mean_file(workspace: WorkspaceIndex | None, package: str, shown: st
     """The file beside a missing one whose name is nearest to its name."""
     beside = [] if workspace is None else names_beside(workspace, package, shown)
     name = posixpath.basename(posixpath.normpath(shown))
-    limit = max(1, len(name.partition(".")[0]) // 3)  # endings are alike without saying much
     same = [other for other in beside if have_same_words(name, other)]
     if len(same) == 1:
         return f"; did you mean '{same[0]}'?"
-    return did_you_mean(name, [other for other in beside if distance(name, other, limit) <= limit])
+    return did_you_mean(name, [other for other in beside if _is_like(name, other)])
+
+
+def _is_like(name: str, other: str) -> bool:
+    """Whether the names of two files are near, beyond the words that they begin with and the ending: these are alike
+    in all files of a folder, without saying much."""
+    rest = name.partition(".")[0].removeprefix(common_words(name, other))
+    limit = max(1, len(rest) // 3)
+    return distance(name, other, limit) <= limit
