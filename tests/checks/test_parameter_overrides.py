@@ -237,6 +237,47 @@ def test_a_dict_that_several_nodes_get_is_for_all_of_them(
     assert sorted(names) == told
 
 
+SWITCHED = """\
+import os
+from ament_index_python.packages import get_package_share_directory
+from launch import LaunchDescription
+from launch.actions import DeclareLaunchArgument
+from launch.conditions import IfCondition
+from launch.substitutions import LaunchConfiguration
+from launch_ros.actions import Node
+
+def generate_launch_description():
+    file = os.path.join(get_package_share_directory('robot'), 'config', 'p.yaml')
+    return LaunchDescription([
+        DeclareLaunchArgument('walk', default_value='WALK'),
+        Node(package='robot', executable='talker', parameters=[file]),
+        Node(package='PACKAGE', executable='walker', parameters=[file],
+             condition=IfCondition(LaunchConfiguration('walk'))),
+    ])
+"""
+
+
+@pytest.mark.parametrize(
+    ("walk", "package", "told"),
+    [
+        ("true", "robot", ["nobody"]),
+        ("false", "robot", ["nobody"]),  # who starts the walker has a use for the pace
+        ("false", "elsewhere", []),  # and what a walker from elsewhere declares is not known
+    ],
+)
+def test_a_node_that_is_switched_off_by_default_may_need_a_value_for_all(
+    findings, tmp_path: Path, walk: str, package: str, told: list[str]
+):
+    (tmp_path / "launch").mkdir()
+    (tmp_path / "robot").mkdir()
+    (tmp_path / "robot/walker.py").write_text(OTHER)
+    (tmp_path / "launch/switched.launch.py").write_text(SWITCHED.replace("WALK", walk).replace("PACKAGE", package))
+    setup = SETUP.replace("['talker = ", "['walker = robot.walker:main', 'talker = ")
+    values = "/**:\n  ros__parameters:\n    gain: 2.0\n    pace: 3.0\n    nobody: 1.0\n"
+    names = {name for found in findings(yaml=values, setup=setup) for name in found.identity[1:]}
+    assert sorted(names) == told
+
+
 HELPERS = """\
 import rclpy
 from rclpy.node import Node

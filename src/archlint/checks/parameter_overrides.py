@@ -13,6 +13,7 @@ from archlint.checks.parameters import (
     called,
     declared_by,
     files_of,
+    files_of_process,
     followed,
     others_are_not_run,
     set_nodes,
@@ -24,8 +25,9 @@ from archlint.suggestions import did_you_mean, listed
 from archlint.systems.overrides import Setting, applied, key_matches
 
 if TYPE_CHECKING:
+    from archlint.launch.model import Started
     from archlint.model import Blueprint, ParameterDeclaration
-    from archlint.systems.model import Node, System
+    from archlint.systems.model import Node, System, WorkspaceIndex
 
 
 @rule("PRM004", scope=Scope.SYSTEM)
@@ -227,4 +229,32 @@ def _every_declared(system: System, file: str, key: str) -> set[str] | None:
             if declared is None:
                 return None
             found |= set(declared)
+        for dormant in _dormant_with(other, file) if shared else ():
+            names = _declared_in(workspace, dormant)
+            if names is None:
+                return None
+            found |= names
     return found
+
+
+def _dormant_with(system: System, file: str) -> list[Started]:
+    """What a launch file starts under other arguments only, and gives a parameter file."""
+    started = [] if system.launched is None else system.launched.started
+    return [one for one in started if one.dormant and file in files_of_process(one)]
+
+
+def _declared_in(workspace: WorkspaceIndex, started: Started) -> set[str] | None:
+    """The names that the nodes of an executable declare, without what its arguments change; None where that is not
+    known."""
+    wanted = started.package.text, started.executable.text
+    nodes = [
+        node
+        for system in workspace.systems
+        if system.launched is None
+        for node in system.nodes
+        if node.program is not None and (node.program.package, node.program.name) == wanted
+    ]
+    declared = [declared_by(node) for node in nodes]
+    if not nodes or not all(map(followed, nodes)) or None in declared:
+        return None
+    return {name for names in declared for name in names or ()}

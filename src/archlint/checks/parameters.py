@@ -181,7 +181,7 @@ def _is_rewritten(workspace: WorkspaceIndex, file: str) -> bool:
 def files_of(system: System) -> list[str]:
     files: dict[str, None] = {}
     for started in system.launched.started if system.launched is not None else ():
-        files.update(dict.fromkeys(_files_of_process(started)))
+        files.update(dict.fromkeys(files_of_process(started)))
     return list(files)
 
 
@@ -189,13 +189,13 @@ def _may_hold_more_nodes(workspace: WorkspaceIndex, file: str) -> bool:
     """Whether a process gets the file whose source is not here, or whose nodes are in other hands: nav2's servers
     make the nodes of their costmaps."""
     return any(
-        (node.external or not followed(node)) and node.started is not None and file in _files_of_process(node.started)
+        (node.external or not followed(node)) and node.started is not None and file in files_of_process(node.started)
         for system in workspace.systems
         for node in system.nodes
     )
 
 
-def _files_of_process(started: Started) -> list[str]:
+def files_of_process(started: Started) -> list[str]:
     uses = [parameter for parameter in started.parameters if isinstance(parameter, ParameterFileUse)]
     return [use.reference.source for use in uses if use.reference.source is not None]
 
