@@ -752,6 +752,22 @@ def test_a_process_that_is_told_to_end_may_take_a_moment(run: Run, end: str, exp
 
 
 @pytest.mark.parametrize(
+    ("end", "expected"),
+    [
+        ("self.process.wait(timeout=5)\n    rclpy.shutdown()", []),
+        ("if self.process.poll() is None:\n        self.process.wait(timeout=5)\n    rclpy.shutdown()", []),
+        ("self.process.wait(timeout=5)\n    if self.done:\n        rclpy.shutdown()", ["EXE003"]),
+        ("self.process.wait(timeout=5)\n    if self.more:\n        return\n    rclpy.shutdown()", ["EXE003"]),
+        ("if self.more:\n        return\n    self.process.wait(timeout=5)\n    rclpy.shutdown()", []),
+        ("self.process.wait()\n    rclpy.shutdown()", ["EXE003"]),  # the stop command waits for as long as it plays
+    ],
+)
+def test_a_node_that_shuts_down_after_it_waited_holds_nothing_up(run: Run, end: str, expected: list[str]):
+    setup = "self.process = subprocess.Popen(['play'])\n" + TIMER
+    assert codes(run(source(setup, timer(end)))) == expected
+
+
+@pytest.mark.parametrize(
     ("lines", "severity"),
     [
         (("time.sleep(3.0)", "self.create_subscription(Empty, 'stop', self.on_stop, 10)"), []),

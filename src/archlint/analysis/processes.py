@@ -8,7 +8,7 @@ from archlint.analysis.assumptions import dotted
 from archlint.finding import Place
 from archlint.syntax import facts
 from archlint.syntax.parts import everything_in
-from archlint.syntax.walk import calls_in
+from archlint.syntax.walk import blocks_of, calls_in, statements_of
 
 if TYPE_CHECKING:
     from archlint.analysis.sleeps import Stay
@@ -18,6 +18,7 @@ if TYPE_CHECKING:
 _OF_PROCESS = ("subprocess.Popen.wait", "subprocess.Popen.communicate")
 _ENDS = frozenset({"terminate", "kill", "send_signal"})
 _KILLS = frozenset({"kill"})
+_SHUTDOWNS = frozenset({"rclpy.shutdown", "rclpy.try_shutdown"})
 _KILLING: frozenset[object] = frozenset({"SIGKILL", 9})
 _ENDING = _KILLING | {"SIGINT", 2, "SIGTERM", 15, "SIGHUP", 1, "SIGQUIT", 3}
 """Signals that end a process: always, or unless it does otherwise."""
@@ -46,9 +47,31 @@ def _signals(call: facts.Call, process: str, certainly: bool) -> bool:
     return number in (_KILLING if certainly else _ENDING) and any(dotted(one.value) == process for one in pids)
 
 
+def ends_with_the_node(code: SourceCode, call: ApiCall, stay: Stay) -> bool:
+    """Whether a limited wait for a process is part of the way out: the same lines go on to shut ROS down, and nothing
+    that would have to wait ever comes."""
+    if call.api not in _OF_PROCESS or stay.seconds is None or call.looped:
+        return False
+    start = (call.place.line, call.place.column)
+    for block in blocks_of(code.body(call)):
+        here = [i for i, one in enumerate(block) if one.span[:2] <= start <= one.span[2:]]
+        rest = block[here[0] :] if here else []
+        ends = [i for i, one in enumerate(rest) if i and _shuts_down(one)]
+        if ends and not any(one.span[:2] > start for one in statements_of(rest[: ends[0]], facts.Return)):
+            return True
+    return False
+
+
+def _shuts_down(statement: facts.Stmt) -> bool:
+    match statement:
+        case facts.Expression(value=facts.Call(func=func)):
+            return func.dotted in _SHUTDOWNS
+    return False
+
+
 def _owner(call: facts.Call) -> str:
     """``self.process`` of ``self.process.wait()``; empty where it is no variable, and no attribute of one."""
     return dotted(call.func.value) if isinstance(call.func, facts.Attribute) else ""
 
 
-__all__ = ["is_told_to_end"]
+__all__ = ["ends_with_the_node", "is_told_to_end"]

@@ -12,7 +12,7 @@ from archlint.analysis.aside import is_not_installed
 from archlint.analysis.callback_roles import callback_words, related_to, runs_in_executor
 from archlint.analysis.deadlock import threads_of
 from archlint.analysis.loop_times import around_future, in_loops
-from archlint.analysis.processes import is_told_to_end
+from archlint.analysis.processes import ends_with_the_node, is_told_to_end
 from archlint.analysis.reach import argument, creations_of, judged_calls, node_name, one_for_each_place
 from archlint.analysis.sleeps import Stay, stay_of
 from archlint.analysis.source_code import SourceCode, source_code
@@ -115,7 +115,11 @@ def _stays(system: System) -> Iterator[_Row]:
         stay = stay_of(code, call) if runs_in_executor(call.context) else None
         if stay is None or _trifle(call) or not _is_long(system, call, stay) or _harmless(call.context, program):
             continue
-        if is_told_to_end(code, call, stay) or _is_no_program(system, call.context):
+        if (
+            is_told_to_end(code, call, stay)
+            or ends_with_the_node(code, call, stay)
+            or _is_no_program(system, call.context)
+        ):
             continue
         yield program, call, stay
 
