@@ -81,7 +81,52 @@ def test_a_method_that_nothing_calls_says_nothing_of_those_that_are(judge: Judge
     [ticking] = judge("TMO001", text.replace("{call}", "robot.create_timer(1.0, robot.go)"))
     assert ticking.severity is Severity.WARNING and ticking.help.startswith("check without waiting")
     [uncalled] = judge("TMO001", text.replace("{call}", "pass"))
-    assert uncalled.severity is Severity.WARNING
+    assert uncalled.severity is Severity.INFO
+
+
+@pytest.mark.parametrize(
+    ("call", "severity"),
+    [("None", Severity.INFO), ("spawn(node, '/sim')", Severity.WARNING)],
+)
+def test_a_function_that_nothing_calls_is_information(judge: Judge, call: str, severity: Severity):
+    text = """
+        import rclpy
+        from std_srvs.srv import Empty
+
+
+        def spawn(node, namespace):
+            client = node.create_client(Empty, namespace + '/spawn')
+            client.wait_for_service()  # here
+            client.call(Empty.Request())
+
+
+        def main():
+            rclpy.init()
+            node = rclpy.create_node('spawner')
+            node.create_timer(1.0, lambda: {call})
+            rclpy.spin(node)
+
+
+        if __name__ == '__main__':
+            main()
+    """
+    [wait] = judge("TMO001", text.replace("{call}", call))
+    assert wait.severity is severity
+
+
+def test_a_call_of_a_function_that_nothing_calls_is_information(judge: Judge):
+    text = """
+        from std_srvs.srv import Empty
+
+
+        def spawn(node, namespace):
+            client = node.create_client(Empty, namespace + '/spawn')
+            client.call(Empty.Request())  # here
+    """
+    [uncalled] = judge("TMO002", text)
+    assert uncalled.severity is Severity.INFO
+    [script_calls] = judge("TMO002", script(f"{SPIN_IN_A_THREAD}\n        client.call({REQUEST})  # here"))
+    assert script_calls.severity is Severity.WARNING
 
 
 def test_a_script_may_wait_for_what_it_needs(judge: Judge):

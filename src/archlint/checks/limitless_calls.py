@@ -22,8 +22,8 @@ from archlint.analysis.waits import other_arm_only_sends
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.checks.starvation import piling_up
-from archlint.checks.timeouts import kind_of, name_of, way_to
-from archlint.finding import Finding
+from archlint.checks.timeouts import is_uncalled, kind_of, name_of, way_to
+from archlint.finding import Finding, Severity
 from archlint.model import ExecutorKind, Role
 
 if TYPE_CHECKING:
@@ -77,6 +77,8 @@ def _limitless_call(system: System, program: Program, call: ApiCall, distros: tu
         node=node_name(system, call.node or call.context.node),
         identity=(call.function, name_of(call.creation), function),
     )
+    if is_uncalled(call):
+        found = replace(found, severity=Severity.INFO)
     # Where nobody spins meanwhile, a limit would always expire.
     return replace(found, sites=sites_of_call(system.workspace, call.place, distros)) if spinner in _SPINS else found
 

@@ -84,8 +84,13 @@ def _limitless_wait(system: System, call: ApiCall) -> Finding:
         sites=None
         if runs_in_executor(call.context)
         else sites_of_wait(system.workspace, call.place, name_of(call.creation)),
-        severity=Severity.INFO if _is_step_of_script(call) else found.severity,
+        severity=Severity.INFO if _is_step_of_script(call) or is_uncalled(call) else found.severity,
     )
+
+
+def is_uncalled(call: ApiCall) -> bool:
+    """Whether a call is in a function that nothing here calls: whoever does may be anywhere, or nobody."""
+    return call.context.role == Role.METHOD
 
 
 def _is_step_of_script(call: ApiCall) -> bool:
