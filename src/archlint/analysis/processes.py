@@ -54,12 +54,16 @@ def ends_with_the_node(code: SourceCode, call: ApiCall, stay: Stay) -> bool:
         return False
     start = (call.place.line, call.place.column)
     for block in blocks_of(code.body(call)):
-        here = [i for i, one in enumerate(block) if one.span[:2] <= start <= one.span[2:]]
+        here = [i for i, one in enumerate(block) if _holds(one, start)]
         rest = block[here[0] :] if here else []
         ends = [i for i, one in enumerate(rest) if i and _shuts_down(one)]
         if ends and not any(one.span[:2] > start for one in statements_of(rest[: ends[0]], facts.Return)):
             return True
     return False
+
+
+def _holds(statement: facts.Stmt, start: tuple[int, int]) -> bool:
+    return not isinstance(statement, facts.Global) and statement.span[:2] <= start <= statement.span[2:]
 
 
 def _shuts_down(statement: facts.Stmt) -> bool:
