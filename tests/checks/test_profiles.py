@@ -55,6 +55,36 @@ def test_a_preset_is_one_object_for_all_who_use_it(judge: Judge, before: str, im
     judge("QOS001", talker, written("Listener", SUBSCRIBE.format("10") + mark))
 
 
+POLICY = """import outside
+
+    def policy(text):
+        if outside.clean(text) == 'last':
+            return HistoryPolicy.KEEP_LAST
+        if outside.clean(text) == 'all':
+            return HistoryPolicy.KEEP_ALL
+        raise ValueError(text)
+
+    def profile(text):
+        return QoSProfile(history=policy(text), depth=10)
+
+    def everything():
+        return QoSProfile(history=HistoryPolicy.KEEP_ALL, depth=10)
+"""
+
+
+@pytest.mark.parametrize(
+    ("given", "mark"),
+    [
+        ("profile(outside.text())", ""),  # it may be the sound one
+        ("everything()", "  # here"),
+        ("QoSProfile(depth=1) if outside.one() else everything()", "  # here"),  # that one never is
+    ],
+)
+def test_a_profile_with_a_policy_that_is_not_known_may_be_sound(judge: Judge, given: str, mark: str):
+    imports = "from rclpy.qos import HistoryPolicy\n    " + POLICY
+    judge("QOS004", written("Talker", PUBLISH.format(given) + mark, imports))
+
+
 def test_another_program_has_presets_of_its_own(judge: Judge):
     changed = written("Changed", f"{CHANGE}; {PUBLISH.format('qos_profile_sensor_data')}")
     other = written("Other", PUBLISH.format("qos_profile_sensor_data"))

@@ -103,7 +103,7 @@ def qos_contradiction(system: System, options: Options) -> Iterator[Finding]:
         contradiction = (
             _contradiction(end.qos) if end.kind in (EntityKind.PUBLISHER, EntityKind.SUBSCRIBER) and end.qos else None
         )
-        if contradiction is not None and end.qos is not None:
+        if contradiction is not None and end.qos is not None and not _may_be_sound(end, end.qos):
             profiles.setdefault((end.qos.place or end.place, contradiction), {}).setdefault(end.place, end)
     for (written, contradiction), uses in profiles.items():
         (place, end), *others = uses.items()
@@ -117,6 +117,19 @@ def qos_contradiction(system: System, options: Options) -> Iterator[Finding]:
             node=end.node.name,
             identity=(end.kind, end.name or "", contradiction),
         )
+
+
+def _may_be_sound(end: Endpoint, qos: Qos) -> bool:
+    """Whether one profile is filled in in several ways, by a function that makes a policy of a text say, and nobody
+    knows which of them is taken: one is sound."""
+    others = [] if end.node.blueprint is None else end.node.blueprint.creations
+    return any(
+        one.place == end.place
+        and one.qos is not None
+        and one.qos.place == qos.place
+        and _contradiction(one.qos) is None
+        for one in others
+    )
 
 
 def _contradiction(qos: Qos) -> str | None:
