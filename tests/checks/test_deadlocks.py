@@ -196,6 +196,51 @@ def test_an_event_that_a_callback_of_the_same_group_sets_never_comes(run: Run):
     assert codes(run(source(apart, method, ON_SEVERAL_THREADS))) == []
 
 
+@pytest.mark.parametrize(
+    ("body", "expected"),
+    [
+        ("if self.pose is None:\n            return\n        self.there.wait()", []),
+        ("if not self.pose:\n            return\n        self.there.wait()", []),
+        ("if self.pose is not None:\n            self.there.wait()", []),
+        ("if self.pose is None:\n            return\n        self.read()", []),
+        ("if self.pose is not None:\n            return\n        self.there.wait()", ["EXE002"]),
+        ("if self.pose is None:\n            self.there.wait()", ["EXE002"]),
+        ("if self.pose is None:\n            print('no pose')\n        self.there.wait()", ["EXE002"]),
+        ("if self.goal is None:\n            return\n        self.there.wait()", ["EXE002"]),
+        ("if self.both is None:\n            return\n        self.there.wait()", ["EXE002"]),
+        (
+            "if self.pose is None:\n            return\n        self.there.clear()\n        self.there.wait()",
+            ["EXE002"],
+        ),
+    ],
+)
+def test_an_event_that_is_set_together_with_what_a_guard_asks_for(run: Run, body: str, expected: list[str]):
+    setup = """
+self.there = threading.Event()
+self.pose = self.goal = self.both = None
+self.create_subscription(Empty, 'there', self.on_there, 10)
+self.create_subscription(Empty, 'goal', self.on_goal, 10)
+"""
+    method = f"""
+    def on_there(self, message):
+        self.pose = message
+        self.both = message
+        self.there.set()
+
+    def on_goal(self, message):
+        self.goal = message
+        self.both = message
+
+    def read(self):
+        self.there.wait()
+        return self.pose
+
+    def tick(self):
+        {body}
+    """
+    assert codes(run(source(setup + TIMER, method, ON_ONE_THREAD))) == expected
+
+
 def test_an_event_that_a_done_callback_sets_is_the_answer(run: Run):
     method = """
     def tick(self):

@@ -9,7 +9,9 @@ from archlint.analysis.blocking import ONE, SAME
 from archlint.analysis.callback_roles import runs_in_executor
 from archlint.analysis.deadlock import group_relation, threads_of
 from archlint.analysis.kept import once
+from archlint.analysis.opened_guards import is_behind_its_setter
 from archlint.analysis.reach import has_limit, judged_calls
+from archlint.analysis.source_code import source_code
 from archlint.model import Role
 from archlint.model.given import Object
 
@@ -35,15 +37,18 @@ class EventWait:
 @once
 def event_waits(system: System) -> list[EventWait]:
     """The waits for events that nothing but a callback kept out meanwhile sets."""
-    setters: dict[int, list[Callback]] = {}
+    setters: dict[int, list[ApiCall]] = {}
     for _, call in judged_calls(system):
         if call.api == _SET and isinstance(call.receiver, Object):
-            setters.setdefault(call.receiver.key, []).append(call.context)
+            setters.setdefault(call.receiver.key, []).append(call)
     found = []
     for program, call in judged_calls(system):
         if call.api != _WAIT or not isinstance(call.receiver, Object) or not runs_in_executor(call.context):
             continue
-        by = setters.get(call.receiver.key, [])
+        setting = setters.get(call.receiver.key, [])
+        if is_behind_its_setter(source_code(system), call, setting):
+            continue
+        by = [one.context for one in setting]
         reasons = [_kept_out(call.context, setter, program) for setter in by]
         if by and all(reasons):
             found.append(EventWait(call, by[0], program, has_limit(call, "timeout"), reasons[0] or ""))

@@ -1,0 +1,114 @@
+"""Guards on the way to a wait that the code opens which ends the wait: once past them, there is nothing to wait for."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Sequence
+from typing import TYPE_CHECKING
+
+from archlint.place import Place
+from archlint.syntax import facts
+from archlint.syntax.parts import everything_in
+from archlint.syntax.walk import blocks_of, called_name, statements_of
+
+if TYPE_CHECKING:
+    from archlint.analysis.source_code import SourceCode
+    from archlint.model import ApiCall
+
+
+def is_behind_its_setter(code: SourceCode, wait: ApiCall, setting: Sequence[ApiCall]) -> bool:
+    """Whether a wait for an event is reached only with an attribute that the functions assign that set the event::
+
+        if self.pose is None:
+            return
+        self.ready.wait()  # on_pose() has set it together with the pose
+
+    An event that is cleared again tells nothing of that.
+    """
+    if _is_cleared(code, wait) or not setting:
+        return False
+    places = (wait.place, *(frame.place for frame in wait.chain))
+    asked = {name for place in places for name in _asked_before(code.body_at(place), place)}
+    asked -= _assigned_elsewhere(code, wait, setting)
+    return all(asked & set(_assigned(statements_of(code.body(one), facts.Assign))) for one in setting)
+
+
+def _assigned_elsewhere(code: SourceCode, wait: ApiCall, setting: Sequence[ApiCall]) -> set[str]:
+    """The attributes that something else in the file assigns, too: they say nothing of the event."""
+    found = code.facts_at(wait.file)
+    own = {one.span for call in setting for one in statements_of(code.body(call), facts.Assign)}
+    every = everything_in(() if found is None else found.body, facts.Assign)
+    return set(_assigned(one for one in every if one.span not in own))
+
+
+def _is_cleared(code: SourceCode, wait: ApiCall) -> bool:
+    expression, found = code.expression(wait), code.facts_at(wait.file)
+    if expression is None or found is None:
+        return True
+    event = _owner(expression)
+    functions = everything_in(found.body, facts.Call)
+    return not event or any(called_name(one) == "clear" and _owner(one) == event for one in functions)
+
+
+def _owner(call: facts.Call) -> str:
+    """``ready`` of ``self.ready.wait()``."""
+    return call.func.value.last_name if isinstance(call.func, facts.Attribute) else ""
+
+
+def _assigned(assigns: Iterable[facts.Assign]) -> Iterator[str]:
+    """The attributes that are assigned something other than None."""
+    for one in assigns:
+        if not _is_none(one.value):
+            yield from (
+                target.dotted for target in one.targets if isinstance(target, facts.Attribute) and target.dotted
+            )
+
+
+def _asked_before(body: Sequence[facts.Stmt], place: Place) -> Iterator[str]:
+    """The names that must be something, not None, for a function to get to a place."""
+    for block in blocks_of(body):
+        inner = next((i for i, one in enumerate(block) if _holds(one, place)), None)
+        if inner is None:
+            continue
+        for statement in block[:inner]:
+            if isinstance(statement, facts.If) and statement.body and statement.body[-1].jumps:
+                yield from _missing(statement.test)
+        around = block[inner]
+        if isinstance(around, facts.If):
+            inside = any(_holds(one, place) for one in around.body)
+            yield from _present(around.test) if inside else _missing(around.test)
+
+
+def _holds(statement: facts.Stmt, place: Place) -> bool:
+    start = (place.line, place.column)
+    return not isinstance(statement, facts.Global) and statement.span[:2] <= start < statement.span[2:]
+
+
+def _missing(test: facts.Expr) -> Iterator[str]:
+    """The names that are something where a condition does not hold: ``x`` of ``x is None`` and of ``not x``."""
+    match test:
+        case facts.Compare(left=left, ops=["is"] | ["=="], comparators=[other]) if _is_none(other):
+            yield left.dotted
+        case facts.Unary(op="not", operand=operand):
+            yield operand.dotted
+        case facts.Boolean(op="or", values=values):
+            for value in values:
+                yield from _missing(value)
+
+
+def _present(test: facts.Expr) -> Iterator[str]:
+    """The names that are something where a condition holds."""
+    match test:
+        case facts.Compare(left=left, ops=["is not"] | ["!="], comparators=[other]) if _is_none(other):
+            yield left.dotted
+        case facts.Boolean(op="and", values=values):
+            for value in values:
+                yield from _present(value)
+        case _:
+            yield test.dotted
+
+
+def _is_none(value: facts.Expr) -> bool:
+    return isinstance(value, facts.Literal) and value.value is None
+
+
+__all__ = ["is_behind_its_setter"]
