@@ -11,6 +11,7 @@ from archlint.faults import Faults
 from archlint.finding import Place
 from archlint.syntax import facts
 from archlint.syntax.launch_elements import LaunchFacts
+from archlint.syntax.launch_templates import has_placeholders
 from archlint.syntax.launch_xml import read_launch_xml
 from archlint.syntax.launch_yaml import read_launch_yaml
 from archlint.syntax.parameter_files import ParameterFacts, read_parameters
@@ -105,6 +106,8 @@ class LaunchFiles:
             if text is not None:
                 with self._faults.contained("reading this launch file", Place(path, 1, 1, 1, 1)):
                     found = _read(path, text)
+            if found.root is not None and has_placeholders(found.root):
+                found = LaunchFacts()
             package = self._owners.package_of(path) if found.root is not None and not found.decided else None
             if package is not None:
                 found = replace(found, ros1=package in self._ros1_packages)
