@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import pytest
 
+from archlint.finding import Severity
 from robot_package import node
 
 
@@ -36,6 +37,52 @@ def test_an_argument_that_is_declared_too_late(findings):
     (found,) = findings("LCH003", node(name="$(var y)") + '<arg name="y" default="a"/>')
     assert found.message == "the launch argument 'y' is read before it is declared"
     assert [one.message for one in found.related] == ["it is declared here"]
+
+
+def test_names_that_one_file_forgets_are_one_finding(findings):
+    reads = '<arg name="speed" default="1"/>\n' + node(name="$(var x)") + "\n" + node(name="$(var sped)")
+    (found,) = findings("LCH003", reads)
+    assert found.message == "no launch arguments 'x' and 'sped' are declared, and nothing sets them"
+    assert (found.severity, found.place.line) == (Severity.WARNING, 2)
+    assert [(one.place.line, one.message) for one in found.related] == [
+        (3, "'sped' is read here; did you mean 'speed'?")
+    ]
+
+
+def test_a_file_that_declares_nothing_gets_its_arguments_on_the_command_line(findings):
+    (found,) = findings("LCH003", node(name="$(var x)", namespace="$(var y)"))
+    assert found.message.startswith("the launch fails without y:=… and x:=… on its command line")
+    assert found.severity == Severity.INFO
+    (found,) = findings("LCH003", '<arg name="z" default="a"/>' + node(name="$(var x)"))
+    assert found.severity == Severity.WARNING
+
+
+ON_THE_MACHINE = """\
+from launch import LaunchDescription
+from launch.actions import DeclareLaunchArgument, IncludeLaunchDescription
+from launch.launch_description_sources import AnyLaunchDescriptionSource
+from launch.substitutions import LaunchConfiguration
+
+def generate_launch_description():
+    return LaunchDescription([
+        DeclareLaunchArgument('x', default_value='a'),
+        IncludeLaunchDescription(
+            AnyLaunchDescriptionSource('FILE'), launch_arguments={'x': LaunchConfiguration('x')}.items()),
+    ])
+"""
+
+
+@pytest.mark.parametrize(
+    ("file", "told"),
+    [
+        ("/home/me/ws/src/robot/launch/it.launch.xml", 0),
+        ("/home/me/ws/src/robot/launch/other.launch.xml", 1),
+        ("/opt/ros/jazzy/share/other/launch/it.launch.xml", 1),
+    ],
+)
+def test_a_file_that_another_may_include_by_a_path_of_the_machine(findings, file, told):
+    outer = ON_THE_MACHINE.replace("FILE", file)
+    assert len(findings("LCH003", node(name="$(var x)"), **{"launch/outer.launch.py": outer})) == told
 
 
 READS_ITSELF = """\
@@ -75,9 +122,9 @@ def test_an_argument_that_a_missing_include_may_declare(findings):
     there = '<include file="$(find-pkg-share robot)/launch/inner.launch.xml"/>'
     assert findings("LCH003", there + read) == []  # LCH004 tells the include
     (found,) = findings("LCH003", there + read, **{"launch/inner.launch.xml": "<launch/>"})
-    assert "'y'" in found.message
+    assert "without y:=…" in found.message
     (found,) = findings("LCH003", read + there)
-    assert "'y'" in found.message
+    assert "without y:=…" in found.message
 
 
 def test_what_a_later_include_declares_for_itself_is_no_declaration_here(findings):
@@ -274,7 +321,8 @@ def test_the_rounds_of_a_loop_read_too_early_once(findings):
     assert (found.place.line, found.message) == (9, "the launch argument 'left' is read before it is declared")
     assert "the launch argument 'right' is read before it is declared" in [one.message for one in found.related]
     names = "$(var left) $(var right)"  # two mistakes in one attribute
-    assert len(findings("LCH003", f"<let name='a' value='{names}'/>", **{"launch/it.launch.py": ""})) == 2
+    (found,) = findings("LCH003", f"<let name='a' value='{names}'/>", **{"launch/it.launch.py": ""})
+    assert "left:=… and right:=…" in found.message
 
 
 def test_a_file_that_takes_no_argument_is_told_once_for_all_that_hand_it_over(findings):

@@ -44,7 +44,7 @@ def undeclared_launch_argument(system: System, options: Options) -> Iterator[Fin
 
 def _undeclared_uses(system: System, launched: Launched) -> Iterator[Finding]:
     reported: set[str] = set()
-    declared = sorted({argument.name for argument in launched.declared})
+    plain: dict[str, list[UndeclaredUse]] = {}
     for use in launched.undeclared:
         alone = use.file == launched.file
         if use.conditional or (alone and system.is_included) or use.name in reported:
@@ -61,15 +61,52 @@ def _undeclared_uses(system: System, launched: Launched) -> Iterator[Finding]:
         if left_out is not None:
             yield _never_added(use, left_out)
             continue
-        message = f"no launch argument '{use.name}' is declared, and nothing sets it" + did_you_mean(use.name, declared)
+        if not places:
+            plain.setdefault(use.file, []).append(use)
+            continue
+        message = f"no launch argument '{use.name}' is declared at this point, and nothing sets it"
         help = f"declare it before it is read: {_declaration(use)}"
         if later:
             message = f"the launch argument '{use.name}' is read before it is declared"
             help = "move the declaration in front: actions run in order"
-        elif places:
-            message = f"no launch argument '{use.name}' is declared at this point, and nothing sets it"
         related = [Related(place, "it is declared here" if later else "declared here, later") for place in places[:1]]
         yield finding("LCH003", use.place, message, help=help, related=related, identity=(use.file, use.name))
+    for uses in plain.values():
+        yield _never_declared(launched, uses)
+
+
+def _never_declared(launched: Launched, uses: Sequence[UndeclaredUse]) -> Finding:
+    """One finding for all that a file reads and nobody declares.  Where a file declares nothing at all, whoever starts
+    it gives the names on the command line: they are only missing from what ``--show-args`` lists."""
+    first, *others = uses
+    declared = sorted({argument.name for argument in launched.declared})
+    message = f"no launch argument '{first.name}' is declared, and nothing sets it" + did_you_mean(first.name, declared)
+    if others:
+        shown = " and ".join(f"'{use.name}'" for use in uses)
+        message = f"no launch arguments {shown} are declared, and nothing sets them"
+    from_the_command_line = first.file == launched.file and not _declares(launched)
+    if from_the_command_line:
+        given = " and ".join(f"{use.name}:=…" for use in uses)
+        message = f"the launch fails without {given} on its command line: no launch argument is declared"
+    found = finding(
+        "LCH003",
+        first.place,
+        message,
+        help=f"declare {'each' if others else 'it'} before it is read: {_declaration(first)}",
+        related=[
+            Related(use.place, f"'{use.name}' is read here" + did_you_mean(use.name, declared))
+            for use in (uses if others else ())
+            if use is not first or did_you_mean(use.name, declared)
+        ],
+        identity=(first.file, *(use.name for use in uses)),
+    )
+    return replace(found, severity=Severity.INFO) if from_the_command_line else found
+
+
+def _declares(launched: Launched) -> bool:
+    """Whether a launch file has a declaration of its own, be it one that it forgets to add."""
+    written = {argument.file for argument in launched.declared} | {file for file, _ in launched.written}
+    return launched.file in written
 
 
 def _of_one_call(found: Iterator[Finding]) -> Iterator[Finding]:

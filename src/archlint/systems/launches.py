@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 from archlint.finding import Place
 from archlint.launch.kinds import FileStatus
 from archlint.launch.launches import Launches
-from archlint.launch.model import Launched
+from archlint.launch.model import FileReference, Launched
 from archlint.model import Blueprint, Program
 from archlint.systems.launched import LaunchSystems, started_pairs
 from archlint.systems.model import System, WorkspaceIndex
@@ -75,13 +75,23 @@ def launch_systems(
 
 
 def _parts(launches_: Sequence[Launched]) -> set[str | None]:
-    """The launch files that others include."""
-    return {
-        include.reference.source
-        for one in launches_
-        for include in one.included
-        if include.file != include.reference.source
-    }
+    """The launch files that others include, or may include by a path of the machine that they run on."""
+    includes = [include for one in launches_ for include in one.included]
+    ends = {end for include in includes if (end := _end_on_machine(include.reference)) is not None}
+    found = {one.file for one in launches_ if _end(one.file) in ends}
+    return found.union(include.reference.source for include in includes if include.file != include.reference.source)
+
+
+def _end_on_machine(reference: FileReference) -> tuple[str, ...] | None:
+    """The end of an absolute path, which may lead to a workspace that lies elsewhere: in a container, say."""
+    written = reference.written or ""
+    elsewhere = reference.source is None and written.startswith("/") and not written.startswith("/opt/ros/")
+    return _end(written) if elsewhere else None
+
+
+def _end(path: str) -> tuple[str, ...]:
+    """The name of a file and of its folder: ``launch/robot.launch.py`` is installed with both."""
+    return tuple(path.split("/")[-2:])
 
 
 def _given_arguments(systems: Sequence[System]) -> list[str]:
