@@ -46,6 +46,11 @@ def test_for_imports_that_fail(head: str, expected: bool):
         ("Exception", "print(scan.ranges)", True),
         ("Exception", "raise", False),
         ("Exception", "self.data = None", True),
+        ("Exception", "log.error('no'); return", False),
+        ("Exception", "log.error('no'); return None", False),
+        ("Exception", "log.error('no'); return 0", True),
+        ("Exception", "log.error('no'); self.data = None", True),
+        ("Exception", "return", True),
     ],
 )
 def test_for_an_attribute_that_is_missing(head: str, body: str, expected: bool):
