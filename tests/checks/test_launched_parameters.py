@@ -84,6 +84,14 @@ def test_a_section_without_its_namespace(findings):
     assert findings("PRM005", node(load_it), **{"config/p.yaml": yaml}) == []
 
 
+def test_a_section_for_a_node_in_another_namespace_than_that_of_its_twin(findings):
+    load_it = '<param from="$(find-pkg-share robot)/config/p.yaml"/>'
+    right = "right:\n  talker: {ros__parameters: {rate: 1.0}}\n"
+    left = "left:\n  talker: {ros__parameters: {rate: 1.0}}\n"
+    assert findings("PRM005", node(load_it, namespace="left"), **{"config/p.yaml": left + right}) == []
+    assert len(findings("PRM005", node(load_it, namespace="left"), **{"config/p.yaml": right})) == 1
+
+
 @pytest.mark.parametrize(
     ("source", "told"),
     [

@@ -148,11 +148,14 @@ def parameters_for_unknown_node(system: System, options: Options) -> Iterator[Fi
         started = _names_of_nodes(workspace, file)
         if started is None or _is_rewritten(workspace, file):
             continue
+        keys = [one.key for one in workspace.parameters_of(file).sections if "*" not in one.key]
         for section in workspace.parameters_of(file).sections:
             if "*" in section.key or "$(" in section.key or any(key_matches(section.key, name) for name in started):
                 continue
             last = section.key.rpartition("/")[2]
             right = sorted(name for name in started if name.rpartition("/")[2] == last)
+            if right and all(any(key_matches(key, name) for key in keys) for name in right):
+                continue  # each has a section of its own: this one is for a namespace that is not started now
             message = f"no launch file that loads this file starts a node '{section.key}'"
             help = f"nodes that load this file: {listed(sorted(started))}"
             if right:
