@@ -10,9 +10,6 @@ from pathlib import Path
 
 from archlint.finding import Place
 
-INTERNAL_ERROR = "internal error"
-"""How the message of a problem begins that is archlint's own fault."""
-
 
 @dataclass(frozen=True)
 class Fault:

@@ -34,6 +34,8 @@ class Related:
 
     place: Place
     message: str
+    again: bool = field(default=False, compare=False)
+    """Whether what the finding says is so at this place, too."""
 
 
 @dataclass(frozen=True)

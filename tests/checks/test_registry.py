@@ -106,7 +106,8 @@ def test_what_cannot_be_read_is_the_users_file_or_our_fault():
     theirs = unreadable("a.py", 3, 7, "syntax error: expected ':'")
     assert (theirs.code, theirs.message) == ("LNT002", "syntax error: expected ':'")
     assert theirs.place == Place("a.py", 3, 7, 3, 7)
-    ours = unreadable("a.py", 1, 1, "internal error: KeyError: 'x'")
+    ours = unreadable("a.py", 1, 1, "KeyError: 'x'", internal=True)
     assert ours.code == "LNT003"
+    assert unreadable("a.py", 1, 1, "internal error: KeyError: 'x'").code == "LNT002"
     assert ours.message == "reading this file failed with KeyError: 'x'; everything else was checked"
     assert "please report it" in ours.help

@@ -72,8 +72,8 @@ def test_a_circle_of_includes_is_told_once(launches, first, second, told):
     loaded = launches.of_workspace()
     for file in loaded.files.all():
         loaded.run(file)
-    endless = [problem for problem in loaded.files.problems() if "never end" in problem[3]]
-    assert [(path, line) for path, line, _, _ in endless] == [("robot/launch/other.launch.xml", 1)] * told
+    endless = [problem for problem in loaded.files.problems() if "never end" in problem.message]
+    assert [(one.file, one.line) for one in endless] == [("robot/launch/other.launch.xml", 1)] * told
 
 
 def test_a_launch_that_a_command_starts_has_a_context_of_its_own(launches):

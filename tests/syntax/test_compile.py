@@ -9,7 +9,6 @@ import threading
 
 import pytest
 
-from archlint.faults import INTERNAL_ERROR
 from archlint.syntax import compile as compiler
 from archlint.syntax import workers
 from archlint.syntax.compile import CRASHED, compile_python, compile_sources
@@ -55,7 +54,9 @@ class TestOneText:
             raise KeyError("lost")
 
         monkeypatch.setattr(lowering, "lower", broken)
-        assert only(compile_python("x = 1\n")) == f"{INTERNAL_ERROR}: KeyError: 'lost'"
+        facts = compile_python("x = 1\n")
+        assert only(facts) == "KeyError: 'lost'"
+        assert facts.problems[0].internal
 
     def test_bytes_beside_text_are_the_users_error(self):
         assert only(compile_python("x = b'a' 'b'\n")).startswith("syntax error: cannot mix bytes")

@@ -6,7 +6,6 @@ from pathlib import Path
 
 import pytest
 
-from archlint.faults import INTERNAL_ERROR
 from archlint.syntax import workers
 from archlint.syntax.cache import NullStore, Store
 from archlint.syntax.files import FactsOfFiles
@@ -121,10 +120,11 @@ def test_a_syntax_error_is_cached_and_an_error_of_ours_is_not(tmp_path, cache, m
     with monkeypatch.context() as broken:
         broken.setattr(lowering, "lower", lambda text: 1 // 0)
         found, (failed,) = facts_of(files[1:], cache())
-        assert failed.problems[0].message.startswith(INTERNAL_ERROR)
+        assert failed.problems[0].internal
         assert not found.lasting
     again, (wrong, right) = facts_of(files, cache())
     assert wrong.problems[0].message.startswith("syntax error")
+    assert not wrong.problems[0].internal
     assert right.problems == []
     assert again.lasting
     assert facts_of(files, cache())[0].compiled == 0

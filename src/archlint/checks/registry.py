@@ -23,7 +23,7 @@ from archlint import checks
 from archlint.checks.folding import Fold
 from archlint.checks.scope import Scope
 from archlint.edit_sites import Sites
-from archlint.faults import INTERNAL_ERROR, Fault
+from archlint.faults import Fault
 from archlint.finding import Finding, Place, Related, Severity
 from archlint.project import issue_tracker
 from archlint.rulebook import rules
@@ -191,15 +191,17 @@ def failure(fault: Fault) -> Finding:
     )
 
 
-def unreadable(file: str, line: int, column: int, message: str, help: str | None = None) -> Finding:
-    """The LNT002 finding for what could not be read, or LNT003 where reading failed by a fault of ours; information
-    where ``help`` says what brings the file."""
+def unreadable(
+    file: str, line: int, column: int, message: str, internal: bool = False, *, help: str | None = None
+) -> Finding:
+    """The LNT002 finding for what could not be read, or LNT003 where reading failed by a fault of ours (``internal``);
+    information where ``help`` says what brings the file."""
     place = Place(file, line, column, line, column)
-    if not message.startswith(INTERNAL_ERROR):
+    if not internal:
         found = finding("LNT002", place, message, help=help or "", identity=(message,))
         return found if help is None else replace(found, severity=Severity.INFO)
-    what = f"reading this file failed with {message.removeprefix(INTERNAL_ERROR).lstrip(': ')}"
-    return finding("LNT003", place, f"{what}; everything else was checked", help=_REPORT, identity=(message,))
+    what = f"reading this file failed with {message}; everything else was checked"
+    return finding("LNT003", place, what, help=_REPORT, identity=(f"internal error: {message}",))
 
 
 def unreadable_interface(file: str, problems: Sequence[tuple[int, int, str]], unbuilt: str) -> Finding:

@@ -39,7 +39,6 @@ MOMENT = 0.1
 DISCOVERY = 1.0
 """Seconds that a callback may look for a server."""
 
-_HERE = "here it"
 
 _TRIFLES = frozenset({"clear", "cls", "reset", ""})
 
@@ -268,7 +267,7 @@ def _slow(system: System, rows: Sequence[_Row], only_network: bool) -> Finding:
         help=_instead(call, stay),
         related=(
             *related_to(call, program),
-            *(Related(other.place, f"{_HERE} {words.words}") for _, other, words in others),
+            *(Related(other.place, f"here it {words.words}", again=True) for _, other, words in others),
         ),
         node=node_name(system, callback.node),
         identity=(callback.name, call.api),
@@ -306,7 +305,7 @@ def _of_one_cause(findings: Sequence[Finding]) -> Finding:
 
 def _rows_of(found: Finding, who: str) -> Iterator[Related]:
     yield Related(found.place, f"here {who} waits in {found.identity[1].rpartition('.')[2]}(), too")
-    yield from (line for line in found.related if line.message.startswith(_HERE))
+    yield from (line for line in found.related if line.again)
 
 
 def _answers_in_time(call: ApiCall, stay: Stay) -> bool:

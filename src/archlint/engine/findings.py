@@ -150,14 +150,14 @@ def _problems(workspace: Workspace, files: Sequence[SourceFile], facts: FactsOfF
     old = tuple(f"{package.relative}/" for package in workspace.packages if package.catkin_code)
     for problem in workspace.problems:
         if not problem.file.startswith(old):
-            yield unreadable(problem.file, problem.line, problem.column, problem.message, problem.help)
+            yield unreadable(problem.file, problem.line, problem.column, problem.message, help=problem.help)
     for file in files:
         found = facts.facts_of(file)
         if found is None or not found.problems:
             continue
         importers = _importers(file, files, facts) if file.context else ()
         for fault in found.problems:
-            one = unreadable(file.relative, fault.line, fault.column, fault.message)
+            one = unreadable(file.relative, fault.line, fault.column, fault.message, fault.internal)
             yield replace(one, related=tuple(Related(place, "it is imported here") for place in importers))
 
 

@@ -86,9 +86,9 @@ def systems_of(request: Request, workspace: Workspace, facts: FactsOfFiles, tree
 
 def _no_launch_file(request: Request, files: LaunchFiles) -> str:
     """Why the file of ``--launch`` cannot be launched."""
-    for file, line, column, message in files.problems():
+    for file, line, column, message, internal in files.problems():
         if file == request.launch:
-            return f"{file}:{line}:{column}: {message}"
+            return f"{file}:{line}:{column}: {'internal error: ' if internal else ''}{message}"
     return f"{request.launch} is not a launch file in {', '.join(request.paths)}"
 
 

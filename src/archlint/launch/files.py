@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Sequence
 from dataclasses import replace
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, NamedTuple
 
 from archlint.faults import Faults
 from archlint.finding import Place
@@ -25,7 +25,17 @@ if TYPE_CHECKING:
 FRONTENDS = (".xml", ".launch", ".yaml", ".yml")
 GENERATE = "generate_launch_description"
 
-Problem = tuple[str, int, int, str]
+
+class Problem(NamedTuple):
+    """What is wrong with a file, and where; ``internal`` where it is archlint's own fault."""
+
+    file: str
+    line: int
+    column: int
+    message: str
+    internal: bool = False
+
+
 """``(file, line, column, message)``"""
 
 
@@ -133,7 +143,7 @@ class LaunchFiles:
 
     def note_endless(self, place: Place, message: str) -> None:
         """An include leads back to its own file, and nothing ends that."""
-        self._endless.add((place.file, place.line, place.column, message))
+        self._endless.add(Problem(place.file, place.line, place.column, message))
 
     def problems(self) -> list[Problem]:
         """What is wrong with each launch file and ``setup.py`` that is broken, and with each parameter file that a
@@ -147,7 +157,7 @@ class LaunchFiles:
             if file.kind in ("launch_python", "setup_py") and not file.context and not self._relevant(file):
                 found = self._facts_of(file)
                 rows.append((file.relative, () if found is None else tuple(found.problems)))
-        broken = {(path, p.line, p.column, p.message) for path, problems in rows for p in problems}
+        broken = {Problem(path, p.line, p.column, p.message, p.internal) for path, problems in rows for p in problems}
         return sorted(broken | self._endless)
 
     def of_ros1(self) -> list[str]:

@@ -10,7 +10,6 @@ from typing import TYPE_CHECKING, NamedTuple
 
 from msgspec import structs
 
-from archlint.faults import INTERNAL_ERROR
 from archlint.syntax import workers
 from archlint.syntax.facts import FACTS_VERSION, Facts, FileProblem, encode
 from archlint.syntax.python import gate
@@ -102,11 +101,11 @@ def _encoded(data: bytes) -> bytes:
     """What a worker does with one file: a mark, and the encoded facts."""
     text = gate.decode(data)
     facts = _refused(text) if isinstance(text, gate.Refusal) else _compile_text(text)
-    mark = _PASSING if any(p.message.startswith(INTERNAL_ERROR) for p in facts.problems) else _LASTING
+    mark = _PASSING if any(p.internal for p in facts.problems) else _LASTING
     try:
         return mark + encode(facts)
     except (ValueError, RecursionError) as error:
-        return _PASSING + encode(_failed(f"{INTERNAL_ERROR}: facts that cannot be stored: {error}"))
+        return _PASSING + encode(_broken(f"facts that cannot be stored: {error}"))
 
 
 def _compile_text(text: str) -> Facts:
@@ -136,7 +135,7 @@ def _compile_text(text: str) -> Facts:
         problem = python_refusal(text)
         if problem is not None:
             return _facts_of(problem)
-        return _failed(f"{INTERNAL_ERROR}: {type(error).__name__}: {error}")
+        return _broken(f"{type(error).__name__}: {error}")
 
 
 def _with_problem(facts: Facts, refusal: gate.Refusal | None) -> Facts:
@@ -152,6 +151,10 @@ def _refused(refusal: gate.Refusal) -> Facts:
 
 def _failed(message: str) -> Facts:
     return _facts_of(FileProblem(1, 1, message))
+
+
+def _broken(error: str) -> Facts:
+    return _facts_of(FileProblem(1, 1, error, internal=True))
 
 
 def _facts_of(problem: FileProblem) -> Facts:

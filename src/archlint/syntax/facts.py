@@ -108,6 +108,8 @@ class FileProblem(Base, frozen=True):
     line: int
     column: int
     message: str
+    internal: bool = False
+    """Whether it is archlint's own fault: an LNT003 finding then."""
 
 
 class Facts(Base, frozen=True):

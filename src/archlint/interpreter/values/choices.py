@@ -28,6 +28,8 @@ class Unknown(Value):
     """The name of the variable it came in by."""
     missing: str | None = field(default=None, compare=False)
     """The attribute that an object certainly lacks."""
+    interface: str | None = field(default=None, compare=False)
+    """The interface that it would be if its package defined one: the graph still says which type the code writes."""
 
     @property
     def via(self) -> frozenset[str]:

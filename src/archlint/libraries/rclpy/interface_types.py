@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from archlint.interpreter.values import NONE, ClassValue, External, Unknown, Value, alternatives
 from archlint.libraries.api_use import ApiUse
-from archlint.libraries.rclpy import messages, names
+from archlint.libraries.rclpy import names
 
 
 def type_of_value(value: Value | None) -> tuple[str | None, str | None]:
@@ -18,9 +18,10 @@ def type_of_value(value: Value | None) -> tuple[str | None, str | None]:
             return (interface, None) if known else (None, f"'{path}' is not an interface")
         case ClassValue(qualified=name):
             return None, f"'{name}' is a class of the workspace, not an interface"
-        case Unknown(reason=why, name=written):
-            missing = (written or "").startswith(messages.MISSING)
-            return ((written or "").removeprefix(messages.MISSING), None) if missing else (None, why)
+        case Unknown(interface=str(missing)):
+            return missing, None
+        case Unknown(reason=why):
+            return None, why
     return None, "the type is not an interface class"
 
 

@@ -243,18 +243,13 @@ def is_missing(run: Run, path: str) -> bool:
     return not names.is_part_of_interface(name) and run.interfaces.defines(package, kind, name) is False
 
 
-MISSING = "missing interface:"
-"""What the name of the unknown value begins with that stands for an interface that is missing: the graph still says
-which type the code writes."""
-
-
 def missing_interface(run: Run, path: str) -> Value | None:
     """What stands for an interface that is missing; None where it is there, or not known."""
     if not is_missing(run, path):
         return None
     interface, _ = names.interface_and_section(path)
     package, _, name = path.split(".")[:3]
-    return Unknown(f"{package} defines no '{name}'", name=f"{MISSING}{interface}")
+    return Unknown(f"{package} defines no '{name}'", interface=interface)
 
 
 def has_field(run: Run, message: MessageValue, name: str) -> Value | None:
