@@ -352,3 +352,30 @@ def test_what_is_put_aside_may_wait_for_what_is_gone(tmp_path, monkeypatch, file
     (tmp_path / "archlint.toml").write_text('select = ["LCH001", "TMO001"]', encoding="utf-8")
     report = check(Request((".",), load(tmp_path), cached=False, jobs=1))
     assert sorted(one.code for one in report.findings) == found
+
+
+SPINS = """
+import rclpy
+from std_srvs.srv import Trigger
+
+if __name__ == '__main__':
+    rclpy.init()
+    node = rclpy.create_node('asks')
+    future = node.create_client(Trigger, 'go').call_async(Trigger.Request())
+    rclpy.spin_until_future_complete(node, future)
+    print(future.result())
+"""
+
+
+@pytest.mark.parametrize(
+    ("path", "found"),
+    [("arm_system_tests/tester.py", []), ("arm/test_go.py", []), ("arm/contest.py", ["TMO003"])],
+)
+def test_a_trial_may_spin_until_its_runner_ends_it(tmp_path, monkeypatch, path: str, found: list[str]):
+    monkeypatch.chdir(tmp_path)
+    texts = {path: SPINS, "other/driver.py": "def main():\n    pass\n", "archlint.toml": 'select = ["TMO003"]\n'}
+    for name, text in texts.items():
+        (tmp_path / name).parent.mkdir(exist_ok=True)
+        (tmp_path / name).write_text(text, encoding="utf-8")
+    report = check(Request((".",), load(tmp_path), cached=False, jobs=1))
+    assert [one.code for one in report.findings] == found

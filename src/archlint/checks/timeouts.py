@@ -127,10 +127,10 @@ def _ready(call: ApiCall) -> str:
     return "server_is_ready" if kind_of(call) == "action" else "service_is_ready"
 
 
-@rule("TMO003", scope=Scope.CODE, in_use=True)
+@rule("TMO003", scope=Scope.CODE, taste=True)
 def spin_without_timeout(system: System, options: Options) -> Iterator[Finding]:
     """Spins until a future is complete that nothing limits.  Of a method that nothing calls, and of a client that
-    nothing is seen to make, nobody knows whether it is ever there."""
+    nothing is seen to make, nobody knows whether it is ever there; a trial is ended by whoever runs it."""
     reported = spoken_of(system, options.distros)
     yield from one_for_each_place(
         _limitless_spin(system, call)
