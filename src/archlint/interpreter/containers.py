@@ -8,10 +8,8 @@ from typing import TYPE_CHECKING
 from archlint.interpreter.values import (
     ENTRIES,
     ITEMS,
-    ClassValue,
     DictValue,
     Entries,
-    Instance,
     Items,
     Known,
     ListKind,
@@ -75,11 +73,6 @@ def iterate(machine: Machine, value: Value) -> Items | None:
     return value.items(machine)
 
 
-def fields_of_tuple(machine: Machine, value: Instance) -> Items | None:
-    """The items of a named tuple."""
-    return value.items(machine)
-
-
 def unknown_item(machine: Machine, iterable: Value, why: str) -> Value:
     """What stands for any of the items of what cannot be iterated over."""
     if iterable.each is not None:
@@ -87,11 +80,6 @@ def unknown_item(machine: Machine, iterable: Value, why: str) -> Value:
     if isinstance(iterable, Unknown) and iterable.parameter is not None:
         return Unknown(iterable.reason, iterable.parameter)
     return Unknown(why)
-
-
-def enum_members(machine: Machine, cls: ClassValue) -> list[Value]:
-    """The members of an enum."""
-    return cls.members(machine)
 
 
 PYTHON = (3, 10)

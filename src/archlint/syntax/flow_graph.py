@@ -171,10 +171,6 @@ class Graph:
         first, last = _ends(statement)
         return [block for block in self.blocks if block.statement is not None and _within(block.statement, first, last)]
 
-    def evaluating(self, span: facts.Span) -> list[Block]:
-        """The blocks that evaluate the expression at a place."""
-        return [block for block in self.blocks if block.fact is not None and _holds(block.fact, span)]
-
     def loop(self, statement: facts.While | facts.For) -> Loop | None:
         """The loop that a statement is; None where it never runs."""
         loops = (loop for block in self.blocks for loop in block.loops)
@@ -246,8 +242,3 @@ def _ends(statement: facts.Stmt) -> tuple[tuple[int, int], tuple[int, int]]:
 def _within(statement: facts.Stmt, first: tuple[int, int], last: tuple[int, int]) -> bool:
     begins, ends = _ends(statement)
     return first <= begins and ends <= last
-
-
-def _holds(fact: facts.Base, span: facts.Span) -> bool:
-    around: facts.Span = getattr(fact, "span", (0, 0, 0, 0))
-    return around[:2] <= span[:2] and span[2:] <= around[2:]

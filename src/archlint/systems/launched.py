@@ -274,7 +274,3 @@ def started_pairs(
         if len(every) <= 200:
             found.update(frozenset((one, other)) for n, one in enumerate(every) for other in every[n:])
     return found
-
-
-def display_name(launch_file: str) -> str:
-    return posixpath.basename(launch_file)
