@@ -26,6 +26,7 @@ PLACE = Place("robot/node.py", 3, 5, 3, 9)
 NAME = model.Text("scan", "exact")
 NODE = model.Blueprint("Robot", NAME, NAME, PLACE, "robot")
 CLIENT = model.Creation(model.EntityKind.CLIENT, "an.api", NODE, PLACE, NAME, None)
+PROCESS = given.Process()
 SPUN = model.ExecutorUse(model.ExecutorKind.SINGLE_THREADED, 1, [], None)
 
 
@@ -47,7 +48,7 @@ def handle(goal: Value) -> Instance:
         (NodeValue(NODE, 1), given.Node(NODE)),
         (ExecutorValue(SPUN, "rclpy.executors.SingleThreadedExecutor", 1), given.Executor(SPUN)),
         (MessageValue("std_srvs/srv/Trigger", "Request"), given.Message("std_srvs/srv/Trigger", "Request")),
-        (Instance(External("threading.Event"), 7, PLACE), given.Object(7, "threading.Event", PLACE)),
+        (Instance(External("threading.Event"), 7, PLACE), given.Object(7, "threading.Event", PLACE, PROCESS)),
         (External("std_msgs.msg.String"), given.ForeignClass("std_msgs.msg.String")),
         (ListValue(1, "tuple"), given.Collection("tuple")),
         (EachValue(Known(1)), given.Collection("list")),
@@ -60,7 +61,14 @@ def handle(goal: Value) -> Instance:
     ],
 )
 def test_what_a_program_says_of_a_value(value: Value, said: given.Given):
-    assert given_by(value) == said
+    assert given_by(value, PROCESS) == said
+
+
+def test_objects_of_two_processes_are_never_one():
+    event = Instance(External("threading.Event"), 7, PLACE)
+    here, again, elsewhere = (given_by(event, process) for process in (PROCESS, PROCESS, given.Process()))
+    assert isinstance(here, given.Object) and isinstance(again, given.Object) and isinstance(elsewhere, given.Object)
+    assert here.identity == again.identity != elsewhere.identity
 
 
 def test_each_kind_answers_for_itself():

@@ -87,6 +87,16 @@ def test_programs_may_share_what_they_refer_to():
     assert other.nodes[1] is one.nodes[0] is not other.nodes[0]
 
 
+def test_objects_of_programs_that_are_read_one_by_one_stay_apart():
+    programs = [program(), program()]
+    for made in programs:
+        made.calls[0].receiver = given.Object(7, "threading.Event", PLACE, made.process)
+    first, second = (decode(encode([made]))[0] for made in programs)
+    here, there = first.calls[0].receiver, second.calls[0].receiver
+    assert isinstance(here, given.Object) and isinstance(there, given.Object)
+    assert here.identity == (first.process, 7) != there.identity == (second.process, 7)
+
+
 def test_what_is_no_plain_data_is_refused():
     @dataclass
     class Tree:

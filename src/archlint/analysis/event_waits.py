@@ -17,6 +17,7 @@ from archlint.model.given import Object
 
 if TYPE_CHECKING:
     from archlint.model import ApiCall, Callback, Program
+    from archlint.model.given import ObjectIdentity
     from archlint.systems.model import System
 
 _WAIT = "threading.Event.wait"
@@ -37,15 +38,15 @@ class EventWait:
 @once
 def event_waits(system: System) -> list[EventWait]:
     """The waits for events that nothing but a callback kept out meanwhile sets."""
-    setters: dict[int, list[ApiCall]] = {}
+    setters: dict[ObjectIdentity, list[ApiCall]] = {}
     for _, call in judged_calls(system):
         if call.api == _SET and isinstance(call.receiver, Object):
-            setters.setdefault(call.receiver.key, []).append(call)
+            setters.setdefault(call.receiver.identity, []).append(call)
     found = []
     for program, call in judged_calls(system):
         if call.api != _WAIT or not isinstance(call.receiver, Object) or not runs_in_executor(call.context):
             continue
-        setting = setters.get(call.receiver.key, [])
+        setting = setters.get(call.receiver.identity, [])
         if is_behind_its_setter(source_code(system), call, setting):
             continue
         by = [one.context for one in setting]

@@ -13,6 +13,7 @@ from archlint.syntax.walk import called_name, calls_in
 
 if TYPE_CHECKING:
     from archlint.model import ApiCall
+    from archlint.model.given import ObjectIdentity
     from archlint.systems.model import System
 
 _COMPLETE = tuple(f"rclpy.task.Future.{name}" for name in ("set_result", "set_exception", "cancel"))
@@ -28,7 +29,7 @@ def spins_for_a_message(system: System, call: ApiCall) -> bool:
     """Whether only a subscription completes the future of a spin, and what it brings is read afterwards.  A program may
     well spin until a message tells it to stop; then nobody reads what the future holds."""
     future = argument(call, "future")
-    if not isinstance(future, Object) or _completed_by(system).get(future.key) != {Role.SUBSCRIPTION}:
+    if not isinstance(future, Object) or _completed_by(system).get(future.identity) != {Role.SUBSCRIPTION}:
         return False
     code = source_code(system)
     names = {given.value.dotted for given in code.arguments(call)} - {""}
@@ -38,12 +39,12 @@ def spins_for_a_message(system: System, call: ApiCall) -> bool:
 
 
 @once
-def _completed_by(system: System) -> dict[int, set[Role]]:
+def _completed_by(system: System) -> dict[ObjectIdentity, set[Role]]:
     """The roles of the code that completes the futures which the program makes itself."""
-    found: dict[int, set[Role]] = {}
+    found: dict[ObjectIdentity, set[Role]] = {}
     for _, call in calls_of(system, _COMPLETE):
         if isinstance(call.receiver, Object):
-            found.setdefault(call.receiver.key, set()).add(call.context.role)
+            found.setdefault(call.receiver.identity, set()).add(call.context.role)
     return found
 
 

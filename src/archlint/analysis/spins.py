@@ -50,7 +50,7 @@ def spun_node(call: ApiCall, program: Program) -> Blueprint | None:
 
 
 def _blueprint_of(value: Object, program: Program) -> Blueprint | None:
-    return next((node for node in program.nodes if node.key.endswith(f"#{value.key}")), None)
+    return next((node for node in program.nodes if node.object_key == value.key), None)
 
 
 def spun_in_callbacks(system: System) -> set[int]:

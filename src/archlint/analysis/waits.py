@@ -27,7 +27,7 @@ if TYPE_CHECKING:
     from archlint.analysis.blocking import Form
     from archlint.finding import Place
     from archlint.model import ApiCall, Creation, Program
-    from archlint.model.given import Given
+    from archlint.model.given import Given, ObjectIdentity
     from archlint.systems.model import System
 
 BLOCKING_CALLS = (
@@ -49,7 +49,7 @@ _EVENT_WAIT = "threading.Event.wait"
 _EVENT_SET = "threading.Event.set"
 
 
-_Signals = dict["int | Place | None", "Creation"]
+_Signals = dict["ObjectIdentity | Place | None", "Creation"]
 """Clients by the events that their answers set: the object, and the place where it is made."""
 
 
@@ -105,7 +105,7 @@ def _waits_of(code: SourceCode, call: ApiCall, signals: _Signals) -> Iterator[tu
             spins = not names_in(loop).isdisjoint({"spin", "spin_once", "spin_until_future_complete"})
             yield SPIN if spins else CALL, creations_of(call.receiver)
     elif call.api == _EVENT_WAIT and isinstance(call.receiver, Object):
-        client = signals.get(call.receiver.key) or signals.get(call.receiver.place)
+        client = signals.get(call.receiver.identity) or signals.get(call.receiver.place)
         if client is not None:
             yield CALL, (client,)
 
@@ -160,7 +160,7 @@ def _signals(system: System) -> _Signals:
         if call.api == _EVENT_SET and call.context.role == Role.DONE and isinstance(call.receiver, Object):
             of_future = clients.get(call.context.registered) if call.context.registered else None
             if of_future:
-                found.setdefault(call.receiver.key, of_future[0])
+                found.setdefault(call.receiver.identity, of_future[0])
                 if call.receiver.place is not None:
                     of_place.setdefault(call.receiver.place, []).append(of_future[0])
     # A callback that several timers have makes an event each time, and its done callback was followed once.

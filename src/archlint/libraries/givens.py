@@ -20,19 +20,19 @@ _DURATION = "rclpy.duration.Duration"
 _GOAL_HANDLE = "rclpy.action.server.ServerGoalHandle"
 
 
-def given_by(value: Value) -> given.Given:
-    """What a program says of a value that a call is given."""
+def given_by(value: Value, process: given.Process) -> given.Given:
+    """What a program says of a value that one of its calls is given."""
     match value:
         case Known():
             return given.Constant(value.value, value.via, value.origin, value.kind)
         case OneOf():
-            return given.OneOf(tuple(map(given_by, value.values)))
+            return given.OneOf(tuple(given_by(option, process) for option in value.values))
         case EntityValue():
             return given.Entity(value.creations)
         case FutureValue():
             return given.Future(value.creations)
         case Instance():
-            return _object(value)
+            return _object(value, process)
         case MessageValue():
             return given.Message(value.type, value.section_name)
         case NodeValue():
@@ -51,15 +51,15 @@ def given_by(value: Value) -> given.Given:
             return given.UNKNOWN
 
 
-def _object(value: Instance) -> given.Given:
+def _object(value: Instance, process: given.Process) -> given.Given:
     if isinstance(value.cls, ClassValue):
-        return given.Object(value.key, None, value.place)
+        return given.Object(value.key, None, value.place, process)
     if value.cls.path == _DURATION:
         return given.Duration(_seconds(value))
     if value.cls.path == _GOAL_HANDLE:
         goal = value.arguments.get("request")
         return given.GoalHandle(goal.type if isinstance(goal, MessageValue) else None)
-    return given.Object(value.key, value.cls.path, value.place)
+    return given.Object(value.key, value.cls.path, value.place, process)
 
 
 def _seconds(duration: Instance) -> float | None:

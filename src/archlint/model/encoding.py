@@ -46,7 +46,8 @@ _RECORD_TYPES: tuple[type, ...] = (
     *(ApiCall, Blueprint, Callback, Creation, ExecutorUse, FieldUse, Frame, FunctionRef, Group, ParameterDeclaration),
     *(Passed, Place, Program, Qos, Spell, Text, UnknownInterface),
     *(given.Given, given.Constant, given.OneOf, given.Entity, given.Future, given.Node, given.Executor),
-    *(given.Message, given.Object, given.GoalHandle, given.Duration, given.ForeignClass, given.Collection),
+    *(given.Message, given.Process, given.Object, given.GoalHandle, given.Duration),
+    *(given.ForeignClass, given.Collection),
 )
 _RECORDS: Mapping[str, type] = {kind.__name__: kind for kind in _RECORD_TYPES}
 _FIELDS = {kind: tuple(row.name for row in fields(kind)) for kind in _RECORDS.values()}

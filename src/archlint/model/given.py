@@ -5,7 +5,7 @@ No more than what analyses ask.  Each kind answers for itself; the base says tha
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
@@ -117,13 +117,26 @@ class Message(Given):
     section_name: str
 
 
+@dataclass(eq=False)
+class Process:
+    """A program as it runs: it has objects of its own."""
+
+
 @dataclass(frozen=True, slots=True)
 class Object(Given):
-    """An object: ``key`` tells it from others, ``foreign_class`` is the dotted name of a class from elsewhere."""
+    """An object: ``key`` tells it from others of its process, ``foreign_class`` is the dotted name of a class from
+    elsewhere."""
 
     key: int
     foreign_class: str | None
     place: Place | None
+    process: Process = field(repr=False)
+    """The process that has it."""
+
+    @property
+    def identity(self) -> ObjectIdentity:
+        """What tells it from all others, also from those of other processes."""
+        return self.process, self.key
 
 
 @dataclass(frozen=True, slots=True)
@@ -158,6 +171,9 @@ class Collection(Given):
     kind: str
 
 
+ObjectIdentity = tuple["Process", int]
+"""A process, and the key of an object in it."""
+
 UNKNOWN = Given()
 
 __all__ = [
@@ -174,5 +190,7 @@ __all__ = [
     "Message",
     "Node",
     "Object",
+    "ObjectIdentity",
     "OneOf",
+    "Process",
 ]

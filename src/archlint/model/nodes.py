@@ -124,7 +124,6 @@ class Creation:
     stored: bool = True
     """False where the result of the create call is thrown away."""
     destroyed: bool = False
-    key: int = 0
 
 
 @dataclass(eq=False)
@@ -186,7 +185,9 @@ class Blueprint:
     complete: bool = True
     """False where something that may create entities could not be followed; ``gaps`` says what."""
     gaps: list[tuple[Place, str]] = field(default_factory=list)
-    key: str = ""
+    object_key: int | None = None
+    """The object that it is, as :attr:`archlint.model.given.Object.key`; None where no class of the workspace makes
+    it."""
     allow_undeclared_parameters: bool = False
     automatically_declare_parameters: bool = False
     constructed: bool = False

@@ -9,6 +9,7 @@ from archlint.model.executors import (
     ExecutorUse,
     SpinDuration,
 )
+from archlint.model.given import Process
 
 if TYPE_CHECKING:
     from archlint.finding import Place
@@ -45,6 +46,8 @@ class Program:
     late: bool = False
     """True where it was cut short since other programs of the workspace had run so much."""
     executable: bool = True
+    process: Process = field(default_factory=Process)
+    """What tells its objects from those of other programs."""
 
     def executors_of(self, node: Blueprint) -> list[ExecutorUse]:
         """The executors that spin a node; of several those that do so longest.

@@ -127,7 +127,6 @@ def _create(
         name_place=places.get(call.api.name or ""),
         raw=call.get("raw") == Known(True),
         stored=_stored(run, call),
-        key=len(run.noted.creations),
     )
     run.noted.creations[key] = creation
     blueprint.creations.append(creation)
@@ -196,7 +195,6 @@ def timer(run: Run, call: ApiUse) -> Value:
                 function=run.activation.qualified,
                 guard=guard_of(run),
                 stored=_stored(run, call),
-                key=len(run.noted.creations),
             )
             run.noted.creations[key] = creation
             blueprint.creations.append(creation)

@@ -40,7 +40,6 @@ def new_blueprint(run: Run, class_name: str, place: Place, key: str, package: st
         place,
         package,
         test=run.index.roles.is_test(place.file),
-        key=key,
         number=len(run.nodes.by_key),
         branch_arms=frozenset(run.branch_arms),
         made_by=run.context,
@@ -69,6 +68,7 @@ def blueprint_of_instance(run: Run, instance: Instance) -> model.Blueprint:
         return again
     key = f"{place.file}:{place.line}#{instance.key}"
     blueprint = new_blueprint(run, cls.qualified, place, key, cls.scope.module.file.package)
+    blueprint.object_key = instance.key
     blueprint.made_at = instance.place
     blueprint.lifecycle = node_classes.is_lifecycle(cls)
     blueprint.caller_unknown = not node_classes.may_be_node(cls)
