@@ -8,6 +8,7 @@ from __future__ import annotations
 import sys
 import textwrap
 import types
+from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any
 
@@ -119,11 +120,19 @@ class Interpreted:
 
 def interpret(source: str, with_libraries: bool = False, /, **others: str) -> Interpreted:
     """Run a module in the interpreter alone; ``others`` are modules beside it, by name (``__`` stands for a dot)."""
-    texts = {"it": source, **others}
+    return _interpreted({"it": source, **others}, _with_libraries if with_libraries else _alone)
+
+
+def interpret_in(run: Callable[[ModuleIndex], Interpreter], source: str) -> Interpreted:
+    """Run a module in an interpreter of one's own."""
+    return _interpreted({"it": source}, run)
+
+
+def _interpreted(texts: dict[str, str], make_run: Callable[[ModuleIndex], Interpreter]) -> Interpreted:
     files = {name: _file(name.replace("__", ".")) for name in texts}
     compiled = {files[name].path: _facts(text) for name, text in texts.items()}
     index = ModuleIndex(files.values(), lambda file: compiled[file.path])
-    run = _with_libraries(index) if with_libraries else _alone(index)
+    run = make_run(index)
     module = index.module(files["it"])
     assert module is not None
     call_with_deep_stack(lambda: run.import_module(module))

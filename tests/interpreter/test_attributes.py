@@ -198,3 +198,42 @@ def test_bases_that_are_not_known():
     assert found.constant("plain") == "none"
     assert not found.is_known("other")
     assert not found.is_known("of_class")
+
+
+def test_functions_and_methods_have_names():
+    assert_like_python(
+        """
+        class Robot:
+            def drive(self):
+                return 'driven'
+
+        robot = Robot()
+        name, plain = robot.drive.__name__, Robot.drive.__name__
+        driven = robot.drive.__func__(robot)
+        """
+    )
+    assert interpret("def f():\n    pass\nit = f.__doc__").reason("it") == (
+        "the attribute '__doc__' of a value that is not followed"
+    )
+
+
+def test_what_a_base_that_is_not_known_has_is_not_known():
+    interpreted = interpret(
+        f"{OUTSIDE}class Robot(outside.base()):\n    def ask(self):\n        return super().ask()\n"
+        "attribute, method = Robot.speed, Robot().ask()\norder = Robot.__mro__"
+    )
+    assert not any(map(interpreted.is_known, ["attribute", "method", "order"]))
+
+
+def test_a_property_without_a_setter_keeps_what_it_gives():
+    # Python raises: nothing is assigned.
+    interpreted = interpret(
+        "class Robot:\n    @property\n    def speed(self):\n        return 1\n"
+        "robot = Robot()\ntry:\n    robot.speed = 2\nexcept AttributeError:\n    pass\nit = robot.speed"
+    )
+    assert interpreted.constant("it") == 1
+
+
+def test_a_name_grows_no_longer_than_is_followed():
+    interpreted = interpret(f"{OUTSIDE}it = outside\nfor _ in range(40):\n    it = getattr(it, 'x' * 1000)")
+    assert interpreted.reason("it") == "a name too long to follow"

@@ -159,3 +159,42 @@ def test_an_operand_that_is_known_decides_a_test_behind_one_that_is_not(test: st
 def test_the_value_of_a_test_that_never_holds_is_still_not_known():
     found = interpret(f"{OUTSIDE}x = outside.one()\nit = x and ''\n")
     assert isinstance(found.value("it"), OneOf) and found.options("it") == {..., ""}
+
+
+def test_an_attribute_of_what_a_call_gives_is_not_kept():
+    # The next call may give another.
+    interpreted = interpret(
+        f"{OUTSIDE}class Robot:\n    def __init__(self):\n        self.arm = None\nrobot = Robot()\n"
+        "if outside.value():\n    robot.arm = 'arm'\n"
+        "def get():\n    return robot\nif get().arm is not None:\n    it = robot.arm"
+    )
+    assert interpreted.options("it") == {None, "arm"}
+
+
+def test_a_test_proves_nothing_of_what_is_no_variable_or_shared():
+    interpreted = interpret(
+        f"{OUTSIDE}if print is not None and outside.value is not None and isinstance(outside.x, outside.Class):\n"
+        "    it = 'yes'\n"
+    )
+    assert interpreted.options("it") == {"yes"}
+
+
+def test_a_branch_that_the_default_of_a_parameter_contradicts():
+    mode = Known("fast", frozenset({"mode"}))
+    given = interpret("def f(mode):\n    if mode == 'slow':\n        return mode\n    return 'other'")
+    assert {value.constant for value in given.evaluate("f(mode)", mode=mode).inner} == {"slow", "other"}
+
+
+@pytest.mark.parametrize(
+    ("pattern", "options"),
+    [
+        ("{'a': _, **rest}", {"it"}),
+        ("{'b': _}", {"other"}),
+        ("[1, int()]", {"it", "other"}),
+        ("{'a': [x]}", {"it", "other"}),
+    ],
+)
+def test_patterns_that_take_a_value_apart(pattern: str, options: set[str]):
+    subject = "[1, 2]" if pattern.startswith("[") else "{'a': outside.value()}"
+    lines = f"match {subject}:\n    case {pattern}:\n        it = 'it'\n    case _:\n        it = 'other'"
+    assert interpret(OUTSIDE + lines).options("it") == options

@@ -410,3 +410,45 @@ def test_a_base_that_depends_on_an_import_is_the_first_that_is_there():
         "class Robot(Base):\n    own = 1\nit = Robot.own"
     )
     assert found.constant("it") == 1
+
+
+def test_nobody_inherits_from_a_module():
+    interpreted = interpret("import robot.base as base\nclass Robot(base):\n    pass", robot__base="class Robot: pass")
+    assert interpreted.reason("Robot") == "no class can inherit from a module"
+
+
+def test_bases_and_keywords_of_a_class_are_evaluated_and_may_be_no_classes():
+    interpreted = interpret(
+        f"{OUTSIDE}seen = []\ndef meta(x):\n    seen.append(x)\n    return x\n"
+        "class Robot(*outside.bases(), metaclass=meta(outside.Meta)):\n    name = 'r'\n"
+        "it, count = Robot.name, len(seen)"
+    )
+    assert interpreted.constant("it") == "r"
+    assert interpreted.constant("count") == 1
+
+
+def test_an_order_of_bases_that_python_refuses_is_still_followed():
+    interpreted = interpret(
+        "class A:\n    name = 'a'\nclass B(A):\n    pass\ntry:\n    class C(A, B):\n        pass\n"
+        "except TypeError:\n    pass\nit = C.name"
+    )
+    assert interpreted.constant("it") == "a"
+
+
+def test_methods_that_a_body_defines_in_a_try_know_their_class():
+    assert_like_python(
+        """
+        class Base:
+            def name(self):
+                return 'base'
+
+        class Robot(Base):
+            try:
+                def name(self):
+                    return super().name() + '!'
+            except ValueError:
+                pass
+
+        it = Robot().name()
+        """
+    )

@@ -184,3 +184,44 @@ def test_items_that_have_no_order_stay_where_they_are():
 
 def test_the_first_number_of_the_version_is_that_of_python_3():
     assert_like_python("import sys\nx = sys.version_info[0]")
+
+
+def test_the_item_at_an_index_that_is_not_known_is_one_of_them():
+    interpreted = interpret(f"{OUTSIDE}names = ['a', 'b']\none = names[outside.value()]\nnames += outside.items()")
+    assert interpreted.options("one") == {"a", "b"}
+    assert interpreted.evaluate("names[outside.value()]").why_unknown is not None
+
+
+def test_items_of_objects():
+    assert_like_python(
+        """
+        class Shelf:
+            def __init__(self):
+                self.boxes = {}
+
+            def __getitem__(self, name):
+                return self.boxes[name]
+
+            def __setitem__(self, name, box):
+                self.boxes[name] = box + '!'
+
+        shelf = Shelf()
+        shelf['a'] = 'nails'
+        it = shelf['a']
+        name = shelf.__dict__['boxes']['a']
+        """
+    )
+    assert not interpret(f"{OUTSIDE}class Box:\n    pass\nit = Box()[0]\nouter = outside.Box()[0]").is_known("it")
+
+
+def test_what_is_set_by_way_of_dict_is_an_attribute():
+    interpreted = interpret(
+        f"{OUTSIDE}class Box:\n    size = 1\nbox = Box()\nbox.__dict__['size'] = 2\n"
+        "box.__dict__[outside.name()] = 3\nit = box.size"
+    )
+    assert interpreted.constant("it") == 2
+
+
+def test_a_list_takes_no_item_that_it_has_not():
+    interpreted = interpret("names = ['a']\nnames[3] = 'b'\nit = names[0]")
+    assert interpreted.constant("it") == "a"

@@ -267,3 +267,17 @@ def test_every_operator_of_python_is_known():
     assert sorted(known) == sorted(BINARY)
     for op, name in known.items():
         assert interpreted(f"12 {op} 3") == getattr(operator, name)(12, 3)
+
+
+@pytest.mark.parametrize(
+    "expression",
+    ["'a' ** 2", "2 ** 65", "'ab' << 1", "1 << 100", "'a' * 'b'", "3 * None", "b'a' + b'b'", "(-8) ** 0.5", "1 < 'a'"],
+)
+def test_what_is_no_constant_is_not_followed(expression: str):
+    assert not interpret(f"it = {expression}").is_known("it")
+
+
+def test_a_key_that_is_not_known_may_be_in_a_dict():
+    interpreted = interpret(f"{OUTSIDE}table = {{'a': 1}}\nit = outside.key() in table\nother = 'b' in table")
+    assert not interpreted.is_known("it")
+    assert interpreted.constant("other") is False

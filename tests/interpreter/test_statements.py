@@ -153,6 +153,24 @@ def test_a_handler_that_returns_leaves_the_rest_to_the_other_way():
     assert found.options("it") == {"failed", "loaded"}
 
 
+def test_an_error_is_unknown_and_what_raises_it_again_leaves_no_other_way():
+    found = interpret(
+        f"{OUTSIDE}def name():\n    try:\n        outside.load()\n    except OSError as error:\n"
+        "        seen.append(error)\n        raise\n    return 'loaded'\nseen = []\nit = name()"
+    )
+    assert found.constant("it") == "loaded"
+
+
+def test_imports_by_another_name_and_of_what_lies_beside():
+    found = interpret(
+        "import robot.names as n\nfrom . import other\nfrom robot import names\n"
+        "a, b, c = n.TOPIC, other.TOPIC, names.TOPIC",
+        robot__names="TOPIC = 'scan'",
+        other="TOPIC = 'map'",
+    )
+    assert [found.constant(name) for name in "abc"] == ["scan", "map", "scan"]
+
+
 def test_an_import_that_fails_is_no_other_way_where_it_works():
     found = interpret("try:\n    import names\n    it = names.X\nexcept ImportError:\n    it = 'none'", names="X = 'x'")
     assert found.constant("it") == "x"
@@ -237,6 +255,11 @@ def test_a_match_on_what_is_not_known_may_take_any_case():
     assert not found.is_known("rest")
 
 
+def test_where_no_case_may_match_what_was_before_stays_possible():
+    found = interpret(f"{OUTSIDE}it = 'before'\nmatch outside.value():\n    case 1:\n        it = 'one'")
+    assert found.options("it") == {"before", "one"}
+
+
 def test_a_guard_that_fails_leaves_the_case():
     assert_like_python(
         """
@@ -283,6 +306,22 @@ def test_a_loop_that_may_run(loop: str, body: str, options: set):
     assert interpret(f"{OUTSIDE}name = 'a'\n{loop}\n    {body}").options("name") == options
 
 
+def test_a_loop_of_which_each_round_is_known_can_return():
+    assert_like_python(
+        """
+        def first_power_over(limit):
+            number = 1
+            while number < 1000:
+                number *= 2
+                if number > limit:
+                    return number
+            return None
+
+        found, none = first_power_over(100), first_power_over(5000)
+        """
+    )
+
+
 def test_a_loop_without_end_runs_once():
     found = interpret("names = []\nwhile True:\n    names.append('a')\n    number = len(names)\nafter = 'never'")
     assert found.constant("names") == ["a"]
@@ -324,7 +363,7 @@ def test_what_is_unpacked_of_one_of_several():
 
 
 def test_deletion():
-    assert_like_python("table = {'a': 1, 'b': 2}\ndel table['a']\nname = 'x'")
+    assert_like_python("table = {'a': 1, 'b': 2}\nother = 1\ndel table['a'], other\nname = 'x'")
     assert not interpret("items = [1, 2]\ndel items[0]").is_known("items")
 
 
