@@ -81,6 +81,9 @@ class Finding:
     group: tuple[str, ...] = field(default=(), compare=False)
     """What it has in common with the findings of its rule that are shown as one with it; empty in a finished one."""
 
+    meant: str = field(default="", compare=False)
+    """The name that was perhaps meant, as the message says; empty where none is near."""
+
     sites: Sites | None = field(default=None, compare=False)
     """What a fix would edit; None where no edit of the text can be right, such as for a wait that is wrong where it
     stands, limit or not."""

@@ -12,7 +12,7 @@ from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.finding import Related
 from archlint.model import NAMED
-from archlint.suggestions import did_you_mean
+from archlint.suggestions import nearest
 
 if TYPE_CHECKING:
     from archlint.finding import Finding, Place
@@ -23,7 +23,6 @@ _SHOWN = 12
 """How many names a help line lists."""
 _IN_ROS_1 = {"secs": "sec", "nsecs": "nanosec", "nsec": "nanosec"}
 """What the fields of times and durations were called."""
-_MEANT = "; did you mean "
 _WRAPPERS = {"FeedbackMessage": "message with the feedback", "GetResultResponse": "answer with the result"}
 
 
@@ -78,14 +77,11 @@ def _wrongly_passed(
 
 def _passed_to(system: System, use: FieldUse, hop: Passed) -> Finding:
     """The finding for a call that passes a message to a function which works with others."""
-    found = _unknown_field(system, use)
-    of = found.message.partition(" has no ")[0]
-    what = found.message.removeprefix(of).partition(";")[0]
     return replace(
-        found,
+        _unknown_field(system, use),
         place=hop.call,
         group=(),
-        message=f"{hop.helper}() is called with {of}, which{what}",
+        message=f"{hop.helper}() is called with {_message_of(use)}, which has no {_kind(use)} '{use.name}'",
         help=f"this call raises {_raised([use.access])} when it runs; the fields are {_listed(use.fields)}",
         related=(Related(use.place, f"'{use.name}' is used here"),),
     )
@@ -111,23 +107,31 @@ def _of_one_type(system: System, use: FieldUse, others: Sequence[FieldUse]) -> F
     )
 
 
+def _message_of(use: FieldUse) -> str:
+    """The message that lacks the field, in words."""
+    if not use.section_name:
+        return use.type
+    return f"the {_WRAPPERS.get(use.section_name, use.section_name.lower())} of {use.type}"
+
+
+def _kind(use: FieldUse) -> str:
+    return "constant" if use.access == "constant" else "field"
+
+
 def _unknown_field(system: System, use: FieldUse) -> Finding:
-    of = (
-        f"the {_WRAPPERS.get(use.section_name, use.section_name.lower())} of {use.type}"
-        if use.section_name
-        else use.type
-    )
-    what = "constant" if use.access == "constant" else "field"
-    meant, near = _meant(use)
+    of, what = _message_of(use), _kind(use)
+    inside, near = _meant(use)
+    hint = _did_you_mean({use.name: near}, inside)
     owner = enclosing_class(system.workspace, use.place) or ""
     return finding(
         "MSG001",
         use.place,
-        f"{of} has no {what} '{use.name}'{_instead(meant, near, [use.name])}",
+        f"{of} has no {what} '{use.name}'{hint}",
         help=f"this line raises {_raised([use.access])} when it runs; the {what}s are {_listed(use.fields)}",
         node=None if use.node is None else use.node.name.text,
         identity=(use.type, use.section_name, use.name, use.access),
-        group=(use.place.file, owner, of, what, meant, _listed(use.fields)),
+        group=(use.place.file, owner, of, what, inside, _listed(use.fields)),
+        meant=near,
     )
 
 
@@ -139,44 +143,41 @@ def _raised(accesses: Iterable[str]) -> str:
 
 
 def _meant(use: FieldUse) -> tuple[str, str]:
-    """What fields that have one cause agree in, and the words for a name that is near: all that are in another message
-    that this one holds (its name and a dot), and all others."""
+    """What was perhaps meant: the field whose own message has the name, which fields with one cause agree in, or a name
+    that is near; empty where there is none."""
     renamed = _IN_ROS_1.get(use.name)
     if renamed in use.fields:
-        return "", f"{_MEANT}'{renamed}'?"
+        return "", renamed
     if use.inside is not None and use.access != "keyword":
-        return f"{use.inside}.", ""
-    return "", did_you_mean(use.name, use.fields)
+        return use.inside, ""
+    return "", nearest(use.name, use.fields) or ""
 
 
-def _instead(meant: str, near: str, names: Sequence[str]) -> str:
-    if not meant.endswith("."):
-        return near
-    those = f"'{meant}{names[0]}'" if len(names) == 1 else f"those of '{meant[:-1]}'"
-    return f"; did you mean {those}?"
-
-
-def _nearest(near: Mapping[str, str]) -> str:
-    """The words for the names that are near, by the wrong ones."""
-    hints = [hint if len(near) == 1 else f"{hint} for '{name}'" for name, hint in near.items() if hint]
+def _did_you_mean(meant: Mapping[str, str], inside: str) -> str:
+    """The words for what was perhaps meant by each of some names, all of them ``inside`` a field if that is given."""
+    if inside:
+        [first, *others] = meant
+        those = f"those of '{inside}'" if others else f"'{inside}.{first}'"
+        return f"; did you mean {those}?"
+    hints = [f"'{near}'" + (f" for '{name}'" if len(meant) > 1 else "") for name, near in meant.items() if near]
     last = " and ".join(part for part in (", ".join(hints[:-1]), *hints[-1:]) if part)
-    return f"{_MEANT}{last}?" if hints else ""
+    return f"; did you mean {last}?" if hints else ""
 
 
 @folds("MSG001")
 def of_one_cause(findings: Sequence[Finding]) -> Finding:
     """The finding for all fields that one class takes for those of a message: at the first, the others related."""
     first = findings[0]
-    _, owner, of, what, meant, listed = first.group
-    near = {one.identity[2]: one.message.partition(_MEANT)[2].rstrip("?") for one in findings}
-    names = list(near)
+    _, owner, of, what, inside, listed = first.group
+    meant = {finding.identity[2]: finding.meant for finding in findings}
+    names = list(meant)
     shown = [f"'{name}'" for name in names]
     where = f"used at {len(findings)} places" + (f" of {owner}" if owner else " of this file")
     several = f"s {', '.join(shown[:-1])} and {shown[-1]}" if len(names) > 1 else f" {shown[0]}"
     raised = _raised(one.identity[3] for one in findings)
     return replace(
         first,
-        message=f"{of} has no {what}{several}, {where}{_instead(meant, _nearest(near), names)}",
+        message=f"{of} has no {what}{several}, {where}{_did_you_mean(meant, inside)}",
         help=f"these lines raise {raised} when they run; the {what}s are {listed}",
         related=tuple(Related(one.place, f"'{one.identity[2]}' is used here") for one in findings[1:]),
         identity=(*first.identity[:2], *names),
@@ -194,7 +195,8 @@ def unknown_interface(system: System, options: Options) -> Iterator[Finding]:
 def _unknown_interface(one: UnknownInterface) -> Finding:
     moved = [other for other in one.others if "/" in other]
     names = [other for other in one.others if "/" not in other]
-    hint = f"; there is {moved[0]}" if moved else "" if _part(one) else did_you_mean(one.name, names)
+    meant = moved[0] if moved else "" if _part(one) else nearest(one.name, names) or ""
+    hint = _instead(meant)
     what = {"msg": "message", "srv": "service", "action": "action"}[one.kind]
     if one.left_out:
         hint = f": {_file(one)} is not listed in rosidl_generate_interfaces() of its CMakeLists.txt"
@@ -205,6 +207,7 @@ def _unknown_interface(one: UnknownInterface) -> Finding:
         help=_cure(one, names),
         identity=(one.package, one.kind, one.name),
         group=() if one.left_out else (one.place.file, str(one.place.line), one.package, one.kind),
+        meant=meant,
     )
 
 
@@ -219,16 +222,19 @@ def of_one_import(findings: Sequence[Finding]) -> Finding:
     package, kind, _ = first.identity
     listed = f"{', '.join(repr(name) for name in names[:-1])} and {names[-1]!r}"
     several = {"msg": "messages", "srv": "services", "action": "actions"}[kind]
-    hints = [_hint_for(one) for one in findings]
+    hints = [_instead(finding.meant, finding.identity[2]) for finding in findings]
     message = f"{package} defines no {several} {listed}{''.join(dict.fromkeys(hints))}"
     return replace(first, message=message, identity=(package, kind, *names))
 
 
-def _hint_for(one: Finding) -> str:
-    """What one of several names was meant to be, as its own finding says."""
-    name = one.identity[2]
-    hint = one.message.partition(f"'{name}'")[2]
-    return f"{hint.removesuffix('?')} by '{name}'?" if hint.startswith(_MEANT) else hint
+def _instead(meant: str, name: str = "") -> str:
+    """The words for an interface that was perhaps meant: one of this kind, by one of several names, or of another."""
+    if not meant:
+        return ""
+    if "/" in meant:
+        return f"; there is {meant}"
+    by = f" by '{name}'" if name else ""
+    return f"; did you mean '{meant}'{by}?"
 
 
 def _part(one: UnknownInterface) -> tuple[str, str] | None:

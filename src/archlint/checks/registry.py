@@ -161,6 +161,7 @@ def finding(
     node: str | None = None,
     identity: Sequence[str] = (),
     group: Sequence[str] = (),
+    meant: str = "",
     sites: Sites | None = None,
 ) -> Finding:
     """A finding of a rule, with the rule's name and severity from its page."""
@@ -176,6 +177,7 @@ def finding(
         related=tuple(dict.fromkeys(related)),
         identity=tuple(identity),
         group=tuple(group),
+        meant=meant,
         sites=sites,
     )
 

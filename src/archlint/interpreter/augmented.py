@@ -10,6 +10,7 @@ from archlint.interpreter.attributes import get_attribute
 from archlint.interpreter.call_site import CallSite
 from archlint.interpreter.machine import Phase
 from archlint.interpreter.values import DictValue, Known, ListValue, Unknown, Value, alternatives
+from archlint.reasons import Uninformative
 from archlint.syntax import facts
 
 if TYPE_CHECKING:
@@ -29,7 +30,7 @@ def augmented(machine: Machine, s: facts.Augmented) -> Status:
     value = operators.binary(machine, s.op, before, operand, s.span)
     counted = s.target.attribute and machine.phase is Phase.LATER
     if counted and isinstance(value, Known) and not value.is_text:
-        value = Unknown("the value changes at run time")
+        value = Unknown(Uninformative("the value changes at run time"))
     assign(machine, s.target, value)
     return None
 
@@ -63,7 +64,7 @@ def forget_counters(machine: Machine, block: list[facts.Stmt]) -> None:
             case facts.Augmented(target=facts.Name(id=name)):
                 before = machine.lookup(name)
                 if before is None or not _is_collection(before):
-                    machine.assign_name(name, Unknown("the value changes in a loop"))
+                    machine.assign_name(name, Unknown(Uninformative("the value changes in a loop")))
             case facts.If() | facts.While() | facts.For():
                 forget_counters(machine, statement.body)
                 forget_counters(machine, statement.orelse)

@@ -37,6 +37,7 @@ from archlint.interpreter.values import (
     alternatives,
     one_of,
 )
+from archlint.reasons import NotPassed, Uninformative
 from archlint.syntax import facts
 
 __all__ = ["BUILTINS", "call", "call_function", "place_of"]
@@ -185,7 +186,7 @@ def bind_arguments(machine: Machine, function: FunctionValue, site: CallSite) ->
             bound[param.name] = defaults[param.name]
         else:
             meant = hints.class_named(machine, function.scope, param.annotation)
-            bound[param.name] = Unknown(f"nothing in the workspace passes '{param.name}'", None, meant, param.name)
+            bound[param.name] = Unknown(NotPassed.as_parameter(param.name), None, meant, param.name)
     return bound
 
 
@@ -302,7 +303,7 @@ def enter(machine: Machine, value: Value) -> Value:
     match value:
         case ListValue(kind="generator"):
             items = value.items(machine)
-            return items.values[0] if items.values else Unknown("the value of a context manager")
+            return items.values[0] if items.values else Unknown(Uninformative("the value of a context manager"))
         case Instance(cls=ClassValue()):
             method = method_of(machine, value, "__enter__")
             if method is not None:

@@ -38,6 +38,7 @@ from archlint.interpreter.values import (
     reason,
     via,
 )
+from archlint.reasons import Uninformative
 from archlint.syntax import facts
 
 if TYPE_CHECKING:
@@ -141,6 +142,14 @@ def _mapping(machine: Machine, e: facts.Mapping) -> Value:
     return new_dict(machine, entries, open_)
 
 
+def _why_unknown_items(iterable: Value) -> str:
+    match reason(iterable):
+        case Uninformative():
+            return "what the loop runs over is not known"
+        case why:
+            return why
+
+
 def _comprehension(machine: Machine, e: facts.Comprehension) -> Value:
     activation = machine.activation
     outermost = machine.evaluate(e.generators[0].iterable)  # in the scope around: a class body has names of its own
@@ -165,9 +174,7 @@ def _comprehension(machine: Machine, e: facts.Comprehension) -> Value:
         values: Sequence[Value]
         if items is None or len(items.values) > min(UNROLL, machine.items_left):
             open_, whole = True, False
-            why = reason(iterable)
-            why = "what the loop runs over is not known" if why.startswith("the value") else why
-            values = (iterable.each or Unknown(why),)
+            values = (iterable.each or Unknown(_why_unknown_items(iterable)),)
         else:
             open_ = open_ or items.open
             whole = whole and items.whole

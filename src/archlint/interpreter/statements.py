@@ -13,6 +13,7 @@ from archlint.interpreter.heap import Layer
 from archlint.interpreter.items import delete_item
 from archlint.interpreter.machine import UNROLL, Machine, Status
 from archlint.interpreter.values import NONE, External, Items, Unknown, Value, reason
+from archlint.reasons import NOT_A_CONSTANT
 from archlint.syntax import facts
 
 if TYPE_CHECKING:
@@ -116,7 +117,7 @@ def _loop_of_unknown(machine: Machine, s: facts.For, iterable: Value, items: Ite
     with machine.arm(key, 0) as taken:
         forget_counters(machine, s.body)
         why = reason(iterable)
-        if why == "the value is not a constant":
+        if why is NOT_A_CONSTANT:
             why = "what the loop runs over is not known"
         assign(machine, s.target, containers.unknown_item(machine, iterable, why))
         status = machine.execute(s.body)

@@ -24,6 +24,7 @@ from archlint.model.messages import FieldUse, Passed, UnknownInterface
 from archlint.model.nodes import Blueprint, Callback, Creation, Frame, FunctionRef, Group, ParameterDeclaration
 from archlint.model.programs import Program
 from archlint.model.texts import Text
+from archlint.reasons import NotPassed, Uninformative
 from archlint.ros.qos import Qos
 
 Plain = Any
@@ -38,7 +39,7 @@ _DICT: Final = "dict"
 _CONTAINERS: Mapping[str, type] = {"list": list, "tuple": tuple, "set": set, "frozenset": frozenset}
 _WORD_TYPES: tuple[type, ...] = (
     *(EntityKind, ExecutorKind, GroupKind, Role, SpinDuration),
-    *(ChoiceOfArgument, ChoiceOfCallee, UnfollowedCondition),
+    *(ChoiceOfArgument, ChoiceOfCallee, UnfollowedCondition, NotPassed, Uninformative),
 )
 _WORDS: Mapping[str, type] = {kind.__name__: kind for kind in _WORD_TYPES}
 """Words and numbers with a type of their own."""

@@ -15,7 +15,7 @@ from archlint.finding import Place
 from archlint.interpreter.heap import Slot
 from archlint.interpreter.values import Value, alternatives
 from archlint.libraries.rclpy import node_classes, nodes
-from archlint.programs.roots import NOT_PASSED
+from archlint.reasons import NotPassed
 
 if TYPE_CHECKING:
     from archlint.libraries.run import Run
@@ -153,12 +153,12 @@ def prune_uncalled(programs: list[model.Program]) -> None:
 
 
 def _is_uncalled(creation: model.Creation) -> bool:
-    return (
-        creation.context is not None
-        and creation.context.role == model.Role.METHOD
-        and creation.name.text is None
-        and (creation.name.reason or "").startswith(NOT_PASSED)
-    )
+    match creation:
+        case model.Creation(
+            context=model.Callback(role=model.Role.METHOD), name=model.Text(text=None, reason=NotPassed())
+        ):
+            return True
+    return False
 
 
 __all__ = ["Holders", "helpers_in", "note_holders", "note_unfollowed", "prune_uncalled", "settle_helpers"]

@@ -29,6 +29,7 @@ from archlint.libraries.uses import bare
 from archlint.programs import left_behind
 from archlint.programs.any_time import attributes_at_any_time
 from archlint.programs.budget import LATE_STEPS
+from archlint.reasons import NotPassed
 from archlint.syntax import facts
 from archlint.syntax.parts import names_in
 
@@ -38,8 +39,6 @@ ROUNDS = 4
 """How often callbacks that hand over callbacks are followed."""
 AGAIN = 2
 """How often callbacks run again on what others left in attributes; the last time what still changes is not known."""
-
-NOT_PASSED = "nothing in the workspace passes"
 
 LIFECYCLE = frozenset({"on_configure", "on_activate", "on_deactivate", "on_cleanup", "on_shutdown", "on_error"})
 
@@ -208,7 +207,7 @@ def _uncalled_arguments(ir: facts.Function, bound: int) -> tuple[Value, ...]:
         if param.kind not in ("positional_only", "normal"):
             break
         if param.default is None or _flag(param) is not None:
-            given.append(Unknown(f"{NOT_PASSED} '{param.name}'", name=param.name))
+            given.append(Unknown(NotPassed.as_parameter(param.name), name=param.name))
             known = len(given)
         else:
             given.append(NONE)

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Literal
 
 from archlint.interpreter.values.base import NO_PARAMETERS, Items, State, Value
 from archlint.interpreter.values.choices import Unknown
+from archlint.reasons import NOT_A_CONSTANT
 
 if TYPE_CHECKING:
     from archlint.finding import Place
@@ -217,7 +218,7 @@ def with_via(value: Value, parameters: frozenset[str]) -> Value:
 
 def reason(*values: Value) -> str:
     """Why a result made from these values is not known."""
-    return next((why for value in values if (why := value.why_unknown) is not None), "the value is not a constant")
+    return next((why for value in values if (why := value.why_unknown) is not None), NOT_A_CONSTANT)
 
 
 def depends_on(*values: Value) -> str | None:

@@ -24,6 +24,7 @@ from archlint.libraries.rclpy import node_classes, short_lived
 from archlint.libraries.rclpy.fields import OVERRIDES
 from archlint.libraries.texts import text_of_value
 from archlint.libraries.values import NodeValue
+from archlint.reasons import NotPassed
 
 if TYPE_CHECKING:
     from archlint.libraries.api_use import ApiUse
@@ -206,7 +207,7 @@ def held_blueprint(
     blueprint.caller_unknown = True
     blueprint.annotated = annotated
     blueprint.constructed = True
-    blueprint.name = model.Text(None, "unknown", reason="nothing in the workspace passes a node")
+    blueprint.name = model.Text(None, "unknown", reason=NotPassed("nothing in the workspace passes a node"))
     # Like every node that no launch file puts elsewhere, it is in the root namespace.
     return blueprint
 
