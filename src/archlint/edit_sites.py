@@ -5,7 +5,7 @@ The rule that finds something knows them; ``fixes/`` turns them into edits, wher
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from archlint.place import Place
 
@@ -72,11 +72,36 @@ class NamedCall:
 
 
 @dataclass(frozen=True)
+class IdleSuppression:
+    """A suppression comment that is to name nothing but the ``needed`` codes, or to go where there is none."""
+
+    comment: Place
+    listed: Place
+    """All codes that it names, brackets included; on the line of the comment."""
+    needed: tuple[str, ...]
+    closed: bool
+    """Whether it ends by itself, as comments of XML do; one with ``#`` goes on to the end of the line."""
+
+
+@dataclass(frozen=True)
+class MissingDependencies:
+    """Packages that a package.xml has to declare."""
+
+    manifest: str
+    tag: str
+    """What its format calls a dependency for run time."""
+    packages: tuple[str, ...]
+
+
+@dataclass(frozen=True)
 class Sites:
     """What one finding would have edited: several of a kind where it stands for several calls."""
 
     limits: tuple[LimitlessCall, ...] = ()
     names: tuple[NamedCall, ...] = ()
+    suppression: IdleSuppression | None = None
+    dependencies: MissingDependencies | None = None
 
     def __add__(self, other: Sites) -> Sites:
-        return Sites(self.limits + other.limits, self.names + other.names)
+        """Both together, for a finding that stands for several waits or names."""
+        return replace(self, limits=self.limits + other.limits, names=self.names + other.names)

@@ -12,14 +12,14 @@ from archlint.analysis.entry_points import NoFunction, NoFunctionNamed, NoModule
 from archlint.analysis.ignored import words_ignored_at
 from archlint.analysis.imports import imports_at_start
 from archlint.analysis.launch_code import has_action_for, may_read_argument, words_of_launch_code, writes_files
-from archlint.analysis.manifests import package_around, place_of_a_dependency
+from archlint.analysis.manifests import package_around
 from archlint.analysis.missing_files import names_beside
 from archlint.config.settings import Settings
 from archlint.engine.pipeline import Request, graph
 from archlint.place import Place
 from archlint.systems.model import WorkspaceIndex
 from archlint.workspace.installed import Executable
-from robot_package import TALKER, manifest, write_robot
+from robot_package import TALKER, write_robot
 
 LAUNCH = "launch/it.launch.py"
 Index = Callable[..., WorkspaceIndex]
@@ -108,18 +108,11 @@ def test_the_imports_that_always_run(index: Index):
     assert [(one.module, one.names, one.place.line) for one in found] == [("rclpy.node", (), 1), ("c", ("d", "e"), 2)]
 
 
-def test_the_manifest_around_a_folder_and_the_next_line_in_it(index: Index):
+def test_the_manifest_around_a_folder(index: Index):
     workspace = index(**{"inner/package.xml": "<package>", "inner/a/b.py": ""})
     package = package_around(workspace, "robot")
     assert package is not None and package.name == "robot"
     assert package_around(workspace, "inner/a") is None  # a manifest that makes no package
-    assert place_of_a_dependency(workspace, package) == (Place("package.xml", 4, 1, 4, 1), "")
-
-
-def test_a_dependency_in_a_comment_is_no_place_for_the_next(index: Index):
-    text = manifest(more="\n  <exec_depend>tf2</exec_depend>\n  <!-- <depend>old</depend> -->")
-    workspace = index(**{"package.xml": text})
-    assert place_of_a_dependency(workspace, workspace.packages["robot"]) == (Place("package.xml", 5, 1, 5, 1), "  ")
 
 
 def test_the_names_beside_a_missing_file(index: Index):

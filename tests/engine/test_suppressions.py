@@ -70,7 +70,7 @@ def test_a_failure_of_archlint_itself_cannot_be_hidden():
 
 def test_one_finding_for_each_comment_with_all_that_it_need_not_name():
     unused = apply([finding(12)], {"node.py": [ignore(["SRV003", "TMO001", "TMO002"])]}).unused
-    [found] = stale(unused, frozenset({"SRV003", "TMO001", "TMO002"}), lambda file, line: None)
+    [found] = stale(unused, frozenset({"SRV003", "TMO001", "TMO002"}))
     assert (found.code, found.place.line, found.message) == (
         "LNT001",
         12,
@@ -80,10 +80,10 @@ def test_one_finding_for_each_comment_with_all_that_it_need_not_name():
 
 def test_rules_that_did_not_run_are_left_alone():
     unused = apply([], {"node.py": [ignore(["SRV003", "TMO001"])]}).unused
-    assert stale(unused, frozenset({"OWN001"}), lambda file, line: None) == []
+    assert stale(unused, frozenset({"OWN001"})) == []
 
 
 def test_a_code_of_no_rule():
     unused = apply([], {"node.py": [ignore(["SRV033"])]}).unused
-    [found] = stale(unused, frozenset(), lambda file, line: None)
+    [found] = stale(unused, frozenset())
     assert found.message == "there is no rule SRV033; did you mean SRV003?"

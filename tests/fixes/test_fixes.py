@@ -10,6 +10,11 @@ from textwrap import dedent
 import pytest
 
 from archlint.cli import main
+from archlint.edit_sites import IdleSuppression
+from archlint.fixes.dependencies import free_line
+from archlint.fixes.source import Source
+from archlint.fixes.suppressions import shortened
+from archlint.place import Place
 
 HEAD = """\
 import threading
@@ -472,6 +477,8 @@ NODE_TAG = '<node pkg="demo_nodes_py" exec="talker"/>'
         ("it.launch.xml", f"<!-- archlint: ignore[LCH005] why -->\n{NODE_TAG}\n", None),
         ("it.launch.xml", f"<!-- archlint: ignore[LCH005, SRV003] -->\n{NODE_TAG}\n",
          f"<!-- archlint: ignore[SRV003] -->\n{NODE_TAG}\n"),
+        ("it.launch.xml", f"{NODE_TAG} <!--archlint: ignore [ LCH005,SRV003 ]-->\n",
+         f"{NODE_TAG} <!--archlint: ignore [SRV003]-->\n"),
         ("it.launch.yaml", "- node:  # archlint: ignore[LCH005]\n    pkg: demo_nodes_py\n    exec: talker\n",
          "- node:\n    pkg: demo_nodes_py\n    exec: talker\n"),
     ],
@@ -509,6 +516,30 @@ def test_a_dependency_is_declared(tmp_path: Path, monkeypatch: pytest.MonkeyPatc
     after = manifest.read_bytes().decode()
     assert after.replace(added.format("std_msgs"), "").replace(added.format("sensor_msgs"), "") == text
     assert stat.S_IMODE(manifest.stat().st_mode) == 0o640
+
+
+ABOUT = "<package>\n  <name>talk</name>\n  <license>MIT</license>\n"
+
+
+@pytest.mark.parametrize(
+    ("text", "line"),
+    [
+        (f"{ABOUT}</package>\n", (4, "  ")),
+        (f"{ABOUT}\t<depend>rclpy</depend>\n\n</package>\n", (5, "\t")),
+        (f"{ABOUT}  <exec_depend>tf2</exec_depend>\n  <!-- <depend>old</depend> -->\n</package>\n", (5, "  ")),
+        (f"{ABOUT}<!--\n  <depend>old</depend>\n-->\n</package>\n", (4, "  ")),
+        ("<package><name>talk</name></package>\n", None),
+    ],
+)
+def test_where_the_next_dependency_goes(text: str, line: tuple[int, str] | None):
+    assert free_line(Source("package.xml", text)) == line
+
+
+@pytest.mark.parametrize("text", ["", "x = 1\n", "x = 1  # a comment as long as that one was, or longer\n"])
+def test_a_suppression_that_is_no_longer_there_is_left_alone(text: str):
+    idle = IdleSuppression(Place("a.py", 1, 8, 1, 34), Place("a.py", 1, 26, 1, 34), (), closed=False)
+    assert shortened(idle, Source("a.py", text)) is None
+    assert shortened(idle, Source("a.py", "x = 1  # archlint: ignore[TMO001]\n")) is not None
 
 
 def test_a_diff_changes_nothing(workbench: Workbench, capsys: pytest.CaptureFixture[str]):

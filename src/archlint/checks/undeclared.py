@@ -10,11 +10,12 @@ from typing import TYPE_CHECKING
 
 from archlint.analysis.ignored import words_ignored_at
 from archlint.analysis.imports import imports_at_start
-from archlint.analysis.manifests import package_around, place_of_a_dependency
+from archlint.analysis.manifests import package_around
 from archlint.checks.packages import workspace_of
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
-from archlint.finding import Edit, Finding, Fix, Place, Related
+from archlint.edit_sites import MissingDependencies, Sites
+from archlint.finding import Finding, Place, Related
 from archlint.launch.kinds import StartedKind
 from archlint.ros import packages
 from archlint.rulebook import rules
@@ -227,15 +228,15 @@ def _undeclared(workspace: WorkspaceIndex, package: Package, uses: Sequence[Use]
     for use in uses:
         by_needed.setdefault(use.needed, []).append(use)
     needed = sorted(by_needed)
-    found = finding(
+    return finding(
         "PKG001",
         uses[0].place,
         _message(workspace, package, uses[0], needed),
         help=_help(package, needed),
-        related=[one for one in _related(by_needed) if one.place != uses[0].place],
+        related=[related for related in _related(by_needed) if related.place != uses[0].place],
         identity=(package.name, *needed),
+        sites=_sites(workspace, package, needed),
     )
-    return replace(found, fix=_fix(workspace, package, needed))
 
 
 def _message(workspace: WorkspaceIndex, package: Package, first: Use, needed: Sequence[str]) -> str:
@@ -274,9 +275,6 @@ def _related(by_needed: Mapping[str, Sequence[Use]]) -> Iterator[Related]:
         yield Related(uses[0].place, first + (f" and at {more} more place{'s' * (more > 1)}" if more else ""))
 
 
-# ------------------------------------------------------------------------------------------------------ the fix
-
-
 def _reachable(name: str, workspace: WorkspaceIndex, used: Mapping[str, AbstractSet[str]]) -> frozenset[str]:
     """The packages of this workspace that one of them may need, directly or not, itself included."""
 
@@ -294,18 +292,12 @@ def _tag(package: Package) -> str:
     return "run_depend" if package.format == 1 else "exec_depend"
 
 
-def _fix(workspace: WorkspaceIndex, package: Package, needed: Sequence[str]) -> Fix | None:
-    """Lines for the manifest, after the last of their kind, or where the first would stand.
-
-    Only packages that are known: those of this workspace and those of rosdistro.  Format 1 refuses one that is
-    declared for tests, too."""
+def _sites(workspace: WorkspaceIndex, package: Package, needed: Sequence[str]) -> Sites | None:
+    """What a fix adds to the manifest: only packages that are known, of this workspace or of rosdistro.  Format 1
+    refuses one that is declared for tests, too."""
     taken = {d.name for d in package.dependencies if package.format == 1}
     known = workspace.packages.keys() | packages.table().names
-    names = [name for name in needed if name in known and name not in taken]
-    where = place_of_a_dependency(workspace, package)
-    if where is None or not names:
+    names = tuple(name for name in needed if name in known and name not in taken)
+    if not names:
         return None
-    place, indent = where
-    tag = _tag(package)
-    edit = Edit(place, "".join(f"{indent}<{tag}>{name}</{tag}>\n" for name in names))
-    return Fix("safe", (edit,), f"declare {', '.join(names)}")
+    return Sites(dependencies=MissingDependencies(package.manifest.relative, _tag(package), names))

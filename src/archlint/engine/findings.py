@@ -19,7 +19,6 @@ from archlint.engine.loading import as_asked_for, systems_of
 from archlint.engine.looked_at import followed_in_part, for_ros1, without_start
 from archlint.engine.merging import folded, merged
 from archlint.engine.request import NothingToDo, Request
-from archlint.engine.sources import Sources
 from archlint.faults import Faults
 from archlint.finding import Place, Related
 from archlint.observed.words import comparison_notices, comparison_words
@@ -80,7 +79,7 @@ def _judged(request: Request, workspace: Workspace, facts: FactsOfFiles, tree: S
     by_file.update(launch_files.suppressions())
     found.extend(failure(fault) for fault in faults.found())
     outcome = suppressions.apply(_wanted(found, request.settings, workspace), by_file)
-    stale = suppressions.stale(outcome.unused, _ran(request, systems), Sources().line)
+    stale = suppressions.stale(outcome.unused, _ran(request, systems))
     kept = [*outcome.kept, *suppressions.apply(_wanted(stale, request.settings, workspace), by_file).kept]
     whole = folded(dict.fromkeys(kept))
     findings = sorted(whole, key=lambda finding: finding.sort_key)

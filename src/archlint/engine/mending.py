@@ -27,7 +27,10 @@ def mended(judged: Judged, request: Request, workspace: Workspace) -> Judged:
         mine = [finding for finding in left if finding.place.file in files]
         left = [finding for finding in left if finding.place.file not in files]
         findings += attach(mine, Surroundings([file.path for file in python_files(part)]), faults)
+    # A launch file that git ignores is read where another one includes it.
+    everywhere = Surroundings([file.path for file in python_files(workspace)])
+    findings += attach(left, everywhere, faults)
     failures = [failure(fault) for fault in faults.found()]
-    ordered = sorted((*findings, *left, *failures), key=lambda finding: finding.sort_key)
+    ordered = sorted((*findings, *failures), key=lambda finding: finding.sort_key)
     summary = replace(judged.summary, errors=judged.summary.errors + len(failures))
     return replace(judged, findings=ordered, summary=summary, mended=True)

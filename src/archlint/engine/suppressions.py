@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-import re
-from collections.abc import Callable, Iterable, Mapping, Sequence
-from dataclasses import dataclass, field, replace
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
 
 from archlint.checks.registry import finding
-from archlint.finding import Edit, Finding, Fix, Place
+from archlint.edit_sites import IdleSuppression, Sites
+from archlint.finding import Finding, Place
 from archlint.rulebook import find_rule, suggestion
 
 if TYPE_CHECKING:
@@ -41,10 +41,10 @@ def apply(findings: Iterable[Finding], by_file: Mapping[str, Sequence[Suppressio
     """Take away the findings whose primary place is covered by a suppression of their code or name."""
     outcome = Outcome()
     used: set[tuple[str, int, int, str]] = set()
-    for one in findings:
-        covering = _covering(one, by_file.get(one.place.file, ()))
+    for candidate in findings:
+        covering = _covering(candidate, by_file.get(candidate.place.file, ()))
         used.update(covering)
-        (outcome.suppressed if covering else outcome.kept).append(one)
+        (outcome.suppressed if covering else outcome.kept).append(candidate)
     for file, suppressions in sorted(by_file.items()):
         for suppression in suppressions:
             if not suppression.codes:
@@ -68,65 +68,46 @@ def _covering(finding: Finding, suppressions: Sequence[Suppression]) -> list[tup
     ]
 
 
-def stale(unused: Iterable[Unused], ran: frozenset[str], line: Callable[[str, int], str | None]) -> list[Finding]:
+def stale(unused: Iterable[Unused], ran: frozenset[str]) -> list[Finding]:
     """The LNT001 findings for suppressions that hid nothing though their rules ran, one a comment."""
     comments: dict[tuple[str, int, int], list[Unused]] = {}
-    for one in unused:
-        rule = find_rule(one.code)
+    for unused_code in unused:
+        rule, comment = find_rule(unused_code.code), unused_code.suppression
         if rule is None or (rule.code in ran and rule.code != "LNT001"):
-            comments.setdefault((one.file, one.suppression.line, one.suppression.column), []).append(one)
-    return [_stale(comments[key], line) for key in sorted(comments)]
+            comments.setdefault((unused_code.file, comment.line, comment.column), []).append(unused_code)
+    return [_stale(comments[key]) for key in sorted(comments)]
 
 
-def _stale(unused: list[Unused], line: Callable[[str, int], str | None]) -> Finding:
-    first = unused[0]
-    comment, file = first.suppression, first.file
-    codes = ", ".join(one.code for one in unused)
-    no_rule = [one.code for one in unused if find_rule(one.code) is None]
-    return replace(
-        finding(
-            "LNT001",
-            Place(file, comment.line, comment.column, comment.line, comment.end_column),
-            f"there is no rule {no_rule[0]}{suggestion(no_rule[0])}"
-            if no_rule
-            else f"this suppression of {codes} is unused",
-            help="remove it",
-            identity=(codes,),
-        ),
-        fix=_without(first, {one.code for one in unused}, line(file, comment.line)),
+def _stale(unused: list[Unused]) -> Finding:
+    comment, file = unused[0].suppression, unused[0].file
+    codes = [unused_code.code for unused_code in unused]
+    no_rule = [code for code in codes if find_rule(code) is None]
+    listed = ", ".join(codes)
+    return finding(
+        "LNT001",
+        Place(file, comment.line, comment.column, comment.line, comment.end_column),
+        f"there is no rule {no_rule[0]}{suggestion(no_rule[0])}"
+        if no_rule
+        else f"this suppression of {listed} is unused",
+        help="remove it",
+        identity=(listed,),
+        sites=_sites(file, comment, frozenset(codes)),
     )
 
 
-_ALONE_IN_XML = re.compile(r"<!--\s*archlint:\s*ignore(?:-file)?\[[^\]]*\]\s*-->")
-
-
-def _without(one: Unused, codes: set[str], line: str | None) -> Fix | None:
-    """Take codes out of a comment, or all of it where none is left.  A comment of XML that says more is left to
-    its author."""
-    comment = one.suppression
-    if line is None:
+def _sites(file: str, comment: Suppression, idle: frozenset[str]) -> Sites | None:
+    """What to edit for the codes that hide nothing; None for a comment that says more, which is left to its author."""
+    if comment.says_more or comment.listed is None:
         return None
-    left = [code for code in comment.codes if code not in codes]
-    start, end, last = comment.column, comment.end_column, comment.line
-    text = line[start - 1 : end - 1]
-    rest = line[end - 1 :]
-    in_xml = text.startswith("<")
-    if in_xml and _ALONE_IN_XML.fullmatch(text) is None:
-        return None
-    if left:
-        new = f"{text.partition('[')[0]}[{', '.join(left)}]{text.partition(']')[2]}"
-    elif in_xml and rest.strip():
-        new = ""
-        end += len(rest) - len(rest.lstrip())
-    elif rest.strip():
-        new = "" if rest.lstrip().startswith("#") else "#"
-        end += len(rest) - len(rest.lstrip()) if not new else 0
-    else:
-        new, end = "", len(line) + 1
-        start = len(line[: start - 1].rstrip()) + 1
-        if start == 1:
-            last, end = last + 1, 1  # nothing else stands on the line
-    return Fix("safe", (Edit(Place(one.file, comment.line, start, last, end), new),), "remove the suppression")
+    start, end = comment.listed
+    return Sites(
+        suppression=IdleSuppression(
+            Place(file, comment.line, comment.column, comment.line, comment.end_column),
+            Place(file, comment.line, start, comment.line, end),
+            needed=tuple(code for code in comment.codes if code not in idle),
+            closed=comment.closed,
+        )
+    )
 
 
 def refusal(file: str, suppression: Suppression) -> str:

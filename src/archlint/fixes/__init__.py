@@ -7,8 +7,10 @@ from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from archlint.faults import Faults
+from archlint.fixes.dependencies import declared
 from archlint.fixes.limits import limited
 from archlint.fixes.names import Names
+from archlint.fixes.suppressions import shortened
 from archlint.fixes.surroundings import Surroundings
 
 if TYPE_CHECKING:
@@ -19,7 +21,7 @@ def attach(findings: Iterable[Finding], around: Surroundings, faults: Faults | N
     """The findings, each with its fix where there is one.  Of a fix that fails to be made, ``faults`` are told."""
     mended = list(findings)
     faults = faults or Faults()
-    names = Names((call for one in mended if one.sites is not None for call in one.sites.names), around)
+    names = Names((call for finding in mended if finding.sites for call in finding.sites.names), around)
     for number, finding in enumerate(mended):
         with faults.contained(f"making the fix of {finding.code}", finding.place):
             fix = _fix(finding, around, names)
@@ -28,12 +30,19 @@ def attach(findings: Iterable[Finding], around: Surroundings, faults: Faults | N
 
 
 def _fix(finding: Finding, around: Surroundings, names: Names) -> Fix | None:
-    if finding.sites is None:
+    sites = finding.sites
+    if sites is None:
         return None
-    if finding.sites.names:
-        return names.fix(finding.sites.names)
-    source = around.source(finding.place.file)
-    return None if source is None else limited(finding.sites.limits, source)
+    if sites.names:
+        return names.fix(sites.names)
+    source = around.source(finding.place.file if sites.dependencies is None else sites.dependencies.manifest)
+    if source is None:
+        return None
+    if sites.dependencies is not None:
+        return declared(sites.dependencies, source)
+    if sites.suppression is not None:
+        return shortened(sites.suppression, source)
+    return limited(sites.limits, source)
 
 
 __all__ = ["Surroundings", "attach"]

@@ -55,6 +55,15 @@ class Source:
         end = self.starts[number] if number < len(self.starts) else len(self.text)
         return self.text[self.starts[number - 1] : end].rstrip("\r\n")
 
+    @property
+    def lines(self) -> list[str]:
+        """All lines without their ends."""
+        return [self.line(number) for number in range(1, len(self.starts) + 1)]
+
+    def has(self, place: Place) -> bool:
+        """Whether the file still reaches as far as a place."""
+        return place.end_line <= len(self.starts) and self.span(place)[1] <= len(self.text)
+
     def span(self, place: Place) -> tuple[int, int]:
         """Offsets at which a place starts and ends."""
         return self.offset(place.line, place.column), self.offset(place.end_line, place.end_column)

@@ -7,6 +7,21 @@ import re
 SUPPRESSION = r"archlint:\s*ignore(-file)?(?![\w-])\s*(?:\[([^\]]*)\])?"
 """What follows the mark of a comment; the groups are ``-file`` and the codes."""
 
+CODES = 2
+"""The group of the codes."""
+
+
+def codes_in(match: re.Match[str]) -> list[str]:
+    """The codes that a match of :data:`SUPPRESSION` lists, as written."""
+    return [code for code in map(str.strip, (match[CODES] or "").split(",")) if code]
+
+
+def listed_at(match: re.Match[str], column: int) -> tuple[int, int] | None:
+    """First and last column (exclusive) of the list of codes, brackets included, where the match is at ``column``."""
+    start = column - match.start()
+    return None if match[CODES] is None else (start + match.start(CODES) - 1, start + match.end(CODES) + 1)
+
+
 _FAMILIES = "ACT|API|ARC|CBG|GRF|LCH|LNT|MSG|NME|OWN|PKG|PRM|QOS|SRV|TMO|TOP"
 """Those whose codes no other linter has: ruff knows an EXE001, too."""
 

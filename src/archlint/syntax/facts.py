@@ -75,7 +75,7 @@ from archlint.syntax.statements import (
     WithItem,
 )
 
-FACTS_VERSION = 7
+FACTS_VERSION = 8
 """Raised whenever the shape or the meaning of the facts changes: old cache entries are then misses."""
 
 
@@ -95,6 +95,12 @@ class Suppression(Base, frozen=True):
     codes: list[str]
     scope: typing.Literal["line", "file"] = "line"
     not_understood: str = ""
+    listed: tuple[int, int] | None = None
+    """First and last column (exclusive) of the codes with their brackets; None for a refused one."""
+    closed: bool = False
+    """Whether it ends by itself, as comments of XML do; one with ``#`` goes on to the end of the line."""
+    says_more: bool = False
+    """Whether its author wrote more into a ``closed`` one than the codes."""
 
     def covers(self, line: int) -> bool:
         """Whether what stands on a line is meant."""

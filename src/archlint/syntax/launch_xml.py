@@ -5,12 +5,12 @@ from __future__ import annotations
 import re
 from xml.parsers import expat
 
-from archlint.syntax.comment_words import SUPPRESSION, lookalike
+from archlint.syntax.comment_words import SUPPRESSION, codes_in, listed_at, lookalike
 from archlint.syntax.facts import Span, Suppression
 from archlint.syntax.launch_elements import DEPTH, ELEMENTS, Attribute, Element, LaunchFacts, TooLarge, failed
 
 _ATTRIBUTE = re.compile(rb"""\s+([^\s=/>"']+)\s*=\s*("[^"]*"|'[^']*')""")
-_SUPPRESSION = re.compile(rf"<!--\s*{SUPPRESSION}(?:(?!-->).)*-->")
+_SUPPRESSION = re.compile(rf"<!--\s*{SUPPRESSION}(?P<words>(?:(?!-->).)*)-->")
 
 
 class _Entity(Exception):
@@ -176,7 +176,6 @@ def _suppressions(text: str, root: Element) -> list[Suppression]:
             span = (number, other.start() + 1, other.end() + 1, (number, number))
             found.append(Suppression(*span, [], not_understood=other[0]))
         for match in _SUPPRESSION.finditer(line):
-            codes = [code.strip() for code in (match[2] or "").split(",") if code.strip()]
             own = line[: match.start()].strip()
             first, last = _covered(number, starts, bool(own))
             found.append(
@@ -185,8 +184,11 @@ def _suppressions(text: str, root: Element) -> list[Suppression]:
                     match.start() + 1,
                     match.end() + 1,
                     (1, len(lines)) if match[1] else (first, last),
-                    codes,
+                    codes_in(match),
                     "file" if match[1] else "line",
+                    listed=listed_at(match, match.start() + 1),
+                    closed=True,
+                    says_more=bool(match["words"].strip()),
                 )
             )
     return found

@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from typing import TYPE_CHECKING
 
-from archlint.syntax.comment_words import SUPPRESSION, lookalike
+from archlint.syntax.comment_words import SUPPRESSION, codes_in, listed_at, lookalike
 from archlint.syntax.facts import Suppression
 from archlint.syntax.launch_elements import DEPTH, ELEMENTS, Attribute, Element, LaunchFacts, Scalar, failed
 from archlint.syntax.safe_yaml import YamlError, YamlReader, scalar, span_of
@@ -102,7 +102,6 @@ def suppressions_of_lines(text: str) -> list[Suppression]:
             span = (number, other.start() + 1, other.end() + 1, (number, number))
             found.append(Suppression(*span, [], not_understood=other[0]))
         for match in _SUPPRESSION.finditer(line):
-            codes = [code.strip() for code in (match[2] or "").split(",") if code.strip()]
             covered = number
             if not line[: match.start()].strip():
                 rest = enumerate(lines[number:], start=number + 1)
@@ -113,8 +112,9 @@ def suppressions_of_lines(text: str) -> list[Suppression]:
                     match.start() + 1,
                     match.end() + 1,
                     (1, len(lines)) if match[1] else (covered, covered),
-                    codes,
+                    codes_in(match),
                     "file" if match[1] else "line",
+                    listed=listed_at(match, match.start() + 1),
                 )
             )
     return found

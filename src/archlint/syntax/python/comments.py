@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from bisect import bisect_left
 
-from archlint.syntax.comment_words import SUPPRESSION, lookalike
+from archlint.syntax.comment_words import SUPPRESSION, codes_in, listed_at, lookalike
 from archlint.syntax.facts import Suppression
 from archlint.syntax.python.positions import CommentPositions, LineTable
 
@@ -26,15 +26,15 @@ def find_suppressions(text: str, positions: CommentPositions, lines: LineTable) 
             if units is None:
                 units = _logical_lines(text, positions, lines)
             line, column = lines.place(offset + match.start())
-            codes = [code.strip() for code in (match[2] or "").split(",")]
             found.append(
                 Suppression(
                     line,
                     column,
                     column + match.end() - match.start(),
                     (1, len(lines.starts)) if match[1] else _covered(line, units),
-                    [code for code in codes if code],
+                    codes_in(match),
                     "file" if match[1] else "line",
+                    listed=listed_at(match, column),
                 )
             )
     return found
