@@ -25,6 +25,7 @@ MODULES: tuple[str, ...] = (
     "circles",
     "parameter_reads",
     "parameter_overrides",
+    "parameter_sections",
     "parameters",
     "polling",
     "remappings",

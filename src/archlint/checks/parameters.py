@@ -2,23 +2,18 @@
 
 from __future__ import annotations
 
-import posixpath
 from collections.abc import Iterable, Iterator
 from typing import TYPE_CHECKING
 
 from archlint.analysis.completeness import in_sight
-from archlint.analysis.cpp_nodes import names_cpp_node
 from archlint.analysis.declarations import is_guarded, may_be_dynamic, surely_run_both
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
-from archlint.finding import Finding, Place, Related
-from archlint.launch.kinds import FileStatus
+from archlint.finding import Finding, Related
 from archlint.launch.model import ParameterFileUse, Started
-from archlint.suggestions import did_you_mean, listed
-from archlint.systems.overrides import Setting, applied, key_matches
+from archlint.systems.overrides import Setting, applied
 
 if TYPE_CHECKING:
-    from archlint.launch.model import Included
     from archlint.model import Blueprint, ParameterDeclaration
     from archlint.systems.model import Node, System, WorkspaceIndex
 
@@ -130,55 +125,9 @@ def set_nodes(system: System) -> Iterator[tuple[Node, list[Setting]]]:
             yield node, applied(node.started, full, workspace.parameters_of)
 
 
-# ------------------------------------------------------------------------------------------------- PRM005
-
-
 def others_are_not_run(workspace: WorkspaceIndex) -> bool:
     """Whether only one of several launch files was asked for: the others may load the same files."""
     return workspace.explicit and len(workspace.launch_files.all()) > 1
-
-
-@rule("PRM005", scope=Scope.SYSTEM)
-def parameters_for_unknown_node(system: System, options: Options) -> Iterator[Finding]:
-    """Sections of parameter files for nodes that no launch file which loads them starts."""
-    workspace = system.workspace
-    if system.launched is None or workspace is None:
-        return
-    for file in files_of(system):
-        started = _names_of_nodes(workspace, file)
-        if started is None or _is_rewritten(workspace, file):
-            continue
-        keys = [one.key for one in workspace.parameters_of(file).sections if "*" not in one.key]
-        for section in workspace.parameters_of(file).sections:
-            if "*" in section.key or "$(" in section.key or any(key_matches(section.key, name) for name in started):
-                continue
-            last = section.key.rpartition("/")[2]
-            right = sorted(name for name in started if name.rpartition("/")[2] == last)
-            if right and all(any(key_matches(key, name) for key in keys) for name in right):
-                continue  # each has a section of its own: this one is for a namespace that is not started now
-            message = f"no launch file that loads this file starts a node '{section.key}'"
-            help = f"nodes that load this file: {listed(sorted(started))}"
-            if right:
-                message += f"; did you mean '{right[0]}'?"
-                help = f"the key must be the full name: write '{right[0]}:', or '/**/{last}:' for any namespace"
-            elif others_are_not_run(workspace):
-                continue
-            else:
-                meant = did_you_mean(section.key, started)
-                if not meant and (_may_hold_more_nodes(workspace, file) or names_cpp_node(workspace, file, last)):
-                    continue
-                message += meant
-            yield finding("PRM005", Place(file, *section.span), message, help=help, identity=(file, section.key))
-
-
-def _is_rewritten(workspace: WorkspaceIndex, file: str) -> bool:
-    """Whether a launch makes another file of this one, in which the keys may be others."""
-    return any(
-        isinstance(use, ParameterFileUse) and use.changes and use.reference.source == file
-        for system in workspace.systems
-        for started in (system.launched.started if system.launched is not None else ())
-        for use in started.parameters
-    )
 
 
 def files_of(system: System) -> list[str]:
@@ -188,49 +137,9 @@ def files_of(system: System) -> list[str]:
     return list(files)
 
 
-def _may_hold_more_nodes(workspace: WorkspaceIndex, file: str) -> bool:
-    """Whether a process gets the file whose source is not here, or whose nodes are in other hands: nav2's servers
-    make the nodes of their costmaps."""
-    return any(
-        (node.external or not followed(node)) and node.started is not None and file in files_of_process(node.started)
-        for system in workspace.systems
-        for node in system.nodes
-    )
-
-
 def files_of_process(started: Started) -> list[str]:
     uses = [parameter for parameter in started.parameters if isinstance(parameter, ParameterFileUse)]
     return [use.reference.source for use in uses if use.reference.source is not None]
-
-
-def _may_read(include: Included, file: str) -> bool:
-    """Whether a launch file that is not here may load a parameter file of this workspace: it is of another package,
-    so that it knows the file, or the folder that it lies in, from whoever includes it."""
-    if include.handed is None or include.reference.status != FileStatus.EXTERNAL:
-        return True
-    name = posixpath.basename(file)
-    return any(name in text or _is_folder(text) for text in include.handed)
-
-
-def _is_folder(text: str) -> bool:
-    return text.startswith("$(") and "." not in posixpath.basename(text)
-
-
-def _names_of_nodes(workspace: WorkspaceIndex, file: str) -> set[str] | None:
-    """The names of all nodes of the launches that load a file; None where one of them is not known."""
-    found: set[str] = set()
-    for system in workspace.systems:
-        if system.launched is None or file not in files_of(system):
-            continue
-        if system.launched.gaps or any(started.dormant for started in system.launched.started):
-            return None
-        if any(i.reference.source is None and _may_read(i, file) for i in system.launched.included):
-            return None
-        for node in system.nodes:
-            if node.name is None or node.resolution not in ("exact", "parameter"):
-                return None
-            found.add(node.name)
-    return found or None
 
 
 # ------------------------------------------------------------------------------------------------- PRM008

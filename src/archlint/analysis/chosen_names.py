@@ -1,0 +1,47 @@
+"""Which names and files of a launch come from its launch arguments, so that whoever starts it may choose others.
+
+A launch does not keep where a text came from: ``perform()`` gives plain texts, which code splits and joins.  What is
+the default of an argument, or a word of it (``robots:=front,rear``), is taken to be that argument's.
+"""
+
+from __future__ import annotations
+
+import re
+from typing import TYPE_CHECKING
+
+from archlint.launch.kinds import FileStatus
+from archlint.launch.model import files_among
+
+if TYPE_CHECKING:
+    from archlint.launch.model import Launched, Started
+
+_BETWEEN = re.compile(r"[,;\s]+")
+
+
+def name_is_chosen(launched: Launched, started: Started) -> bool:
+    """Whether the name that a launch file gives a node may come from an argument."""
+    return started.name is not None and (started.name.text or "") in _words(launched)
+
+
+def namespace_is_chosen(launched: Launched, started: Started) -> bool:
+    """Whether a part of the namespace of a node may come from an argument; of none at all, where one is given and an
+    argument is empty by default."""
+    if started.namespace is None:
+        return False
+    parts = (started.namespace.text or "").strip("/").split("/")
+    return not _words(launched).isdisjoint(parts)
+
+
+def _words(launched: Launched) -> frozenset[str]:
+    defaults = [argument.default.text for argument in launched.declared if argument.default is not None]
+    return frozenset(word.strip("/") for text in defaults if text is not None for word in _BETWEEN.split(text))
+
+
+def may_get_any_file(launched: Launched, started: Started) -> bool:
+    """Whether a node gets a parameter file that is not known, or that is the default of an argument: another file may
+    be given there."""
+    if any(parameter.is_open and parameter.sets_anything for parameter in started.parameters):
+        return True
+    defaults = {argument.default.text for argument in launched.declared if argument.default is not None}
+    references = [use.reference for use in files_among(started.parameters)]
+    return any(one.status == FileStatus.UNKNOWN or one.written in defaults for one in references)

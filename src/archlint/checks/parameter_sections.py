@@ -1,0 +1,197 @@
+"""PRM005: sections of parameter files for nodes that nothing starts."""
+
+from __future__ import annotations
+
+import posixpath
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING
+
+from archlint.analysis.chosen_names import may_get_any_file, name_is_chosen, namespace_is_chosen
+from archlint.analysis.cpp_nodes import names_cpp_node
+from archlint.checks.folding import folds
+from archlint.checks.parameters import files_of, files_of_process, followed, others_are_not_run
+from archlint.checks.registry import Options, finding, rule
+from archlint.checks.scope import Scope
+from archlint.finding import Finding, Place, Related
+from archlint.launch.kinds import FileStatus
+from archlint.launch.model import ParameterFileUse
+from archlint.suggestions import did_you_mean, listed
+from archlint.systems.model import key_of
+from archlint.systems.overrides import key_matches
+
+if TYPE_CHECKING:
+    from archlint.launch.model import Included
+    from archlint.syntax.parameter_files import ParameterSection
+    from archlint.systems.model import Node, System, WorkspaceIndex
+
+
+@dataclass(frozen=True)
+class _Loader:
+    """A node of a launch file that loads the parameter file, under the name that it has with the default arguments;
+    whether the launch arguments may give it another name, or another namespace."""
+
+    name: str
+    node: Node
+    other_name: bool
+    other_namespace: bool
+
+    @property
+    def last(self) -> str:
+        return self.name.rpartition("/")[2]
+
+
+@rule("PRM005", scope=Scope.SYSTEM)
+def parameters_for_unknown_node(system: System, options: Options) -> Iterator[Finding]:
+    """Sections of parameter files for nodes that no launch file which loads them starts."""
+    workspace = system.workspace
+    if system.launched is None or workspace is None:
+        return
+    for file in files_of(system):
+        started = _nodes_beside(workspace, file)
+        if not started or _is_rewritten(workspace, file):
+            continue
+        keys = [section.key for section in workspace.parameters_of(file).sections if "*" not in section.key]
+        for section in workspace.parameters_of(file).sections:
+            if "*" in section.key or "$(" in section.key or _any_matches([section.key], started):
+                continue
+            unmet = [node for node in started if not any(key_matches(key, node.name) for key in keys)]
+            told = _judged(workspace, file, section, started, unmet)
+            if told is not None:
+                yield told
+
+
+def _any_matches(keys: Iterable[str], started: Sequence[_Loader]) -> bool:
+    return any(key_matches(key, node.name) for key in keys for node in started)
+
+
+def _judged(
+    workspace: WorkspaceIndex,
+    file: str,
+    section: ParameterSection,
+    started: Sequence[_Loader],
+    unmet: Sequence[_Loader],
+) -> Finding | None:
+    """What is said of a section that no node beside it is started for; ``unmet`` are those without a section."""
+    namespace, _, last = section.key.rpartition("/")
+    namesakes = [node for node in started if node.last == last]
+    right = sorted({node.name for node in unmet if node.last == last})
+    if _may_come_otherwise(workspace, section.key):
+        return None
+    if namesakes:
+        # With a section of its own for each namesake, or a namespace from an argument, it is for another start.
+        if not right or (namespace and any(node.other_namespace for node in namesakes)):
+            return None
+        help = f"the key must be the full name: write '{right[0]}:', or '/**/{last}:' for any namespace"
+        return _finding(file, section, f"; did you mean '{right[0]}'?", help, (namespace, right[0].rpartition("/")[0]))
+    if others_are_not_run(workspace):
+        return None
+    if names_cpp_node(workspace, file, last) or _is_another_program(workspace, file, last, started):
+        return None
+    meant = did_you_mean(section.key, [node.name for node in unmet if not node.other_name])
+    if not meant and (_may_hold_more_nodes(workspace, file) or any(node.other_name for node in started)):
+        return None
+    help = f"nodes that load this file: {listed(sorted({node.name for node in started}))}"
+    return _finding(file, section, meant, help, () if meant else (namespace, ""))
+
+
+def _finding(file: str, section: ParameterSection, meant: str, help: str, group: Sequence[str]) -> Finding:
+    return finding(
+        "PRM005",
+        Place(file, *section.span),
+        f"no launch file that loads this file starts a node '{section.key}'{meant}",
+        help=help,
+        identity=(file, section.key),
+        group=(file, *group) if group else (),
+    )
+
+
+@folds("PRM005")
+def _one_for_a_namespace(several: Sequence[Finding]) -> Finding:
+    """One finding for all sections of a file that lack their nodes in the same way."""
+    keys = [told.identity[1] for told in several]
+    return replace(
+        several[0],
+        message=f"no launch file that loads this file starts any of these {len(keys)} nodes: {listed(keys)}",
+        related=tuple(Related(told.place, f"'{told.identity[1]}'") for told in several[1:]),
+        identity=(several[0].identity[0], *keys),
+    )
+
+
+def _is_rewritten(workspace: WorkspaceIndex, file: str) -> bool:
+    """Whether a launch makes another file of this one, in which the keys may be others."""
+    return any(
+        isinstance(use, ParameterFileUse) and use.changes and use.reference.source == file
+        for system in workspace.systems
+        for started in (system.launched.started if system.launched is not None else ())
+        for use in started.parameters
+    )
+
+
+def _may_come_otherwise(workspace: WorkspaceIndex, key: str) -> bool:
+    """Whether some launch file starts a node with this name and lets an argument choose its parameter file."""
+    return any(
+        system.launched is not None and node.started is not None and may_get_any_file(system.launched, node.started)
+        for system in workspace.systems
+        for node in system.nodes
+        if key_matches(key, node.name)
+    )
+
+
+def _is_another_program(workspace: WorkspaceIndex, file: str, name: str, started: Sequence[_Loader]) -> bool:
+    """Whether a Python node of the package that a file lies in has a name, and no launch file that loads the file
+    starts it: the file is for a run by hand, too."""
+    package = workspace.package_of(file)
+    running = {key_of(node.node.blueprint) for node in started if node.node.blueprint is not None}
+    return package is not None and any(
+        node.package == package
+        and (node.name or "").rpartition("/")[2] == name
+        and node.blueprint is not None
+        and key_of(node.blueprint) not in running
+        for system in workspace.systems
+        if system.launched is None
+        for node in system.nodes
+    )
+
+
+def _may_hold_more_nodes(workspace: WorkspaceIndex, file: str) -> bool:
+    """Whether a process gets the file whose source is not here, or whose nodes are in other hands: nav2's servers
+    make the nodes of their costmaps."""
+    return any(
+        (node.external or not followed(node)) and node.started is not None and file in files_of_process(node.started)
+        for system in workspace.systems
+        for node in system.nodes
+    )
+
+
+def _may_read(include: Included, file: str) -> bool:
+    """Whether a launch file that is not here may load a parameter file of this workspace: it is of another package,
+    so that it knows the file, or the folder that it lies in, from whoever includes it."""
+    if include.handed is None or include.reference.status != FileStatus.EXTERNAL:
+        return True
+    name = posixpath.basename(file)
+    return any(name in text or _is_folder(text) for text in include.handed)
+
+
+def _is_folder(text: str) -> bool:
+    return text.startswith("$(") and "." not in posixpath.basename(text)
+
+
+def _nodes_beside(workspace: WorkspaceIndex, file: str) -> list[_Loader]:
+    """All nodes of the launches that load a file; none where the name of one is not known."""
+    found: list[_Loader] = []
+    for system in workspace.systems:
+        launched = system.launched
+        if launched is None or file not in files_of(system):
+            continue
+        if launched.gaps or any(started.dormant for started in launched.started):
+            return []
+        if any(i.reference.source is None and _may_read(i, file) for i in launched.included):
+            return []
+        for node in system.nodes:
+            if node.name is None or node.resolution not in ("exact", "parameter"):
+                return []
+            one = node.started
+            other_name = one is not None and name_is_chosen(launched, one)
+            found.append(_Loader(node.name, node, other_name, one is not None and namespace_is_chosen(launched, one)))
+    return found

@@ -1,0 +1,103 @@
+"""PRM005: which sections of a parameter file are for a node that nothing starts."""
+
+from __future__ import annotations
+
+import pytest
+
+from robot_package import SETUP, TALKER, node
+
+LOAD_IT = '<param from="$(find-pkg-share robot)/config/p.yaml"/>'
+RATE = "{ros__parameters: {rate: 1.0}}"
+FOR_EACH = """\
+from launch import LaunchDescription
+from launch.actions import DeclareLaunchArgument, OpaqueFunction
+from launch.substitutions import LaunchConfiguration
+from launch_ros.actions import Node
+from launch_ros.substitutions import FindPackageShare
+
+def start(context):
+    return [
+        Node(package='robot', executable='talker', NAMED=name.strip(),
+             parameters=[[FindPackageShare('robot'), '/config/p.yaml']])
+        for name in LaunchConfiguration('robots').perform(context).split(',')
+    ]
+
+def generate_launch_description():
+    return LaunchDescription([
+        DeclareLaunchArgument('robots', default_value='front, rear'),
+        OpaqueFunction(function=start),
+    ])
+"""
+
+
+def test_a_namespace_of_a_launch_argument_may_be_another_one(findings):
+    files = {"config/p.yaml": f"side:\n  talker: {RATE}\n", "launch/each.launch.py": FOR_EACH}
+    by_argument = files["launch/each.launch.py"] = FOR_EACH.replace("NAMED", "namespace")
+    assert findings("PRM005", **files) == []
+    files["launch/each.launch.py"] = by_argument.replace(
+        "LaunchConfiguration('robots').perform(context)", "'left,right'"
+    )
+    (told,) = findings("PRM005", **files)
+    assert told.message.endswith("starts a node '/side/talker'; did you mean '/left/talker'?")
+
+
+def test_a_key_without_namespace_misses_the_node_with_the_default_of_the_argument(findings):
+    launch = '<arg name="ns" default="front"/>' + node(LOAD_IT, namespace="$(var ns)")
+    assert findings("PRM005", launch, **{"config/p.yaml": f"side/talker: {RATE}"}) == []
+    (told,) = findings("PRM005", launch, **{"config/p.yaml": f"talker: {RATE}"})
+    assert told.message.endswith("did you mean '/front/talker'?")
+
+
+def test_a_name_of_a_launch_argument_may_be_another_one(findings):
+    for_each = FOR_EACH.replace("NAMED", "name")
+    files = {"config/p.yaml": f"side: {RATE}", "launch/each.launch.py": for_each}
+    assert findings("PRM005", **files) == []
+    fixed = for_each.replace("LaunchConfiguration('robots').perform(context)", "'left,right'")
+    assert len(findings("PRM005", **files | {"launch/each.launch.py": fixed})) == 1
+
+
+@pytest.mark.parametrize(
+    ("given", "told"),
+    [("$(var params)", 0), ("$(env PARAMS)", 0), ("$(find-pkg-share robot)/config/r.yaml", 1)],
+)
+def test_a_file_that_another_launch_file_may_be_given(findings, given: str, told: int):
+    """The section is for the node that the other launch file starts, with whatever file it is asked for."""
+    files = {
+        "config/p.yaml": f"main:\n  talker: {RATE}\nsecond:\n  talker: {RATE}\n  watcher: {RATE}\n",
+        "config/q.yaml": f"second:\n  watcher: {RATE}\n",
+        "launch/more.launch.xml": '<launch><arg name="params" default="$(find-pkg-share robot)/config/q.yaml"/>'
+        + node(f'<param from="{given}"/>', namespace="second", name="watcher")
+        + "</launch>",
+    }
+    found = findings("PRM005", node(LOAD_IT, namespace="main"), **files)
+    assert [one.identity[1] for one in found] == ["/second/watcher"] * told
+
+
+def test_a_key_that_the_file_has_already_is_no_advice(findings):
+    yaml = f"talker: {RATE}\ntlaker: {RATE}\n"
+    (told,) = findings("PRM005", node(LOAD_IT), **{"config/p.yaml": yaml})
+    assert told.message.endswith("starts a node '/tlaker'")
+    (told,) = findings("PRM005", node(LOAD_IT), **{"config/p.yaml": f"tlaker: {RATE}\n"})
+    assert told.message.endswith("starts a node '/tlaker'; did you mean '/talker'?")
+
+
+def test_sections_that_lack_their_nodes_in_the_same_way_are_said_once(findings):
+    two = node(LOAD_IT, namespace="left", name="a") + node(LOAD_IT, namespace="left", name="b")
+    (told,) = findings("PRM005", two, **{"config/p.yaml": f"a: {RATE}\nb: {RATE}\n"})
+    assert told.message.endswith("starts any of these 2 nodes: /a, /b")
+    assert told.help.startswith("the key must be the full name: write '/left/a:'")
+    assert [(one.place.line, one.message) for one in told.related] == [(2, "'/b'")]
+    both = findings("PRM005", two, **{"config/p.yaml": f"a: {RATE}\nright:\n  b: {RATE}\n"})
+    assert len(both) == 2
+
+
+def test_a_section_for_a_python_node_of_the_package_that_is_run_by_hand(findings):
+    files = {
+        "config/p.yaml": f"talker: {RATE}\nheavy: {RATE}\n",
+        "robot/heavy.py": TALKER.replace("('talker')", "('heavy')"),
+        "setup.py": SETUP.replace("robot.talker:main'", "robot.talker:main', 'heavy = robot.heavy:main'"),
+    }
+    assert findings("PRM005", node(LOAD_IT), **files) == []
+    # Here it runs, and under another name than the section's.
+    renamed = node(LOAD_IT) + node(LOAD_IT, exec="heavy", name="weight")
+    assert len(findings("PRM005", renamed, **files)) == 1
