@@ -278,6 +278,25 @@ def test_a_node_that_is_switched_off_by_default_may_need_a_value_for_all(
     assert sorted(names) == told
 
 
+@pytest.mark.parametrize("walks", [True, False])
+def test_what_none_of_several_nodes_declares_is_said_once_for_a_section(findings, tmp_path: Path, walks: bool):
+    (tmp_path / "launch").mkdir()
+    (tmp_path / "robot").mkdir()
+    (tmp_path / "robot/walker.py").write_text(OTHER)
+    switched = SWITCHED.replace("WALK", "true").replace("PACKAGE", "robot")
+    alone = switched.replace("parameters=[file],\n", "\n")
+    (tmp_path / "launch/switched.launch.py").write_text(switched if walks else alone)
+    setup = SETUP.replace("['talker = ", "['walker = robot.walker:main', 'talker = ")
+    values = "/**:\n  ros__parameters:\n    gain: 2.0\n    nobody: 1.0\n    nothing: 2.0\n"
+    (found,) = findings(yaml=values, setup=setup)
+    subject = "none of the 2 nodes that read this section declares any" if walks else "/talker declares none"
+    assert found.message == (f"{subject} of these 2 parameters, so their values have no effect: nobody, nothing")
+    places = {(one.place.file, one.message) for one in found.related}
+    assert (("robot/walker.py", "/walker is defined here") in places) is walks
+    (found,) = findings(yaml=values.replace("gain", "gian"), setup=setup)[:1]
+    assert found.message.endswith("so this value has no effect; did you mean 'gain'?")
+
+
 HELPERS = """\
 import rclpy
 from rclpy.node import Node

@@ -22,6 +22,7 @@ from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.finding import Finding, Place, Related
 from archlint.suggestions import did_you_mean, listed
+from archlint.systems.model import key_of
 from archlint.systems.overrides import Setting, applied, key_matches
 
 if TYPE_CHECKING:
@@ -66,7 +67,7 @@ def unknown_parameter_override(system: System, options: Options) -> Iterator[Fin
             said.add(line)
             whole = _declared_dict(setting, declared)
             if whole is None:
-                yield _never_used(node, node.blueprint, setting, declared, settings)
+                yield _never_used(system, node, node.blueprint, setting, declared, settings)
             else:
                 name, place = whole
                 taken_apart.setdefault((node.name, setting.place.file, name, place), (node, []))[1].append(setting)
@@ -106,6 +107,7 @@ def _is_bundled(setting: Setting, settings: Sequence[Setting]) -> bool:
 
 
 def _never_used(
+    system: System,
     node: Node,
     blueprint: Blueprint,
     setting: Setting,
@@ -113,6 +115,9 @@ def _never_used(
     settings: Sequence[Setting],
 ) -> Finding:
     meant = did_you_mean(setting.name, declared.keys() - {one.name for one in settings})
+    readers = _readers(system, setting) if setting.written is not None and "*" in setting.key else []
+    if len(readers) > 1:
+        return _read_by_several(readers, setting, settings)
     return finding(
         "PRM004",
         setting.place,
@@ -122,7 +127,37 @@ def _never_used(
         node=node.name,
         identity=(node.name or "", setting.name),
         # A misspelt name has advice of its own.
-        group=() if meant else (called(node), setting.place.file, setting.key),
+        group=() if meant else (f"{called(node)} declares none of", setting.place.file, setting.key),
+    )
+
+
+def _readers(system: System, setting: Setting) -> list[Node]:
+    """The nodes, one of each class, that get a section of a parameter file from any launch file."""
+    file, found = setting.place.file, dict[object, "Node"]()
+    for other in system.workspace.systems if system.workspace is not None else ():
+        for node in other.nodes:
+            reads = node.started is not None and file in files_of_process(node.started)
+            if node.blueprint is not None and reads and key_matches(setting.key, node.name):
+                found.setdefault(key_of(node.blueprint), node)
+    return sorted(found.values(), key=called)
+
+
+def _read_by_several(readers: Sequence[Node], setting: Setting, settings: Sequence[Setting]) -> Finding:
+    """What none of several nodes declares: the same whichever launch file and node shows it."""
+    declared = [declared_by(node) or {} for node in readers]
+    every = {name for names in declared for name in names}
+    section = setting.place.file, setting.key
+    meant = did_you_mean(setting.name, every - {other.name for other in settings})
+    places = ((node.blueprint.place, called(node)) for node in readers if node.blueprint is not None)
+    return finding(
+        "PRM004",
+        setting.place,
+        f"none of the {len(readers)} nodes that read this section declares a parameter '{setting.name}', so this value "
+        f"has no effect{meant}",
+        help=f"they declare {listed(sorted(every))}",
+        related=[Related(place, f"{name} is defined here") for place, name in places],
+        identity=("", setting.name),
+        group=() if meant else (f"none of the {len(readers)} nodes that read this section declares any of", *section),
     )
 
 
@@ -139,13 +174,10 @@ def _one_for_a_node(several: Sequence[Finding]) -> Finding:
     names = list(dict.fromkeys(one.identity[1] for one in several))
     if len(names) == 1:
         return first
-    node = first.identity[0] or "the node"
     others = [Related(one.place, f"'{one.identity[1]}'") for one in several[1 : SHOWN + 1]]
     return replace(
         first,
-        message=(
-            f"{node} declares none of these {len(names)} parameters, so their values have no effect: {listed(names)}"
-        ),
+        message=f"{first.group[0]} these {len(names)} parameters, so their values have no effect: {listed(names)}",
         related=(*others, *first.related),
         identity=(first.identity[0], *names),
     )
@@ -225,7 +257,7 @@ def _every_declared(system: System, file: str, key: str) -> set[str] | None:
         for node in other.nodes:
             if not shared and not key_matches(key, node.name):
                 continue
-            declared = None if node.external else declared_by(node)
+            declared = None if node.external or not followed(node) else declared_by(node)
             if declared is None:
                 return None
             found |= set(declared)

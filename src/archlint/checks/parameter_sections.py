@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import posixpath
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
@@ -22,7 +22,6 @@ from archlint.systems.overrides import key_matches
 
 if TYPE_CHECKING:
     from archlint.launch.model import Included
-    from archlint.syntax.parameter_files import ParameterSection
     from archlint.systems.model import Node, System, WorkspaceIndex
 
 
@@ -52,57 +51,58 @@ def parameters_for_unknown_node(system: System, options: Options) -> Iterator[Fi
         if not started or _is_rewritten(workspace, file):
             continue
         keys = [section.key for section in workspace.parameters_of(file).sections if "*" not in section.key]
+        unmet = [node for node in started if not any(key_matches(key, node.name) for key in keys)]
         for section in workspace.parameters_of(file).sections:
-            if "*" in section.key or "$(" in section.key or _any_matches([section.key], started):
+            if "*" in section.key or "$(" in section.key or _any_matches(section.key, started):
                 continue
-            unmet = [node for node in started if not any(key_matches(key, node.name) for key in keys)]
-            told = _judged(workspace, file, section, started, unmet)
+            told = _judged(workspace, Place(file, *section.span), section.key, started, unmet)
             if told is not None:
                 yield told
 
 
-def _any_matches(keys: Iterable[str], started: Sequence[_Loader]) -> bool:
-    return any(key_matches(key, node.name) for key in keys for node in started)
+def _any_matches(key: str, started: Sequence[_Loader]) -> bool:
+    return any(key_matches(key, node.name) for node in started)
 
 
 def _judged(
     workspace: WorkspaceIndex,
-    file: str,
-    section: ParameterSection,
+    place: Place,
+    key: str,
     started: Sequence[_Loader],
     unmet: Sequence[_Loader],
 ) -> Finding | None:
     """What is said of a section that no node beside it is started for; ``unmet`` are those without a section."""
-    namespace, _, last = section.key.rpartition("/")
+    file = place.file
+    namespace, _, last = key.rpartition("/")
     namesakes = [node for node in started if node.last == last]
     right = sorted({node.name for node in unmet if node.last == last})
-    if _may_come_otherwise(workspace, section.key):
+    if _may_come_otherwise(workspace, key):
         return None
     if namesakes:
         # With a section of its own for each namesake, or a namespace from an argument, it is for another start.
         if not right or (namespace and any(node.other_namespace for node in namesakes)):
             return None
         help = f"the key must be the full name: write '{right[0]}:', or '/**/{last}:' for any namespace"
-        return _finding(file, section, f"; did you mean '{right[0]}'?", help, (namespace, right[0].rpartition("/")[0]))
+        return _finding(place, key, f"; did you mean '{right[0]}'?", help, (namespace, right[0].rpartition("/")[0]))
     if others_are_not_run(workspace):
         return None
     if names_cpp_node(workspace, file, last) or _is_another_program(workspace, file, last, started):
         return None
-    meant = did_you_mean(section.key, [node.name for node in unmet if not node.other_name])
+    meant = did_you_mean(key, [node.name for node in unmet if not node.other_name])
     if not meant and (_may_hold_more_nodes(workspace, file) or any(node.other_name for node in started)):
         return None
     help = f"nodes that load this file: {listed(sorted({node.name for node in started}))}"
-    return _finding(file, section, meant, help, () if meant else (namespace, ""))
+    return _finding(place, key, meant, help, () if meant else (namespace, ""))
 
 
-def _finding(file: str, section: ParameterSection, meant: str, help: str, group: Sequence[str]) -> Finding:
+def _finding(place: Place, key: str, meant: str, help: str, group: Sequence[str]) -> Finding:
     return finding(
         "PRM005",
-        Place(file, *section.span),
-        f"no launch file that loads this file starts a node '{section.key}'{meant}",
+        place,
+        f"no launch file that loads this file starts a node '{key}'{meant}",
         help=help,
-        identity=(file, section.key),
-        group=(file, *group) if group else (),
+        identity=(place.file, key),
+        group=(place.file, *group) if group else (),
     )
 
 
