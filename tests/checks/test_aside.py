@@ -160,6 +160,18 @@ def test_a_script_beside_the_packages(named):
     assert module.severity is Severity.WARNING
 
 
+def test_a_script_where_there_is_no_package(tmp_path: Path, monkeypatch: pytest.MonkeyPatch):
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "measure.py").write_text(NODE)
+    (tmp_path / "archlint.toml").write_text('select = ["NME001"]\n')
+    [script] = check(Request((".",), load(tmp_path), cached=False, jobs=1)).findings
+    assert script.severity is Severity.INFO and script.message.endswith("in code that no package installs")
+    assert script.fix is not None and script.fix.title == "take the name from a parameter"
+    (tmp_path / "measure.py").write_text(NODE.partition("if __name__")[0])
+    [module] = check(Request((".",), load(tmp_path), cached=False, jobs=1)).findings
+    assert module.severity is Severity.WARNING
+
+
 @pytest.mark.parametrize(("module", "severity"), [("talker", Severity.WARNING), ("other", Severity.INFO)])
 def test_an_executable_may_have_the_name_of_another_file(named, module: str, severity: Severity):
     files = {"robot/talker.py": NODE, "robot/other.py": "def main():\n    pass\n"}

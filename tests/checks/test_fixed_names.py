@@ -28,8 +28,7 @@ WATCHER = """
         rclpy.spin(Watcher(['/words']))  # here
 
 
-    if __name__ == '__main__':
-        main()
+    main()
 """
 CHECK = "if not {name}.startswith('/'):\n                    raise ValueError({name})\n"
 LOOP = "for topic in topics:\n                "

@@ -218,8 +218,7 @@ ROBOT = """
         rclpy.spin(Robot())
 
 
-    if __name__ == '__main__':
-        main()
+    main()
 """
 
 

@@ -58,11 +58,11 @@ def _in_use(workspace: WorkspaceIndex) -> frozenset[str]:
 def is_not_installed(workspace: WorkspaceIndex | None, file: str) -> bool:
     """Whether a script is in a package that installs programs, but is none of them, and none of them imports it: only
     who knows where it lies can start it.  So it is with what such scripts import that lies in no Python package, with
-    scripts beside the packages of a workspace, and what these import."""
+    scripts beside the packages of a workspace or without any, and what these import."""
     if workspace is None or file in _in_use(workspace):
         return False
     package = workspace.package_of(file)
-    if package is None and workspace.manifests:
+    if package is None:
         return file in _stray(workspace) and file not in _reached(workspace)
     installs = None if package is None else workspace.installs.get(package)
     if installs is None or installs.open_executables or not installs.executables:

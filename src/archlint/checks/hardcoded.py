@@ -101,6 +101,8 @@ _NOT_INSTALLED = _Reason(
     "remove the leading '/' if the file is to be installed",
     Severity.INFO,
 )
+_WITHOUT_PACKAGE = replace(_FIXED, effect=_NOT_INSTALLED.effect, severity=Severity.INFO)
+"""For a script in a workspace that has no package."""
 
 
 def _shared_by(users: int) -> _Reason:
@@ -213,7 +215,7 @@ def _reason(workspace: WorkspaceIndex | None, endpoint: Endpoint, users: int) ->
     if users > 1:
         return _shared_by(users)
     if is_not_installed(workspace, endpoint.place.file):
-        return _NOT_INSTALLED
+        return _NOT_INSTALLED if workspace is not None and workspace.manifests else _WITHOUT_PACKAGE
     return _by_namespace(workspace, node)
 
 
@@ -275,7 +277,7 @@ def _may_be_meant(name: str, other: Endpoint) -> bool:
 
 
 def _help(name: str, reason: _Reason) -> str:
-    if reason is _FIXED:
+    if reason.cure == _FIXED.cure:
         bare = name.lstrip("/") or "…"
         return f"write '{bare}', to which the node's namespace applies, or take the name from a parameter"
     if reason.key != _FIXED.key:
