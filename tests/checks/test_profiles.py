@@ -78,6 +78,8 @@ POLICY = """import outside
         ("profile(outside.text())", ""),  # it may be the sound one
         ("everything()", "  # here"),
         ("QoSProfile(depth=1) if outside.one() else everything()", "  # here"),  # that one never is
+        ("everything() if outside.one() else QoSProfile(depth=1)", "  # here"),  # whichever comes last
+        ("QoSProfile(depth=2) if outside.one() else QoSProfile(depth=1)", ""),
     ],
 )
 def test_a_profile_with_a_policy_that_is_not_known_may_be_sound(judge: Judge, given: str, mark: str):

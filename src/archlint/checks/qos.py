@@ -100,11 +100,10 @@ def qos_contradiction(system: System, options: Options) -> Iterator[Finding]:
     """Profiles whose parts do not go together, one finding a profile, at the first create call that uses it."""
     profiles: dict[tuple[Place, str], dict[Place, Endpoint]] = {}
     for end in sorted(system.endpoints, key=lambda end: end.place):
-        contradiction = (
-            _contradiction(end.qos) if end.kind in (EntityKind.PUBLISHER, EntityKind.SUBSCRIBER) and end.qos else None
-        )
-        if contradiction is not None and end.qos is not None and not _may_be_sound(end, end.qos):
-            profiles.setdefault((end.qos.place or end.place, contradiction), {}).setdefault(end.place, end)
+        for qos in _profiles(end):
+            contradiction = _contradiction(qos)
+            if contradiction is not None and not _may_be_sound(end, qos):
+                profiles.setdefault((qos.place or end.place, contradiction), {}).setdefault(end.place, end)
     for (written, contradiction), uses in profiles.items():
         (place, end), *others = uses.items()
         related = [Related(written, "the profile is defined here")] if written != place else []
@@ -119,17 +118,19 @@ def qos_contradiction(system: System, options: Options) -> Iterator[Finding]:
         )
 
 
+def _profiles(end: Endpoint) -> list[Qos]:
+    """The profiles that the create call of a topic's endpoint may be given: several where a branch decides."""
+    if end.kind not in (EntityKind.PUBLISHER, EntityKind.SUBSCRIBER):
+        return []
+    made = [end.creation] if end.node.blueprint is None else end.node.blueprint.creations
+    given = [end.qos, *(one.qos for one in made if one.place == end.place and one.kind == end.kind)]
+    return [qos for qos in dict.fromkeys(given) if qos is not None]
+
+
 def _may_be_sound(end: Endpoint, qos: Qos) -> bool:
     """Whether one profile is filled in in several ways, by a function that makes a policy of a text say, and nobody
     knows which of them is taken: one is sound."""
-    others = [] if end.node.blueprint is None else end.node.blueprint.creations
-    return any(
-        one.place == end.place
-        and one.qos is not None
-        and one.qos.place == qos.place
-        and _contradiction(one.qos) is None
-        for one in others
-    )
+    return any(one.place == qos.place and _contradiction(one) is None for one in _profiles(end))
 
 
 def _contradiction(qos: Qos) -> str | None:

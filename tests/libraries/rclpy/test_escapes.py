@@ -12,7 +12,7 @@ from archlint.engine.pipeline import Request, graph
 from archlint.model import Blueprint
 
 NODE = """\
-import functools, queue, threading, weakref
+import functools, os, queue, threading, weakref
 import dashboard
 import rclpy
 from dashboard import Window, registry
@@ -51,6 +51,9 @@ BODY
 
     def on_timer(self):
         self.get_logger().info(f'{self}')
+
+    def on_text(self, text):
+        self.file, self.heard = text.data, text.data.split()
 
     def execute(self, goal):
         return None
@@ -156,6 +159,8 @@ STAYS = {
     "rclpy": "self.server = ActionServer(self, Fibonacci, 'count', self.execute)",
     "tf2": "self.buffer = Buffer()\nself.listener = TransformListener(self.buffer, self)",
     "what Python keeps nothing of": "print(self, id(self), repr(self), isinstance(self, Node), hasattr(self, 'x'))",
+    "an attribute by name": "if hasattr(self, 'others'):\n    delattr(self, 'others')",
+    "what a callback sets": "os.path.getsize(self.file)\nfor _, one in enumerate(self.heard):\n    print(one)",
     "a log": "self.get_logger().info('made %s', self)",
     "texts": "dashboard.show(f'{self}', 'robot {}'.format(self), str(self))",
     "what it holds": "dashboard.show(self.get_name(), self.kept, self.others)",

@@ -36,7 +36,7 @@ def _call_known(machine: Machine, name: str, site: CallSite) -> Value:
 
 _LEAVE_ALONE = frozenset(
     {"print", "str", "repr", "format", "int", "float", "bool", "abs", "round", "len", "range", "any", "all"}
-    | {"isinstance", "issubclass", "callable", "hasattr", "getattr", "id", "hash", "dir", "vars", "super"}
+    | {"isinstance", "issubclass", "callable", "hasattr", "getattr", "delattr", "id", "hash", "dir", "vars", "super"}
 )
 """Functions of Python's own that keep nothing of what they are given."""
 
@@ -92,6 +92,7 @@ BUILTINS: dict[str, Handler] = {
     "getattr": reflection.attribute,
     "setattr": reflection.assign,
     "hasattr": reflection.has,
+    "delattr": nothing,
     "isinstance": reflection.is_of,
     "type": reflection.type_of,
     "callable": reflection.can_be_called,

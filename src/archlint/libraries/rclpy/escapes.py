@@ -191,8 +191,11 @@ def _reached(run: Run, values: Iterable[Value], how: Escape | None) -> Iterator[
 
 
 def _creates(method: ApiMethod) -> bool:
-    """Whether a method of a node lets whoever has it create or declare something."""
+    """Whether a method of a node lets whoever has it create or declare something.  An attribute that rclpy's nodes do
+    not have is none: some other method of the class sets it to what is not seen yet."""
     owner, _, name = method.path.rpartition(".")
+    if rclpy_names.is_missing_method(method.path):
+        return False
     return owner in rclpy_names.NODE_CLASSES and not name.startswith(_HARMLESS_METHODS)
 
 
