@@ -101,10 +101,7 @@ def did_you_mean(word: str, known: Iterable[str], quote: str = "'") -> str:
     return f"; did you mean {quote}{near}{quote}?" if near is not None else ""
 
 
-_LISTED = 8
-
-
-def listed(names: Sequence[str], otherwise: str = "none") -> str:
-    """The first names for a line of help, with how many more there are; ``otherwise`` where there is none."""
-    more = f" and {len(names) - _LISTED} more" if len(names) > _LISTED else ""
-    return ", ".join(names[:_LISTED]) + more or otherwise
+def listed(names: Sequence[str], otherwise: str = "none", *, shown: int = 8) -> str:
+    """The first ``shown`` names for a line of help, with how many more there are; ``otherwise`` where there is none."""
+    more = f" and {len(names) - shown} more" if len(names) > shown else ""
+    return ", ".join(names[:shown]) + more or otherwise

@@ -5,8 +5,9 @@ from textwrap import dedent
 
 import pytest
 
-from archlint.checks.ownership import multiple_publishers, multiple_servers
+from archlint.checks.ownership import multiple_publishers
 from archlint.checks.registry import Options
+from archlint.checks.servers import multiple_servers
 from archlint.config.settings import load
 from archlint.engine.pipeline import Request, check
 from archlint.finding import Severity

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 
 from archlint.analysis.callback_roles import runs_in_executor
 from archlint.analysis.limit_sites import sites_of_call
+from archlint.analysis.piling_waits import piling_up
 from archlint.analysis.reach import (
     calls_of,
     endpoint_words,
@@ -21,8 +22,8 @@ from archlint.analysis.threads import is_daemon
 from archlint.analysis.waits import other_arm_only_sends
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
-from archlint.checks.starvation import piling_up
-from archlint.checks.timeouts import is_uncalled, kind_of, name_of, way_to
+from archlint.checks.timeouts import is_uncalled
+from archlint.checks.wait_words import kind_of, name_of, way_to
 from archlint.finding import Finding, Severity
 from archlint.model import ExecutorKind, Role
 

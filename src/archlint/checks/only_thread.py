@@ -1,33 +1,23 @@
-"""EXE004 and EXE007: callbacks that wait for what only their own thread could bring."""
+"""EXE004: callbacks that sleep on the thread that should wake them."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
-from dataclasses import replace
+from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from archlint.analysis import blocking
 from archlint.analysis.callback_roles import callback_words, related_to, runs_in_executor
 from archlint.analysis.deadlock import threads_of
-from archlint.analysis.reach import argument, calls_of, node_name, one_for_each_place
-from archlint.analysis.sleeps import longest
-from archlint.analysis.spins import spun_node
-from archlint.checks.folding import folds
+from archlint.analysis.reach import calls_of, node_name, one_for_each_place
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
-from archlint.finding import Finding, Related
-from archlint.model.given import Constant
+from archlint.finding import Finding
 
 if TYPE_CHECKING:
-    from archlint.model import ApiCall, Blueprint, Program
+    from archlint.model import ApiCall, Program
     from archlint.systems.model import System
 
 _RATE_SLEEP = "rclpy.timer.Rate.sleep"
-_LOOKUPS = ("tf2_ros.buffer.Buffer.lookup_transform", "tf2_ros.buffer.Buffer.can_transform")
-_LISTENER = "tf2_ros.transform_listener.TransformListener"
-
-
-# --------------------------------------------------------------------------------------------------- EXE004
 
 
 @rule("EXE004", scope=Scope.CODE)
@@ -59,67 +49,3 @@ def _unless_it_ran(call: ApiCall) -> str:
 def _rate_verdict(call: ApiCall, program: Program, options: Options) -> blocking.Verdict:
     threads = threads_of(call.context.node, program)
     return blocking.look_up(blocking.RATE, threads, blocking.OTHER, "", options.distros)
-
-
-# --------------------------------------------------------------------------------------------------- EXE007
-
-
-@rule("EXE007", scope=Scope.CODE)
-def blocking_tf_lookup(system: System, options: Options) -> Iterator[Finding]:
-    """Transform lookups with a timeout on the only thread that could bring the transform."""
-    threaded = [
-        (program, spun_node(call, program)) for program, call in calls_of(system, (_LISTENER,)) if _spins_itself(call)
-    ]
-    yield from one_for_each_place(
-        finding(
-            "EXE007",
-            call.place,
-            f"{callback_words(call.context)} waits{_limit_words(call)} for a transform that cannot arrive: the "
-            f"listener needs the thread that is waiting{_in_spite_of(threaded, program)}",
-            help=(
-                "look up the transform without a timeout and try again next time, or spin the node with a "
-                "MultiThreadedExecutor"
-            ),
-            related=tuple(related_to(call, program)),
-            node=node_name(system, call.context.node),
-            identity=(call.context.name, call.api),
-            group=(call.file, call.function, call.context.name),
-        )
-        for program, call in calls_of(system, _LOOKUPS)
-        if runs_in_executor(call.context)
-        and _waits(call)
-        and threads_of(call.context.node, program) == blocking.ONE
-        # A thread of its own helps a listener that has a node of its own: this node's executor takes the node from it.
-        and all(node is call.context.node for one, node in threaded if one is program)
-    )
-
-
-def _in_spite_of(threaded: Sequence[tuple[Program, Blueprint | None]], program: Program) -> str:
-    """What became of a thread that the listener was given; the node is that of the callback."""
-    if not any(one is program for one, _ in threaded):
-        return ""
-    return " (spin_thread=True does not help: the executor that spins the node takes it from the listener's thread)"
-
-
-@folds("EXE007")
-def _of_one_function(findings: Sequence[Finding]) -> Finding:
-    """The finding for all lookups of a function: whether a transform is there, and then what it is."""
-    first, *others = findings
-    more = tuple(Related(one.place, "it looks up a transform here, too") for one in others)
-    return replace(first, related=(*first.related, *more))
-
-
-def _waits(call: ApiCall) -> bool:
-    seconds = longest(argument(call, "timeout"))
-    return seconds is not None and seconds > 0
-
-
-def _limit_words(call: ApiCall) -> str:
-    seconds = longest(argument(call, "timeout"))
-    return "" if seconds is None else f" {seconds:g} s"
-
-
-def _spins_itself(call: ApiCall) -> bool:
-    """``TransformListener(…, spin_thread=True)``, or an argument that may be true."""
-    value = argument(call, "spin_thread")
-    return value is not None and not (isinstance(value, Constant) and not value.value)

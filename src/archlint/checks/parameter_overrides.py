@@ -7,17 +7,9 @@ from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from archlint.analysis.completeness import declares_all
+from archlint.analysis.declared_parameters import always_declared, declared_by, followed
+from archlint.analysis.set_parameters import called, files_of, files_of_process, others_are_not_run, set_nodes
 from archlint.checks.folding import folds
-from archlint.checks.parameters import (
-    always_declared,
-    called,
-    declared_by,
-    files_of,
-    files_of_process,
-    followed,
-    others_are_not_run,
-    set_nodes,
-)
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.finding import Finding, Place, Related

@@ -1,4 +1,4 @@
-"""PRM003 and PRM006: parameters that are read and never declared, and that are declared and never read."""
+"""PRM003: parameters that are read and never declared."""
 
 from __future__ import annotations
 
@@ -6,21 +6,17 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from archlint.analysis.completeness import declares_all
-from archlint.analysis.parameter_uses import is_named_again, is_named_elsewhere, is_passed_on, names_listed
-from archlint.checks.parameters import always_declared, declared_by, followed
+from archlint.analysis.declared_parameters import always_declared, declared_by, followed
+from archlint.analysis.parameter_uses import is_passed_on, names_listed
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.finding import Finding, Place, Related
-from archlint.model import Role
 from archlint.model.given import Constant
 from archlint.suggestions import did_you_mean
 
 if TYPE_CHECKING:
     from archlint.model import ApiCall, ParameterDeclaration
     from archlint.systems.model import Node, System
-
-
-# ------------------------------------------------------------------------------------------------- PRM003
 
 
 @rule("PRM003", scope=Scope.CODE)
@@ -33,7 +29,7 @@ def undeclared_parameter(system: System, options: Options) -> Iterator[Finding]:
         if not declares_all(system.workspace, node.blueprint) or not followed(node):
             continue
         calls = [call for call in node.program.calls if call.node is node.blueprint]
-        guarded = {_name_of(call) for call in calls if call.api.endswith(".has_parameter")}
+        guarded = {name_asked_for(call) for call in calls if call.api.endswith(".has_parameter")}
         for call in calls:
             for name, place in _reads(system, call):
                 if always_declared(name) or name in declared or name in guarded or call.in_try:
@@ -44,7 +40,7 @@ def undeclared_parameter(system: System, options: Options) -> Iterator[Finding]:
 def _reads(system: System, call: ApiCall) -> Iterator[tuple[str, Place]]:
     """The names that a call reads and that cannot be others, each with where the code says it."""
     if call.api == "rclpy.node.Node.get_parameter":
-        name = _name_of(call)
+        name = name_asked_for(call)
         if name is not None:
             yield name, _where_named(system, call)
     elif call.api == "rclpy.node.Node.get_parameters":
@@ -83,44 +79,8 @@ def _encloses(outer: Place, inner: Place) -> bool:
     return outer.file == inner.file and starts and ends
 
 
-def _name_of(call: ApiCall) -> str | None:
+def name_asked_for(call: ApiCall) -> str | None:
     value = call.arguments.get("name")
     if isinstance(value, Constant) and isinstance(value.value, str) and not value.parameters:
         return value.value
     return None
-
-
-# ------------------------------------------------------------------------------------------------- PRM006
-
-
-@rule("PRM006", scope=Scope.CODE)
-def unused_parameter(system: System, options: Options) -> Iterator[Finding]:
-    """Parameters that are declared and never read."""
-    if system.launched is not None or system.workspace is None:
-        return
-    for node in system.nodes:
-        blueprint = node.blueprint
-        if blueprint is None or node.program is None or blueprint.test or not followed(node):
-            continue
-        if any(callback.role == Role.PARAMETER for callback in node.program.callbacks):
-            continue
-        calls = [call for b in node.program.nodes for call in node.program.calls if call.node is b]
-        reads = {_name_of(call) for call in calls if call.api.startswith("rclpy.node.Node.get_parameter")}
-        if None in reads or any(call.api in ("rclpy.node.Node.get_parameters",) for call in calls):
-            continue
-        for declaration in blueprint.parameters:
-            name = declaration.name.text
-            if name is None or declaration.name.resolution != "exact" or name in reads:
-                continue
-            if is_named_again(system.workspace, declaration, name):
-                continue
-            if is_named_elsewhere(system.workspace, node, declaration, name):
-                continue
-            yield finding(
-                "PRM006",
-                declaration.place,
-                f"parameter '{name}' is declared but never read",
-                help="read it with get_parameter(), or remove the declaration",
-                node=node.name,
-                identity=(blueprint.class_name, name),
-            )

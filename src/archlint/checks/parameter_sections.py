@@ -9,8 +9,9 @@ from typing import TYPE_CHECKING
 
 from archlint.analysis.chosen_names import may_get_any_file, name_is_chosen, namespace_is_chosen
 from archlint.analysis.cpp_nodes import names_cpp_node
+from archlint.analysis.declared_parameters import followed
+from archlint.analysis.set_parameters import files_of, files_of_process, others_are_not_run
 from archlint.checks.folding import folds
-from archlint.checks.parameters import files_of, files_of_process, followed, others_are_not_run
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.finding import Finding, Place, Related

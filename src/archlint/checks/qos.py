@@ -1,4 +1,4 @@
-"""QOS001 to QOS004: offers that do not serve a request, and profiles that contradict themselves."""
+"""QOS001 to QOS003: offers that do not serve a request."""
 
 from __future__ import annotations
 
@@ -16,7 +16,6 @@ from archlint.model import (
 )
 
 if TYPE_CHECKING:
-    from archlint.finding import Place
     from archlint.ros.qos import Qos, Verdict
     from archlint.systems.model import Endpoint, System
 
@@ -95,29 +94,6 @@ _ADVICE = {
 }
 
 
-@rule("QOS004", scope=Scope.SYSTEM)
-def qos_contradiction(system: System, options: Options) -> Iterator[Finding]:
-    """Profiles whose parts do not go together, one finding a profile, at the first create call that uses it."""
-    profiles: dict[tuple[Place, str], dict[Place, Endpoint]] = {}
-    for end in sorted(system.endpoints, key=lambda end: end.place):
-        for qos in _profiles(end):
-            contradiction = _contradiction(qos)
-            if contradiction is not None and not _may_be_sound(end, qos):
-                profiles.setdefault((qos.place or end.place, contradiction), {}).setdefault(end.place, end)
-    for (written, contradiction), uses in profiles.items():
-        (place, end), *others = uses.items()
-        related = [Related(written, "the profile is defined here")] if written != place else []
-        yield finding(
-            "QOS004",
-            place,
-            contradiction,
-            help="use keep_all without a depth, or keep_last with a depth of at least 1",
-            related=[*related, *(Related(other, "it is used here, too") for other, _ in others)],
-            node=end.node.name,
-            identity=(end.kind, end.name or "", contradiction),
-        )
-
-
 def _profiles(end: Endpoint) -> list[Qos]:
     """The profiles that the create call of a topic's endpoint may be given: several where a branch decides."""
     if end.kind not in (EntityKind.PUBLISHER, EntityKind.SUBSCRIBER):
@@ -125,17 +101,3 @@ def _profiles(end: Endpoint) -> list[Qos]:
     made = [end.creation] if end.node.blueprint is None else end.node.blueprint.creations
     given = [end.qos, *(one.qos for one in made if one.place == end.place and one.kind == end.kind)]
     return [qos for qos in dict.fromkeys(given) if qos is not None]
-
-
-def _may_be_sound(end: Endpoint, qos: Qos) -> bool:
-    """Whether one profile is filled in in several ways, by a function that makes a policy of a text say, and nobody
-    knows which of them is taken: one is sound."""
-    return any(one.place == qos.place and _contradiction(one) is None for one in _profiles(end))
-
-
-def _contradiction(qos: Qos) -> str | None:
-    if qos.history == "keep_all" and qos.depth and "depth" in qos.explicit:
-        return f"the profile has history keep_all and a depth of {qos.depth}, which has no effect"
-    if qos.history == "keep_last" and qos.depth == 0:
-        return "the profile has history keep_last with depth 0: what that means depends on the middleware"
-    return None

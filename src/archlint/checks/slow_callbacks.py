@@ -20,7 +20,7 @@ from archlint.analysis.stuck import clients_of_handlers, functions_that_ask
 from archlint.checks.folding import folds
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
-from archlint.checks.timeouts import MAKE_IT_EARLIER, made_here
+from archlint.checks.wait_words import MAKE_IT_EARLIER, made_here
 from archlint.finding import Finding, Place, Related, Severity
 from archlint.model import (
     EntityKind,
@@ -41,9 +41,6 @@ DISCOVERY = 1.0
 
 
 _TRIFLES = frozenset({"clear", "cls", "reset", ""})
-
-
-# --------------------------------------------------------------------------------------------------- EXE003
 
 
 _Row = tuple["Program", "ApiCall", Stay]

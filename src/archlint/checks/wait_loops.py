@@ -15,7 +15,7 @@ from archlint.analysis.wait_loops import only_the_server_ends
 from archlint.checks.folding import folds
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
-from archlint.checks.timeouts import READY, WAIT_FOR_SERVER, WAIT_FOR_SERVICE, way_to
+from archlint.checks.wait_words import READY, WAIT_FOR_SERVER, WAIT_FOR_SERVICE, way_to
 from archlint.finding import Finding, Place, Related, Severity
 
 if TYPE_CHECKING:

@@ -1,0 +1,38 @@
+"""Which parameters a node declares."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from archlint.analysis.completeness import in_sight
+
+if TYPE_CHECKING:
+    from archlint.model import ParameterDeclaration
+    from archlint.systems.model import Node
+
+_ALWAYS = frozenset({"use_sim_time", "start_type_description_service"})
+"""Parameters that rclpy declares for every node."""
+
+
+def always_declared(name: str) -> bool:
+    return name in _ALWAYS or name.startswith("qos_overrides.")
+
+
+def declared_by(node: Node) -> dict[str, list[ParameterDeclaration]] | None:
+    """The declarations of a node by name; None where not all of them can be known."""
+    found: dict[str, list[ParameterDeclaration]] = {}
+    for blueprint in node.blueprints:
+        if blueprint.allow_undeclared_parameters or blueprint.automatically_declare_parameters:
+            return None
+        for declaration in blueprint.parameters:
+            name = declaration.name
+            if name.text is None or name.resolution not in ("exact", "parameter"):
+                return None
+            found.setdefault(name.text, []).append(declaration)
+    return found
+
+
+def followed(node: Node) -> bool:
+    """Whether no code from elsewhere has the node, which may declare, read and set what it likes, and what is known
+    of it fits what the launch file says."""
+    return node.doubt is None and all(in_sight(blueprint) for blueprint in node.blueprints)

@@ -1,0 +1,63 @@
+"""Nodes that run together and publish or serve the same name, each with something of its own to say."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from itertools import combinations
+from typing import TYPE_CHECKING
+
+from archlint.analysis.arbitration import never_speaks, speaks_once
+from archlint.analysis.aside import is_aside
+from archlint.analysis.coexistence import (
+    coexisting_pairs,
+    in_source_order,
+    known_to_coexist,
+    launched_separately,
+    named_by_library,
+)
+from archlint.analysis.left_over import is_left_over
+from archlint.model import EntityKind
+
+if TYPE_CHECKING:
+    from archlint.systems.model import Connection, Endpoint, Node, System
+
+
+def several_owners(system: System, connection: Connection) -> Iterator[list[Endpoint]]:
+    """Groups of endpoints of different nodes that meet; the last one in the source comes last."""
+    groups: list[list[Endpoint]] = []
+    own = [end for end in connection.providers if _owns(system, end)]
+    for one, other in coexisting_pairs(system, own):
+        if (
+            one.node is other.node
+            or launched_separately(system, one.node, other.node)
+            or _left_out(one.node, other.node)
+        ):
+            continue
+        group = next((group for group in groups if one in group or other in group), None)
+        if group is None:
+            groups.append([one, other])
+        else:
+            group.extend(endpoint for endpoint in (one, other) if endpoint not in group)
+    for group in groups:
+        yield in_source_order(group)
+
+
+def _owns(system: System, end: Endpoint) -> bool:
+    """Whether a publisher or server says something of its own, in code that is in use."""
+    idle = named_by_library(end) or is_left_over(system.workspace, end) or speaks_once(system, end)
+    if system.name is not None and end.kind == EntityKind.PUBLISHER:
+        idle = idle or never_speaks(end)  # a launch file says which program it is
+    return not idle and (system.name is not None or not is_aside(system.workspace, end.place.file))
+
+
+def _left_out(one: Node, other: Node) -> bool:
+    """Whether a script starts the one of two nodes that it defines, and leaves the other out."""
+    if one.blueprint is None or other.blueprint is None or one.program is None or other.program is None:
+        return False
+    one_file = one.blueprint.place.file == other.blueprint.place.file
+    return one_file and one.program.executable != other.program.executable
+
+
+def run_together(system: System, owners: list[Endpoint]) -> bool:
+    """Whether something is seen to start two of them together."""
+    return system.closed or any(known_to_coexist(system, a.node, b.node) for a, b in combinations(owners, 2))

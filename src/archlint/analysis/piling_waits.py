@@ -1,0 +1,64 @@
+"""Waits of timers that start again while they still wait, a thread a tick."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from archlint.analysis.kept import once
+from archlint.analysis.polling import is_unguarded, notes_that_it_ran
+from archlint.analysis.reach import (
+    argument,
+    calls_of,
+)
+from archlint.analysis.sleeps import longest
+from archlint.analysis.source_code import SourceCode, source_code
+from archlint.analysis.threaded_waits import as_a_whole, threaded_waits
+from archlint.analysis.waits import DONE, Wait
+from archlint.model import ExecutorKind, GroupKind, Role
+
+if TYPE_CHECKING:
+    from archlint.systems.model import System
+
+_OFTEN_S = 1.0
+"""The longest period of a timer whose ticks are said to come often."""
+_ENDS_TIMER = ("rclpy.timer.Timer.cancel", "rclpy.node.Node.destroy_timer")
+
+
+@once
+def piling_up(system: System) -> list[Wait]:
+    """The waits of timers in reentrant groups that a late answer multiplies, a thread a tick, until none is left."""
+    code = source_code(system)
+    stopped = {call.context.place for _, call in calls_of(system, _ENDS_TIMER)}
+    return [wait for wait in threaded_waits(system) if wait.call.context.place not in stopped and _outruns(code, wait)]
+
+
+def _outruns(code: SourceCode, wait: Wait) -> bool:
+    """Whether enough ticks come, for certain, while the first still waits."""
+    callback, creation = wait.call.context, wait.call.context.creation
+    reentrant = callback.group is not None and callback.group.kind == GroupKind.REENTRANT
+    period = None if creation is None else creation.period
+    if callback.role != Role.TIMER or not reentrant or period is None or not 0 < period <= _OFTEN_S:
+        return False
+    if not is_unguarded(code, as_a_whole(wait.call)) or notes_that_it_ran(code, wait.call):
+        return False
+    if not wait.limited:
+        return True
+    limit, threads = _limit(wait), known_threads(wait)
+    # The first tick has a thread at once, the last thread is taken so many periods later.
+    return limit is not None and threads is not None and limit > period * (threads - 1)
+
+
+def _limit(wait: Wait) -> float | None:
+    if wait.call.api == DONE:
+        return wait.call.limits[-1] if wait.call.limits else None
+    given = (argument(wait.call, name) for name in ("timeout_sec", "timeout"))
+    return next((longest(value) for value in given if value is not None), None)
+
+
+def known_threads(wait: Wait) -> int | None:
+    """How many threads there are, at least by what is written; None where the machine decides."""
+    node = wait.call.context.node
+    uses = [] if node is None else wait.program.executors_of(node)
+    numbers = [use.threads for use in uses if use.kind == ExecutorKind.MULTI_THREADED]
+    known = [number for number in numbers if number is not None]
+    return max(known) if known and len(known) == len(numbers) else None

@@ -1,0 +1,45 @@
+"""What launch files and parameter files set on the nodes of a launched system."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from archlint.launch.model import ParameterFileUse, Started
+from archlint.systems.overrides import Setting, applied
+
+if TYPE_CHECKING:
+    from archlint.systems.model import Node, System, WorkspaceIndex
+
+
+def called(node: Node) -> str:
+    """The name of a node, or its class where the name is not known."""
+    return node.name or (node.blueprint.class_name if node.blueprint is not None else "the node")
+
+
+def set_nodes(system: System) -> Iterator[tuple[Node, list[Setting]]]:
+    """The nodes of a launched system whose source is here, with what is set on each."""
+    workspace = system.workspace
+    if system.launched is None or workspace is None:
+        return
+    for node in system.nodes:
+        if node.started is not None and node.blueprint is not None:
+            full = node.name if node.resolution in ("exact", "parameter") else None
+            yield node, applied(node.started, full, workspace.parameters_of)
+
+
+def others_are_not_run(workspace: WorkspaceIndex) -> bool:
+    """Whether only one of several launch files was asked for: the others may load the same files."""
+    return workspace.explicit and len(workspace.launch_files.all()) > 1
+
+
+def files_of(system: System) -> list[str]:
+    files: dict[str, None] = {}
+    for started in system.launched.started if system.launched is not None else ():
+        files.update(dict.fromkeys(files_of_process(started)))
+    return list(files)
+
+
+def files_of_process(started: Started) -> list[str]:
+    uses = [parameter for parameter in started.parameters if isinstance(parameter, ParameterFileUse)]
+    return [use.reference.source for use in uses if use.reference.source is not None]

@@ -1,0 +1,100 @@
+"""MSG002: interfaces that a package does not define."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import replace
+from typing import TYPE_CHECKING
+
+from archlint.checks.folding import folds
+from archlint.checks.registry import Options, finding, rule
+from archlint.checks.scope import Scope
+from archlint.suggestions import listed, nearest
+
+if TYPE_CHECKING:
+    from archlint.finding import Finding
+    from archlint.model import UnknownInterface
+    from archlint.systems.model import System
+
+_SHOWN = 12
+"""How many names a help line lists."""
+
+
+@rule("MSG002", scope=Scope.CODE)
+def unknown_interface(system: System, options: Options) -> Iterator[Finding]:
+    """Interfaces imported from a package that does not define them."""
+    found = {(one.place, one.name): one for run in system.programs for one in run.unknown_interfaces}
+    for key in sorted(found):
+        yield _unknown_interface(found[key])
+
+
+def _unknown_interface(one: UnknownInterface) -> Finding:
+    moved = [other for other in one.others if "/" in other]
+    names = [other for other in one.others if "/" not in other]
+    meant = moved[0] if moved else "" if _part(one) else nearest(one.name, names) or ""
+    hint = _instead(meant)
+    what = {"msg": "message", "srv": "service", "action": "action"}[one.kind]
+    if one.left_out:
+        hint = f": {_file(one)} is not listed in rosidl_generate_interfaces() of its CMakeLists.txt"
+    return finding(
+        "MSG002",
+        one.place,
+        f"{one.package} defines no {what} '{one.name}'{hint}",
+        help=_cure(one, names),
+        identity=(one.package, one.kind, one.name),
+        group=() if one.left_out else (one.place.file, str(one.place.line), one.package, one.kind),
+        meant=meant,
+    )
+
+
+@folds("MSG002")
+def of_one_import(findings: Sequence[Finding]) -> Finding:
+    """The finding for all that one line imports in vain, with what each was perhaps meant to be; the advice is that for
+    the first."""
+    first = findings[0]
+    names = list(dict.fromkeys(one.identity[2] for one in findings))
+    if len(names) == 1:
+        return first
+    package, kind, _ = first.identity
+    listed = f"{', '.join(repr(name) for name in names[:-1])} and {names[-1]!r}"
+    several = {"msg": "messages", "srv": "services", "action": "actions"}[kind]
+    hints = [_instead(finding.meant, finding.identity[2]) for finding in findings]
+    message = f"{package} defines no {several} {listed}{''.join(dict.fromkeys(hints))}"
+    return replace(first, message=message, identity=(package, kind, *names))
+
+
+def _instead(meant: str, name: str = "") -> str:
+    """The words for an interface that was perhaps meant: one of this kind, by one of several names, or of another."""
+    if not meant:
+        return ""
+    if "/" in meant:
+        return f"; there is {meant}"
+    by = f" by '{name}'" if name else ""
+    return f"; did you mean '{meant}'{by}?"
+
+
+def _part(one: UnknownInterface) -> tuple[str, str] | None:
+    """The service and its part that ROS 1 gave a class of its own: ``Empty`` and ``Request`` of ``EmptyRequest``."""
+    for part in ("Request", "Response"):
+        service = one.name.removesuffix(part)
+        if one.kind == "srv" and service != one.name and service in one.others:
+            return service, part
+    return None
+
+
+def _file(one: UnknownInterface) -> str:
+    return f"{one.kind}/{one.name}.{one.kind}"
+
+
+def _cure(one: UnknownInterface, names: Sequence[str]) -> str:
+    """The import line to write where the interface is found elsewhere, what the build lacks, or what there is."""
+    if one.left_out:
+        return f'add "{_file(one)}" to rosidl_generate_interfaces() in the CMakeLists.txt of {one.package}'
+    if (part := _part(one)) is not None:
+        return f"in ROS 2 it belongs to the service: import {part[0]} and write {part[0]}.{part[1]}()"
+    if len(one.elsewhere) == 1 and len(names) == len(one.others):
+        return f"write `from {one.elsewhere[0]}.{one.kind} import {one.name}`: that package defines it"
+    if one.elsewhere and len(names) == len(one.others):
+        return f"import it from a package that defines it: {listed(one.elsewhere, shown=_SHOWN)}"
+    when = "that function runs" if one.in_function else "the node starts"
+    return f"the import fails when {when}; {one.package}.{one.kind} has {listed(names, shown=_SHOWN)}"

@@ -1,0 +1,94 @@
+"""EXE001: callbacks that spin."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import replace
+from typing import TYPE_CHECKING
+
+from archlint.analysis import blocking
+from archlint.analysis.callback_roles import callback_words, related_to, runs_in_executor
+from archlint.analysis.deadlock import judge_spin, threads_of
+from archlint.analysis.reach import (
+    argument,
+    creations_of,
+    has_limit,
+    judged_calls,
+    node_name,
+    one_for_each_place,
+)
+from archlint.analysis.spins import is_left_to, is_spin_call, spun_node
+from archlint.analysis.stuck import nested_spins
+from archlint.checks.callback_waits import CONTINUE_WHEN_DONE
+from archlint.checks.folding import folds
+from archlint.checks.registry import Options, finding, rule
+from archlint.checks.scope import Scope
+from archlint.finding import Finding, Related, Severity
+from archlint.model import Role
+
+if TYPE_CHECKING:
+    from archlint.model import ApiCall, Blueprint, Program
+    from archlint.systems.model import System
+
+
+@rule("EXE001", scope=Scope.CODE)
+def spin_in_callback(system: System, options: Options) -> Iterator[Finding]:
+    """Spins that a callback reaches; of those of a service handler for an answer, SRV003 speaks."""
+    reported = nested_spins(system, options.distros)
+    yield from one_for_each_place(
+        found
+        for program, call in judged_calls(system)
+        if is_spin_call(call) and runs_in_executor(call.context)
+        if reported.isdisjoint((call.context.place, one) for one in (call.place, *call.loops[-1:]))
+        for found in _nested_spin(system, program, call, options)
+    )
+
+
+def _nested_spin(system: System, program: Program, call: ApiCall, options: Options) -> Iterator[Finding]:
+    clients = creations_of(argument(call, "future"))
+    client = clients[0] if clients else None
+    spun = spun_node(call, program)
+    limited = has_limit(call, "timeout_sec")
+    verdict = judge_spin(call, spun, client, program, limited, options.distros)
+    if verdict.safe and set(verdict.outcomes.values()) == {blocking.FINE} and spun is not call.context.node:
+        return
+    if verdict.unknown:
+        return
+    function = call.api.rpartition(".")[2]
+    found = finding(
+        "EXE001",
+        call.place,
+        f"{callback_words(call.context)} calls {function}(), and {verdict.why}: this {verdict.words}",
+        help=_instead_of_spinning(program, call, spun),
+        related=tuple(related_to(call, program, client)),
+        node=node_name(system, call.context.node),
+        identity=(call.context.name, function),
+        group=(call.context.place.file, str(call.context.place.line), call.context.name),
+    )
+    yield replace(found, severity=Severity.WARNING) if verdict.safe else found
+
+
+def _instead_of_spinning(program: Program, call: ApiCall, spun: Blueprint | None) -> str:
+    """What to do; whoever spins in a loop waits for something, and the answer of a handler must wait for it, too."""
+    if is_left_to(call, spun, program):
+        return _OWN_EXECUTOR.format(call.api.rpartition(".")[2])
+    if argument(call, "future") is not None:
+        return CONTINUE_WHEN_DONE
+    several = threads_of(call.context.node, program) == blocking.SEVERAL
+    if call.looped and call.context.role == Role.EXECUTE:
+        return _PAUSE if several else f"spin the node with a MultiThreadedExecutor, and {_PAUSE}"
+    if call.looped and call.context.role == Role.SERVICE:
+        return _EVENT if several else "make it an action: its execute callback may take long on a MultiThreadedExecutor"
+    return "return instead: the executor runs the other callbacks once this one has returned"
+
+
+_OWN_EXECUTOR = "add the other node to a SingleThreadedExecutor() of its own, and call that executor's {}() here"
+_PAUSE = "use time.sleep(…) instead: the executor's other threads keep running callbacks"
+_EVENT = "wait for a threading.Event with a timeout; put the callback that sets it into another callback group"
+
+
+@folds("EXE001")
+def _of_one_callback(findings: Sequence[Finding]) -> Finding:
+    """The finding for all spins of one callback: it must do without any."""
+    first, *others = findings
+    return replace(first, related=(*first.related, *(Related(one.place, "it spins here, too") for one in others)))

@@ -1,0 +1,53 @@
+"""QOS004: profiles that contradict themselves."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from archlint.checks.qos import _profiles
+from archlint.checks.registry import Options, finding, rule
+from archlint.checks.scope import Scope
+from archlint.finding import Finding, Related
+
+if TYPE_CHECKING:
+    from archlint.finding import Place
+    from archlint.ros.qos import Qos
+    from archlint.systems.model import Endpoint, System
+
+
+@rule("QOS004", scope=Scope.SYSTEM)
+def qos_contradiction(system: System, options: Options) -> Iterator[Finding]:
+    """Profiles whose parts do not go together, one finding a profile, at the first create call that uses it."""
+    profiles: dict[tuple[Place, str], dict[Place, Endpoint]] = {}
+    for end in sorted(system.endpoints, key=lambda end: end.place):
+        for qos in _profiles(end):
+            contradiction = _contradiction(qos)
+            if contradiction is not None and not _may_be_sound(end, qos):
+                profiles.setdefault((qos.place or end.place, contradiction), {}).setdefault(end.place, end)
+    for (written, contradiction), uses in profiles.items():
+        (place, end), *others = uses.items()
+        related = [Related(written, "the profile is defined here")] if written != place else []
+        yield finding(
+            "QOS004",
+            place,
+            contradiction,
+            help="use keep_all without a depth, or keep_last with a depth of at least 1",
+            related=[*related, *(Related(other, "it is used here, too") for other, _ in others)],
+            node=end.node.name,
+            identity=(end.kind, end.name or "", contradiction),
+        )
+
+
+def _may_be_sound(end: Endpoint, qos: Qos) -> bool:
+    """Whether one profile is filled in in several ways, by a function that makes a policy of a text say, and nobody
+    knows which of them is taken: one is sound."""
+    return any(one.place == qos.place and _contradiction(one) is None for one in _profiles(end))
+
+
+def _contradiction(qos: Qos) -> str | None:
+    if qos.history == "keep_all" and qos.depth and "depth" in qos.explicit:
+        return f"the profile has history keep_all and a depth of {qos.depth}, which has no effect"
+    if qos.history == "keep_last" and qos.depth == 0:
+        return "the profile has history keep_last with depth 0: what that means depends on the middleware"
+    return None

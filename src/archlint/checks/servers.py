@@ -1,0 +1,30 @@
+"""OWN002: services and actions that more than one node serves."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from archlint.analysis.owners import several_owners
+from archlint.checks.owner_findings import all_of, finding_for_owners
+from archlint.checks.registry import Options, rule
+from archlint.checks.scope import Scope
+from archlint.finding import Finding
+
+if TYPE_CHECKING:
+    from archlint.systems.model import System
+
+
+@rule("OWN002", scope=Scope.SYSTEM)
+def multiple_servers(system: System, options: Options) -> Iterator[Finding]:
+    """Services and actions with servers in several nodes that run together."""
+    for connection in (*system.services.values(), *system.actions.values()):
+        for owners in several_owners(system, connection):
+            yield finding_for_owners(
+                "OWN002",
+                system,
+                owners,
+                f"{all_of(owners)} serve the {connection.kind} '{connection.name}': every request reaches all of them",
+                "serves it here",
+                "give each server its own name, such as a private one ('~/…')",
+            )

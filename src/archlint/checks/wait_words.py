@@ -1,0 +1,53 @@
+"""What is said of a wait for a server or a message: for whom it is, and how the code comes there."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from archlint.analysis.callback_roles import runs_in_executor
+from archlint.analysis.reach import (
+    argument,
+    creations_of,
+    related_chain,
+    related_creation,
+)
+from archlint.finding import Related
+from archlint.model.given import Constant
+
+if TYPE_CHECKING:
+    from archlint.model import ApiCall, Creation
+
+WAIT_FOR_SERVICE = "rclpy.client.Client.wait_for_service"
+WAIT_FOR_SERVER = "rclpy.action.client.ActionClient.wait_for_server"
+WAIT_FOR_MESSAGE = "rclpy.wait_for_message.wait_for_message"
+READY = ("rclpy.client.Client.service_is_ready", "rclpy.action.client.ActionClient.server_is_ready")
+MAKE_IT_EARLIER = "create the client in the constructor, and check here without waiting whether its server is available"
+
+
+def made_here(call: ApiCall) -> bool:
+    """Whether the client is made by the same run of the callback: no server is found yet, however ready it is."""
+    made = creations_of(call.receiver)
+    return any(creation.context is call.context for creation in made)
+
+
+def kind_of(call: ApiCall) -> str:
+    return "action" if call.api.startswith("rclpy.action.") else "service"
+
+
+def name_of(creation: Creation | None) -> str:
+    return "" if creation is None else creation.name.text or ""
+
+
+def way_to(call: ApiCall, client: Creation | None) -> list[Related]:
+    """The calls on the way from a callback; what leads there from ``main`` goes without saying, but for the
+    call that leaves out a limit which this one passes on."""
+    hops = list(related_chain(call))
+    if not runs_in_executor(call.context):
+        hops = hops[-1:] if is_at_its_default(call) else []
+    return [*hops, *related_creation(client)]
+
+
+def is_at_its_default(call: ApiCall) -> bool:
+    """Whether the limit is an argument of the function around, at its default."""
+    limits = (argument(call, name) for name in ("timeout_sec", "time_to_wait"))
+    return any(isinstance(limit, Constant) and limit.origin_kind == "argument_default" for limit in limits)
