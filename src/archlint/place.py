@@ -18,3 +18,8 @@ class Place:
     @classmethod
     def of(cls, file: str, span: tuple[int, int, int, int]) -> Place:
         return cls(file, *span)
+
+    @property
+    def span(self) -> tuple[int, int, int, int]:
+        """The place within its file."""
+        return (self.line, self.column, self.end_line, self.end_column)

@@ -30,6 +30,8 @@ def ends_by_server_alone(source: str) -> bool:
         "while not ready:\n    ready = client.wait_for_service(1.0)",
         "while not client.service_is_ready():\n    for _ in range(3):\n        break\n    rclpy.spin_once(node)",
         "while not client.service_is_ready():\n    count += 1",
+        "while True:\n    with lock:\n        if client.service_is_ready():\n            break",
+        "while True:\n    if not client.service_is_ready():\n        continue\n    break",
     ],
 )
 def test_only_the_server_ends(source: str) -> None:

@@ -125,6 +125,22 @@ def test_publishers_that_speak_at_once(judge: Judge, pad: tuple[str, str], web: 
 def test_a_condition_that_only_chooses_what_is_said(judge: Judge):
     either = "if self.drives: self.pub.publish(Twist())\n            else: self.pub.publish(Twist(angular=None))"
     judge("OWN001", drivers((ONE_TURN, ASKS), (ONE_TURN, either)))
+    early = "if self.drives:\n                self.pub.publish(Twist())\n                return\n"
+    judge("OWN001", drivers((ONE_TURN, ASKS), (ONE_TURN, f"{early}            self.pub.publish(Twist(angular=None))")))
+
+
+@pytest.mark.parametrize(
+    "asks",
+    [
+        "while not self.drives: return",
+        "try:\n                if not self.drives: return\n            finally:\n                pass",
+        "if not self.drives:\n                print('not my turn')\n                if self.pub: return\n"
+        "                else: raise RuntimeError",
+    ],
+    ids=["in a loop", "in a try", "nested"],
+)
+def test_a_way_out_counts_wherever_it_stands(judge: Judge, asks: str):
+    judge("OWN001", drivers((ONE_TURN, asks), (ONE_TURN, IF_ASKED)).replace("  # here", ""))
 
 
 ENDING = """

@@ -52,6 +52,11 @@ class TestEntitiesOfCallbacks:
             pytest.param("wanted = request.data\n    if not wanted:\n        return response\n    {make}", ["EXE005"],
                          id="unless the request says no"),
             pytest.param("if request.data:\n        print()\n    else:\n        {make}", ["EXE005"], id="other arm"),
+            pytest.param("try:\n        bool(request.data)\n    except TypeError:\n        return response\n    {make}",
+                         ["EXE005"], id="unless the request makes no sense"),
+            pytest.param("try:\n        self.later.reset()\n    except AttributeError:\n        {make}", [],
+                         id="only where something fails"),
+            pytest.param("while self.later is not None:\n        return response\n    {make}", [], id="a loop leaves"),
             pytest.param("if request.data and self.later is None:\n        {make}", [], id="not there yet"),
             pytest.param("if request.data and not there():\n        {make}", [], id="a function may know"),
             pytest.param("if self.later is None:\n        return response\n    if request.data:\n        {make}", [],
@@ -352,6 +357,16 @@ while self.name is None:
             pytest.param("second = Robot()\nrclpy.spin(robot)", ["second = Robot()"], id="one of a class is spun"),
             pytest.param(
                 "second = Robot()\nrclpy.spin(robot)\nrclpy.spin(second)", ["second = Robot()"], id="too late"
+            ),
+            pytest.param(
+                "second = Robot()\nrclpy.spin(robot)\ntry:\n    rclpy.spin(second)\nfinally:\n    rclpy.shutdown()",
+                ["second = Robot()"],
+                id="too late, in a try",
+            ),
+            pytest.param(
+                "second = Robot()\nif input():\n    rclpy.spin(robot)\nrclpy.spin(second)",
+                [],
+                id="perhaps the first one",
             ),
             pytest.param("rclpy.spin(robot)\nrclpy.init()\nrclpy.spin(Robot())", [], id="one life after the other"),
             pytest.param(

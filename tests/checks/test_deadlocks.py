@@ -136,6 +136,22 @@ def test_a_future_that_was_awaited_has_its_result(run: Run, then: str, expected:
     assert codes(run(source(CLIENT_APART + TIMER, f"async def tick(self):\n{body}\n"))) == expected
 
 
+@pytest.mark.parametrize(
+    ("then", "expected"),
+    [
+        pytest.param("if self.is_patient:\n    answer = future.result()", ["EXE002"], id="in a branch"),
+        pytest.param("if self.is_patient:\n    print()\nanswer = future.result()", ["EXE002"], id="after a branch"),
+        pytest.param("if self.waits_for(future):\n    answer = future.result()", [], id="a function may wait"),
+        pytest.param("if future in self.answered:\n    answer = future.result()", [], id="a test of the future"),
+        pytest.param("while self.is_patient:\n    pass\nanswer = future.result()", [], id="a loop may wait"),
+        pytest.param("future = self.answered\nanswer = future.result()", [], id="another future"),
+    ],
+)
+def test_a_result_on_another_line_of_the_same_way(run: Run, then: str, expected: list[str]):
+    body = textwrap.indent("future = self.client.call_async(Trigger.Request())\n" + then, "    ")
+    assert codes(run(source(CLIENT + TIMER, f"def tick(self):\n{body}\n"))) == expected
+
+
 def test_a_goal_and_its_result_may_be_awaited_one_after_the_other(run: Run):
     create = "self.client = ActionClient(self, Fibonacci, 'plan')\nActionServer(self, Fibonacci, 'go', self.execute)\n"
     method = """

@@ -15,56 +15,8 @@ from hypothesis import strategies as st
 
 from archlint.syntax import facts
 from archlint.syntax.control_flow import always_raises, comes_round, graph_of, loop_of
-from archlint.syntax.flow_graph import Block, Edge, Graph, Kind, any_way, reach, without_exceptions
-from archlint.syntax.python.lowering import lower
-from archlint.syntax.walk import called_name, calls_in, statements_of
-
-
-def body(source: str) -> list[facts.Stmt]:
-    return lower(textwrap.dedent(source)).body
-
-
-class Flow:
-    """The graph of a piece of source, asked by the names of what its statements call."""
-
-    def __init__(self, source: str) -> None:
-        self.body = body(source)
-        self.graph: Graph = graph_of(self.body)
-
-    def blocks(self, name: str) -> list[Block]:
-        return [block for block in self.graph.blocks if name in names_of(block)]
-
-    def block(self, name: str) -> Block:
-        [found] = self.blocks(name)
-        return found
-
-    def runs(self, name: str) -> bool:
-        return bool(self.blocks(name))
-
-    def dominates(self, first: str, second: str) -> bool:
-        return self.graph.dominates(self.block(first), self.block(second))
-
-    def always_followed(self, first: str, second: str, *, though_it_raises: bool = False) -> bool:
-        along = any_way if though_it_raises else without_exceptions
-        return self.graph.post_dominates(self.block(second), self.block(first), along)
-
-    def loops(self) -> list[facts.While | facts.For]:
-        return [one for one in statements_of(self.body) if isinstance(one, (facts.While, facts.For))]
-
-    def comes_round_after(self, name: str) -> bool:
-        """Whether the outermost loop may go round again after a statement."""
-        loop = self.loops()[0]
-        *_, statement = [one for one in statements_of(loop.body) if names_of_fact(one) == [name]]
-        return comes_round(loop, statement)
-
-
-def names_of_fact(fact: object) -> list[str]:
-    return [called_name(call) for call in calls_in(fact)]
-
-
-def names_of(block: Block) -> list[str]:
-    return [] if block.fact is None else names_of_fact(block.fact)
-
+from archlint.syntax.flow_graph import Block, Edge, Kind, reach
+from syntax.flow import Flow, body, names_of, names_of_fact
 
 # ------------------------------------------------------------------------------------------- what runs at all
 
@@ -507,8 +459,8 @@ def test_dominance_is_what_all_ways_have_in_common(block: list[object]) -> None:
         ways = list(every_way(graph.entry, [second]))
         ends = list(every_way(second, graph.exits))
         for first in graph.blocks:
-            assert graph.dominates(first, second) is all(first in way for way in ways)
-            assert graph.post_dominates(first, second) is all(first in way for way in ends)
+            assert graph.dominates([first], second) is all(first in way for way in ways)
+            assert graph.post_dominates([first], second) is all(first in way for way in ends)
 
 
 @settings(max_examples=100, deadline=None)
@@ -522,4 +474,4 @@ def test_blocks_stand_in_an_order_in_which_only_loops_lead_back(block: list[obje
 
     back = [edge for one in graph.blocks for edge in one.edges if leads_back(edge)]
     assert all(edge.kind is Kind.BACK for edge in back)
-    assert all(graph.dominates(edge.target, edge.source) for edge in back)
+    assert all(graph.dominates([edge.target], edge.source) for edge in back)

@@ -14,6 +14,8 @@ from archlint.model import (
     Role,
 )
 from archlint.syntax import facts
+from archlint.syntax.control_flow import graph_of
+from archlint.syntax.flow_graph import Block, Edge, Kind, reach, without_exceptions
 from archlint.syntax.parts import everything_in
 from archlint.syntax.walk import called_name, calls_in, parts_of, statements_of
 
@@ -125,13 +127,13 @@ class _Source:
             for part in parts_of(method.body, facts.Attribute)
             if part.attr == attribute and part.span[0] != made
         ]
-        asked = [(method, self._on_the_way(method, part.span[0])) for method, part in uses]
+        asked = [(method, self._on_the_way(method, part.span)) for method, part in uses]
         words = frozenset(word for _, some in asked for word in some)
         return words if all(some or self.answers.get(one.name) in words for one, some in asked) else frozenset()
 
-    def _on_the_way(self, method: facts.Function, line: int) -> frozenset[_Word]:
-        """The words that are asked in a method before a line, or else before the method is called, wherever it is."""
-        names = (name for test in _guards(method.body, line) for name in _of_self(test))
+    def _on_the_way(self, method: facts.Function, span: facts.Span) -> frozenset[_Word]:
+        """The words that are asked in a method before a place, or else before the method is called, wherever it is."""
+        names = (name for test in _guards(method.body, span) for name in _of_self(test))
         here = frozenset(word for name in names for word in self.told.get(name, ()))
         if here or method.name in self.waiting or method.name.startswith("__"):
             return here
@@ -181,25 +183,30 @@ def _of_self(expression: facts.Base) -> Iterator[str]:
     return (part.attr for part in parts_of(expression, facts.Attribute) if part.value.variable == "self")
 
 
-def _guards(body: Sequence[facts.Stmt], line: int) -> Iterator[facts.Expr]:
-    """The conditions of which one outcome keeps a body from getting to a line."""
-    for statement in body:
-        if not _is_in(line, statement):
-            if isinstance(statement, facts.If) and statement.body and statement.body[-1].jumps:
-                yield statement.test
-            continue
-        if isinstance(statement, facts.While) or (isinstance(statement, facts.If) and not _speaks_anyway(statement)):
-            yield statement.test
-        for block in statement.blocks:
-            if any(_is_in(line, one) for one in block):
-                yield from _guards(block, line)
-        return
+def _guards(body: Sequence[facts.Stmt], span: facts.Span) -> Iterator[facts.Expr]:
+    """The conditions of which one outcome keeps a body from getting to a place."""
+    graph = graph_of(body)
+    for block in graph.deciders(graph.evaluating(span)):
+        tests = [edge.test for edge in block.edges if edge.test is not None]
+        if tests and not _speaks_anyway(block):
+            yield tests[0]
 
 
-def _speaks_anyway(statement: facts.If) -> bool:
-    """Whether both arms publish: the condition then chooses what is said, not whether."""
-    arms = (statement.body, statement.orelse)
-    return all(any(called_name(call) == "publish" for call in calls_in(arm)) for arm in arms)
+def _speaks_anyway(block: Block) -> bool:
+    """Whether something is published after either outcome of a condition, for which the other does not lead there: then
+    it chooses what is said, not whether."""
+    ways = [reach([edge.target], _in_this_round) for edge in block.edges if edge.test is not None]
+    return len(ways) > 1 and all(
+        any(map(_publishes_in, way.difference(*ways[:i], *ways[i + 1 :]))) for i, way in enumerate(ways)
+    )
+
+
+def _in_this_round(edge: Edge) -> bool:
+    return edge.kind is not Kind.BACK and without_exceptions(edge)
+
+
+def _publishes_in(block: Block) -> bool:
+    return any(called_name(call) == "publish" for call in calls_in(block.fact))
 
 
 def _is_in(line: int, item: facts.Stmt) -> bool:

@@ -12,10 +12,13 @@ from archlint.analysis.reach import creations_of, judged_calls, same_expression
 from archlint.analysis.source_code import SourceCode, source_code
 from archlint.model.given import Future
 from archlint.syntax import facts
-from archlint.syntax.walk import blocks_of, called_name, calls_in, parts_of
+from archlint.syntax.control_flow import graph_of
+from archlint.syntax.parts import names_in
+from archlint.syntax.walk import called_name, calls_in, parts_of
 
 if TYPE_CHECKING:
     from archlint.model import ApiCall, Creation, Program
+    from archlint.syntax.flow_graph import Graph
     from archlint.systems.model import System
 
 _RESULT = "rclpy.task.Future.result"
@@ -54,27 +57,31 @@ def _straight_after(code: SourceCode, call: ApiCall) -> bool:
     if _sends(future):
         return True  # call_async(...).result()
     name = future.variable
-    return name != "" and any(_sent_just_before(block, name, result) for block in blocks_of(code.body(call)))
+    return name != "" and _is_sent_just_before(graph_of(code.body(call)), name, result)
 
 
-def _sent_just_before(block: Sequence[facts.Stmt], name: str, result: facts.Call) -> bool:
-    sent = False
-    for statement in block:
-        inside = list(calls_in(statement))
-        if any(same_expression(one, result) for one in inside):
-            # Only at the head of a statement: further inside a branch something may have been asked before.
-            at_head = isinstance(statement, (facts.Assign, facts.Expression, facts.Return))
-            return sent and at_head and not _awaits_beside(statement, result)
-        if isinstance(statement, facts.Assign) and _sends(statement.value) and _binds(statement, name):
-            sent = True
-        elif not isinstance(statement, (facts.Assign, facts.Expression)) or not _idle(inside):
-            sent = False
-        elif any(parts_of(statement, facts.Await)):
-            sent = False  # of the future itself, or of anything else: the executor goes on meanwhile
-    return False
+def _is_sent_just_before(graph: Graph, name: str, result: facts.Call) -> bool:
+    """Whether every way to a result has sent the request, and nothing since that lets time pass."""
+    reads = graph.evaluating(result.span)
+    tests = {id(block.fact) for block in graph.blocks if isinstance(block.statement, facts.If)}
+
+    def step(sent: bool, fact: facts.Base) -> bool:
+        match fact:
+            case facts.Assign(value=value) if _sends(value) and _binds(fact, name):
+                return True
+            case facts.Assign() | facts.Expression():
+                # Whatever is awaited, the executor goes on meanwhile.
+                return sent and _idle(list(calls_in(fact))) and not any(parts_of(fact, facts.Await))
+        # A condition that asks the future, or anything by a call, may well have waited for it.
+        return sent and id(fact) in tests and not any(calls_in(fact)) and name not in names_in(fact)
+
+    states = graph.states(False, step)
+    return bool(reads) and all(
+        states.get(block) == frozenset({True}) and not _awaits_beside(block.fact, result) for block in reads
+    )
 
 
-def _awaits_beside(statement: facts.Stmt, result: facts.Call) -> bool:
+def _awaits_beside(statement: facts.Base | None, result: facts.Call) -> bool:
     """Whether a statement awaits something else than what it reads: ``await future.result().get_result_async()`` has
     read the result by then."""
     awaits = parts_of(statement, facts.Await)

@@ -6,6 +6,7 @@ import math
 from typing import TYPE_CHECKING
 
 from archlint.syntax import facts
+from archlint.syntax.control_flow import graph_of, loop_of
 from archlint.syntax.parts import names_in
 from archlint.syntax.walk import called_name, calls_in, parts_of, statements_of
 
@@ -70,7 +71,7 @@ def _times(loop: Loop | None, unknown: float) -> float:
 def is_retry(code: SourceCode, call: ApiCall) -> bool:
     """Whether a ``for`` that ends as soon as something has worked goes round a call: the pause is the exception."""
     loop = code.loop(call)
-    return loop is not None and not loop.tests and any(one.leaves_loop for one in statements_of(loop.body))
+    return loop is not None and not loop.tests and loop_of(loop).is_left_by_jump
 
 
 def reads_until_it_has(code: SourceCode, call: ApiCall) -> bool:
@@ -81,17 +82,17 @@ def reads_until_it_has(code: SourceCode, call: ApiCall) -> bool:
         return False
     read = {
         name
-        for one in loop.body
-        if isinstance(one, facts.Assign) and any(True for _ in calls_in(one.value))
+        for one in statements_of(loop.body, facts.Assign)
+        if any(True for _ in calls_in(one.value))
         for target in one.targets
         if isinstance(target, (facts.Name, facts.Sequence))
         for name in names_in(target)
     }
+    graph = graph_of(loop.body)
     return any(
-        isinstance(one, facts.If)
-        and not read.isdisjoint(names_in(one.test))
-        and any(isinstance(left, facts.Return) and not read.isdisjoint(names_in(left)) for left in one.body)
-        for one in loop.body
+        not read.isdisjoint(names_in(statement.value))
+        and any(not read.isdisjoint(names_in(edge.test)) for edge in graph.outcomes(graph.of(statement)))
+        for statement, _ in graph.returns
     )
 
 

@@ -7,8 +7,9 @@ from typing import TYPE_CHECKING
 
 from archlint.place import Place
 from archlint.syntax import facts
+from archlint.syntax.control_flow import graph_of
 from archlint.syntax.parts import everything_in
-from archlint.syntax.walk import blocks_of, called_name, statements_of
+from archlint.syntax.walk import called_name, statements_of
 
 if TYPE_CHECKING:
     from archlint.analysis.source_code import SourceCode
@@ -65,22 +66,10 @@ def _assigned(assigns: Iterable[facts.Assign]) -> Iterator[str]:
 
 def _asked_before(body: Sequence[facts.Stmt], place: Place) -> Iterator[str]:
     """The names that must be something, not None, for a function to get to a place."""
-    for block in blocks_of(body):
-        inner = next((i for i, one in enumerate(block) if _holds(one, place)), None)
-        if inner is None:
-            continue
-        for statement in block[:inner]:
-            if isinstance(statement, facts.If) and statement.body and statement.body[-1].jumps:
-                yield from _missing(statement.test)
-        around = block[inner]
-        if isinstance(around, facts.If):
-            inside = any(_holds(one, place) for one in around.body)
-            yield from _present(around.test) if inside else _missing(around.test)
-
-
-def _holds(statement: facts.Stmt, place: Place) -> bool:
-    start = (place.line, place.column)
-    return not isinstance(statement, facts.Global) and statement.span[:2] <= start < statement.span[2:]
+    graph = graph_of(body)
+    for edge in graph.outcomes(graph.evaluating(place.span)):
+        if edge.test is not None:
+            yield from _present(edge.test) if edge.holds else _missing(edge.test)
 
 
 def _missing(test: facts.Expr) -> Iterator[str]:

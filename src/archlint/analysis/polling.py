@@ -8,11 +8,13 @@ from typing import TYPE_CHECKING
 from archlint.analysis.reach import argument
 from archlint.model.given import Message
 from archlint.syntax import facts
-from archlint.syntax.control_flow import loop_of
+from archlint.syntax.control_flow import graph_of, loop_of
+from archlint.syntax.flow_graph import Block, reach, without_exceptions
 from archlint.syntax.walk import called_name, calls_in, statements_of
 
 if TYPE_CHECKING:
     from archlint.analysis.source_code import Loop, SourceCode
+    from archlint.finding import Place
     from archlint.model import ApiCall
 
 _READY = frozenset({"service_is_ready", "wait_for_service", "done", "ok"})
@@ -37,46 +39,30 @@ def is_unguarded(code: SourceCode, call: ApiCall) -> bool:
     """Whether nothing but the readiness of the service decides whether the request is sent."""
     loop = code.loop(call)
     body = code.body(call) if loop is None else loop.body
-    if call.chain[1:] or _always_comes_to(body, (call.place.line, call.place.column)) is not True:
+    if call.chain[1:] or _is_decided(body, call.place) is not False:
         return False
     function = code.definition(call.context)
     if not call.chain or function is None:
         return True
     # What runs calls the function that asks: an occasion may be needed for that, too.
-    place = call.chain[0].place
-    return _always_comes_to(function.body, (place.line, place.column)) is not False
+    return _is_decided(function.body, call.chain[0].place) is not True
 
 
-def _always_comes_to(block: Sequence[facts.Stmt], wanted: tuple[int, int]) -> bool | None:
-    """True where a block always comes to a call, False where something else decides; None: it is not there.
-
-    An ``if`` on the way that leaves anything, be it only a loop inside it, is something that decides."""
-    for statement in block:
-        if _calls(statement, wanted):
-            return _always_comes_inside(statement, wanted)
-        if isinstance(statement, facts.If) and not _about_readiness(statement.test) and _may_jump(statement):
-            return False
-    return None
-
-
-def _always_comes_inside(statement: facts.Stmt, wanted: tuple[int, int]) -> bool:
-    match statement:
-        case facts.If(test=test) if not _about_readiness(test):
-            return _calls(test, wanted)
-        case facts.While(test=test):
-            return _calls(test, wanted)  # asked once, at least
-        case facts.For() | facts.Match():
-            return False
-    found = [_always_comes_to(block, wanted) for block in statement.blocks]
-    return next((one for one in found if one is not None), True)
+def _is_decided(body: Sequence[facts.Stmt], place: Place) -> bool | None:
+    """Whether anything but the readiness of a service decides that a body comes to a call; None: it is not there."""
+    graph = graph_of(body)
+    blocks = graph.evaluating(place.span)
+    if not blocks:
+        return None
+    if reach([graph.entry], without_exceptions).isdisjoint(blocks):
+        return True  # only an exception leads there
+    rounds = {loop.head for block in blocks for loop in block.loops} - set(blocks)
+    return any(block in rounds or not _is_readiness(block) for block in graph.deciders(blocks))
 
 
-def _calls(fact: facts.Base, wanted: tuple[int, int]) -> bool:
-    return any(one.span[:2] == wanted for one in calls_in(fact))
-
-
-def _may_jump(statement: facts.If) -> bool:
-    return any(inner.jumps for inner in statements_of([statement]))
+def _is_readiness(block: Block) -> bool:
+    """Whether a block asks for nothing but readiness."""
+    return any(edge.test is not None and _about_readiness(edge.test) for edge in block.edges)
 
 
 def _about_readiness(test: facts.Expr) -> bool:

@@ -7,8 +7,10 @@ from typing import TYPE_CHECKING
 from archlint.analysis.assumptions import dotted
 from archlint.finding import Place
 from archlint.syntax import facts
+from archlint.syntax.control_flow import graph_of
+from archlint.syntax.flow_graph import without_exceptions
 from archlint.syntax.parts import everything_in
-from archlint.syntax.walk import blocks_of, calls_in, statements_of
+from archlint.syntax.walk import calls_in
 
 if TYPE_CHECKING:
     from archlint.analysis.sleeps import Stay
@@ -48,29 +50,14 @@ def _signals(call: facts.Call, process: str, certainly: bool) -> bool:
 
 
 def ends_with_the_node(code: SourceCode, call: ApiCall, stay: Stay) -> bool:
-    """Whether a limited wait for a process is part of the way out: the same lines go on to shut ROS down, and nothing
+    """Whether a limited wait for a process is part of the way out: every way on shuts ROS down, and nothing
     that would have to wait ever comes."""
     if call.api not in _OF_PROCESS or stay.seconds is None or call.looped:
         return False
-    start = (call.place.line, call.place.column)
-    for block in blocks_of(code.body(call)):
-        here = [i for i, one in enumerate(block) if _holds(one, start)]
-        rest = block[here[0] :] if here else []
-        ends = [i for i, one in enumerate(rest) if i and _shuts_down(one)]
-        if ends and not any(one.span[:2] > start for one in statements_of(rest[: ends[0]], facts.Return)):
-            return True
-    return False
-
-
-def _holds(statement: facts.Stmt, start: tuple[int, int]) -> bool:
-    return not isinstance(statement, facts.Global) and statement.span[:2] <= start <= statement.span[2:]
-
-
-def _shuts_down(statement: facts.Stmt) -> bool:
-    match statement:
-        case facts.Expression(value=facts.Call(func=func)):
-            return func.dotted in _SHUTDOWNS
-    return False
+    graph = graph_of(code.body(call))
+    waits = graph.evaluating(call.place.span)
+    ends = [block for block in graph.blocks if any(one.func.dotted in _SHUTDOWNS for one in calls_in(block.fact))]
+    return bool(waits) and all(graph.post_dominates(ends, block, without_exceptions) for block in waits)
 
 
 def _owner(call: facts.Call) -> str:

@@ -100,7 +100,7 @@ class SourceCode:
         place = callback.function.place
         spot = self._spot(place)
         inner = spot.statements[-1] if spot.statements else None
-        if isinstance(inner, facts.Function) and inner.name_span == _span(place):
+        if isinstance(inner, facts.Function) and inner.name_span == place.span:
             return inner
         return spot.written if isinstance(spot.written, facts.Lambda) else None
 
@@ -110,13 +110,13 @@ class SourceCode:
         return function if isinstance(function, facts.Function) else None
 
     def _filling(self, place: Place) -> Iterator[facts.Stmt]:
-        return (statement for statement in self._spot(place).statements if _fills(statement, _span(place)))
+        return (statement for statement in self._spot(place).statements if _fills(statement, place.span))
 
     def _spot(self, place: Place) -> _Spot:
         spot = self._spots.get(place)
         if spot is None:
             found = self.facts_at(place.file)
-            spot = self._spots[place] = _Spot() if found is None else _look_up(found, _span(place))
+            spot = self._spots[place] = _Spot() if found is None else _look_up(found, place.span)
         return spot
 
 
@@ -186,10 +186,6 @@ def _fills(fact: facts.Base, span: facts.Span) -> bool:
 
 def _may_hold(fact: facts.Base, span: facts.Span) -> bool:
     return not hasattr(fact, "span") or _holds(fact, span)
-
-
-def _span(place: Place) -> facts.Span:
-    return (place.line, place.column, place.end_line, place.end_column)
 
 
 __all__ = ["FunctionFacts", "Loop", "SourceCode", "code_of", "source_code"]

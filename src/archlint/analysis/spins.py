@@ -2,17 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 from archlint.analysis.callback_roles import runs_in_executor
 from archlint.analysis.completeness import enclosing_function
-from archlint.analysis.reach import argument, judged_calls, same_expression
+from archlint.analysis.reach import argument, judged_calls
 from archlint.model import Role, SpinDuration
 from archlint.model.given import Node, Object
 from archlint.syntax import facts
+from archlint.syntax.control_flow import graph_of
 from archlint.syntax.parts import everything_in
-from archlint.syntax.walk import blocks_of, called_name, calls_in, parts_of
+from archlint.syntax.walk import called_name, calls_in, parts_of
 
 if TYPE_CHECKING:
     from archlint.analysis.source_code import SourceCode
@@ -92,7 +92,7 @@ def is_left_to(call: ApiCall, spun: Blueprint | None, program: Program) -> bool:
 
 
 def spin_before(code: SourceCode, program: Program, place: Place) -> Place | None:
-    """The ``rclpy.spin(…)`` in front of a spin in the same block: it returns when ROS is shut down, not before."""
+    """The ``rclpy.spin(…)`` that comes before a spin: it returns when ROS is shut down, not before."""
     later = next((call for call in program.calls if call.place == place), None)
     if later is None:
         return None
@@ -101,19 +101,13 @@ def spin_before(code: SourceCode, program: Program, place: Place) -> Place | Non
 
 
 def _comes_first(code: SourceCode, call: ApiCall, later: ApiCall) -> bool:
-    """Whether a call is a statement of a block that a later one is in, too, and ROS is not started anew between."""
-    for block in blocks_of(code.body(call)):
-        here = [number for one in (call, later) for number in _numbers_in(block, code.expression(one))]
-        if len(here) == 2 and here[0] < here[1]:
-            between = block[here[0] : here[1]]
-            return all(called_name(one) != "init" for statement in between for one in calls_in(statement))
-    return False
-
-
-def _numbers_in(block: Sequence[facts.Stmt], call: facts.Call | None) -> list[int]:
-    """Which statement of a block is just this call."""
-    lines = [(number, one) for number, one in enumerate(block) if isinstance(one, facts.Expression)]
-    return [number for number, one in lines if same_expression(one.value, call)]
+    """Whether a later call is come to by way of another one, whatever raises, and ROS is not started anew between."""
+    graph = graph_of(code.body(call))
+    first = graph.evaluating(call.place.span)
+    last = [block for block in graph.evaluating(later.place.span) if block not in first]
+    if not last or not all(graph.dominates(first, block) for block in last):
+        return False
+    return all(called_name(one) != "init" for block in graph.between(first, last) for one in calls_in(block.fact))
 
 
 def spins_if_asked(system: System, program: Program, node: Blueprint, group: Place) -> bool:

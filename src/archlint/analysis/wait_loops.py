@@ -2,12 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
-
 from archlint.syntax import facts
 from archlint.syntax.control_flow import loop_of
-from archlint.syntax.flow_graph import Block, Edge, Kind, Loop, reach
-from archlint.syntax.walk import called_name, calls_in
+from archlint.syntax.flow_graph import Block, Edge, Kind, Loop, reach, without_exceptions
+from archlint.syntax.walk import called_name, calls_in, statements_of
 
 _ASKS = frozenset({"wait_for_service", "wait_for_server", "service_is_ready", "server_is_ready"})
 """Methods that tell whether a server is there."""
@@ -30,7 +28,7 @@ def only_the_server_ends(statement: facts.While | facts.For | None) -> bool:
     if _says(statement.test, there=False):
         return not _may_end(loop, there=True)
     if statement.is_endless:
-        return _leaves_when_there(statement.body) and not _may_end(loop, there=False)
+        return _leaves_when_there(loop) and not _may_end(loop, there=False)
     return _asks_a_variable(statement) and not _may_end(loop, there=False)
 
 
@@ -75,15 +73,15 @@ def _may_raise(block: Block) -> bool:
     return True
 
 
-def _leaves_when_there(body: Sequence[facts.Stmt]) -> bool:
+def _leaves_when_there(loop: Loop) -> bool:
     """Whether a body leaves its loop once the server is there."""
-    for statement in body:
-        if isinstance(statement, facts.If):
-            there = statement.body if _says(statement.test, there=True) else []
-            there = statement.orelse if _says(statement.test, there=False) else there
-            if any(part.leaves_loop for part in there):
-                return True
-    return False
+    there = [
+        edge.target
+        for block in loop.blocks
+        for edge in block.edges
+        if edge.test is not None and _says(edge.test, there=edge.holds)
+    ]
+    return any(loop not in block.loops for block in reach(there, without_exceptions, avoiding=[loop.head]))
 
 
 def _asks_a_variable(loop: facts.While) -> bool:
@@ -92,24 +90,11 @@ def _asks_a_variable(loop: facts.While) -> bool:
         case facts.Unary(op="not", operand=facts.Name(id=name)):
             assigned = [
                 assignment
-                for assignment in _assignments(loop.body)
+                for assignment in statements_of(loop.body, facts.Assign)
                 if name in [target.variable for target in assignment.targets]
             ]
             return bool(assigned) and all(_says(one.value, there=True) for one in assigned)
     return False
-
-
-def _assignments(block: Sequence[facts.Stmt]) -> Iterator[facts.Assign]:
-    """The assignments of a block and of the branches inside it."""
-    for statement in block:
-        match statement:
-            case facts.Assign():
-                yield statement
-            case facts.If():
-                yield from _assignments(statement.body)
-                yield from _assignments(statement.orelse)
-            case facts.With() | facts.Try():
-                yield from _assignments(statement.body)
 
 
 __all__ = ["only_the_server_ends"]

@@ -12,6 +12,7 @@ from __future__ import annotations
 from collections import deque
 from collections.abc import Callable, Collection, Hashable, Iterator, Sequence
 from enum import Enum, auto
+from functools import cached_property
 from typing import Generic, TypeVar
 
 from archlint.syntax import facts
@@ -107,9 +108,12 @@ class Loop:
     @property
     def is_left_early(self) -> bool:
         """Whether ``break``, ``return`` or ``raise`` in its body may end it."""
-        return any(
-            edge.source is not self.head and (edge.kind is not Kind.RAISE or edge.source.leaves) for edge in self.exits
-        )
+        return self.is_left_by_jump or any(edge.kind is Kind.RAISE and edge.source.leaves for edge in self.exits)
+
+    @property
+    def is_left_by_jump(self) -> bool:
+        """Whether ``break`` or ``return`` in its body may end it."""
+        return any(edge.source is not self.head and edge.kind is not Kind.RAISE for edge in self.exits)
 
     @property
     def comes_round(self) -> bool:
@@ -176,13 +180,86 @@ class Graph:
         loops = (loop for block in self.blocks for loop in block.loops)
         return next((loop for loop in loops if loop.statement is statement), None)
 
-    def dominates(self, first: Block, block: Block, along: Along = any_way) -> bool:
-        """Whether every way from the start to a block goes through another one first."""
-        return block not in reach([self.entry], along, avoiding=[first])
+    def of(self, statement: facts.Stmt) -> list[Block]:
+        """The blocks of a statement itself, without those of what is inside it: of an ``if`` its condition."""
+        return [block for block in self.blocks if block.statement is statement]
 
-    def post_dominates(self, last: Block, block: Block, along: Along = any_way) -> bool:
-        """Whether every way from a block to an end goes through another one."""
-        return reach([block], along, avoiding=[last]).isdisjoint(self.exits)
+    def evaluating(self, span: facts.Span) -> list[Block]:
+        """The blocks that evaluate what stands at a place; a ``finally`` has several."""
+        return [block for block in self.blocks if block.fact is not None and _covers(block.fact, span)]
+
+    def dominates(self, first: Collection[Block], block: Block, along: Along = any_way) -> bool:
+        """Whether every way from the start to a block goes through one of others first."""
+        return block not in reach([self.entry], along, avoiding=first)
+
+    def post_dominates(self, last: Collection[Block], block: Block, along: Along = any_way) -> bool:
+        """Whether every way from a block to an end goes through one of others."""
+        return reach([block], along, avoiding=last).isdisjoint(self.exits)
+
+    def before(
+        self, targets: Collection[Block], along: Along = any_way, avoiding: Collection[Block] = ()
+    ) -> set[Block]:
+        """The blocks from which some block may be reached on a way that keeps clear of others; of these blocks those
+        that come round to one again."""
+        waiting, found = list(targets), set[Block]()
+        while waiting:
+            for edge in self._edges_to.get(waiting.pop(), ()):
+                if edge.source not in found and edge.source not in avoiding and along(edge):
+                    found.add(edge.source)
+                    waiting.append(edge.source)
+        return found
+
+    def between(self, first: Collection[Block], last: Collection[Block], along: Along = any_way) -> set[Block]:
+        """The blocks that may run after one block and before another, on ways that come to neither again."""
+        after = reach([edge.target for block in first for edge in block.edges if along(edge)], along, avoiding=first)
+        return after & self.before(last, along, avoiding=[*first, *last])
+
+    def outcomes(self, targets: Collection[Block]) -> list[Edge]:
+        """How conditions have come out on every way to some blocks: around them, and in front of them where the other
+        outcome leaves.  One edge stands for all copies of a condition."""
+        groups: dict[tuple[int, bool], list[Edge]] = {}
+        for block in self.blocks:
+            for edge in block.edges:
+                if edge.test is not None and edge.test.truth is None:
+                    groups.setdefault((id(edge.test), edge.holds), []).append(edge)
+        return [edges[0] for edges in groups.values() if self._is_on_every_way(edges, targets)]
+
+    def _is_on_every_way(self, edges: Collection[Edge], targets: Collection[Block]) -> bool:
+        otherwise = reach([self.entry], lambda edge: edge not in edges)
+        return bool(targets) and otherwise.isdisjoint(targets)
+
+    def deciders(self, targets: Collection[Block]) -> list[Block]:
+        """The blocks that decide whether some blocks are reached, as long as nothing raises, and those that decide
+        about these: one way on leads there for certain, another may not.  Inside a loop each round counts by itself.
+        """
+        heads = {loop.head for block in targets for loop in block.loops}
+        found: set[Block] = set()
+        waiting = [set(targets)]
+        while waiting:
+            for block in self._decide_about(waiting.pop(), heads) - found:
+                found.add(block)
+                waiting.append(
+                    {one for one in self.of(block.statement) if one.fact is block.fact} if block.statement else {block}
+                )
+        return [block for block in self.blocks if block in found]
+
+    def _decide_about(self, targets: set[Block], heads: set[Block]) -> set[Block]:
+        def goes_on(edge: Edge) -> bool:
+            return without_exceptions(edge) and not (edge.kind is Kind.BACK and edge.target in heads)
+
+        rounds = [edge.source for head in heads for edge in self._edges_to[head] if edge.kind is Kind.BACK]
+        ends = [block for block in (*self.exits, *rounds) if block not in targets]
+        missing = self.before(ends, goes_on, avoiding=targets).union(ends)
+        certain = (self.before(targets, goes_on) | targets) - missing
+        return {edge.source for block in certain for edge in self._edges_to.get(block, ()) if goes_on(edge)} & missing
+
+    @cached_property
+    def _edges_to(self) -> dict[Block, list[Edge]]:
+        found: dict[Block, list[Edge]] = {}
+        for block in self.blocks:
+            for edge in block.edges:
+                found.setdefault(edge.target, []).append(edge)
+        return found
 
     def states(
         self,
@@ -232,6 +309,11 @@ def _entering(
         return states
     entered = (branch(state, edge.test, edge.holds) for state in states)
     return frozenset(state for state in entered if state is not None)
+
+
+def _covers(fact: facts.Base, span: facts.Span) -> bool:
+    around: facts.Span = getattr(fact, "span", (0, 0, 0, 0))
+    return around[:2] <= span[:2] and span[2:] <= around[2:]
 
 
 def _ends(statement: facts.Stmt) -> tuple[tuple[int, int], tuple[int, int]]:

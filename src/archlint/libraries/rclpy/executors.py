@@ -11,7 +11,8 @@ from archlint.libraries.rclpy import nodes
 from archlint.libraries.rclpy.fields import EXECUTOR
 from archlint.libraries.values import ExecutorValue, FutureValue
 from archlint.syntax import facts
-from archlint.syntax.walk import called_name, calls_in, statements_of
+from archlint.syntax.control_flow import loop_of
+from archlint.syntax.walk import called_name, calls_in
 
 if TYPE_CHECKING:
     from archlint.finding import Place
@@ -133,8 +134,7 @@ def _endless(loop: facts.While | facts.For) -> bool:
     match loop:
         case facts.While(test):
             endless = test.truth is True or (isinstance(test, facts.Call) and called_name(test) == "ok")
-            breaks = any(jump.kind == "break" for jump in statements_of(loop.body, facts.Jump))
-            return endless and not breaks and not any(statements_of(loop.body, facts.Return))
+            return endless and not loop_of(loop).is_left_by_jump
     return False
 
 
