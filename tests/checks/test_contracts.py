@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from pathlib import Path
 from textwrap import dedent
 
@@ -346,10 +347,10 @@ def test_a_mistaken_contract_ends_the_run(run):
 
 def launched(*nodes: Node, closed: bool = False) -> tuple[System, System]:
     """The system of all nodes of ``ROBOT``, and one of a launch file that starts these."""
-    opened = system(*ROBOT.nodes)
-    started = system(*nodes, name="robot.launch.py", closed=closed)
-    workspace = WorkspaceIndex(systems=[opened, started])
-    opened.workspace = started.workspace = workspace
+    workspace = WorkspaceIndex()
+    opened = system(*ROBOT.nodes, workspace=workspace)
+    started = system(*nodes, name="robot.launch.py", closed=closed, workspace=workspace)
+    workspace.systems = [opened, started]
     return opened, started
 
 
@@ -386,10 +387,8 @@ def test_each_robot_of_a_launch_file_is_held_to_a_contract(findings):
 
 def test_names_that_only_the_nodes_have_before_they_are_launched(findings):
     opened, _ = launched(*TWO_ROBOTS)
-    opened.launched_pairs = frozenset(
-        frozenset((one.blueprint.place, one.blueprint.class_name) for one in pair if one.blueprint)
-        for pair in (opened.nodes[:2],)
-    )
+    pair = frozenset((node.blueprint.place, node.blueprint.class_name) for node in opened.nodes[:2] if node.blueprint)
+    opened = replace(opened, launched_pairs=frozenset({pair}))
     forbidden = contract(kind='"forbid"', from_='"/planner"', to='"/motor"')
     assert len(findings("ARC001", forbidden, opened)) == 2  # no launch file has nodes of these names
     anywhere = contract(kind='"forbid"', from_='"planner"', to='"motor"')

@@ -230,9 +230,8 @@ PLACE = Place("launch/robot.launch.py", 5, 1, 5, 20)
 
 def launched(*nodes: Node, **parts: object) -> System:
     """A closed system that a launch file starts; ``parts`` are what that file holds besides the nodes."""
-    made = system(*nodes, name=PLACE.file, closed=True)
-    made.launched = Launched(PLACE.file, "robot", **parts)  # type: ignore[arg-type]
-    return made
+    launched = Launched(PLACE.file, "robot", **parts)  # type: ignore[arg-type]
+    return system(*nodes, name=PLACE.file, closed=True, launched=launched)
 
 
 def process(dormant: bool = False) -> Started:

@@ -1,6 +1,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
+from dataclasses import replace
 
 import pytest
 
@@ -54,8 +55,7 @@ class TestTheTwoEnds:
     ):
         one = node("/a", provider("x", f"p/{kind}/One"))
         other = node("/b", user("x", f"p/{kind}/Two"))
-        judged = system(one, other)
-        judged.programs = programs(*one.blueprints, *other.blueprints)
+        judged = replace(system(one, other), programs=programs(*one.blueprints, *other.blueprints))
         judged.programs[0].unknown_interfaces.append(UnknownInterface(place("b.py", 1), "p", kind, "Two"))
 
         assert found(rule, judged) == []

@@ -1,6 +1,6 @@
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import FrozenInstanceError, dataclass, fields
 
 import pytest
 
@@ -289,3 +289,19 @@ def test_dependencies_are_transitive_and_stay_in_the_workspace() -> None:
 def test_the_system_knows_which_packages_belong_together() -> None:
     system = load(packages=(package("a", "b"), package("b")))
     assert system.package_dependencies == {"a": {"b"}, "b": frozenset()}
+
+
+@pytest.mark.parametrize("name", [field.name for field in fields(System)])
+def test_a_system_does_not_change_once_it_is_built(name: str):
+    judged = System(None, [instantiate(blueprint("driver"), None)], [])
+    with pytest.raises(FrozenInstanceError):
+        setattr(judged, name, None)
+
+
+def test_lists_that_a_system_was_built_of_are_not_its_own():
+    nodes, programs_of_nodes = [instantiate(blueprint("driver"), None)], programs(blueprint("driver"))
+    judged = System(None, nodes, programs_of_nodes)
+    nodes.clear()
+    programs_of_nodes.clear()
+    assert len(judged.nodes) == len(judged.programs) == 1
+    assert not any(hasattr(part, "append") for part in (judged.nodes, judged.programs, judged.unowned))

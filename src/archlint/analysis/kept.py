@@ -12,7 +12,8 @@ from archlint.syntax import facts
 class Keeps(Protocol):
     """What keeps the results of analyses, by the analysis: a ``System`` or a ``WorkspaceIndex``."""
 
-    kept: dict[object, object]
+    @property
+    def kept(self) -> dict[object, object]: ...
 
 
 class HasFiles(Keeps, Protocol):

@@ -80,7 +80,8 @@ def systems_of(request: Request, workspace: Workspace, facts: FactsOfFiles, tree
     if request.observed is not None:
         is_external = options_for(request.settings, ["GRF006"])["GRF006"].is_external
         context = {file.relative for file in workspace.files if file.context and request.launch is None}
-        systems[0].compared = compare(systems[0], request.observed, is_external, context)
+        compared = compare(systems[0], request.observed, is_external, context)
+        systems[0] = replace(systems[0], compared=compared)
     return systems
 
 

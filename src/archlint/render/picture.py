@@ -10,6 +10,8 @@ from archlint.systems.graph import to_networkx
 from archlint.systems.model import System
 
 if TYPE_CHECKING:
+    from collections.abc import Sequence
+
     import networkx
 
     from archlint.systems.model import Endpoint
@@ -49,7 +51,7 @@ def broken_ends(system: System) -> dict[int, str]:
     return reasons
 
 
-def _partners(system: System, end: Endpoint) -> list[Endpoint]:
+def _partners(system: System, end: Endpoint) -> Sequence[Endpoint]:
     """The other side of an end's topic."""
     topic = system.topics[end.name or ""]
     return topic.users if any(end is provider for provider in topic.providers) else topic.providers

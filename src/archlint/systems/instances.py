@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import astuple
+from dataclasses import astuple, replace
 from typing import TYPE_CHECKING, Protocol
 
 from archlint.model import (
@@ -163,10 +163,9 @@ def _node_of_twins(twins: list[Twin], distro: str | None) -> Node:
     found = {_endpoint_key(endpoint): endpoint for endpoint in node.endpoints}
     for twin, run in real[1:]:
         for endpoint in instantiate(twin, run, distro=distro).endpoints:
-            endpoint.node = node
             key = _endpoint_key(endpoint)
             if key not in found or (found[key].conditional and not endpoint.conditional):
-                found[key] = endpoint
+                found[key] = replace(endpoint, node=node)
     node.endpoints = sorted(found.values(), key=_endpoint_order)
     node.executables = tuple(sorted({name for twin, _ in real for name in twin.executables}))
     node.executable = node.executables[0] if node.executables else None

@@ -21,9 +21,10 @@ from archlint.systems.understood import doubt
 
 if TYPE_CHECKING:
     from archlint.interpreter.modules import Module
+    from archlint.launch.launches import Launches
     from archlint.programs.linker import EntryPoint, Linker
     from archlint.syntax.parameter_files import ParameterFacts
-    from archlint.workspace.installed import Installs
+    from archlint.systems.model import WorkspaceIndex
 
 RERUNS = 600
 """How many programs one session may run again with parameters from outside."""
@@ -36,21 +37,23 @@ class LaunchSystems:
         self,
         linker: Linker,
         entries: Iterable[EntryPoint],
-        parameters_of: Callable[[str], ParameterFacts],
-        installs: Mapping[str, Installs],
+        launches: Launches,
+        workspace: WorkspaceIndex,
+        dependencies: Mapping[str, frozenset[str]],
         distro: str | None = None,
     ) -> None:
         self.linker = linker
         self.entries = {(entry.package, entry.executable): entry for entry in entries}
-        self.parameters_of = parameters_of
-        self.installs = installs
+        self.parameters_of = launches.files.parameters
+        self.workspace = workspace
+        self.dependencies = dependencies
         self.distro = distro
         self._programs: dict[tuple[object, ...], Program | None] = {
             (*key, program.file): program for key, program in linker.started.items()
         }
         self._modules: dict[tuple[str | None, str, str], Module | None] = {}
 
-    def system(self, launched: Launched, closed: bool, dependencies: dict[str, frozenset[str]]) -> System:
+    def system(self, launched: Launched) -> System:
         nodes: list[Node] = []
         for started in launched.started:
             if not started.dormant and started.kind != StartedKind.PROCESS:
@@ -64,9 +67,9 @@ class LaunchSystems:
             name=launched.file,
             nodes=sorted(nodes, key=_order),
             programs=programs,
-            closed=closed,
-            package_dependencies=dependencies,
+            package_dependencies=self.dependencies,
             launched=launched,
+            workspace=self.workspace,
         )
 
     def _note_doubt(self, started: Started, made: Sequence[Node]) -> None:

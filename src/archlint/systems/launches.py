@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
+from functools import partial
 from typing import TYPE_CHECKING
 
 from archlint.finding import Place
@@ -42,8 +44,8 @@ def launch_systems(
         launched = _launched(launches, chosen, arguments)
         workspace.launched = launched
         workspace.explicit = chosen is not None
-        maker = LaunchSystems(linker, entries, launches.files.parameters, launches.installs, distro)
         dependencies = opened.package_dependencies
+        maker = LaunchSystems(linker, entries, launches, workspace, dependencies, distro)
         parts = _parts(launched)
         systems = []
         for one in launched:
@@ -51,27 +53,23 @@ def launch_systems(
                 named = chosen is not None or any(glob.matches(one.file) for glob in configured)
                 if one.ros1 or not one.is_launch_file or (configured and not named):
                     continue
-                system = maker.system(one, closed, dependencies)
-                system.is_included = one.file in parts
+                system = maker.system(one)
+                is_included = one.file in parts
                 # The nodes of a part may have their partners beside it.
-                system.closed = (closed and not system.is_included) or (named and _whole(one, system))
-                for values in undecided_arguments(one) if _differs(system) else ():
-                    other = maker.system(launches.run(one.file, {**one.arguments, **values}), closed, dependencies)
-                    other.closed, other.is_included = system.closed, system.is_included
-                    system.alternatives.append((values, other))
-                systems.append(system)
-        opened.launched_pairs = frozenset(started_pairs(launched, _by_executable(opened.programs)))
-        return systems
+                is_closed = (closed and not is_included) or (named and _whole(one, system))
+                settled = partial(replace, closed=is_closed, is_included=is_included)
+                alternatives = [
+                    (values, settled(maker.system(launches.run(one.file, {**one.arguments, **values}))))
+                    for values in (undecided_arguments(one) if _differs(system) else ())
+                ]
+                systems.append(settled(system, alternatives=alternatives))
+        pairs = frozenset(started_pairs(launched, _by_executable(opened.programs)))
+        beside = [] if chosen is not None else [replace(opened, launched_pairs=pairs, workspace=workspace)]
+        return [*beside, *systems]
 
-    systems = work()
-    found = systems if chosen is not None else [opened, *systems]
-    workspace.systems = found
-    workspace.launched_alone = {path: launches.with_defaults(path) for path in _given_arguments(found)}
-    for system in found:
-        system.workspace = workspace
-        for _, other in system.alternatives:
-            other.workspace = workspace
-    return found
+    workspace.systems = work()
+    workspace.launched_alone = {path: launches.with_defaults(path) for path in _given_arguments(workspace.systems)}
+    return workspace.systems
 
 
 def _parts(launches_: Sequence[Launched]) -> set[str | None]:

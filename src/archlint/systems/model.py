@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
-from functools import cached_property
+from functools import cached_property, partial
 from typing import TYPE_CHECKING, TypeVar
 
 from archlint import model as program
@@ -45,7 +45,7 @@ if TYPE_CHECKING:
     from archlint.workspace.model import Package
 
 
-@dataclass(eq=False)
+@dataclass(frozen=True, eq=False)
 class Endpoint:
     """A creation of one node under its final name.
 
@@ -163,57 +163,62 @@ class Node:
         return _once_for_each_place(p for b in self.blueprints for p in b.parameters)
 
 
-@dataclass(eq=False)
+@dataclass(frozen=True, eq=False)
 class Connection:
     """All endpoints of one resolved topic, service or action name: ``providers`` are publishers or servers,
     ``users`` subscriptions or clients."""
 
     kind: ConnectionKind
     name: str
-    providers: list[Endpoint] = field(default_factory=list)
-    users: list[Endpoint] = field(default_factory=list)
+    providers: tuple[Endpoint, ...]
+    users: tuple[Endpoint, ...]
 
     @property
     def types(self) -> list[str]:
         return sorted({e.type for e in (*self.providers, *self.users) if e.type is not None})
 
 
-@dataclass(eq=False)
+@dataclass(frozen=True, eq=False)
 class System:
     """What is judged and drawn.  ``name`` is the launch file (relative path), None without one.
 
-    ``closed`` is the closed world of the rules: nothing outside takes part.
+    ``closed`` is the closed world of the rules: nothing outside takes part.  Rules and renderers share it, so that
+    it never changes: what differs in something is another one (``dataclasses.replace``).
     """
 
     name: str | None
-    nodes: list[Node]
-    programs: list[Program]
+    nodes: Sequence[Node]
+    programs: Sequence[Program]
     closed: bool = False
     is_included: bool = False
     """True where another launch file includes this one, perhaps in a namespace and with other arguments."""
-    package_dependencies: dict[str, frozenset[str]] = field(default_factory=dict)
+    package_dependencies: Mapping[str, frozenset[str]] = field(default_factory=dict)
     """Package → packages of this workspace it depends on (transitively)."""
 
     launched: Launched | None = None
     """The launch that starts this system."""
-    alternatives: list[tuple[dict[str, str], System]] = field(default_factory=list)
+    alternatives: Sequence[tuple[Mapping[str, str], System]] = ()
     """The systems that it may be, with the launch arguments that make them, where nothing decides some."""
     workspace: WorkspaceIndex | None = None
-    neighbours: list[Node] = field(default_factory=list)
+    neighbours: Sequence[Node] = ()
     """For drawing: the nodes at the other end of what ``nodes`` have, that were not asked for, with these ends only."""
     launched_pairs: frozenset[frozenset[object]] = frozenset()
     """Pairs of node classes, each as ``(place, class name)``, that some launch file starts together."""
     compared: Comparison | None = None
     """What came of holding it against a running system, where one was recorded."""
-    unowned: list[Node] = field(default_factory=list)
+    unowned: Sequence[Node] = ()
     """What is used by nodes that are not known.  Where ``nodes`` are given with such entries, these move here."""
 
     kept: dict[object, object] = field(default_factory=dict, init=False, repr=False)
     """What analyses found of it (:func:`archlint.analysis.kept.once`)."""
 
     def __post_init__(self) -> None:
-        self.unowned = [*self.unowned, *(node for node in self.nodes if not node.is_node)]
-        self.nodes = [node for node in self.nodes if node.is_node]
+        # A frozen dataclass has no other way to settle its fields.
+        settle = partial(object.__setattr__, self)
+        settle("unowned", (*self.unowned, *(node for node in self.nodes if not node.is_node)))
+        settle("nodes", tuple(node for node in self.nodes if node.is_node))
+        for name in ("programs", "alternatives", "neighbours"):
+            settle(name, tuple(getattr(self, name)))
 
     @property
     def roles(self) -> FileRoles:
@@ -254,14 +259,18 @@ class System:
         return self._connections("action", program.EntityKind.ACTION_SERVER, program.EntityKind.ACTION_CLIENT)
 
     def _connections(self, kind: ConnectionKind, provider: EntityKind, user: EntityKind) -> dict[str, Connection]:
-        found: dict[str, Connection] = {}
+        providers: dict[str, list[Endpoint]] = {}
+        users: dict[str, list[Endpoint]] = {}
         for endpoint in (end for node in self.drawn for end in node.endpoints):
             if endpoint.kind not in (provider, user) or not endpoint.resolved or endpoint.error:
                 continue
             assert endpoint.name is not None
-            connection = found.setdefault(endpoint.name, Connection(kind, endpoint.name))
-            (connection.providers if endpoint.kind == provider else connection.users).append(endpoint)
-        return dict(sorted(found.items()))
+            ends = providers if endpoint.kind == provider else users
+            ends.setdefault(endpoint.name, []).append(endpoint)
+        return {
+            name: Connection(kind, name, tuple(providers.get(name, ())), tuple(users.get(name, ())))
+            for name in sorted(providers.keys() | users.keys())
+        }
 
     @property
     def calls(self) -> Iterator[ApiCall]:
