@@ -146,6 +146,42 @@ def test_one_name_that_the_launch_file_remaps_at_one_end(findings):
     assert found.help == "use the same name at both ends, or remap one in the launch file"
 
 
+@pytest.mark.parametrize(
+    ("inside", "arguments", "told"),
+    [
+        ('<param name="in" value="chater"/>', "", 0),
+        ('<param from="$(find-pkg-share robot)/config/p.yaml"/>', "", 0),
+        ('<remap from="out" to="chatter"/>', "", 0),
+        ("", "/chatter@std_msgs/msg/String[gz.msgs.StringMsg", 0),
+        ('<param name="in" value="words"/>', "/chatterbox", 1),
+    ],
+)
+def test_a_node_that_was_not_read_may_be_the_partner(findings, inside: str, arguments: str, told: int):
+    """A driver in C++ is told the name by its parameters, a remapping or its command line."""
+    yaml = "/**: {ros__parameters: {topics: [odom, chater]}}"
+    driver = node(inside, pkg="driver", exec="driver", name="driver", args=arguments)
+    remapped = node('<remap from="chatter" to="chater"/>')
+    found = findings("TOP004", remapped + node(exec="hearer") + driver, **TWO_NODES, **{"config/p.yaml": yaml})
+    assert len(found) == told
+
+
+def test_a_line_that_misses_its_partner_in_each_namespace_is_said_once(findings):
+    pairs = [
+        node('<remap from="chatter" to="chater"/>', namespace=side) + node(exec="hearer", namespace=side)
+        for side in ("left", "right")
+    ]
+    (found,) = findings("TOP004", "".join(pairs), **TWO_NODES)
+    assert found.message.startswith("no node publishes '/left/chatter'")
+
+
+def test_a_publisher_that_never_publishes_is_not_the_one_that_was_meant(findings):
+    remapped = node('<remap from="chatter" to="chater"/>') + node(exec="hearer")
+    kept = TALKER.replace("self.create_publisher", "self.unused = self.create_publisher")
+    assert findings("TOP004", remapped, **TWO_NODES, **{"robot/talker.py": kept}) == []
+    used = kept + "\ndef say(talker):\n    talker.unused.publish(String())\n"
+    assert len(findings("TOP004", remapped, **TWO_NODES, **{"robot/talker.py": used})) == 1
+
+
 @pytest.mark.parametrize(("words", "told"), [("sys.argv", 0), ("['verbose:=true']", 1)])
 def test_a_namespace_from_the_command_line_is_not_known(findings, words, told):
     launch = {"launch/it.launch.xml": "<launch/>", "launch/two.launch.py": IN_NAMESPACE.replace("WORDS", words)}

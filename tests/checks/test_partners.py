@@ -111,6 +111,7 @@ def test_names_that_are_nearly_equal(one: str, other: str):
         ("/vel_min", "/vel_mini_max"),
         ("/current_mode", "/current_node"),
         ("/map_to_odom", "/odom_to_map"),
+        ("/pi_board", "/board_pi"),  # from the one to the other, and back
         ("/left_wheel_speed", "/right_speed_wheel"),
     ],
 )

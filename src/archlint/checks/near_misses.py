@@ -6,12 +6,15 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from archlint.analysis.coexistence import certain, coexist, in_source_order, known_to_coexist, named_by_library
+from archlint.analysis.left_over import is_left_over
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.finding import Finding, Related
 from archlint.suggestions import OPPOSITES, distance
+from archlint.systems.externals import may_use
 
 if TYPE_CHECKING:
+    from archlint.finding import Place
     from archlint.systems.model import Connection, Endpoint, System
 
 _LONG_WORD = 7
@@ -21,6 +24,7 @@ _SHORT_WORD = 4
 _SHORT_STEM = 3
 """A word this short that lacks a letter is a slip where words around it agree: ``cmd_vell``, ``robot_pos``,
 ``front_scn``."""
+_PARTIES = 2
 _POSITIONS = frozenset({"to", "from", "in", "of", "by", "for", "with", "and", "or", "vs", "per", "2"})
 """Words that give the order of the others a meaning: ``map_to_odom`` and ``odom_to_map``."""
 
@@ -28,15 +32,26 @@ _POSITIONS = frozenset({"to", "from", "in", "of", "by", "for", "with", "and", "o
 @rule("TOP004", scope=Scope.SYSTEM)
 def near_miss_topic_name(system: System, options: Options) -> Iterator[Finding]:
     """Pairs of publishers and subscriptions without partners, of one type, with names that are almost equal."""
-    alone = [topic for topic in system.topics.values() if not options.is_external(topic.name)]
+    unread = [node for node in system.nodes if node.external]
+    alone = [
+        topic
+        for topic in system.topics.values()
+        if not (topic.users and topic.providers)
+        and not options.is_external(topic.name)
+        and not any(may_use(node, topic.name) for node in unread)
+    ]
     published = _by_type(topic for topic in alone if not topic.users)
+    said: set[tuple[Place, ...]] = set()
     for topic in alone:
         if topic.providers:
             continue
         for user in in_source_order(_judged(topic)):
             candidates = [end for end in published.get(user.type or "", []) if _misses(system, end, user)]
+            lines = user.place, *(end.place for end in candidates)
             if candidates:
-                yield _finding(user, candidates)
+                if lines not in said:  # a line that makes one subscription in each namespace is wrong once
+                    yield _finding(user, candidates)
+                said.add(lines)
                 break
 
 
@@ -57,6 +72,7 @@ def _misses(system: System, publisher: Endpoint, user: Endpoint) -> bool:
     # One node that reads and writes two like names tells them apart on purpose.
     return (
         publisher.node is not user.node
+        and not is_left_over(system.workspace, publisher)
         and (nearly_equal(publisher.name or "", user.name or "") or _namespace_slip(system, publisher, user))
         and coexist(system, publisher, user)
     )
@@ -94,7 +110,8 @@ def _slip(one: str, other: str) -> bool:
     if len(mine) != len(yours):
         return False
     if len(mine) > 1 and sorted(mine) == sorted(yours):
-        return not _POSITIONS.intersection(mine)  # the same words in another order
+        # The same words in another order; of two, they are the two directions between two parties.
+        return len(mine) > _PARTIES and not _POSITIONS.intersection(mine)
     words = [(left, right) for left, right in zip(mine, yours, strict=True) if left != right]
     return len(words) == 1 and _misspelt(*words[0], alone=len(mine) == 1)
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
@@ -42,6 +43,29 @@ def connections_of_externals(system: System) -> list[tuple[Node, str]]:
         users.setdefault(name, set()).add(id(node))
     known = {endpoint.name for endpoint in system.endpoints}
     return [(node, name) for node, name in links if name in known or len(users[name]) > 1]
+
+
+_BETWEEN = re.compile(r"[^\w/~]+|:=")
+
+
+def may_use(node: Node, name: str) -> bool:
+    """Whether an external node is told a name: by a remapping, as (the end of) a text among its parameters, or on its
+    command line, where the bridges to simulators have it (``/scan@sensor_msgs/msg/LaserScan``)."""
+    if any(full == name for _, full in remapped_names(node)):
+        return True
+    words = [] if node.started is None else [word for word in node.started.arguments if word is not None]
+    told = {*_texts_of(node), *(part for word in words for part in _BETWEEN.split(word))}
+    return any(text and f"/{name}".endswith(f"/{text}") for text in (one.lstrip("/~") for one in told))
+
+
+def _texts_of(node: Node) -> Iterator[str]:
+    """The texts among the values that a launch file sets on an external node."""
+    for setting in node.settings:
+        match setting.value:
+            case str(text):
+                yield text
+            case list(values):
+                yield from (text for text in values if isinstance(text, str))
 
 
 def _where(node: Node) -> tuple[str | None, str | None]:
