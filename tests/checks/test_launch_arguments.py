@@ -341,3 +341,34 @@ def test_use_sim_time_handed_over_as_a_matter_of_course_is_information(findings)
     outer = f'<include file="$(find-pkg-share robot)/launch/inner.launch.xml">{given}</include>'
     (one,) = findings("LCH003", outer, **inner)
     assert one.severity.label == "info"
+
+
+BEFORE_ANOTHER = """\
+<arg name="ns" default="front"/>
+<include file="$(dirname)/view.launch.xml"><arg name="ns" value="GIVEN"/></include>
+<node pkg="robot" exec="talker" namespace="NAMESPACE"/>
+"""
+
+
+@pytest.mark.parametrize(
+    ("given", "namespace", "stays"),
+    [
+        ("", "$(var ns)", True),
+        ("$(var ns)", "$(var ns)", False),  # it has this value anyway
+        ("", "rear", False),
+    ],
+)
+def test_what_an_include_does_not_take_stays_set_in_the_including_file(findings, given, namespace, stays):
+    """An include is not scoped: whoever asks for ns:=left gets a talker without a namespace."""
+    launch = BEFORE_ANOTHER.replace("GIVEN", given).replace("NAMESPACE", namespace)
+    (found,) = findings("LCH003", launch, **{"launch/view.launch.xml": f"<launch>{node(exec='viewer')}</launch>"})
+    assert "declares no launch argument 'ns'" in found.message
+    assert found.message.endswith("so 'ns' stays set to this for the rest of this file") is stays
+    assert [(one.place.line, one.message) for one in found.related] == [(3, "'ns' is read here")] * stays
+
+
+def test_what_a_scoped_include_does_not_take_is_gone_after_it(findings):
+    launch = BEFORE_ANOTHER.replace("<include", "<group><include").replace("</include>", "</include></group>")
+    launch = launch.replace("GIVEN", "").replace("NAMESPACE", "$(var ns)")
+    (found,) = findings("LCH003", launch, **{"launch/view.launch.xml": f"<launch>{node(exec='viewer')}</launch>"})
+    assert found.help.startswith("the value has no effect") and not found.related

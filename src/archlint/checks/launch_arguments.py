@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import posixpath
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 from itertools import groupby
 from typing import TYPE_CHECKING
@@ -33,7 +33,7 @@ def undeclared_launch_argument(system: System, options: Options) -> Iterator[Fin
     # One include may be of one of several files, or of all of them: an argument is for the one that takes it.
     reported: dict[tuple[object, ...], Finding] = {}
     for place, includes in groupby(launched.included, key=lambda include: include.place):
-        for unknown_argument in _unknown_arguments(system.workspace, list(includes)):
+        for unknown_argument in _unknown_arguments(system.workspace, launched, list(includes)):
             first = reported.setdefault((place.file, unknown_argument.message), unknown_argument)
             if first.place != unknown_argument.place:  # the same file is included with the same arguments again
                 reported[place.file, unknown_argument.message] = replace(
@@ -174,7 +174,9 @@ def _meant_to_be_included(launched: Launched) -> bool:
 # ----------------------------------------------------------------------------------------------- includes
 
 
-def _unknown_arguments(workspace: WorkspaceIndex, includes: Sequence[Included]) -> Iterator[Finding]:
+def _unknown_arguments(
+    workspace: WorkspaceIndex, launched: Launched, includes: Sequence[Included]
+) -> Iterator[Finding]:
     """One finding an include, with all the arguments that no file of it takes."""
     given = dict(row for include in includes for row in include.arguments)
     sources = sorted({include.reference.source for include in includes if include.reference.source is not None})
@@ -194,7 +196,9 @@ def _unknown_arguments(workspace: WorkspaceIndex, includes: Sequence[Included]) 
         and not any(may_read_argument(workspace, file, name) for file in files)
     ]
     if unknown:
-        yield _finding(sources, unknown, given, declared)
+        found = _finding(sources, unknown, given, declared)
+        read_on = {name: launched.read_on[given[name]] for name in unknown if given[name] in launched.read_on}
+        yield _not_scoped(found, read_on) if read_on else found
 
 
 def _finding(sources: list[str], unknown: list[str], given: dict[str, Place], declared: list[str]) -> Finding:
@@ -214,6 +218,23 @@ def _finding(sources: list[str], unknown: list[str], given: dict[str, Place], de
     )
     severity = Severity.INFO if set(unknown) <= _HANDED_TO_ALL else found.severity
     return replace(found, severity=severity, group=(*sources, *unknown))
+
+
+def _not_scoped(found: Finding, read_on: Mapping[str, Place]) -> Finding:
+    """An include is not scoped: what it is handed, and does not take, replaces what the including file reads after it.
+
+    Source: launch, ``IncludeLaunchDescription.execute`` sets each argument in the context of the including file.
+    """
+    first, *_ = read_on
+    shown = " and ".join(f"'{name}'" for name in read_on)
+    return replace(
+        found,
+        message=f"{found.message}; includes are not scoped, so {shown} stays set to this for the rest of this file",
+        help=f"remove the argument: LaunchConfiguration('{first}') then keeps its own value after this include",
+        related=(*found.related, *(Related(place, f"'{name}' is read here") for name, place in read_on.items())),
+        severity=Severity.WARNING,
+        group=(*found.group, "not scoped"),
+    )
 
 
 _HANDED_TO_ALL = frozenset({"use_sim_time"})

@@ -89,7 +89,7 @@ def _equality(run: LaunchRun, condition: LaunchObject, wanted: bool) -> Verdict:
     given = condition.argument("expected_value")
     if name is None:
         return Verdict(None, _branch(run, condition, True))
-    run.result.read.add(name)
+    run.note_read(name)
     found = run.launch.configurations.get(name)
     if given is None:
         return Verdict((found is None) is wanted)

@@ -353,6 +353,9 @@ class Launched:
     read: set[str] = field(default_factory=set)
     """The launch configurations that are read anywhere, ``reads_any`` where a name of one is not known."""
     reads_any: bool = False
+    read_on: dict[Place, Place] = field(default_factory=dict)
+    """The arguments of includes that the including file reads further down, where includes have set them: the first
+    such place by that of the argument."""
     references: list[FileReference] = field(default_factory=list)
     unknown_attributes: list[UnknownAttribute] = field(default_factory=list)
     mistakes: list[NotACondition] = field(default_factory=list)

@@ -23,6 +23,7 @@ from archlint.interpreter.roots import enter_root, module_of
 from archlint.interpreter.values import DictValue, Known, OneOf, Unknown, Value
 from archlint.launch.argument_names import AGAIN, ArgumentNames
 from archlint.launch.context import Context
+from archlint.launch.given_arguments import GivenArguments
 from archlint.launch.kinds import FileKind, GapKind
 from archlint.launch.model import (
     FileReference,
@@ -102,6 +103,7 @@ class LaunchRun(Run):
         """How many includes it has come to."""
         self.visiting: list[tuple[int, int]] = []
         """The actions around what is visited now, outermost first, each with the number of its visit."""
+        self.given = GivenArguments(result.read_on)
         self.names = ArgumentNames()
         self.declaring: str | None = None
         """The argument whose default value is performed now."""
@@ -198,6 +200,11 @@ class LaunchRun(Run):
         if use not in self._seen:
             self._seen.add(use)
             self.result.undeclared.append(use)
+
+    def note_read(self, name: str) -> None:
+        """A launch configuration is read, perhaps one that an include in front has set."""
+        self.result.read.add(name)
+        self.given.note_read(name, self.launch.configurations.get(name), self.file, self.place_now)
 
     def note_unknown_attribute(self, wrong: UnknownAttribute) -> None:
         if wrong not in self._seen:

@@ -73,8 +73,16 @@ def _given(run: LaunchRun, arguments: Value | None) -> tuple[tuple[str, Place], 
             name = run.text_of(pair.first)
             if name is not None:
                 names.append((name, pair.place))
-                run.launch.configurations[name] = written_at(run.perform(pair.second), pair.place)
+                value = written_at(run.perform(pair.second), pair.place)
+                run.launch.configurations[name] = value
+                if not _is_configuration(run, pair.second, name):
+                    run.given.note(name, value, pair.place, run.file, run.place_now)
     return tuple(names)
+
+
+def _is_configuration(run: LaunchRun, value: Value, name: str) -> bool:
+    """Whether an include is handed an argument as it is here."""
+    return kind_of(value) == "LaunchConfiguration" and run.text_of(argument(value, "variable_name")) == name
 
 
 def launch_in_own_process(run: LaunchRun, package: str, name: str, words: Sequence[str | None]) -> None:

@@ -63,7 +63,7 @@ def configuration(run: LaunchRun, value: LaunchObject) -> Value:
     if name is None:
         run.result.reads_any = True
         return Unknown("the name of a launch configuration is not known")
-    run.result.read.add(name)
+    run.note_read(name)
     found = run.launch.configurations.get(name)
     if found is not None:
         return found
