@@ -11,13 +11,10 @@ from archlint.analysis.delivery import Undelivered, fitting, policy_words, undel
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.finding import Finding, Related, Severity
-from archlint.model import (
-    EntityKind,
-)
 
 if TYPE_CHECKING:
-    from archlint.ros.qos import Qos, Verdict
-    from archlint.systems.model import Endpoint, System
+    from archlint.ros.qos import Verdict
+    from archlint.systems.model import System
 
 
 @rule("QOS001", scope=Scope.SYSTEM)
@@ -92,12 +89,3 @@ _ADVICE = {
     "liveliness": "let the publisher assert its liveliness by topic, or request automatic liveliness",
     "liveliness_lease": "let the publisher offer a lease no longer than the requested one, or request none",
 }
-
-
-def _profiles(end: Endpoint) -> list[Qos]:
-    """The profiles that the create call of a topic's endpoint may be given: several where a branch decides."""
-    if end.kind not in (EntityKind.PUBLISHER, EntityKind.SUBSCRIBER):
-        return []
-    made = [end.creation] if end.node.blueprint is None else end.node.blueprint.creations
-    given = [end.qos, *(one.qos for one in made if one.place == end.place and one.kind == end.kind)]
-    return [qos for qos in dict.fromkeys(given) if qos is not None]

@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from archlint.checks.qos import _profiles
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.finding import Finding, Related
+from archlint.model import EntityKind
 
 if TYPE_CHECKING:
     from archlint.finding import Place
@@ -37,6 +37,15 @@ def qos_contradiction(system: System, options: Options) -> Iterator[Finding]:
             node=end.node.name,
             identity=(end.kind, end.name or "", contradiction),
         )
+
+
+def _profiles(end: Endpoint) -> list[Qos]:
+    """The profiles that the create call of a topic's endpoint may be given: several where a branch decides."""
+    if end.kind not in (EntityKind.PUBLISHER, EntityKind.SUBSCRIBER):
+        return []
+    made = [end.creation] if end.node.blueprint is None else end.node.blueprint.creations
+    given = [end.qos, *(one.qos for one in made if one.place == end.place and one.kind == end.kind)]
+    return [qos for qos in dict.fromkeys(given) if qos is not None]
 
 
 def _may_be_sound(end: Endpoint, qos: Qos) -> bool:

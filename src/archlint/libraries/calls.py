@@ -10,7 +10,16 @@ from archlint.interpreter.values import ApiMethod, External, Instance, Known, On
 from archlint.libraries.api_use import ApiUse, Offers, argument_places, bind_api
 from archlint.libraries.givens import given_by
 from archlint.libraries.python import clocks
-from archlint.libraries.rclpy import escapes, executors, guards, messages, names, nodes, parameters
+from archlint.libraries.rclpy import (
+    escapes,
+    executors,
+    guards,
+    made_messages,
+    made_nodes,
+    names,
+    nodes,
+    parameters,
+)
 from archlint.libraries.rclpy.effects import answer
 from archlint.libraries.tables import Api
 from archlint.libraries.values import FutureValue, creations_of
@@ -26,7 +35,7 @@ def call_external(run: Run, offers: Offers, function: External, site: CallSite) 
     path = names.canonical(function.path)
     interface, section_name = names.interface_and_section(path)
     if interface is not None:
-        return messages.make(run, interface, section_name, site.keywords, site.expression)
+        return made_messages.make(run, interface, section_name, site.keywords, site.expression)
     api = offers.row(path)
     if api is not None:
         receiver = None
@@ -63,7 +72,7 @@ def call_method(run: Run, offers: Offers, function: ApiMethod, site: CallSite) -
         if api is not None and api.effect in offers.bases:
             # A class of ours derived from, say, ActionServer.
             return use(run, offers, api, receiver, site)
-        nodes.name_by_foreign_base(run, receiver, path)
+        made_nodes.name_by_foreign_base(run, receiver, path)
         escapes.to_call(run, site.values, path, site.expression)
         return Unknown(f"{path} is outside of this workspace")
     if api is not None:

@@ -11,7 +11,19 @@ from archlint.interpreter.values import ApiMethod, Builtin, External, ForeignVal
 from archlint.libraries import calls, classes, interest
 from archlint.libraries.offers import OFFERS
 from archlint.libraries.python import command_line, environment, tasks
-from archlint.libraries.rclpy import attributes, escapes, messages, names, nodes, profiles, refusals
+from archlint.libraries.rclpy import (
+    attributes,
+    changed_profiles,
+    escapes,
+    interfaces,
+    message_constants,
+    message_uses,
+    messages,
+    names,
+    nodes,
+    policies,
+    refusals,
+)
 from archlint.libraries.values import FutureValue, MessageValue
 from archlint.model import Role
 
@@ -60,18 +72,18 @@ class RosLibrary(Library):
         return refusals.is_module(path)
 
     def imported(self, path: str, span: facts.Span) -> Value:
-        messages.note_interface(self.run, path, span)
-        return messages.missing_interface(self.run, path) or External(path)
+        interfaces.note_interface(self.run, path, span)
+        return interfaces.missing_interface(self.run, path) or External(path)
 
     def star_sources(self, packages: Sequence[str], name: str) -> Sequence[str]:
-        return messages.star_sources(self.run, packages, name)
+        return interfaces.star_sources(self.run, packages, name)
 
     def attribute_of_external(self, value: External, name: str) -> Value:
         path = f"{value.path}.{name}"
         if path == "sys.argv":
             return command_line.program_arguments(self.run)
         constant = attributes.interface_constant(self.run, value.path, name)
-        return constant or messages.missing_interface(self.run, path) or External(path, value.via)
+        return constant or interfaces.missing_interface(self.run, path) or External(path, value.via)
 
     def attribute_of_value(self, value: ForeignValue, name: str) -> Value:
         return attributes.of_value(self.run, value, name)
@@ -95,7 +107,7 @@ class RosLibrary(Library):
         return messages.has_field(self.run, value, name) if isinstance(value, MessageValue) else None
 
     def item_of_external(self, container: External, index: object) -> Value | None:
-        return profiles.policy_by_name(container.path, index)
+        return policies.policy_by_name(container.path, index)
 
     def environment(self, name: object) -> Known | None:
         return environment.variable(self.run, name)
@@ -143,13 +155,13 @@ class RosLibrary(Library):
     def read(self, value: Value, name: str, span: facts.Span) -> None:
         if isinstance(value, External):
             if value.path.endswith((".msg", ".srv", ".action")):
-                messages.note_interface(self.run, f"{value.path}.{name}", span)
-            messages.note_constant(self.run, value.path, name, span)
+                interfaces.note_interface(self.run, f"{value.path}.{name}", span)
+            message_constants.note_constant(self.run, value.path, name, span)
         else:
-            messages.note_use(self.run, value, name, span, "read")
+            message_uses.note_use(self.run, value, name, span, "read")
 
     def written(self, value: Value, name: str, span: facts.Span) -> None:
-        messages.note_use(self.run, value, name, span, "write")
+        message_uses.note_use(self.run, value, name, span, "write")
 
     def undecided(self, key: str, test: Value) -> None:
         self.run.note_open_test(key, test)
@@ -174,7 +186,7 @@ class RosLibrary(Library):
     def assigned(self, target: Value, name: str, value: Value) -> None:
         escapes.assigned(self.run, target, name, value)
         if isinstance(target, External):
-            profiles.change_preset(self.run, target, name, value)
+            changed_profiles.change_preset(self.run, target, name, value)
 
 
 __all__ = ["RosLibrary"]

@@ -4,14 +4,14 @@ from __future__ import annotations
 
 from archlint.libraries import tables
 from archlint.libraries.api_use import Offers
-from archlint.libraries.python import command_line, effects
+from archlint.libraries.python import argument_parsers, command_line, effects
 from archlint.libraries.rclpy.effects import EFFECTS
 from archlint.libraries.setuptools import setup_run
 
 OFFERS = Offers(
     tables.find,
     {**EFFECTS, **effects.EFFECTS},
-    command_line.METHODS,
+    argument_parsers.METHODS,
     {**effects.PLAIN, **setup_run.PLAIN, **command_line.PLAIN},
     frozenset({"endpoint"}),
 )

@@ -12,7 +12,8 @@ from typing import TYPE_CHECKING
 
 from archlint.interpreter.heap import Layer
 from archlint.interpreter.values import ClassValue, Instance, Known, OneOf, Unknown, Value, alternatives, one_of
-from archlint.libraries.rclpy.callbacks import GOAL_HANDLE, function_of
+from archlint.libraries.rclpy.callables import function_of
+from archlint.libraries.rclpy.callback_arguments import GOAL_HANDLE
 from archlint.libraries.values import EntityValue, ExecutorValue, NodeValue
 from archlint.syntax import facts
 from archlint.syntax.parts import Source, names_in

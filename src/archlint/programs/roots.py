@@ -22,7 +22,7 @@ from archlint.interpreter.values import (
 )
 from archlint.libraries.interest import interesting
 from archlint.libraries.rclpy import escapes, executors
-from archlint.libraries.rclpy.callbacks import describe
+from archlint.libraries.rclpy.callables import describe
 from archlint.libraries.run import Run
 from archlint.libraries.state import Lineage, Pending
 from archlint.libraries.uses import bare

@@ -13,17 +13,13 @@ from archlint.interpreter.containers import ITEM_LIMIT
 from archlint.interpreter.values import (
     FACTORY,
     TUPLE_FIELDS,
-    DictValue,
     External,
     Instance,
     Known,
-    ListValue,
-    OneOf,
     Partial,
     PythonValue,
     Unknown,
     Value,
-    alternatives,
     as_default,
     constant,
     file_origin,
@@ -31,8 +27,8 @@ from archlint.interpreter.values import (
     reason,
     via,
 )
-from archlint.libraries.python import command_line
-from archlint.libraries.rclpy import profiles
+from archlint.libraries.python import argument_parsers
+from archlint.libraries.python.copies import _copy, _deep_copy
 from archlint.syntax import facts
 
 if TYPE_CHECKING:
@@ -90,46 +86,6 @@ def environment(run: Run, call: ApiUse) -> Value:
 
 
 Plain = Callable[["Run", list[Value], dict[str, Value], "facts.Call | None"], Value]
-
-
-def _copy(run: Run, args: list[Value], keywords: dict[str, Value], e: facts.Call | None) -> Value:
-    return one_of(_copied(run, value) for value in (alternatives(args[0]) if args else ()))
-
-
-def _copied(run: Run, value: Value) -> Value:
-    match value:
-        case ListValue():
-            items = containers.items_of(run, value)
-            return containers.new_list(run, items.values, value.kind, items.open, items.whole)
-        case DictValue():
-            entries = containers.entries_of(run, value)
-            return containers.new_dict(run, dict(entries.entries), entries.open)
-    return profiles.copy_profile(run, value)
-
-
-def _deep_copy(run: Run, args: list[Value], keywords: dict[str, Value], e: facts.Call | None) -> Value:
-    return _copied_deep(run, args[0], {}) if args else Unknown("no argument")
-
-
-def _copied_deep(run: Run, value: Value, copies: dict[int, Value]) -> Value:
-    """A copy, the containers inside it copied as well; ``copies`` has those already made, by key."""
-    if isinstance(value, OneOf):
-        return one_of(_copied_deep(run, option, copies) for option in value.values)
-    if not isinstance(value, (ListValue, DictValue)):
-        return profiles.copy_profile(run, value)
-    if value.key in copies:
-        return copies[value.key]
-    copies[value.key] = Unknown("a container that contains itself")
-    if isinstance(value, ListValue):
-        items = containers.items_of(run, value)
-        inside = [_copied_deep(run, item, copies) for item in items.values]
-        made: Value = containers.new_list(run, inside, value.kind, items.open, items.whole)
-    else:
-        held = containers.entries_of(run, value)
-        entries = {at: (key, _copied_deep(run, one, copies)) for at, (key, one) in held.entries.items()}
-        made = containers.new_dict(run, entries, held.open)
-    copies[value.key] = made
-    return made
 
 
 def _builtin(name: str) -> Plain:
@@ -244,7 +200,8 @@ EFFECTS: dict[str, Effect] = {
     "path_join": path_join,
     "asks_for_file": asks_for_file,
     "environment": environment,
-    "argument_parser": command_line.argument_parser,
+    "argument_parser": argument_parsers.argument_parser,
 }
+
 
 __all__ = ["EFFECTS", "PLAIN"]

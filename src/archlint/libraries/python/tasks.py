@@ -7,7 +7,7 @@ from contextlib import contextmanager
 from typing import TYPE_CHECKING
 
 from archlint.interpreter.values import External, FunctionValue, Unknown, Value
-from archlint.libraries.rclpy import callbacks
+from archlint.libraries.rclpy import callables
 from archlint.model import Role
 from archlint.syntax import facts
 from archlint.syntax.walk import called_name
@@ -38,7 +38,7 @@ def apart(run: Run, e: facts.Call, function: Value) -> Iterator[None]:
         yield
         return
     kept = run.context
-    run.context = callbacks.describe(run, function, Role.THREAD)
+    run.context = callables.describe(run, function, Role.THREAD)
     try:
         yield
     finally:

@@ -8,7 +8,24 @@ from typing import TYPE_CHECKING
 from archlint import model
 from archlint.interpreter.values import External, Unknown, Value, alternatives, one_of
 from archlint.libraries.api_use import ApiUse, Effect
-from archlint.libraries.rclpy import callbacks, entities, executors, node_names, nodes, parameters, profiles
+from archlint.libraries.rclpy import (
+    callbacks,
+    declarations,
+    entities,
+    executors,
+    groups,
+    made_nodes,
+    node_names,
+    nodes,
+    parameter_clients,
+    parameter_values,
+    parameters,
+    presets,
+    profiles,
+    threads,
+    timers,
+    transforms,
+)
 from archlint.libraries.values import EntityValue, ExecutorValue, FutureValue, MessageValue, creations_of
 
 if TYPE_CHECKING:
@@ -96,7 +113,7 @@ def _node_of_a_task(run: Run, executor: ExecutorValue) -> model.Blueprint | None
 def _group(run: Run, call: ApiUse) -> model.Group | None:
     """Parameters are set by services of the node, which are in its default group."""
     if call.api.group is not None:
-        return entities.group_of(run, call.get(call.api.group))
+        return groups.group_of(run, call.get(call.api.group))
     return model.Group(model.GroupKind.DEFAULT) if call.api.callbacks[0][1] == model.Role.PARAMETER else None
 
 
@@ -117,18 +134,18 @@ def _get_interface(run: Run, call: ApiUse) -> Value:
 
 EFFECTS: dict[str, Effect] = {
     "none": _none,
-    "create_node": nodes.create_node,
-    "node_init": nodes.node_init,
-    "destroy_node": nodes.destroy_node,
+    "create_node": made_nodes.create_node,
+    "node_init": made_nodes.node_init,
+    "destroy_node": made_nodes.destroy_node,
     "endpoint": entities.endpoint,
-    "timer": entities.timer,
-    "rate": entities.rate,
-    "transform_listener": entities.transform_listener,
-    "transform_buffer": entities.transform_buffer,
-    "parameter_client": entities.parameter_client,
+    "timer": timers.timer,
+    "rate": timers.rate,
+    "transform_listener": transforms.transform_listener,
+    "transform_buffer": transforms.transform_buffer,
+    "parameter_client": parameter_clients.parameter_client,
     "destroy": entities.destroy,
     "callbacks": _callbacks,
-    "thread": callbacks.thread,
+    "thread": threads.thread,
     "wait_answer": _wait_answer,
     "call_async": _call_async,
     "future_result": _future_result,
@@ -136,21 +153,21 @@ EFFECTS: dict[str, Effect] = {
     "executor": executors.make_executor,
     "executor_spin": executors.executor_spin,
     "add_node": executors.add_node,
-    "declare_parameter": parameters.declare_parameter,
-    "declare_parameters": parameters.declare_parameters,
+    "declare_parameter": declarations.declare_parameter,
+    "declare_parameters": declarations.declare_parameters,
     "get_parameter": parameters.get_parameter,
     "get_parameters": parameters.get_parameters,
     "get_parameter_or": parameters.get_parameter_or,
     "get_parameters_by_prefix": parameters.get_parameters_by_prefix,
     "has_parameter": parameters.has_parameter,
     "set_parameters": parameters.set_parameters,
-    "parameter": parameters.make_parameter,
+    "parameter": parameter_values.make_parameter,
     "get_name": node_names.get_name,
     "get_namespace": node_names.get_namespace,
     "get_fully_qualified_name": node_names.get_fully_qualified_name,
     "resolve_name": node_names.resolve_name,
     "qos_profile": profiles.make_profile,
-    "qos_preset": profiles.preset_by_key,
+    "qos_preset": presets.preset_by_key,
     "duration": profiles.make_duration,
     "get_interface": _get_interface,
 }

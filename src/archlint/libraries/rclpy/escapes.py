@@ -31,7 +31,7 @@ from archlint.interpreter.values import (
     Unknown,
     Value,
 )
-from archlint.libraries.rclpy import callbacks, nodes
+from archlint.libraries.rclpy import handed_out, nodes, threads
 from archlint.libraries.rclpy import names as rclpy_names
 from archlint.libraries.state import Escape, Root, Shared
 from archlint.libraries.uses import class_variables, unseen_use, variables
@@ -78,7 +78,7 @@ def to_call(run: Run, values: Iterable[Value], what: str, expression: facts.Call
     given = carries(values)
     if not given:
         return
-    callbacks.run_handed_spins(run, given, expression)
+    threads.run_handed_spins(run, given, expression)
     name = what or _name(expression)
     if name.rpartition(".")[2] not in _LOGS:
         escape(run, given, f"it is passed to {name}(), which is not followed" if name else _UNFOLLOWED, expression)
@@ -137,7 +137,7 @@ def _spread(run: Run, values: Iterable[Value], how: Escape) -> None:
         callee = function.callee
         if isinstance(callee, FunctionValue):
             run.callers.setdefault(id(callee.ir), set()).add(None)
-    callbacks.hand_out(run, functions)
+    handed_out.hand_out(run, functions)
 
 
 def mark(node: model.Blueprint, how: Escape) -> None:

@@ -1,0 +1,171 @@
+"""Command lines that argparse divides up."""
+
+from __future__ import annotations
+
+import argparse
+from typing import TYPE_CHECKING, Any
+
+from archlint.interpreter import containers
+from archlint.interpreter.call_site import CallSite
+from archlint.interpreter.fields import Field, Fields
+from archlint.interpreter.values import (
+    NONE,
+    Builtin,
+    External,
+    FunctionValue,
+    Instance,
+    Known,
+    Unknown,
+    Value,
+    as_default,
+    one_of,
+)
+from archlint.libraries.python.command_line import known_words
+from archlint.libraries.python.divided_words import CONST, NotDivided, Option, divide, word_of
+from archlint.syntax import facts
+
+if TYPE_CHECKING:
+    from archlint.libraries.api_use import ApiUse
+    from archlint.libraries.run import Run
+
+
+OPEN: Field[bool] = Field("more than is followed")
+"""Whether a parser has arguments that are not known."""
+ARGUMENTS: Fields[Value] = Fields("argument", one_of)
+"""What the attributes of a parser's namespace may hold."""
+OPTIONS: Fields[Option] = Fields("option")
+
+
+# ------------------------------------------------------------------------------------------------ argparse
+
+
+def argument_parser(run: Run, call: ApiUse) -> Value:
+    made = Instance(External("argparse.ArgumentParser"), run.store.new_key())
+    if call.open or "parents" in call.keywords or "prefix_chars" in call.keywords:
+        run.store.set(made.key, OPEN, True)
+    return made
+
+
+def add_argument(
+    run: Run, receiver: Value, args: list[Value], keywords: dict[str, Value], e: facts.Call | None
+) -> Value:
+    if not isinstance(receiver, Instance):
+        return NONE
+    names = tuple(arg.text for arg in args if arg.text is not None)
+    name = _destination(names, keywords.get("dest"))
+    if name is None or len(names) != len(args) or (e is not None and any(a.star for a in e.args)) or run.branch_arms:
+        run.store.set(receiver.key, OPEN, True)
+    if name is not None:
+        what = Unknown(f"the command-line argument '{name}'")
+        default = keywords.get("default") or _default_of_action(keywords.get("action"))
+        value: Value = what if default is None else one_of((as_default(default), what))
+        run.store.set(receiver.key, ARGUMENTS[name], value)
+        run.store.set(receiver.key, OPTIONS[name], Option(names, keywords))
+    return NONE
+
+
+def _destination(names: tuple[str, ...], given: Value | None) -> str | None:
+    if isinstance(given, Known):
+        return str(given.value)
+    long = [name for name in names if name.startswith("--")] or list(names)
+    return long[0].lstrip("-").replace("-", "_") if long else None
+
+
+def _default_of_action(action: Value | None) -> Value | None:
+    """``store_true`` is false unless it is given, and the other way round."""
+    if action is not None and action.text in ("store_true", "store_false"):
+        return Known(action.text == "store_false")
+    return None
+
+
+def subparsers(run: Run, receiver: Value, args: list[Value], keywords: dict[str, Value], e: facts.Call | None) -> Value:
+    if isinstance(receiver, Instance):
+        run.store.set(receiver.key, OPEN, True)
+    return Unknown("subcommands are not followed")
+
+
+def parse_args(run: Run, receiver: Value, args: list[Value], keywords: dict[str, Value], e: facts.Call | None) -> Value:
+    return _parsed(run, receiver, args, keywords, False)[0]
+
+
+def parse_known_args(
+    run: Run, receiver: Value, args: list[Value], keywords: dict[str, Value], e: facts.Call | None
+) -> Value:
+    return containers.new_list(run, _parsed(run, receiver, args, keywords, True), "tuple")
+
+
+def _parsed(
+    run: Run, receiver: Value, args: list[Value], keywords: dict[str, Value], some: bool
+) -> tuple[Value, Value]:
+    """The namespace, and the words that no option takes where ``some`` may be left."""
+    made = Instance(External("argparse.Namespace"), run.store.new_key())
+    rest: Value = Unknown("the rest of the command line")
+    if not isinstance(receiver, Instance):
+        return made, rest
+    for name, value in run.store.family(receiver.key, ARGUMENTS).items():
+        run.store.set(made.key, name, value)
+    words = known_words(run, args[0] if args else keywords.get("args", NONE))
+    if words is None or run.store.get(receiver.key, OPEN):
+        return made, rest
+    options = run.store.family(receiver.key, OPTIONS)
+    try:
+        found, left = divide(options, words, some)
+    except (NotDivided, SystemExit, ValueError, TypeError, argparse.ArgumentError):
+        return made, rest
+    for name, option in options.items():
+        run.store.set(made.key, name, _value(run, option, found, name, words))
+    return made, containers.new_list(run, [word_of(text, words) for text in left])
+
+
+def _value(run: Run, option: Option, found: dict[str, Any], name: str, words: list[Value]) -> Value:
+    """What an attribute of the namespace holds."""
+    if name not in found:
+        default = option.keywords.get("default") or _default_of_action(option.keywords.get("action")) or NONE
+        return as_default(default if default.text is None else _converted(run, option, default))
+    given = found[name]
+    if given == CONST:
+        return option.keywords.get("const", NONE)
+    if isinstance(given, (bool, int)) or given is None:
+        return Known(given)
+    if isinstance(given, list):
+        if option.keywords.get("default", NONE) != NONE and option.keywords.get("action") is not None:
+            return Unknown("arguments that are added to a default")
+        rows = [[item] if isinstance(item, str) else item for item in given]
+        flat = [_converted(run, option, word_of(text, words)) for row in rows for text in row]
+        nested = any(isinstance(item, list) for item in given)
+        return Unknown("a list of lists of words") if nested else containers.new_list(run, flat)
+    return _converted(run, option, word_of(given, words))
+
+
+_TYPES = {"int": int, "float": float, "bool": bool, "str": str}
+
+
+def _converted(run: Run, option: Option, word: Value) -> Value:
+    """A word after ``type=``."""
+    kind = option.keywords.get("type", NONE)
+    if kind == NONE or not isinstance(word, Known) or not isinstance(word.value, str):
+        return word
+    if isinstance(kind, Builtin) and kind.self_value is None and kind.name in _TYPES:
+        try:
+            return Known(_TYPES[kind.name](word.value))
+        except ValueError:
+            return Unknown(f"'{word.value}' is not a valid {kind.name}")
+    if isinstance(kind, FunctionValue):
+        return run.call(kind, CallSite([word]))
+    return Unknown("a command-line argument that other code converts")
+
+
+def argument_group(
+    run: Run, receiver: Value, args: list[Value], keywords: dict[str, Value], e: facts.Call | None
+) -> Value:
+    return receiver
+
+
+METHODS = {
+    "argparse.ArgumentParser.add_argument": add_argument,
+    "argparse.ArgumentParser.parse_args": parse_args,
+    "argparse.ArgumentParser.parse_known_args": parse_known_args,
+    "argparse.ArgumentParser.add_argument_group": argument_group,
+    "argparse.ArgumentParser.add_mutually_exclusive_group": argument_group,
+    "argparse.ArgumentParser.add_subparsers": subparsers,
+}

@@ -1,0 +1,61 @@
+"""Copies of objects and containers."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from archlint.interpreter import containers
+from archlint.interpreter.values import (
+    DictValue,
+    ListValue,
+    OneOf,
+    Unknown,
+    Value,
+    alternatives,
+    one_of,
+)
+from archlint.libraries.rclpy import changed_profiles
+from archlint.syntax import facts
+
+if TYPE_CHECKING:
+    from archlint.libraries.run import Run
+
+
+def _copy(run: Run, args: list[Value], keywords: dict[str, Value], e: facts.Call | None) -> Value:
+    return one_of(_copied(run, value) for value in (alternatives(args[0]) if args else ()))
+
+
+def _copied(run: Run, value: Value) -> Value:
+    match value:
+        case ListValue():
+            items = containers.items_of(run, value)
+            return containers.new_list(run, items.values, value.kind, items.open, items.whole)
+        case DictValue():
+            entries = containers.entries_of(run, value)
+            return containers.new_dict(run, dict(entries.entries), entries.open)
+    return changed_profiles.copy_profile(run, value)
+
+
+def _deep_copy(run: Run, args: list[Value], keywords: dict[str, Value], e: facts.Call | None) -> Value:
+    return _copied_deep(run, args[0], {}) if args else Unknown("no argument")
+
+
+def _copied_deep(run: Run, value: Value, copies: dict[int, Value]) -> Value:
+    """A copy, the containers inside it copied as well; ``copies`` has those already made, by key."""
+    if isinstance(value, OneOf):
+        return one_of(_copied_deep(run, option, copies) for option in value.values)
+    if not isinstance(value, (ListValue, DictValue)):
+        return changed_profiles.copy_profile(run, value)
+    if value.key in copies:
+        return copies[value.key]
+    copies[value.key] = Unknown("a container that contains itself")
+    if isinstance(value, ListValue):
+        items = containers.items_of(run, value)
+        inside = [_copied_deep(run, item, copies) for item in items.values]
+        made: Value = containers.new_list(run, inside, value.kind, items.open, items.whole)
+    else:
+        held = containers.entries_of(run, value)
+        entries = {at: (key, _copied_deep(run, one, copies)) for at, (key, one) in held.entries.items()}
+        made = containers.new_dict(run, entries, held.open)
+    copies[value.key] = made
+    return made

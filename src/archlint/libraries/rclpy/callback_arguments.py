@@ -1,0 +1,67 @@
+"""What rclpy calls a callback with."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from archlint import model
+from archlint.interpreter.values import (
+    External,
+    Instance,
+    Unknown,
+    Value,
+)
+from archlint.libraries.rclpy.interface_types import types_of
+from archlint.libraries.values import EntityValue, FutureValue, MessageValue
+
+if TYPE_CHECKING:
+    from archlint.libraries.api_use import ApiUse
+    from archlint.libraries.run import Run
+GOAL_HANDLE = External("rclpy.action.server.ServerGoalHandle")
+
+
+def default_arguments(run: Run, role: model.Role, creation: model.Creation | None, call: ApiUse) -> tuple[Value, ...]:
+    """What rclpy calls a callback of this role with."""
+    type_ = creation.type if creation is not None and not _may_be_another_type(call) else None
+
+    def message(part: str) -> Value:
+        if type_ is None:
+            return Unknown("a message of unknown type")
+        return MessageValue(type_, part, run.store.new_key())
+
+    if role == model.Role.SUBSCRIPTION:
+        return (message(""),)
+    if role == model.Role.SERVICE:
+        return (message("Request"), message("Response"))
+    if role in (model.Role.EXECUTE, model.Role.CANCEL, model.Role.ACCEPTED):
+        goal = message("Goal")
+        made = Instance(GOAL_HANDLE, run.store.new_key(), None, {"request": goal})
+        run.store.set(made.key, "request", goal)
+        return (made,)
+    if role == model.Role.GOAL:
+        return (message("Goal"),)
+    if role == model.Role.DONE:
+        return (call.receiver,) if isinstance(call.receiver, FutureValue) else (Unknown("a future"),)
+    if role == model.Role.FEEDBACK:
+        return (_feedback(run, call),)
+    if role in (model.Role.PARAMETER, model.Role.EVENT, model.Role.FILTER):
+        return (Unknown("an argument that rclpy passes to the callback"),)
+    return ()
+
+
+def _may_be_another_type(call: ApiUse) -> bool:
+    """Whether the create call is given one of several types, not all of which are known: the callback may be for
+    those alone."""
+    types = types_of(call)
+    return len(types) > 1 and any(type_ is None for type_, _ in types)
+
+
+def _feedback(run: Run, call: ApiUse) -> Value:
+    """What a feedback callback is called with: the feedback and the goal it is for."""
+    creations = call.receiver.creations if isinstance(call.receiver, EntityValue) else ()
+    type_ = creations[0].type if len(creations) == 1 else None
+    if type_ is None:
+        return Unknown("the feedback of an action of unknown type")
+    made = MessageValue(type_, "FeedbackMessage", run.store.new_key())
+    run.store.set(made.key, "feedback", MessageValue(type_, "Feedback", run.store.new_key()))
+    return made

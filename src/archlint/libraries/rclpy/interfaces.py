@@ -1,0 +1,78 @@
+"""Interfaces that code imports, and those that are not there."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING
+
+from archlint.interpreter.values import Unknown, Value
+from archlint.libraries.rclpy import names
+from archlint.model import UnknownInterface
+
+if TYPE_CHECKING:
+    from archlint.libraries.run import Run
+    from archlint.syntax.facts import Span
+
+
+def note_interface(run: Run, path: str, span: Span) -> None:
+    """Note an interface that the code takes from a package which does not define it.  ``path`` is dotted."""
+    interface, section_name = names.interface_and_section(path)
+    if run.interfaces is None or interface is None or section_name or not _imported_for_sure(run) or run.branch_arms:
+        return
+    package, kind, name = interface.split("/")
+    if not is_missing(run, path):
+        return
+    others = tuple(
+        f"{package}/{other}/{name}"
+        for other in ("msg", "srv", "action")
+        if run.interfaces.defines(package, other, name)
+    )
+    run.program.unknown_interfaces.append(
+        UnknownInterface(
+            run.place(span),
+            package,
+            kind,
+            name,
+            (*others, *run.interfaces.of_package(package, kind)),
+            run.interfaces.is_left_out(package, kind, name),
+            run.interfaces.packages_with(kind, name),
+            run.activation.scope.kind != "module",
+        )
+    )
+
+
+def is_missing(run: Run, path: str) -> bool:
+    """Whether a dotted path names an interface that its package certainly does not define: nothing is known of it."""
+    interface, section_name = names.interface_and_section(path)
+    if run.interfaces is None or interface is None or section_name:
+        return False
+    package, kind, name = interface.split("/")
+    return not names.is_part_of_interface(name) and run.interfaces.defines(package, kind, name) is False
+
+
+def missing_interface(run: Run, path: str) -> Value | None:
+    """What stands for an interface that is missing; None where it is there, or not known."""
+    if not is_missing(run, path):
+        return None
+    interface, _ = names.interface_and_section(path)
+    package, _, name = path.split(".")[:3]
+    return Unknown(f"{package} defines no '{name}'", interface=interface)
+
+
+def star_sources(run: Run, packages: Sequence[str], name: str) -> Sequence[str]:
+    """Those of some foreign packages that a star import may take a name from.
+
+    Interface packages hold class names only; where several could have it, the table of interfaces decides.
+    """
+    interfaces = [package for package in packages if package.endswith((".msg", ".srv", ".action"))]
+    candidates = [p for p in packages if p in interfaces] if name[:1].isupper() and interfaces else list(packages)
+    if len(candidates) > 1 and run.interfaces is not None:
+        defines = run.interfaces.defines
+        verdicts = {p: defines(p.partition(".")[0], p.partition(".")[2], name) for p in interfaces}
+        sure = [p for p in candidates if verdicts.get(p)]
+        candidates = sure or [p for p in candidates if verdicts.get(p) is not False]
+    return candidates
+
+
+def _imported_for_sure(run: Run) -> bool:
+    return bool(run.activations) and not any(activation.tries for activation in run.activations)

@@ -1,0 +1,34 @@
+"""Messages that code makes."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from archlint.interpreter.values import Value
+from archlint.libraries.rclpy.message_uses import note_use
+from archlint.libraries.values import MessageValue
+from archlint.syntax import facts
+
+if TYPE_CHECKING:
+    from archlint.libraries.run import Run
+
+
+def note_made(run: Run, message: MessageValue, expression: facts.Call | None) -> None:
+    """Note that the code makes a message here, and the fields that the constructor call names."""
+    if run.activations:
+        run.messages.made_in[message.key] = run.activation
+    for argument in expression.args if expression is not None else ():
+        span = getattr(argument.value, "span", None)
+        if argument.keyword is not None and not argument.star and span is not None:
+            note_use(run, message, argument.keyword, span, "keyword")
+
+
+def make(
+    run: Run, interface: str, section_name: str, keywords: dict[str, Value], expression: facts.Call | None
+) -> Value:
+    """An object of an interface class, as its constructor is called."""
+    made = MessageValue(interface, section_name, run.store.new_key())
+    note_made(run, made, expression)
+    for name, value in keywords.items():
+        run.store.set(made.key, name, value)
+    return made

@@ -1,0 +1,46 @@
+"""Clients of another node's parameters."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from archlint import model
+from archlint.interpreter.values import (
+    Known,
+    Unknown,
+    Value,
+    join_texts,
+)
+from archlint.libraries.api_use import ApiUse
+from archlint.libraries.rclpy import nodes, profiles
+from archlint.libraries.rclpy.entities import create
+from archlint.libraries.tables import Api
+from archlint.libraries.texts import text_of_value
+from archlint.libraries.values import EntityValue
+
+if TYPE_CHECKING:
+    from archlint.libraries.run import Run
+
+
+_PARAMETER_SERVICES = (
+    ("describe_parameters", "DescribeParameters"),
+    ("get_parameter_types", "GetParameterTypes"),
+    ("get_parameters", "GetParameters"),
+    ("list_parameters", "ListParameters"),
+    ("set_parameters", "SetParameters"),
+    ("set_parameters_atomically", "SetParametersAtomically"),
+)
+
+
+def parameter_client(run: Run, call: ApiUse) -> Value:
+    """``AsyncParameterClient(node, 'other')``: a client for each of the six parameter services of the other."""
+    row = Api(call.api.path, "", "endpoint", kind=model.EntityKind.CLIENT, default_qos="services_default")
+    made = []
+    remote = call.get("remote_node_name") or Unknown("no name is given")
+    for blueprint in nodes.given_nodes(run, call.get("node")):
+        for name, type_ in _PARAMETER_SERVICES:
+            text = text_of_value(join_texts((remote, Known(f"/{name}"))), "no name is given")
+            part = ApiUse(row, None, {}, call.expression, False, [], {})
+            profile = profiles.resolve(run, call.get("qos_profile"), "services_default", call)
+            made.append(create(run, part, blueprint, text, f"rcl_interfaces/srv/{type_}", None, profile, None))
+    return EntityValue(tuple(made), call.api.path, run.store.new_key())

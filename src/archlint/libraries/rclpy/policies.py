@@ -1,0 +1,81 @@
+"""The policies of a profile, and the durations in it."""
+
+from __future__ import annotations
+
+from archlint.interpreter.values import (
+    External,
+    Instance,
+    Known,
+    Value,
+)
+from archlint.libraries.rclpy import names as rclpy_names
+
+_BY_NUMBER: dict[str, dict[int, str]] = {
+    "history": {0: "system_default", 1: "keep_last", 2: "keep_all"},
+    "reliability": {0: "system_default", 1: "reliable", 2: "best_effort", 4: "best_available"},
+    "durability": {0: "system_default", 1: "transient_local", 2: "volatile", 4: "best_available"},
+    "liveliness": {0: "system_default", 1: "automatic", 3: "manual_by_topic", 5: "best_available"},
+}
+_KNOWN_POLICIES = {
+    "history": {"system_default", "keep_last", "keep_all"},
+    "reliability": {"system_default", "reliable", "best_effort", "best_available"},
+    "durability": {"system_default", "transient_local", "volatile", "best_available"},
+    "liveliness": {"system_default", "automatic", "manual_by_topic", "best_available"},
+}
+
+
+def policy_by_name(path: str, name: object) -> External | None:
+    """``ReliabilityPolicy["RELIABLE"]``: a policy by its name; None of what is no enum of rclpy's."""
+    return External(f"{path}.{name.upper()}") if path.startswith("rclpy.qos.") and isinstance(name, str) else None
+
+
+_POLICY_CLASSES = {
+    "rclpy.qos.HistoryPolicy": "history",
+    "rclpy.qos.ReliabilityPolicy": "reliability",
+    "rclpy.qos.DurabilityPolicy": "durability",
+    "rclpy.qos.LivelinessPolicy": "liveliness",
+}
+
+
+def policy_number(path: str) -> int | None:
+    """The number of a policy's enum member, such as a parameter has it for a default; None for other names."""
+    owner, _, member = rclpy_names.canonical(path.removesuffix(".value")).rpartition(".")
+    name = _POLICY_CLASSES.get(owner)
+    if name is None:
+        return None
+    wanted = policy(name, External(f"{owner}.{member}"))
+    return next((number for number, text in _BY_NUMBER[name].items() if text == wanted), None)
+
+
+def policy(name: str, value: Value) -> str | None:
+    """The policy that an enum member, its number or its short key stands for."""
+    match value:
+        case External(path=path):
+            tail = path.removesuffix(".value").rpartition(".")[2].upper()
+            tail = tail.removeprefix(f"RMW_QOS_POLICY_{name.upper()}_").lower()
+            return tail if tail in _KNOWN_POLICIES[name] else None
+        case Known(value=int(number)):
+            return _BY_NUMBER[name].get(number)
+        case Known(value=str(text)) if text.lower() in _KNOWN_POLICIES[name]:
+            return text.lower()
+    return None
+
+
+_ENDLESS = 9223372036.0
+"""Seconds of ``RMW_DURATION_INFINITE``, the most that a duration holds."""
+
+
+def duration_seconds(value: Value) -> float | None:
+    """Seconds of a ``Duration``, 0 for an endless one, which is no bound either; None where unknown."""
+    match value:
+        case External("rclpy.duration.Infinite"):
+            return 0.0
+        case Instance(cls=External(), arguments=given):
+            total = 0.0
+            for name, scale in (("seconds", 1.0), ("nanoseconds", 1e-9)):
+                number = given[name].constant if name in given else 0.0
+                if not isinstance(number, (int, float)):
+                    return None
+                total += number * scale
+            return 0.0 if total >= _ENDLESS else total
+    return None

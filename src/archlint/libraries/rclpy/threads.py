@@ -1,0 +1,82 @@
+"""Threads: what they are given to run."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from typing import TYPE_CHECKING
+
+from archlint import model
+from archlint.interpreter import containers
+from archlint.interpreter.call_site import CallSite
+from archlint.interpreter.values import (
+    ApiMethod,
+    DictValue,
+    External,
+    Instance,
+    ListValue,
+    OneOf,
+    Partial,
+    Unknown,
+    Value,
+    alternatives,
+)
+from archlint.libraries import tables
+from archlint.libraries.rclpy.callbacks import register
+from archlint.syntax import facts
+
+if TYPE_CHECKING:
+    from archlint.libraries.api_use import ApiUse
+    from archlint.libraries.run import Run
+
+
+def thread(run: Run, call: ApiUse) -> Value:
+    """``threading.Thread(target=…, args=…)``."""
+    arguments: list[Value] = []
+    given = call.get("args")
+    if isinstance(given, ListValue):
+        arguments = list(containers.items_of(run, given).values)
+    keywords = call.get("kwargs")
+    for parameter, role in call.api.callbacks:
+        value = call.get(parameter)
+        if value is None:
+            continue
+        if isinstance(keywords, DictValue):
+            entries = containers.entries_of(run, keywords).entries.values()
+            pairs = tuple((key.text, item) for key, item in entries if key.text is not None)
+            value = Partial(value, (), pairs) if pairs else value
+        register(run, value, role, None, None, None, call, tuple(arguments))
+        if isinstance(value, (Unknown, OneOf)):
+            run.library.given_away(CallSite(arguments))
+        _run_foreign_target(run, value, arguments, call)
+    place = run.place(call.expression.span) if call.expression is not None else None
+    return Instance(External(call.api.path), run.store.new_key(), place)
+
+
+def _run_foreign_target(run: Run, value: Value, arguments: list[Value], call: ApiUse) -> None:
+    """``Thread(target=executor.spin)`` and ``Thread(target=rclpy.spin, args=(node,))``: no function of ours, so
+    nothing is left to be run later."""
+    for option in alternatives(value):
+        match option.callee:
+            case ApiMethod(path=path) | External(path=path):
+                _run_apart(run, option, path, arguments, call.expression)
+
+
+def _run_apart(run: Run, target: Value, name: str, arguments: Iterable[Value], expression: facts.Call | None) -> None:
+    """A function of a library runs in a thread that is started here."""
+    kept = run.context
+    place = kept.place if expression is None else run.place(expression.span)
+    run.context = model.Callback(model.Role.THREAD, name, place, None, file=place.file)
+    try:
+        run.call(target, CallSite(list(arguments)))
+    finally:
+        run.context = kept
+
+
+def run_handed_spins(run: Run, values: Iterable[Value], expression: facts.Call | None) -> None:
+    """Run the spins of executors that code is given which we do not see: it can do nothing with one but call it, in a
+    thread of its own most likely, as ``loop.run_in_executor(None, executor.spin)`` does."""
+    for option in (option for value in values for option in alternatives(value)):
+        path = option.path if isinstance(option, ApiMethod) else ""
+        row = tables.find(path)
+        if row is not None and row.effect == "executor_spin":
+            _run_apart(run, option, path, (), expression)
