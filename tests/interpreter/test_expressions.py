@@ -126,6 +126,22 @@ def test_what_is_not_defined_is_unknown():
     assert found.value("used") != Known("x")
 
 
+@pytest.mark.parametrize(
+    ("iterable", "reason"),
+    [
+        ("5", "what the loop runs over is not known"),
+        ("outside.items()", "outside.items() is outside of this workspace"),
+        ("f()", "'f' raises"),
+    ],
+)
+def test_why_an_item_is_not_known(iterable: str, reason: str):
+    interpreted = interpret(
+        f"{OUTSIDE}def f():\n    raise ValueError\nfor item in {iterable}:\n    pass\nseen = []\n"
+        f"[seen.append(each) for each in {iterable}]\nother = next(iter(seen))"
+    )
+    assert interpreted.reason("item") == interpreted.reason("other") == reason
+
+
 def test_a_comprehension_leaves_no_variable_behind():
     assert_like_python("each = 'outer'\nnumbers = [each for each in range(3)]")
 

@@ -30,6 +30,7 @@ from archlint.model import (
 )
 from archlint.model.encoding import NotEncodable, NotPrograms, decode, encode
 from archlint.programs.linker import EntryPoint, Linker
+from archlint.reasons import NotPassed
 
 FIXTURES = Path(__file__).parents[2] / "fixtures"
 PLACE = Place("robot/node.py", 3, 5, 3, 9)
@@ -38,7 +39,8 @@ PLACE = Place("robot/node.py", 3, 5, 3, 9)
 def program() -> Program:
     """A node with a timer whose callback calls something, all of which refer to one another."""
     name = Text("robot", "exact")
-    node = Blueprint("Robot", name, name, PLACE, "robot", executables=("robot",))
+    unknown = Text(None, "unknown", reason=NotPassed.as_parameter("namespace"))
+    node = Blueprint("Robot", name, unknown, PLACE, "robot", executables=("robot",))
     callback = Callback(Role.TIMER, "Robot.tick", PLACE, None, node)
     timer = Creation(EntityKind.TIMER, "an.api", node, PLACE, name, None, callbacks={"timer": callback})
     timer.branch_arms = frozenset({(ChoiceOfCallee("a branch"), 1)})
@@ -78,6 +80,7 @@ def test_values_keep_their_types():
         assert repr(said[name]) == repr(counted[name])
     [(branch, _)] = after.nodes[0].creations[0].branch_arms
     assert type(branch) is ChoiceOfCallee
+    assert type(after.nodes[0].namespace.reason) is NotPassed
 
 
 def test_programs_may_share_what_they_refer_to():
