@@ -434,3 +434,9 @@ class TestFacts:
         )
         facts = lower(source)
         assert decode(encode(facts)) == facts
+
+    @pytest.mark.parametrize("operator", ["==", "not in", "-", "and"])
+    def test_facts_with_an_operator_that_there_is_not_are_a_miss(self, operator: str):
+        payload = encode(lower(f"found = a {operator} b"))
+        assert decode(payload) is not None
+        assert decode(payload.replace(operator.encode(), b"~" * len(operator))) is None

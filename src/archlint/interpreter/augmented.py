@@ -35,7 +35,7 @@ def augmented(machine: Machine, s: facts.Augmented) -> Status:
     return None
 
 
-_GROWS = {
+_GROWS: dict[facts.BinaryOperator, str] = {
     "+": "extend",
     "|": "update",
     "-": "difference_update",

@@ -52,11 +52,11 @@ def narrow(machine: Machine, test: facts.Expr, holds: bool) -> None:
             _narrow_compared(machine, left, op, right, holds)
 
 
-_OPPOSITE = {"is not": "is", "!=": "==", "not in": "in"}
+_OPPOSITE: dict[facts.CompareOperator, facts.CompareOperator] = {"is not": "is", "!=": "==", "not in": "in"}
 
 
 def _narrow_compared(
-    machine: Machine, left: facts.Name | facts.Attribute, op: str, other: facts.Expr, holds: bool
+    machine: Machine, left: facts.Name | facts.Attribute, op: facts.CompareOperator, other: facts.Expr, holds: bool
 ) -> None:
     """Keep what ``left op other`` proves of ``left``."""
     if op in _OPPOSITE:

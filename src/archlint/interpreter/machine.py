@@ -12,6 +12,7 @@ from collections.abc import Hashable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
 from enum import Enum
+from typing import Literal
 
 from archlint.branches import BranchArm
 from archlint.faults import Faults
@@ -20,7 +21,7 @@ from archlint.interpreter.activation import Activation
 from archlint.interpreter.call_site import NOTHING_GIVEN, CallSite
 from archlint.interpreter.heap import Layer, Slot, Store
 from archlint.interpreter.library import Library
-from archlint.interpreter.modules import Module, ModuleIndex, Scope
+from archlint.interpreter.modules import Module, ModuleIndex, Scope, ScopeKind
 from archlint.interpreter.values import External, Instance, Known, ModuleValue, Unknown, Value
 from archlint.syntax import facts
 from archlint.syntax.control_flow import comes_round
@@ -49,8 +50,8 @@ UNROLL = 512
 COMPREHENDED = 8_000
 """How many items all comprehensions of a program go through one by one: tables of numbers are no names."""
 
-Status = str | None
-"""How a block ended: None (fell through), ``return``, ``break``, ``continue``, ``raise``."""
+Status = Literal["return", "break", "continue", "raise"] | None
+"""How a block ended; None where it fell through."""
 
 
 class Refused(Exception):
@@ -168,7 +169,7 @@ class Machine(ABC):
         self,
         parent: Scope | None,
         module: Module,
-        kind: str,
+        kind: ScopeKind,
         qualified: str,
         bound: frozenset[str] | None = None,
         outer: frozenset[str] = frozenset(),

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass, field
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Literal
 
 from archlint.syntax.facts import Class, Facts, Function, Import, ImportFrom, Stmt
 from archlint.syntax.walk import statements_of
@@ -18,6 +18,9 @@ from archlint.workspace.test_code import FileRoles
 if TYPE_CHECKING:
     from archlint.workspace.model import Link, SourceFile
 
+
+ScopeKind = Literal["module", "class", "function", "comprehension"]
+ModuleState = Literal["new", "running", "done"]
 
 _OF_ROS = frozenset(
     {
@@ -38,7 +41,7 @@ class Scope:
     key: int
     parent: Scope | None
     module: Module
-    kind: str
+    kind: ScopeKind
     qualified: str
     bound: frozenset[str] | None = None
     outer: frozenset[str] = frozenset()
@@ -47,13 +50,13 @@ class Scope:
 
 @dataclass(eq=False)
 class Module:
-    """One Python file as a module.  ``state`` is ``new``, ``running`` or ``done``."""
+    """One Python file as a module; ``state`` says how far its top level has run."""
 
     file: SourceFile
     name: str
     facts: Facts
     scope: Scope | None = None
-    state: str = "new"
+    state: ModuleState = "new"
     star_externals: list[str] = field(default_factory=list)
     """Foreign packages that this module star-imports from."""
 

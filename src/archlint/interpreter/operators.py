@@ -34,7 +34,7 @@ if TYPE_CHECKING:
     from archlint.interpreter.machine import Machine
 
 
-_ARITHMETIC: dict[str, Callable[[Any, Any], Any]] = {
+_ARITHMETIC: dict[facts.BinaryOperator, Callable[[Any, Any], Any]] = {
     "+": operator.add,
     "-": operator.sub,
     "*": operator.mul,
@@ -50,14 +50,14 @@ _ARITHMETIC: dict[str, Callable[[Any, Any], Any]] = {
 }
 
 
-def binary(machine: Machine, op: str, left: Value, right: Value, span: facts.Span) -> Value:
+def binary(machine: Machine, op: facts.BinaryOperator, left: Value, right: Value, span: facts.Span) -> Value:
     """``left op right`` over all alternatives."""
     results = [_combined(machine, op, a, b, span) for a in alternatives(left) for b in alternatives(right)]
     result = one_of(results[:CARTESIAN])
     return result if left.is_text else machine.library.lost(result, (left, right), f"it is an operand of '{op}'")
 
 
-def _combined(machine: Machine, op: str, left: Value, right: Value, span: facts.Span) -> Value:
+def _combined(machine: Machine, op: facts.BinaryOperator, left: Value, right: Value, span: facts.Span) -> Value:
     left, right = plain_text(machine, left), plain_text(machine, right)
     match op, left, right:
         case "+", _, _ if left.is_text or right.is_text:
@@ -96,7 +96,7 @@ def _joined_lists(machine: Machine, left: ListValue, right: ListValue) -> Value:
     return new_list(machine, values[:ITEM_LIMIT], left.kind, first.open or second.open or long, whole)
 
 
-def _arithmetic(op: str, left: Known, right: Known) -> Value:
+def _arithmetic(op: facts.BinaryOperator, left: Known, right: Known) -> Value:
     if op not in _ARITHMETIC:
         return Unknown(f"the operator {op} is not followed")
     match op, left.value, right.value:
@@ -119,13 +119,13 @@ def _arithmetic(op: str, left: Known, right: Known) -> Value:
     return constant(result, left.via | right.via)
 
 
-def compare_values(machine: Machine, op: str, left: Value, right: Value) -> bool | None:
+def compare_values(machine: Machine, op: facts.CompareOperator, left: Value, right: Value) -> bool | None:
     """``left op right`` where all alternatives agree."""
     verdicts = {_compared(machine, op, a, b) for a in alternatives(left) for b in alternatives(right)}
     return verdicts.pop() if len(verdicts) == 1 else None
 
 
-_ORDER: dict[str, Callable[[Any, Any], bool]] = {
+_ORDER: dict[facts.CompareOperator, Callable[[Any, Any], bool]] = {
     "<": operator.lt,
     "<=": operator.le,
     ">": operator.gt,
@@ -133,10 +133,10 @@ _ORDER: dict[str, Callable[[Any, Any], bool]] = {
 }
 
 
-_OPPOSITE = {"not in": "in", "!=": "==", "is not": "is"}
+_OPPOSITE: dict[facts.CompareOperator, facts.CompareOperator] = {"not in": "in", "!=": "==", "is not": "is"}
 
 
-def _compared(machine: Machine, op: str, left: Value, right: Value) -> bool | None:
+def _compared(machine: Machine, op: facts.CompareOperator, left: Value, right: Value) -> bool | None:
     if op in _OPPOSITE:
         verdict = _compared(machine, _OPPOSITE[op], left, right)
         return None if verdict is None else not verdict
@@ -153,7 +153,7 @@ def _compared(machine: Machine, op: str, left: Value, right: Value) -> bool | No
     return None
 
 
-def _compare_constants(op: str, left: Constant, right: Constant) -> bool | None:
+def _compare_constants(op: facts.CompareOperator, left: Constant, right: Constant) -> bool | None:
     if op == "==":
         return bool(left == right)
     if op == "is":
@@ -164,7 +164,7 @@ def _compare_constants(op: str, left: Constant, right: Constant) -> bool | None:
         return None
 
 
-def _compare_version(machine: Machine, op: str, right: Value) -> bool | None:
+def _compare_version(machine: Machine, op: facts.CompareOperator, right: Value) -> bool | None:
     """``sys.version_info >= (3, 8)``: decided where it is the same for every supported Python."""
     items = right.items(machine)
     numbers = () if items is None else tuple(item.constant for item in items.values if item.constant is not None)

@@ -8,6 +8,8 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
 
+from archlint.origins import OriginKind
+
 if TYPE_CHECKING:
     from archlint.finding import Place
     from archlint.model.executors import ExecutorUse
@@ -47,7 +49,7 @@ class Constant(Given):
     value: str | int | float | bool | bytes | None
     parameters: frozenset[str] = frozenset()
     origin: Place | None = None
-    origin_kind: str = "other"
+    origin_kind: OriginKind = "other"
 
     @property
     def seconds(self) -> float | None:

@@ -5,6 +5,8 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Literal
 
+from archlint.origins import OriginKind
+
 if TYPE_CHECKING:
     from archlint.finding import Place
 
@@ -20,9 +22,7 @@ class Text:
     ``resolution`` is ``exact`` (one known text), ``parameter`` (``text`` is the default or override of the
     parameter called ``parameter``, or built from it), ``partial`` (``*`` in ``text`` stands for what only
     data decides) or ``unknown`` (``text`` is None).  ``reason`` says why for the last two.
-    ``origin`` is where the text is written down, if it is written in one place; ``origin_kind`` is
-    ``literal``, ``format`` (an f-string or an operation on literals), ``argument_default``, ``node_name`` (made
-    from the name or namespace of a node) or ``other``.
+    ``origin`` is where the text is written down, if it is written in one place, and ``origin_kind`` how it came to be.
     """
 
     text: str | None
@@ -30,4 +30,4 @@ class Text:
     parameter: str | None = None
     reason: str | None = None
     origin: Place | None = None
-    origin_kind: str = "other"
+    origin_kind: OriginKind = "other"

@@ -12,6 +12,10 @@ Constant = Union[str, int, float, bool, None]
 Star = typing.Literal["", "*", "**"]
 DisplayKind = typing.Literal["tuple", "list", "set"]
 ComprehensionKind = typing.Literal["list", "set", "dict", "generator"]
+BinaryOperator = typing.Literal["+", "-", "*", "/", "//", "%", "**", "@", "<<", ">>", "&", "|", "^"]
+UnaryOperator = typing.Literal["not", "-", "+", "~"]
+BooleanOperator = typing.Literal["and", "or"]
+CompareOperator = typing.Literal["==", "!=", "<", "<=", ">", ">=", "in", "not in", "is", "is not"]
 ParamKind = typing.Literal["positional_only", "normal", "star", "keyword_only", "double_star"]
 
 
@@ -197,18 +201,18 @@ class Slice(Base, frozen=True, tag="slice"):
 
 
 class Binary(Base, frozen=True, tag="bin"):
-    """``left op right`` with ``op`` as written: ``+ - * / // % ** @ << >> & | ^``."""
+    """``left op right``."""
 
-    op: str
+    op: BinaryOperator
     left: Expr
     right: Expr
     span: Span
 
 
 class Unary(Base, frozen=True, tag="un"):
-    """``op`` is ``not``, ``-``, ``+`` or ``~``."""
+    """``op operand``."""
 
-    op: str
+    op: UnaryOperator
     operand: Expr
     span: Span
 
@@ -223,9 +227,9 @@ class Unary(Base, frozen=True, tag="un"):
 
 
 class Boolean(Base, frozen=True, tag="bool"):
-    """``a and b and c``: ``op`` is ``and`` or ``or``, chains of one operator are flat."""
+    """``a and b and c``: chains of one operator are flat."""
 
-    op: str
+    op: BooleanOperator
     values: list[Expr]
     span: Span
 
@@ -235,10 +239,10 @@ class Boolean(Base, frozen=True, tag="bool"):
 
 
 class Compare(Base, frozen=True, tag="cmp"):
-    """``left op1 x op2 y``; operators as written: ``== != < <= > >= in``, ``not in``, ``is``, ``is not``."""
+    """``left op1 x op2 y``."""
 
     left: Expr
-    ops: list[str]
+    ops: list[CompareOperator]
     comparators: list[Expr]
     span: Span
 

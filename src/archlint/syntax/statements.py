@@ -6,7 +6,7 @@ from typing import ClassVar, Literal, Union
 
 import msgspec
 
-from archlint.syntax.expressions import Argument, Base, Expr, Param, Span
+from archlint.syntax.expressions import Argument, Base, BinaryOperator, Expr, Param, Span
 
 PatternKind = Literal["value", "capture", "or", "sequence", "as", "mapping", "entry", "rest", "other"]
 GlobalKind = Literal["global", "nonlocal"]
@@ -56,7 +56,7 @@ class Augmented(Statement, frozen=True, tag="+="):
     """``target op= value``; ``op`` without the equals sign."""
 
     target: Expr
-    op: str
+    op: BinaryOperator
     value: Expr
     span: Span
 

@@ -12,7 +12,6 @@ from archlint.interpreter.formatting import CARTESIAN, combine, format_one
 from archlint.interpreter.items import get_item
 from archlint.interpreter.values import (
     TEXT_LIMIT,
-    ConstantKind,
     Holed,
     Known,
     ListValue,
@@ -26,6 +25,7 @@ from archlint.interpreter.values import (
     reason,
     via,
 )
+from archlint.origins import OriginKind
 
 if TYPE_CHECKING:
     from archlint.interpreter.call_site import CallSite
@@ -133,7 +133,7 @@ def _as_text(machine: Machine, target: Known, name: str, site: CallSite) -> Valu
 
 
 def _same_path(machine: Machine, target: Known, name: str, site: CallSite) -> Value:
-    kind: ConstantKind = "other" if name == "as_posix" else "path"
+    kind: OriginKind = "other" if name == "as_posix" else "path"
     return constant(str(target.value), target.via, kind, file_origin(target, *site.args))
 
 

@@ -5,20 +5,17 @@ from __future__ import annotations
 from collections.abc import Hashable, Iterable, Sequence
 from dataclasses import dataclass, field, replace
 from itertools import groupby
-from typing import TYPE_CHECKING, Literal
+from typing import TYPE_CHECKING
 
 from archlint.interpreter.values.base import NO_PARAMETERS, Items, State, Value
 from archlint.interpreter.values.choices import Unknown
+from archlint.origins import OriginKind
 from archlint.reasons import NOT_A_CONSTANT
 
 if TYPE_CHECKING:
     from archlint.finding import Place
 
 Constant = str | int | float | bool | bytes | None
-
-ConstantKind = Literal["literal", "format", "argument_default", "node_name", "path", "other"]
-"""How a constant came to be: ``literal``, ``format``, ``argument_default``, ``node_name`` (made from the name or
-namespace of a node), ``path`` (a ``pathlib.Path``) or ``other``."""
 
 TEXT_LIMIT = 16_384
 """How long the texts are that a program makes of others: no name comes near, and a loop that doubles one would
@@ -40,7 +37,7 @@ class Known(Value):
     value: Constant
     via: frozenset[str] = NO_PARAMETERS
     origin: Place | None = field(default=None, compare=False)
-    kind: ConstantKind = field(default="other", compare=False)
+    kind: OriginKind = field(default="other", compare=False)
 
     def __eq__(self, other: object) -> bool:
         # 1, 1.0 and True are equal in Python, and quite different as a default.
@@ -165,7 +162,7 @@ def constants_of(values: Iterable[Value]) -> list[Constant] | None:
 def constant(
     value: str | int | float | bool,
     via: frozenset[str] = NO_PARAMETERS,
-    kind: ConstantKind = "other",
+    kind: OriginKind = "other",
     origin: Place | None = None,
 ) -> Value:
     """A constant that a program makes of others; not known where it is longer or larger than is followed."""
@@ -196,7 +193,7 @@ def join_texts(parts: Sequence[Value], origin: Place | None = None) -> Value:
     return Unknown(why) if merged == [None] else Holed(tuple(merged), why, via(*parts), origin)
 
 
-def _kind_of_text(kinds: Iterable[ConstantKind]) -> ConstantKind:
+def _kind_of_text(kinds: Iterable[OriginKind]) -> OriginKind:
     """How a text came to be that is made of others."""
     if "argument_default" in kinds:
         return "argument_default"

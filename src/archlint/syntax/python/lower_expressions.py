@@ -12,7 +12,7 @@ from archlint.syntax import facts
 from archlint.syntax.expressions import ComprehensionKind, DisplayKind, ParamKind
 from archlint.syntax.facts import Expr
 from archlint.syntax.python.lower_texts import TextLowering
-from archlint.syntax.python.operators import LARGEST_INTEGER, folded, operator_text
+from archlint.syntax.python.operators import BINARY, BOOLEAN, COMPARE, LARGEST_INTEGER, UNARY, folded
 from archlint.syntax.python.positions import SpanFinder
 
 MAX_DEPTH = 100
@@ -158,12 +158,12 @@ class ExpressionLowering:
         result = self.lower(chain[-1].left)
         for link in reversed(chain):
             right = self.lower(link.right)
-            result = facts.Binary(operator_text(link.operator), result, right, self.span(link))
+            result = facts.Binary(BINARY[link.operator.__class__], result, right, self.span(link))
         self._depth -= len(chain)
         return result
 
     def _unary(self, node: cst.UnaryOperation) -> Expr:
-        op = operator_text(node.operator)
+        op = UNARY[node.operator.__class__]
         operand = self.lower(node.expression)
         if isinstance(operand, facts.Literal):
             value = operand.value
@@ -186,13 +186,13 @@ class ExpressionLowering:
             else:
                 operands.append(operand)
         return facts.Boolean(
-            operator_text(node.operator), [self.lower(operand) for operand in operands], self.span(node)
+            BOOLEAN[node.operator.__class__], [self.lower(operand) for operand in operands], self.span(node)
         )
 
     def _comparison(self, node: cst.Comparison) -> Expr:
         return facts.Compare(
             self.lower(node.left),
-            [operator_text(target.operator) for target in node.comparisons],
+            [COMPARE[target.operator.__class__] for target in node.comparisons],
             [self.lower(target.comparator) for target in node.comparisons],
             self.span(node),
         )

@@ -11,7 +11,7 @@ from archlint.syntax import facts
 from archlint.syntax.facts import FileProblem, Span, Stmt
 from archlint.syntax.python.lower_expressions import ExpressionLowering
 from archlint.syntax.python.lower_patterns import PatternLowering
-from archlint.syntax.python.operators import operator_text
+from archlint.syntax.python.operators import BINARY
 from archlint.syntax.python.positions import SpanFinder
 from archlint.syntax.statements import JumpKind
 
@@ -110,7 +110,7 @@ class Lowering(ExpressionLowering):
 
     def _augmented(self, node: cst.AugAssign, body: list[Stmt]) -> None:
         target = self.lower(node.target)
-        op = operator_text(node.operator)
+        op = BINARY[node.operator.__class__]
         body.append(facts.Augmented(target, op, self.lower(node.value), self.span(node)))
 
     def _return(self, node: cst.Return, body: list[Stmt]) -> None:

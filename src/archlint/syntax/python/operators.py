@@ -4,46 +4,32 @@ from __future__ import annotations
 
 import libcst as cst
 
+from archlint.syntax.expressions import BinaryOperator, BooleanOperator, CompareOperator, UnaryOperator
+
 SMALLEST_INTEGER = -(2**63)
 LARGEST_INTEGER = 2**64 - 1
 
-_OPERATORS: dict[type[cst.CSTNode], str] = {
+BINARY: dict[type[cst.CSTNode], BinaryOperator] = {
     cst.Add: "+",
     cst.AddAssign: "+",
-    cst.And: "and",
     cst.BitAnd: "&",
     cst.BitAndAssign: "&",
-    cst.BitInvert: "~",
     cst.BitOr: "|",
     cst.BitOrAssign: "|",
     cst.BitXor: "^",
     cst.BitXorAssign: "^",
     cst.Divide: "/",
     cst.DivideAssign: "/",
-    cst.Equal: "==",
     cst.FloorDivide: "//",
     cst.FloorDivideAssign: "//",
-    cst.GreaterThan: ">",
-    cst.GreaterThanEqual: ">=",
-    cst.In: "in",
-    cst.Is: "is",
-    cst.IsNot: "is not",
     cst.LeftShift: "<<",
     cst.LeftShiftAssign: "<<",
-    cst.LessThan: "<",
-    cst.LessThanEqual: "<=",
     cst.MatrixMultiply: "@",
     cst.MatrixMultiplyAssign: "@",
-    cst.Minus: "-",
     cst.Modulo: "%",
     cst.ModuloAssign: "%",
     cst.Multiply: "*",
     cst.MultiplyAssign: "*",
-    cst.Not: "not",
-    cst.NotEqual: "!=",
-    cst.NotIn: "not in",
-    cst.Or: "or",
-    cst.Plus: "+",
     cst.Power: "**",
     cst.PowerAssign: "**",
     cst.RightShift: ">>",
@@ -51,14 +37,32 @@ _OPERATORS: dict[type[cst.CSTNode], str] = {
     cst.Subtract: "-",
     cst.SubtractAssign: "-",
 }
+"""Those of augmented assignments, too, without the equals sign."""
+UNARY: dict[type[cst.CSTNode], UnaryOperator] = {
+    cst.BitInvert: "~",
+    cst.Minus: "-",
+    cst.Not: "not",
+    cst.Plus: "+",
+}
+BOOLEAN: dict[type[cst.CSTNode], BooleanOperator] = {
+    cst.And: "and",
+    cst.Or: "or",
+}
+COMPARE: dict[type[cst.CSTNode], CompareOperator] = {
+    cst.Equal: "==",
+    cst.GreaterThan: ">",
+    cst.GreaterThanEqual: ">=",
+    cst.In: "in",
+    cst.Is: "is",
+    cst.IsNot: "is not",
+    cst.LessThan: "<",
+    cst.LessThanEqual: "<=",
+    cst.NotEqual: "!=",
+    cst.NotIn: "not in",
+}
 
 
-def operator_text(operator: cst.CSTNode) -> str:
-    """An operator as it is written, without the equals sign of an augmented assignment."""
-    return _OPERATORS[operator.__class__]
-
-
-def folded(op: str, value: int | float) -> int | float | None:
+def folded(op: UnaryOperator, value: int | float) -> int | float | None:
     """What a sign in front of a number makes of it; None where that is no number that is kept."""
     if op == "-":
         return None if value > -SMALLEST_INTEGER and isinstance(value, int) else -value
@@ -69,4 +73,4 @@ def folded(op: str, value: int | float) -> int | float | None:
     return None
 
 
-__all__ = ["LARGEST_INTEGER", "folded", "operator_text"]
+__all__ = ["BINARY", "BOOLEAN", "COMPARE", "LARGEST_INTEGER", "UNARY", "folded"]
