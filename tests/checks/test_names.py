@@ -222,6 +222,9 @@ ROBOT = """
 """
 
 
+FLEET = "from rmf_fleet_msgs.msg import PathRequest"
+
+
 def robot(*lines: str, top: str = "") -> str:
     return ROBOT.format(lines="\n            ".join(lines), top=top)
 
@@ -311,6 +314,7 @@ class TestHardcodedNamesOfOneClass:
             ("self.create_client(SpawnEntity, '/spawn_entity')  # here",),
             ("self.create_client(Empty, '/reset_world')  # here",),
             ("self.create_subscription(String, '/utlidar/cloud', print, 10)  # here",),
+            (f"{FLEET}; self.create_publisher(PathRequest, '/robot_path_requests', 10)  # here",),
             ("self.create_subscription(String, '/scanner_sdk_node/words', print, 10)  # here",),
         ],
         ids=[
@@ -319,6 +323,7 @@ class TestHardcodedNamesOfOneClass:
             "Gazebo's by its type",
             "a service of Gazebo's for all robots",
             "Unitree's",
+            "Open-RMF's by its type",
             "below the name of a node from elsewhere",
         ],
     )
@@ -326,6 +331,15 @@ class TestHardcodedNamesOfOneClass:
         [found] = judge("NME001", robot(*lines))
 
         assert found.severity is Severity.INFO
+
+    def test_types_of_another_system_between_nodes_of_the_workspace(self, judge: Judge):
+        talker = robot("self.create_publisher(PathRequest, '/plan', 10)  # here")
+        listener = robot("self.create_subscription(PathRequest, '/plan', print, 10)  # here").replace(
+            "robot'", "fleet'"
+        )
+        found = judge("NME001", talker, listener)
+
+        assert [one.severity for one in found] == [Severity.WARNING, Severity.WARNING]
 
     @pytest.mark.parametrize(
         "lines",

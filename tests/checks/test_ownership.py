@@ -558,7 +558,7 @@ def test_one_node_may_be_asked_by_several(
     assert [one.severity for one in found] == ([] if severity is None else [severity])
 
 
-@pytest.mark.parametrize(("module", "expected"), [("two", [Severity.INFO]), ("one", [Severity.WARNING])])
+@pytest.mark.parametrize(("module", "expected"), [("two", []), ("one", [Severity.WARNING])])
 def test_a_script_that_has_the_name_of_an_executable(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, module: str, expected: list[Severity]
 ):
@@ -678,3 +678,105 @@ def test_a_publisher_whose_program_never_publishes(tmp_path, monkeypatch, use: s
     report = check(Request((".",), load(tmp_path), cached=False, jobs=1))
 
     assert [one.severity for one in report.findings] == severity
+
+
+SWITCHED = """
+import rclpy
+from rclpy.node import Node
+from std_msgs.msg import Bool
+
+
+class Lidar(Node):
+    def __init__(self):
+        super().__init__('lidar')
+        self.declare_parameter('publish_estop', {default})
+        self.on = bool(self.get_parameter('publish_estop').value)
+        self.pub = self.create_publisher(Bool, 'estop', 10)
+        self.create_timer(1.0, self.tick)
+
+    def tick(self):
+        near = self.get_clock().now().nanoseconds % 2 == 0
+        {ask}
+            self.pub.publish(Bool(data=near))
+
+
+class App(Node):
+    def __init__(self):
+        super().__init__('app')
+        self.button = self.create_publisher(Bool, 'estop', 10)
+        self.create_timer(1.0, self.press)
+
+    def press(self):
+        self.button.publish(Bool(data=False))
+
+
+def one():
+    rclpy.init()
+    rclpy.spin(Lidar())
+
+
+def two():
+    rclpy.init()
+    rclpy.spin(App())
+"""
+SET_ESTOP = '<param name="publish_estop" value="{}"/>'
+
+
+@pytest.mark.parametrize(
+    ("default", "ask", "given", "severity"),
+    [
+        ("False", "if self.on and near:", "", Severity.INFO),
+        ("False", "if not self.on:\n            return\n        if near:", "", Severity.INFO),
+        ("False", "if self.on and near:", SET_ESTOP.format("false"), Severity.INFO),
+        ("False", "if self.on and near:", SET_ESTOP.format("true"), Severity.WARNING),
+        ("True", "if self.on and near:", "", Severity.WARNING),
+        ("False", "if self.on or near:", "", Severity.WARNING),
+        ("False", "if not self.on:", "", Severity.WARNING),
+    ],
+)
+def test_a_publisher_that_a_parameter_turns_on(
+    tmp_path, monkeypatch, default: str, ask: str, given: str, severity: Severity
+):
+    monkeypatch.chdir(tmp_path)
+    files = {
+        "package.xml": PACKAGE.strip(),
+        "setup.py": SETUP.replace("demo.one:main", "demo.both:one").replace("demo.two:main", "demo.both:two"),
+        "demo/__init__.py": "",
+        "demo/both.py": SWITCHED.replace("{default}", default).replace("{ask}", ask),
+        "launch/all.launch.xml": LAUNCH.format(
+            f'<node pkg="demo" exec="one">{given}</node><node pkg="demo" exec="two"/>'
+        ),
+        "archlint.toml": 'select = ["OWN001"]',
+    }
+    for name, text in files.items():
+        (tmp_path / name).parent.mkdir(exist_ok=True)
+        (tmp_path / name).write_text(text)
+
+    [found] = check(Request((".",), load(tmp_path), cached=False, jobs=1)).findings
+
+    assert found.severity == severity
+    assert ("(/lidar if its parameter 'publish_estop' is set)" in found.message) == (severity is Severity.INFO)
+
+
+@pytest.mark.parametrize("beside", [True, False], ids=["a script that nothing installs", "two executables"])
+def test_who_runs_a_loose_script_knows_what_else_runs(tmp_path, monkeypatch, beside: bool):
+    monkeypatch.chdir(tmp_path)
+    start = "\n\nif __name__ == '__main__':\n    main()\n"
+    files = {
+        "demo/package.xml": PACKAGE.strip(),
+        "demo/setup.py": SETUP,
+        "demo/demo/__init__.py": "",
+        "demo/demo/one.py": NODE.format(name="One", tick=SAYS, more="pass", topic="goal") + start,
+        f"{'demo/tools' if beside else 'demo/demo'}/two.py": NODE.format(
+            name="Two", tick=SAYS, more="pass", topic="goal"
+        )
+        + start,
+        "archlint.toml": 'select = ["OWN001"]',
+    }
+    for name, text in files.items():
+        (tmp_path / name).parent.mkdir(parents=True, exist_ok=True)
+        (tmp_path / name).write_text(text)
+
+    findings = check(Request((".",), load(tmp_path), cached=False, jobs=1)).findings
+
+    assert [one.severity for one in findings] == ([] if beside else [Severity.INFO])

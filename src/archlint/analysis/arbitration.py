@@ -61,15 +61,20 @@ def speaks_once(system: System, owner: Endpoint) -> bool:
 def never_speaks(owner: Endpoint) -> bool:
     """Whether the program that runs a publisher's node comes to none of the calls that publish with it: only methods do
     so that this program never calls, and that nobody else gets hold of."""
+    calls = publishes_with(owner)
+    return bool(calls) and all(call.context.role == "method" for call in calls)
+
+
+def publishes_with(owner: Endpoint) -> list[ApiCall]:
+    """The calls of its node's program that publish with a publisher; none where others may do so, too."""
     node, program = owner.node.blueprint, owner.node.program
     if node is None or program is None or node.escapes or not node.complete:
-        return False
-    calls = [
+        return []
+    return [
         call
         for call in program.calls
         if call.api == _PUBLISH and any(one.place == owner.place for one in creations_of(call.receiver))
     ]
-    return bool(calls) and all(call.context.role == "method" for call in calls)
 
 
 @once
@@ -224,4 +229,4 @@ def _gives(node: Node) -> frozenset[_Word]:
     )
 
 
-__all__ = ["never_speaks", "speaks_once", "take_turns"]
+__all__ = ["never_speaks", "publishes_with", "speaks_once", "take_turns"]

@@ -28,7 +28,7 @@ def is_behind_its_setter(code: SourceCode, wait: ApiCall, setting: Sequence[ApiC
     if _is_cleared(code, wait) or not setting:
         return False
     places = (wait.place, *(frame.place for frame in wait.chain))
-    asked = {name for place in places for name in _asked_before(code.body_at(place), place)}
+    asked = {name for place in places for name in asked_before(code.body_at(place), place)}
     asked -= _assigned_elsewhere(code, wait, setting)
     return all(asked & set(_assigned(statements_of(code.body(one), facts.Assign))) for one in setting)
 
@@ -64,7 +64,7 @@ def _assigned(assigns: Iterable[facts.Assign]) -> Iterator[str]:
             )
 
 
-def _asked_before(body: Sequence[facts.Stmt], place: Place) -> Iterator[str]:
+def asked_before(body: Sequence[facts.Stmt], place: Place) -> Iterator[str]:
     """The names that must be something, not None, for a function to get to a place."""
     graph = graph_of(body)
     for edge in graph.outcomes(graph.evaluating(place.span)):
@@ -100,4 +100,4 @@ def _is_none(value: facts.Expr) -> bool:
     return isinstance(value, facts.Literal) and value.value is None
 
 
-__all__ = ["is_behind_its_setter"]
+__all__ = ["asked_before", "is_behind_its_setter"]

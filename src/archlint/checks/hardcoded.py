@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 from archlint.analysis.aside import is_not_installed
 from archlint.analysis.completeness import enclosing_class
 from archlint.analysis.fixed_names import is_of_a_model, must_be_absolute
+from archlint.analysis.kept import once
 from archlint.analysis.name_sites import sites_of_name
 from archlint.branches import exclusive
 from archlint.checks.folding import all_sites, folds
@@ -46,8 +47,20 @@ FIXED_BY_OTHERS = {
     "/utlidar/": "Unitree",
 }
 """Systems outside of ROS that one robot or one simulation has one of, and whose bridges choose these names."""
-_TYPES_OF_OTHERS = {"gazebo_msgs/srv/": "Gazebo"}
-"""Types of services that only such a system offers: ``/spawn_entity`` of gazebo_ros, one for all robots."""
+_TYPES_OF_OTHERS = {
+    "ardupilot_msgs/": "ArduPilot",
+    "carla_msgs/": "CARLA",
+    "gazebo_msgs/srv/": "Gazebo",
+    "mavros_msgs/": "MAVROS",
+    "px4_msgs/": "PX4",
+    "rmf_": "Open-RMF",
+    "ros_gz_interfaces/srv/": "Gazebo",
+    "unitree_api/": "Unitree",
+    "unitree_go/": "Unitree",
+    "unitree_hg/": "Unitree",
+}
+"""Interfaces that only such a system speaks: ``/spawn_entity`` of gazebo_ros is one for all robots, and Open-RMF's
+``/robot_path_requests`` (of ``rmf_fleet_msgs``) one for the whole site."""
 
 _BY_CODE = frozenset({"literal", "format"})
 _NAMES_SHOWN = 3
@@ -201,7 +214,7 @@ def _reason(workspace: WorkspaceIndex | None, endpoint: Endpoint, users: int) ->
     node, name = endpoint.node, endpoint.written or ""
     if not name.startswith("/"):
         return _RELATIVE
-    owner = _owner(name, endpoint.type or "")
+    owner = _owner(workspace, endpoint)
     if owner is not None:
         return _of_others(owner)
     if is_of_a_model(workspace, name):
@@ -219,11 +232,27 @@ def _reason(workspace: WorkspaceIndex | None, endpoint: Endpoint, users: int) ->
     return _by_namespace(workspace, node)
 
 
-def _owner(name: str, type_: str) -> str | None:
-    """The system outside of ROS that fixes a name, if one does."""
-    by_name = (owner for prefix, owner in FIXED_BY_OTHERS.items() if name.startswith(prefix))
-    by_type = (owner for prefix, owner in _TYPES_OF_OTHERS.items() if type_.startswith(prefix))
-    return next(iter((*by_name, *by_type)), None)
+def _owner(workspace: WorkspaceIndex | None, endpoint: Endpoint) -> str | None:
+    """The system outside of ROS that fixes a name, if one does: by the name, or by its type where no other node of the
+    workspace is at the other end, so that it is that system which is spoken with."""
+    name, type_ = endpoint.written or "", endpoint.type or ""
+    for prefix, owner in FIXED_BY_OTHERS.items():
+        if name.startswith(prefix):
+            return owner
+    if workspace is not None and name in _spoken_here(workspace):
+        return None
+    return next((owner for prefix, owner in _TYPES_OF_OTHERS.items() if type_.startswith(prefix)), None)
+
+
+@once
+def _spoken_here(workspace: WorkspaceIndex) -> frozenset[str]:
+    """The names that a node of the workspace provides and another uses."""
+    return frozenset(
+        connection.name
+        for system in workspace.systems
+        for connection in (*system.topics.values(), *system.services.values(), *system.actions.values())
+        if any(user.node is not provider.node for user in connection.users for provider in connection.providers)
+    )
 
 
 def _private_to_foreign_node(workspace: WorkspaceIndex | None, name: str) -> bool:

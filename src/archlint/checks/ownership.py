@@ -3,17 +3,19 @@
 from __future__ import annotations
 
 import posixpath
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from archlint.analysis.arbitration import take_turns
+from archlint.analysis.aside import is_not_installed
 from archlint.analysis.coexistence import (
     has_launch_files,
 )
 from archlint.analysis.happenings import are_requests, tell_what_happened
 from archlint.analysis.owners import run_together, several_owners
 from archlint.analysis.sharing import are_words, is_bus, is_state
+from archlint.analysis.switched_off import switch_of
 from archlint.checks.folding import folds
 from archlint.checks.owner_findings import all_of, finding_for_owners
 from archlint.checks.registry import Options, rule
@@ -48,7 +50,10 @@ def _is_meant(system: System, connection: Connection, owners: list[Endpoint]) ->
     if is_bus(system.workspace, connection, owners) or tell_what_happened(system, owners) or are_requests(connection):
         return True
     if not run_together(system, owners) and (
-        has_launch_files(system) or _says_what_happens(connection.name) or _are_exercises(owners)
+        has_launch_files(system)
+        or _says_what_happens(connection.name)
+        or _are_exercises(owners)
+        or any(is_not_installed(system.workspace, end.place.file) for end in owners)  # each is run by hand
     ):
         return True
     return take_turns(system, owners)
@@ -71,16 +76,24 @@ def _are_exercises(owners: Sequence[Endpoint]) -> bool:
 
 
 def _of_topic(system: System, connection: Connection, owners: list[Endpoint]) -> Finding:
+    switches = {end.node.name: switch for end in owners if (switch := switch_of(system, end)) is not None}
     found = finding_for_owners(
         "OWN001",
         system,
         owners,
-        f"{all_of(owners)} publish the topic '{connection.name}'",
+        f"{all_of(owners)} publish the topic '{connection.name}'{_if_set(switches)}",
         f"publishes '{connection.name}' here",
         "give each its own topic and let one node arbitrate, or list the topic under shared-topics if it is meant "
         "to be shared",
     )
-    return found if _is_obeyed(connection, owners) else replace(found, severity=Severity.INFO)
+    silent = len(owners) - len(switches) < 2
+    return found if _is_obeyed(connection, owners) and not silent else replace(found, severity=Severity.INFO)
+
+
+def _if_set(switches: Mapping[str | None, str]) -> str:
+    """What must be set for some of the nodes to publish."""
+    conditions = [f"{node} if its parameter '{switches[node]}' is set" for node in sorted(switches, key=str)]
+    return f" ({', '.join(conditions)})" if conditions else ""
 
 
 def _is_obeyed(connection: Connection, owners: list[Endpoint]) -> bool:
