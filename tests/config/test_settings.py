@@ -10,8 +10,9 @@ import pytest
 from archlint import rulebook
 from archlint.checks.registry import rule
 from archlint.checks.scope import Scope
+from archlint.config.schema import ConfigurationFile
 from archlint.config.selection import Layer, resolve
-from archlint.config.settings import KEYS, ConfigurationError, Glob, Settings, load
+from archlint.config.settings import ConfigurationError, Glob, Settings, load
 from archlint.finding import Severity
 from archlint.rulebook import Rule
 from registering import only
@@ -146,7 +147,7 @@ def test_every_key_has_a_field():
     # `layers` of the settings are those of configuration; the key `layers` is about nodes.
     names = {"layers": None, "node_layers": "layers", "origins": None, "file": None}
     fields = {names.get(field, field.replace("_", "-")) for field in Settings.__dataclass_fields__} - {None}
-    assert set(KEYS) - {"extend", "select", "extend-select", "ignore"} == fields
+    assert set(ConfigurationFile.__struct_encode_fields__) - {"extend", "select", "extend-select", "ignore"} == fields
 
 
 def test_unset_distro_means_all_supported(folder: Path):
@@ -234,6 +235,12 @@ def test_options_of_a_rule(folder: Path):
         ),
         ("[rules.nested-call]\nx = 1", "unknown rule `nested-call`", 1),
         ("[rules.nested-service-call]\nx = 1", "SRV003 nested-service-call has no option `x`", 2),
+        ("[per-package-ignores]\na = ['TMO001']\nb = 3", "`per-package-ignores.b` must be a list of strings", 3),
+        ("[severity]\nTMO001 = 3", "`severity.TMO001` must be one of info, warning, error", 2),
+        ("layers = { order = 'a' }", "`layers.order` must be a list of strings, not a string", 1),
+        ("rules = { SRV003 = [] }", "`rules.SRV003` must be a table, not a list", 1),
+        ("[rules]\nSRV003 = 1", "`rules.SRV003` must be a table, not a number", 2),
+        ("contracts = [3]", "`contracts` must be a list of tables, each headed by [[contracts]]", 1),
         ("select = [", "not valid TOML", 1),
         ("extend = 'no.toml'", "`extend` names a file that does not exist: no.toml", 1),
     ],
@@ -385,3 +392,26 @@ def test_a_path_that_is_none_is_told(folder: Path, key: str):
 
 def test_a_file_that_is_too_large_is_no_configuration(folder: Path):
     assert "the file is too large: the limit is 1000 kB" in complaint(folder, "#" * 1_000_001)
+
+
+# --- contracts: a table of several with one name
+
+
+def test_the_line_is_that_of_the_contract_which_is_wrong(folder: Path):
+    first = "[[contracts]]\nname = 'a'\nkind = 'forbid'\nfrom = '/a'\nto = '/b'\n"
+    assert complaint(folder, f"{first}\n[[contracts]]\nname = 'b'\nkind = 'forbid'\nfrom = 3\n").startswith(
+        "archlint.toml:10: `contracts.from` must be a string or a list of strings, not a number"
+    )
+    assert complaint(folder, f"{first}[[contracts]]\nname = 'b'\n").startswith(
+        "archlint.toml:6: this contract has no `kind`"
+    )
+    depth = "kind = 'qos'\ntopic = '/a'\ndepth = [1, -2]\n"
+    assert complaint(folder, f"{first}[[contracts]]\nname = 'b'\n{depth}").startswith(
+        "archlint.toml:10: `contracts.depth` must be a number of messages, or a list of numbers"
+    )
+
+
+@pytest.mark.parametrize("nodes", ["[]", "'/a'", "['/a']"])
+def test_independence_is_between_two_groups_or_more(folder: Path, nodes: str):
+    contract = f"[[contracts]]\nname = 'a'\nkind = 'independent'\nnodes = {nodes}\n"
+    assert "`contracts.nodes` must be a list of two groups or more" in complaint(folder, contract)
