@@ -15,9 +15,10 @@ import pytest
 
 import archlint
 from archlint.cli import main
-from archlint.config.settings import Settings
+from archlint.config.settings import Settings, load
 from archlint.engine import findings
 from archlint.engine.pipeline import Request, check
+from robot_package import TALKER, write_robot
 
 ROOT = Path(__file__).parents[2]
 WORKSPACES = [ROOT / "fixtures" / name for name in ("launched", "lesson_extended", "alternatives")]
@@ -169,3 +170,21 @@ def test_no_module_has_a_container_to_be_filled():
                     if CONTAINER.fullmatch(ast.unparse(value)):
                         filled.setdefault(file, set()).add(ast.unparse(name))
     assert not filled
+
+
+def test_what_two_copies_of_a_package_show_is_said_once(tmp_path: Path, monkeypatch: pytest.MonkeyPatch):
+    write_robot(tmp_path / "src/robot", **{"robot/talker.py": TALKER.replace("'chatter'", "'/said'")})
+    write_robot(tmp_path / "vendor/robot", **{"robot/talker.py": "\n" + TALKER.replace("'chatter'", "'/said'")})
+    (tmp_path / "archlint.toml").write_text('select = ["NME001"]')
+    monkeypatch.chdir(tmp_path)
+
+    def told() -> list[tuple[str, list[str]]]:
+        report = check(Request((".",), load(tmp_path), cached=False, jobs=1))
+        assert report.summary.warnings == len(report.findings)
+        return [(one.place.file, [related.place.file for related in one.related]) for one in report.findings]
+
+    assert told() == [("src/robot/robot/talker.py", ["vendor/robot/robot/talker.py"])]
+    # Another name, or another file, is another finding.
+    changed = tmp_path / "vendor/robot/robot/talker.py"
+    changed.write_text(changed.read_text().replace("/said", "/told"))
+    assert [file for file, _ in told()] == ["src/robot/robot/talker.py", "vendor/robot/robot/talker.py"]

@@ -17,7 +17,7 @@ from archlint.engine.inputs import is_input, is_of_package, known_files, parts_o
 from archlint.engine.judging import judge_alternatives
 from archlint.engine.loading import as_asked_for, systems_of
 from archlint.engine.looked_at import followed_in_part, for_ros1, without_start
-from archlint.engine.merging import folded, merged
+from archlint.engine.merging import folded, merged, once_for_copies
 from archlint.engine.request import NothingToDo, Request
 from archlint.faults import Faults
 from archlint.finding import Place, Related
@@ -50,11 +50,12 @@ def judged_in_parts(request: Request, workspace: Workspace, facts: FactsOfFiles,
     if not judged:
         assert refused is not None
         raise refused
-    return judged[0] if len(judged) == 1 else _joined(judged)
+    return judged[0] if len(judged) == 1 else _joined(judged, workspace)
 
 
-def _joined(judged: Sequence[Judged]) -> Judged:
-    findings = sorted(dict.fromkeys(f for one in judged for f in one.findings), key=lambda finding: finding.sort_key)
+def _joined(judged: Sequence[Judged], workspace: Workspace) -> Judged:
+    every = sorted(dict.fromkeys(f for one in judged for f in one.findings), key=lambda finding: finding.sort_key)
+    findings = once_for_copies(every, workspace.packages)
     summary = summarise(
         findings,
         files=sum(one.summary.files for one in judged),

@@ -2,11 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections import Counter
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
+from typing import TYPE_CHECKING
 
+from archlint.checks.folding import all_sites
 from archlint.checks.registry import registered, registered_folds
-from archlint.finding import Finding
+from archlint.finding import Finding, Related
+
+if TYPE_CHECKING:
+    from archlint.workspace.model import Package
 
 
 def merged(findings: Iterable[Finding]) -> Iterator[Finding]:
@@ -60,3 +66,30 @@ def folded(findings: Iterable[Finding]) -> list[Finding]:
         found = ordered[0] if len(ordered) == 1 else folds[ordered[0].code](ordered)
         alone.append(replace(found, group=()))
     return alone
+
+
+def once_for_copies(findings: Iterable[Finding], packages: Sequence[Package]) -> list[Finding]:
+    """The findings with one for what a file of a package and its twin in a copy of that package both show."""
+    several = {name for name, count in Counter(package.name for package in packages).items() if count > 1}
+    folders = {package.relative: package.name for package in packages if package.name in several}
+    rows: dict[tuple[object, ...], list[Finding]] = {}
+    for number, one in enumerate(findings):
+        folder = _innermost(folders, one.place.file)
+        twin = (number,) if folder is None else (folders[folder], one.place.file[len(folder) :])
+        rows.setdefault((one.code, one.severity, one.message, *twin), []).append(one)
+    told = [one for row in rows.values() for one in _of_copies(row, folders)]
+    return sorted(told, key=lambda finding: finding.sort_key)
+
+
+def _of_copies(row: Sequence[Finding], folders: Mapping[str, str]) -> Sequence[Finding]:
+    """One finding for those of several copies; what one copy says several times stays."""
+    first = row[0]
+    if len({_innermost(folders, one.place.file) for one in row}) < len(row) or len(row) == 1:
+        return row
+    copies = (Related(one.place, "the same in a copy of this package") for one in row[1:])
+    return [replace(first, related=(*first.related, *copies), sites=all_sites(row))]
+
+
+def _innermost(folders: Mapping[str, str], file: str) -> str | None:
+    """The package folder that a file is in, of those that have copies."""
+    return max((folder for folder in folders if file.startswith(f"{folder}/")), key=len, default=None)
