@@ -13,6 +13,7 @@ from archlint.checks.scope import Scope
 from archlint.config.filters import Filters
 from archlint.config.options import options_for
 from archlint.engine import suppressions
+from archlint.engine.half_ported import as_information, half_ported, with_reason
 from archlint.engine.inputs import is_input, is_of_package, known_files, parts_of, python_files, refuse_nothing
 from archlint.engine.judging import judge_alternatives
 from archlint.engine.loading import as_asked_for, systems_of
@@ -79,10 +80,12 @@ def _judged(request: Request, workspace: Workspace, facts: FactsOfFiles, tree: S
     found.extend(unreadable(*problem) for problem in launch_files.problems())
     by_file.update(launch_files.suppressions())
     found.extend(failure(fault) for fault in faults.found())
+    old = half_ported(workspace, known, facts)
+    found = as_information(found, old)
     outcome = suppressions.apply(_wanted(found, request.settings, workspace), by_file)
     stale = suppressions.stale(outcome.unused, _ran(request, systems))
     kept = [*outcome.kept, *suppressions.apply(_wanted(stale, request.settings, workspace), by_file).kept]
-    whole = folded(dict.fromkeys(kept))
+    whole = with_reason(folded(dict.fromkeys(kept)), old)
     findings = sorted(whole, key=lambda finding: finding.sort_key)
     shown = [as_asked_for(request, systems[0], workspace)]
     summary = summarise(

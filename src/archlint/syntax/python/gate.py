@@ -44,11 +44,12 @@ class Refusal:
     message: str
 
 
-_ROS1_WORDS = (b"rospy", b"roslib", b"actionlib", b"dynamic_reconfigure")
+ROS1_MODULES = ("rospy", "roslib", "actionlib", "dynamic_reconfigure")
+"""Python modules that only ROS 1 has."""
+_ROS1_WORDS = tuple(name.encode() for name in ROS1_MODULES)
+_ANY_OF_ROS1 = b"|".join(_ROS1_WORDS)
 _ROS1_IMPORT = re.compile(
-    rb"^[ \t]*(?:from[ \t]+(?:rospy|roslib|actionlib|dynamic_reconfigure)\b|"
-    rb"import[ \t]+[^\n#]*\b(?:rospy|roslib|actionlib|dynamic_reconfigure)\b)",
-    re.MULTILINE,
+    rb"^[ \t]*(?:from[ \t]+(?:%b)\b|import[ \t]+[^\n#]*\b(?:%b)\b)" % (_ANY_OF_ROS1, _ANY_OF_ROS1), re.MULTILINE
 )
 _ROS2_WORD = re.compile(rb"\brclpy\b")
 
