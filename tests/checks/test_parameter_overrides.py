@@ -326,3 +326,38 @@ def test_the_help_leaves_out_what_an_inherited_method_would_declare(findings):
 
 def test_a_value_for_what_an_inherited_method_may_declare_is_not_reported(findings):
     assert findings("{'names': ['a']}", talker=HELPERS) == []
+
+
+ASKS_FIRST = """\
+import rclpy
+from rclpy.node import Node
+BASE
+
+class Talker(Base):
+    def __init__(self):
+        super().__init__('talker')
+        self.declare_parameter('gain', 1.0)
+
+def is_simulated():
+    helper = rclpy.create_node('asks_for_the_clock')
+    found = helper.has_parameter('use_sim_time')
+    helper.destroy_node()
+    return found
+
+def main():
+    rclpy.init()
+    simulated = is_simulated()
+    rclpy.spin(Talker())
+"""
+
+
+@pytest.mark.parametrize(
+    ("base", "told"),
+    [
+        ("class Base(Node):\n    pass", ["/talker declares none of these 2 parameters"]),
+        ("from drivers.base import Base", []),  # it may declare both
+    ],
+)
+def test_a_node_that_is_gone_before_the_one_that_stays_gets_no_parameters(findings, base: str, told: list[str]):
+    found = findings("{'speed': 1.0, 'frame': 'map'}", talker=ASKS_FIRST.replace("BASE", base))
+    assert [one.message.partition(",")[0] for one in found] == told

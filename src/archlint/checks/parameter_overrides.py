@@ -36,7 +36,9 @@ def unknown_parameter_override(system: System, options: Options) -> Iterator[Fin
         if declared is None or not declares_all(system.workspace, node.blueprint) or not followed(node):
             continue
         siblings = [other for other in system.entries if other.started is node.started and other is not node]
-        others = [declared_by(other) for other in siblings]
+        if _is_gone_before(node, siblings):
+            continue  # what the launch file sets is for the node that the process is there for
+        others = [_declared_in_sight(system.workspace, other) for other in siblings]
         for setting in settings:
             if setting.name in declared or always_declared(setting.name) or setting.shared:
                 continue
@@ -65,6 +67,19 @@ def unknown_parameter_override(system: System, options: Options) -> Iterator[Fin
                 taken_apart.setdefault((node.name, setting.place.file, name, place), (node, []))[1].append(setting)
     for (_, _, name, place), (node, parts) in taken_apart.items():
         yield _taken_apart(node, name, place or parts[0].place, parts)
+
+
+def _is_gone_before(node: Node, siblings: Sequence[Node]) -> bool:
+    """Whether a process destroys a node, a helper's that only asks something, before it makes its others."""
+    ends = [blueprint.destroyed_at for blueprint in node.blueprints]
+    later = [blueprint.number for other in siblings for blueprint in other.blueprints]
+    return any(end is not None and number >= end for end in ends for number in later)
+
+
+def _declared_in_sight(workspace: WorkspaceIndex | None, node: Node) -> dict[str, list[ParameterDeclaration]] | None:
+    """The declarations of a node by name; None where it may have others, from a base class that is not known, say."""
+    whole = all(declares_all(workspace, blueprint) for blueprint in node.blueprints) and followed(node)
+    return declared_by(node) if whole else None
 
 
 class _Bundles:
