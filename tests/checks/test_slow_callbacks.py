@@ -26,6 +26,11 @@ def timer(body: str) -> str:
         pytest.param("[time.sleep(0.01) for _ in range(9)]", [], id="a few moments"),
         pytest.param("for _ in range(9):\n        time.sleep(0.01)", [], id="a few moments in a loop"),
         pytest.param("for _ in range(90):\n        time.sleep(0.01)", ["EXE003"], id="many moments in a loop"),
+        pytest.param("for each in self.few:\n        time.sleep(0.05)", [], id="a moment for each of two"),
+        pytest.param(
+            "for each in self.few.values():\n        time.sleep(0.3)", ["EXE003"], id="longer for each of two"
+        ),
+        pytest.param("for each in self.many:\n        time.sleep(0.05)", ["EXE003"], id="a moment for each of many"),
         pytest.param("for byte in self.pause:\n        time.sleep(0.001)", [], id="a pause between bytes"),
         pytest.param("for step in self.pause:\n        time.sleep(0.5)", ["EXE003"], id="a pause between steps"),
         pytest.param("time.sleep(self.pause)", ["EXE003"], id="nobody knows how long"),
@@ -42,7 +47,9 @@ def timer(body: str) -> str:
     ],
 )
 def test_what_counts_as_slow(run: Run, body: str, expected: list[str]):
-    found = codes(run(source("self.pause = load_pause()\n" + TIMER, timer(body))))
+    fields = "self.pause = load_pause()\nself.few = {}\nself.few['left'] = 1\nself.few['right'] = 2\n"
+    fields += "self.many = ['left']\nself.many.append('right')\n"
+    found = codes(run(source(fields + TIMER, timer(body))))
     assert [code for code in found if code != "EXE005"] == expected
 
 
@@ -80,6 +87,85 @@ def test_what_is_always_left_is_no_loop(run: Run, after: str, expected: list[str
         "def pause(self):\n    time.sleep(0.05)\n"
     )
     assert codes(run(source("self.items = load()\n" + TIMER, method))) == expected
+
+
+def test_the_sleeps_of_a_loop_that_is_known_are_summed_up(run: Run):
+    body = "for each in self.sides:\n        time.sleep(0.5)"
+    [found] = run(source("self.sides = ('left', 'right')\n" + TIMER, timer(body)))
+    assert "sleeps for 0.5 s in each iteration of a loop, up to 1 s in all" in found.message
+
+
+START = """
+def begin(self):
+    {first}
+    self.start()
+
+def start(self):
+    if not self.client.wait_for_service(timeout_sec=10.0):
+        return
+    self.get_logger().info('started')
+
+def stop(self):
+    self.timer.cancel()
+"""
+
+
+@pytest.mark.parametrize(
+    ("first", "expected"),
+    [
+        pytest.param("pass", ["EXE003"], id="again and again"),
+        pytest.param("self.timer.cancel()", [], id="cancelled before"),
+        pytest.param("self.destroy_timer(self.timer)", [], id="destroyed before"),
+        pytest.param("self.stop()", [], id="cancelled in a method"),
+        pytest.param("if self.count_publishers('a'): self.timer.cancel()", ["EXE003"], id="perhaps cancelled"),
+        pytest.param("self.start(); self.timer.cancel()", ["EXE003"], id="too late"),
+    ],
+)
+def test_a_timer_that_has_ended_itself_has_no_next_turn(run: Run, first: str, expected: list[str]):
+    create = "self.client = self.create_client(Trigger, 'a')\nself.timer = self.create_timer(2.0, self.begin)\n"
+    found = [one for one in run(source(create, START.format(first=first))) if one.code == "EXE003"]
+    assert [one.code for one in found] == expected
+    beside = "self.create_subscription(Empty, 'beside', print, 10)\n"
+    assert "EXE003" in codes(run(source(create + beside, START.format(first=first))))
+
+
+PATROL = """
+def begin(self):
+    {first}
+    self.send()
+
+def send(self):
+    if not self.client.wait_for_service(timeout_sec=5.0):
+        return
+    self.client.call_async(Trigger.Request()).add_done_callback(self.done)
+
+def done(self, future):
+    {then}
+"""
+
+
+@pytest.mark.parametrize(
+    ("first", "then", "expected"),
+    [
+        pytest.param("pass", "pass", ["EXE003"], id="one wait"),
+        pytest.param("if not self.client.wait_for_service(timeout_sec=1.0): return", "pass", [], id="found before"),
+        pytest.param("if not self.client.service_is_ready(): return", "pass", [], id="ready before"),
+        pytest.param("if self.client.wait_for_service(timeout_sec=1.0) is False: return", "pass", [], id="compared"),
+        pytest.param("if not (self.patient and self.client.service_is_ready()): return", "pass", [], id="and more"),
+        pytest.param("if not (self.patient or self.client.service_is_ready()): return", "pass", ["EXE003"], id="or"),
+        pytest.param("if self.client.service_is_ready(): return", "pass", ["EXE003"], id="the other way round"),
+        pytest.param("if not self.client.service_is_ready(): print()", "pass", ["EXE003"], id="it goes on anyway"),
+        pytest.param("if not self.other.service_is_ready(): return", "pass", ["EXE003"], id="another server"),
+        pytest.param("if not self.client.service_is_ready(): return", "self.send()", [], id="it has answered"),
+        pytest.param("if not self.client.service_is_ready(): return", "self.timer = self.create_timer(1.0, self.send)",
+                     ["EXE003"], id="later"),
+    ],
+)  # fmt: skip
+def test_a_second_wait_for_the_same_server_costs_nothing(run: Run, first: str, then: str, expected: list[str]):
+    create = "self.client = self.create_client(Trigger, 'a')\nself.other = self.create_client(Trigger, 'b')\n"
+    create += "self.patient = load_patience()\n"
+    found = codes(run(source(create + TIMER.replace("tick", "begin"), PATROL.format(first=first, then=then))))
+    assert [code for code in found if code == "EXE003"] == expected
 
 
 def test_a_callback_alone_in_its_group_holds_up_nobody_under_several_threads(run: Run):

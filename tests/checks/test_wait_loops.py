@@ -35,6 +35,43 @@ def script(*lines: str) -> str:
     return SCRIPT.format(lines="\n        ".join(lines))
 
 
+LISTED = """
+    import rclpy
+    from std_srvs.srv import Trigger
+
+
+    def main():
+        rclpy.init()
+        node = rclpy.create_node('script')
+        {names}
+            {make}
+            client = node.create_client(Trigger, name)
+            while not client.wait_for_service(timeout_sec=1.0):{here}
+                print('waiting')
+
+
+    if __name__ == '__main__':
+        main()
+"""
+
+
+@pytest.mark.parametrize(
+    ("names", "make", "reported"),
+    [
+        ("for name, kinds in node.get_service_names_and_types():", "print(kinds)", False),
+        ("for found in node.get_service_names_and_types():", "name = found[0]", False),
+        ("for name in [n for n, _ in node.get_service_names_and_types()]:", "print(name)", False),
+        ("for name, kinds in node.get_service_names_and_types():", "name = f'{name}/reset'", True),
+        ("for name, kinds in node.get_service_names_and_types():", "name = name + '/reset'", True),
+        ("for name, kinds in node.get_node_names_and_namespaces():", "print(kinds)", True),
+        ("for name in input().split():", "print(name)", True),
+    ],
+    ids=["each", "an item", "chosen", "made of it", "joined", "nodes", "anything"],
+)
+def test_a_service_that_ros_has_named_is_there(judge: Judge, names: str, make: str, reported: bool):
+    judge("TMO004", LISTED.format(names=names, make=make, here="  # here" if reported else ""))
+
+
 @pytest.mark.parametrize(
     "lines",
     [

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from typing import TYPE_CHECKING
 
+from archlint.analysis.collection_sizes import most_items
 from archlint.syntax import facts
 from archlint.syntax.control_flow import graph_of, loop_of
 from archlint.syntax.parts import names_in
@@ -37,7 +38,7 @@ def in_loops(
     seconds = stay.seconds
     loops = [code.loop_at(place) for place in call.loops]
     for loop, limit in reversed(tuple(zip(loops, call.limits, strict=True))):
-        seconds = seconds * _times(loop, unknown) if limit is None else max(seconds, limit)
+        seconds = seconds * _times(code, call.file, loop, unknown) if limit is None else max(seconds, limit)
     for place in call.enclosing_loops[: max(0, len(call.enclosing_loops) - len(call.loops))]:
         seconds *= _rounds_at(code, place) if with_callers else math.inf
     seconds = seconds if stay.seconds > 0 else 0.0
@@ -49,23 +50,23 @@ def in_loops(
 def _rounds_at(code: SourceCode, place: Place) -> float:
     """How often the ``for`` of a caller goes round; for all that is not known, without end."""
     loop = code.loop_at(place)
-    return math.inf if loop is None or loop.tests else _times(loop, math.inf)
+    return math.inf if loop is None or loop.tests else _times(code, place.file, loop, math.inf)
 
 
-def _times(loop: Loop | None, unknown: float) -> float:
-    """How often a loop goes round at most."""
-    if loop is None:
+def _times(code: SourceCode, file: str, loop: Loop | None, unknown: float) -> float:
+    """How often a loop of a file goes round at most."""
+    found = code.facts_at(file)
+    if loop is None or found is None:
         return math.inf
     if loop.tests:
         return 1.0 if not _RUNS_EMPTY.isdisjoint(names_in(loop.tests)) else math.inf
     match loop.head:
-        case facts.Sequence(elements=elements):
-            return len(elements)
         case facts.Call(args=given) as call if given and called_name(call) == "range":
             bounds = [one.value.value for one in given if isinstance(one.value, facts.Literal)]
             numbers = [bound for bound in bounds if isinstance(bound, int)]
             return len(range(*numbers)) if len(numbers) == len(given) else unknown
-    return unknown
+    items = most_items(loop.head, found)
+    return unknown if items is None else items
 
 
 def is_retry(code: SourceCode, call: ApiCall) -> bool:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from archlint.analysis.kept import once
+from archlint.analysis.own_timers import ENDS_TIMER
 from archlint.analysis.polling import is_unguarded, notes_that_it_ran
 from archlint.analysis.reach import (
     argument,
@@ -21,14 +22,13 @@ if TYPE_CHECKING:
 
 _OFTEN_S = 1.0
 """The longest period of a timer whose ticks are said to come often."""
-_ENDS_TIMER = ("rclpy.timer.Timer.cancel", "rclpy.node.Node.destroy_timer")
 
 
 @once
 def piling_up(system: System) -> list[Wait]:
     """The waits of timers in reentrant groups that a late answer multiplies, a thread a tick, until none is left."""
     code = source_code(system)
-    stopped = {call.context.place for _, call in calls_of(system, _ENDS_TIMER)}
+    stopped = {call.context.place for _, call in calls_of(system, ENDS_TIMER)}
     return [wait for wait in threaded_waits(system) if wait.call.context.place not in stopped and _outruns(code, wait)]
 
 

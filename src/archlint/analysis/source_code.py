@@ -49,6 +49,11 @@ class SourceCode:
             return facts.Call(written.value, [], written.span)
         return written if isinstance(written, facts.Call) else None
 
+    def call_at(self, place: Place) -> facts.Call | None:
+        """The call that fills a place."""
+        written = self._spot(place).written
+        return written if isinstance(written, facts.Call) else None
+
     def arguments(self, call: ApiCall) -> Sequence[facts.Argument]:
         """The arguments of a call as they are written."""
         expression = self.expression(call)

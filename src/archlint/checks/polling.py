@@ -6,6 +6,7 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from archlint.analysis.callback_roles import callback_words, related_to, runs_in_executor
+from archlint.analysis.own_timers import ENDS_TIMER
 from archlint.analysis.polling import is_unguarded, is_unpaced, notes_that_it_ran, sends_the_same
 from archlint.analysis.reach import (
     calls_of,
@@ -26,7 +27,6 @@ if TYPE_CHECKING:
     from archlint.systems.model import System
 
 _REQUESTS = ("rclpy.client.Client.call", "rclpy.client.Client.call_async")
-_ENDS_TIMER = ("rclpy.timer.Timer.cancel", "rclpy.node.Node.destroy_timer")
 
 # --------------------------------------------------------------------------------------------------- SRV004
 
@@ -35,7 +35,7 @@ _ENDS_TIMER = ("rclpy.timer.Timer.cancel", "rclpy.node.Node.destroy_timer")
 def service_for_continuous_data(system: System, options: Options) -> Iterator[Finding]:
     """Requests that are sent again and again without an occasion."""
     code = source_code(system)
-    stopped = {call.context.place for _, call in calls_of(system, _ENDS_TIMER)}
+    stopped = {call.context.place for _, call in calls_of(system, ENDS_TIMER)}
     yield from one_for_each_place(
         _polled(system, program, call, how)
         for program, call in calls_of(system, _REQUESTS)

@@ -12,6 +12,8 @@ from archlint.analysis.aside import is_not_installed
 from archlint.analysis.callback_roles import callback_words, related_to, runs_in_executor
 from archlint.analysis.deadlock import threads_of
 from archlint.analysis.loop_times import around_future, in_loops
+from archlint.analysis.own_timers import ends_its_timer_before
+from archlint.analysis.present_servers import is_there
 from archlint.analysis.processes import ends_with_the_node, is_told_to_end
 from archlint.analysis.reach import argument, creations_of, judged_calls, node_name, one_for_each_place
 from archlint.analysis.sleeps import Stay, stay_of
@@ -70,7 +72,7 @@ def slow_callback(system: System, options: Options) -> Iterator[Finding]:
     found = [
         sorted(rows.values(), key=_longest_first)
         for rows in functions.values()
-        if not all(_is_left_alone(source_code(system), program, call, stay) for program, call, stay in rows.values())
+        if not all(_is_left_alone(system, program, call, stay) for program, call, stay in rows.values())
     ]
     mixed = {id(call.context) for rows in found for _, call, stay in rows[:1] if stay.kind != "network"}
     yield from one_for_each_place(_slow(system, rows, id(rows[0][1].context) not in mixed) for rows in found)
@@ -87,12 +89,12 @@ _UNSEEN = 1.0
 """Seconds that a sleep is taken for whose time is not known."""
 
 
-def _is_left_alone(code: SourceCode, program: Program, call: ApiCall, stay: Stay) -> bool:
+def _is_left_alone(system: System, program: Program, call: ApiCall, stay: Stay) -> bool:
     """Whether nothing at all waits but the callback's own next turn, and a timer that is late loses nothing."""
-    period = _period(call.context)
+    period = _period(system, call)
     if call.context.role not in _LOSES_NOTHING or (period is not None and (stay.seconds or 0.0) > period):
         return False
-    return _waiting(code, call, program) == _NOBODY
+    return _waiting(source_code(system), call, program) == _NOBODY
 
 
 _LOSES_NOTHING = frozenset({Role.TIMER, Role.EXECUTE, Role.SERVICE})
@@ -113,6 +115,7 @@ def _stays(system: System) -> Iterator[_Row]:
             continue
         if (
             is_told_to_end(code, call, stay)
+            or (stay.kind == "discovery" and is_there(system, call))
             or ends_with_the_node(code, call, stay)
             or _is_no_program(system, call.context)
         ):
@@ -127,7 +130,7 @@ def _is_long(system: System, call: ApiCall, stay: Stay) -> bool:
         return False
     if stay.kind not in ("sleep", "process") or stay.seconds is None:
         return True
-    period, seconds = _period(call.context), in_loops(source_code(system), call, stay, with_callers=True)
+    period, seconds = _period(system, call), in_loops(source_code(system), call, stay, with_callers=True)
     return seconds > MOMENT or (period is not None and seconds > period)
 
 
@@ -139,8 +142,10 @@ def _trifle(call: ApiCall) -> bool:
     )
 
 
-def _period(callback: Callback) -> float | None:
-    return None if callback.creation is None else callback.creation.period
+def _period(system: System, call: ApiCall) -> float | None:
+    """The seconds after which a callback runs again; None where nobody knows, or where it has ended its own timer."""
+    creation = call.context.creation
+    return None if creation is None or ends_its_timer_before(system, call) else creation.period
 
 
 def _harmless(callback: Callback, program: Program) -> bool:
@@ -243,11 +248,11 @@ def _slow(system: System, rows: Sequence[_Row], only_network: bool) -> Finding:
     """The finding for a function; ``only_network`` where the callback waits for the network in all that it gets to."""
     (program, call, stay), *others = rows
     callback = call.context
-    period = _period(callback)
+    period = _period(system, call)
     if stay.kind == "sleep" and stay.seconds is not None and period is not None and stay.seconds > period:
         end = f", longer than its period of {period:g} s"
     else:
-        end = " in each iteration of a loop" if stay.kind == "sleep" and call.looped else ""
+        end = _of_loop(source_code(system), call, stay)
     if others:
         end += f", as {'does another line' if len(others) == 1 else f'do {len(others)} more lines'} of {call.function}"
     held_up = {_waiting(source_code(system), row[1], row[0]) for row in rows}
@@ -271,6 +276,14 @@ def _slow(system: System, rows: Sequence[_Row], only_network: bool) -> Finding:
         group=_cause(callback, only_network),
     )
     return replace(found, severity=Severity.INFO) if mild else found
+
+
+def _of_loop(code: SourceCode, call: ApiCall, stay: Stay) -> str:
+    if stay.kind != "sleep" or not call.looped:
+        return ""
+    seconds = in_loops(code, call, stay, with_callers=True)
+    in_all = "" if math.isinf(seconds) or stay.seconds == seconds else f", up to {seconds:.3g} s in all"
+    return f" in each iteration of a loop{in_all}"
 
 
 def _cause(callback: Callback, only_network: bool) -> tuple[str, ...]:

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 
 from archlint.analysis.callback_roles import runs_in_executor
 from archlint.analysis.left_over import is_dead, is_never_made
+from archlint.analysis.present_servers import is_there
 from archlint.analysis.reach import calls_of, creations_of, endpoint_words, has_limit, node_name
 from archlint.analysis.source_code import source_code
 from archlint.analysis.stuck import clients_of_handlers
@@ -33,6 +34,8 @@ def endless_wait_loop(system: System, options: Options) -> Iterator[Finding]:
         if not (call.api in READY or has_limit(call, "timeout_sec")) or not only_the_server_ends(code.loop(call)):
             continue
         if is_dead(system.workspace, program, call) or is_never_made(system.workspace, call):
+            continue
+        if is_there(system, call):
             continue
         if not program.refused.isdisjoint(code.calls_in(call.loops[-1])):
             continue  # an error ends the loop

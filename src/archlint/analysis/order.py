@@ -1,0 +1,83 @@
+"""What comes before a call on every way to it, in the function around it or in those that lead there."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from typing import TYPE_CHECKING
+
+from archlint.syntax import facts
+from archlint.syntax.control_flow import graph_of
+from archlint.syntax.flow_graph import without_exceptions
+
+if TYPE_CHECKING:
+    from archlint.analysis.source_code import SourceCode
+    from archlint.finding import Place
+    from archlint.model import ApiCall
+
+_Way = tuple["Place", ...]
+"""The calls that lead from the body of a callback to a call, that one last."""
+
+
+def ways_to(call: ApiCall) -> Iterator[_Way]:
+    """Each way from what runs to a call."""
+    for chain in (call.chain, *(other for other, _, _ in call.call_chains)):
+        yield (*(frame.place for frame in chain), call.place)
+
+
+def always_comes_before(code: SourceCode, first: ApiCall, later: ApiCall) -> bool:
+    """Whether a callback cannot get to a call without another one, be that in a function which it calls on its way."""
+    return all(any(_comes_before(code, way, other) for way in ways_to(first)) for other in ways_to(later))
+
+
+def _comes_before(code: SourceCode, first: _Way, later: _Way) -> bool:
+    shared = 0
+    while first[shared] == later[shared]:
+        shared += 1
+        if shared == min(len(first), len(later)):
+            return False
+    here, *inside = first[shared:]
+    return _dominates(code, here, later[shared]) and all(_always_runs(code, place) for place in inside)
+
+
+def _dominates(code: SourceCode, first: Place, later: Place) -> bool:
+    if first.file != later.file:
+        return False
+    graph = graph_of(code.body_at(later))
+    before, after = graph.evaluating(first.span), graph.evaluating(later.span)
+    return bool(before and after) and all(block not in before and graph.dominates(before, block) for block in after)
+
+
+def _always_runs(code: SourceCode, place: Place) -> bool:
+    """Whether a function that does not raise always comes to a place."""
+    graph = graph_of(code.body_at(place))
+    blocks = graph.evaluating(place.span)
+    return bool(blocks) and graph.post_dominates(blocks, graph.entry, without_exceptions)
+
+
+def certainly_true(code: SourceCode, way: Sequence[Place]) -> Iterator[tuple[str, facts.Call]]:
+    """The calls, each with its file, that have returned something true by the time a way is gone: ``if not
+    client.wait_for_service(1.0): return`` stands in front."""
+    for place in way:
+        graph = graph_of(code.body_at(place))
+        for edge in graph.outcomes(graph.evaluating(place.span)):
+            if edge.test is not None:
+                yield from ((place.file, call) for call in _true_calls(edge.test, edge.holds))
+
+
+def _true_calls(test: facts.Expr, holds: bool) -> Iterator[facts.Call]:
+    """The calls that are true where a condition comes out so."""
+    match test:
+        case facts.Unary(op="not"):
+            yield from _true_calls(test.operand, not holds)
+        case facts.Boolean() if (test.op == "and") is holds:
+            for value in test.values:
+                yield from _true_calls(value, holds)
+        case facts.Compare(ops=["==" | "is"], comparators=[facts.Literal(value=bool(wanted))]):
+            yield from _true_calls(test.left, wanted is holds)
+        case facts.Assigned():
+            yield from _true_calls(test.value, holds)
+        case facts.Call() if holds:
+            yield test
+
+
+__all__ = ["always_comes_before", "certainly_true", "ways_to"]
