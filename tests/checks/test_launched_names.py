@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from archlint.finding import Finding
+from archlint.finding import Finding, Severity
 from robot_package import SETUP, TALKER, UNDER_CONDITIONS, node
 
 XML = """
@@ -229,6 +229,20 @@ def test_the_name_to_write_in_the_namespace_that_the_launch_file_gives(findings,
     launch = "".join(node(**({"namespace": one} if one else {})) for one in namespaces)
     (found,) = findings("NME001", launch, **absolute(*names))
     assert found.help is not None and found.help.startswith(help)
+
+
+@pytest.mark.parametrize(
+    ("launch", "severity"),
+    [
+        (node('<remap from="/words" to="said"/>'), Severity.INFO),
+        (node('<remap from="/words" to="said"/>') + node(name="other"), Severity.WARNING),  # here it stays
+        (node('<remap from="words" to="said"/>', namespace="left"), Severity.WARNING),  # which is /left/words
+    ],
+)
+def test_a_name_that_every_launch_file_remaps(findings, launch: str, severity: Severity):
+    (found,) = findings("NME001", launch, **absolute("/words"))
+    assert found.severity is severity
+    assert ("remapped wherever a launch file starts the node" in found.message) is (severity is Severity.INFO)
 
 
 def test_the_namespace_that_an_including_file_gives(findings):

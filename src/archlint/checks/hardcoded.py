@@ -114,6 +114,13 @@ _NOT_INSTALLED = _Reason(
     "remove the leading '/' if the file is to be installed",
     Severity.INFO,
 )
+_REMAPPED = _Reason(
+    "remapped",
+    "absolute and fixed in the code",
+    ", and remapped wherever a launch file starts the node",
+    "remove the leading '/', so that the node's namespace applies without a remapping",
+    Severity.INFO,
+)
 _WITHOUT_PACKAGE = replace(_FIXED, effect=_NOT_INSTALLED.effect, severity=Severity.INFO)
 """For a script in a workspace that has no package."""
 
@@ -227,6 +234,8 @@ def _reason(workspace: WorkspaceIndex | None, endpoint: Endpoint, users: int) ->
         return None
     if users > 1:
         return _shared_by(users)
+    if _is_remapped(workspace, endpoint):
+        return _REMAPPED
     if is_not_installed(workspace, endpoint.place.file):
         return _NOT_INSTALLED if workspace is not None and workspace.manifests else _WITHOUT_PACKAGE
     return _by_namespace(workspace, node)
@@ -262,6 +271,15 @@ def _private_to_foreign_node(workspace: WorkspaceIndex | None, name: str) -> boo
     if not owner.endswith("_node") or not rest or workspace is None:
         return False
     return not any(owner in (node.name or "").split("/") for system in workspace.systems for node in system.nodes)
+
+
+def _is_remapped(workspace: WorkspaceIndex | None, endpoint: Endpoint) -> bool:
+    """Whether launch files start the node, and each gives the name another form; no namespace does that."""
+    blueprint = endpoint.node.blueprint
+    if workspace is None or blueprint is None:
+        return False
+    names = workspace.launched_names.get((key_of(blueprint), endpoint.kind, endpoint.place), frozenset())
+    return bool(names) and endpoint.written not in names
 
 
 def _by_namespace(workspace: WorkspaceIndex | None, node: Node) -> _Reason:
