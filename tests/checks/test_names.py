@@ -341,6 +341,11 @@ class TestHardcodedNamesOfOneClass:
 
         assert [one.severity for one in found] == [Severity.WARNING, Severity.WARNING]
 
+    def test_types_of_another_system_below_a_namespace_of_the_workspace(self, judge: Judge):
+        [found] = judge("NME001", robot("self.create_publisher(PathRequest, '/site_2/plan', 10)  # here", top=FLEET))
+
+        assert found.severity is Severity.WARNING
+
     @pytest.mark.parametrize(
         "lines",
         [

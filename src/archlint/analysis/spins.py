@@ -86,8 +86,16 @@ def is_left_to(call: ApiCall, spun: Blueprint | None, program: Program) -> bool:
     if spun is None or spun is call.context.node or not call.api.startswith("rclpy.spin"):
         return False
     uses = [use for use in program.executors if spun in use.nodes]
+    return is_spun_for_moments(spun, program) and all(spun in use.spells for use in uses)
+
+
+def is_spun_for_moments(spun: Blueprint, program: Program) -> bool:
+    """Whether a node's callbacks, and the answers to its requests, are taken only while some call spins it for them:
+    nothing runs them in between."""
+    uses = [use for use in program.executors if spun in use.nodes]
     return not any(
-        use.in_thread or spun not in use.spells or use.lasts_for(spun) == SpinDuration.TO_THE_END for use in uses
+        use.in_thread or use.lasts_for(spun) == SpinDuration.TO_THE_END or not (use.spun or spun in use.spells)
+        for use in uses
     )
 
 

@@ -20,14 +20,30 @@ from archlint.analysis.waits import Wait
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.finding import Finding
+from archlint.model import EntityKind, Role
 
 if TYPE_CHECKING:
+    from archlint.model import Callback, Creation
     from archlint.systems.model import System
 
-CONTINUE_WHEN_DONE = "send the request with call_async(), return, and continue in a done callback"
+_CONTINUE_WHEN_DONE = "send the request with call_async(), return, and continue in a done callback"
+_AWAIT = "make the execute callback async, and await {}: its goal goes on with the answer"
 _GROUP_HELP = (
-    "give the client its own callback group (callback_group=MutuallyExclusiveCallbackGroup()), or " + CONTINUE_WHEN_DONE
+    "give the client its own callback group (callback_group=MutuallyExclusiveCallbackGroup()), or "
+    + _CONTINUE_WHEN_DONE
 )
+
+_STORE = "store what arrives in an attribute and continue in the callback that receives it"
+_APART = "give the callback that sets the event a callback group of its own, and wait here with a timeout"
+
+
+def when_done(callback: Callback, client: Creation | None) -> str:
+    """How to get an answer without waiting for it.  An execute callback that returns has ended its goal; it holds no
+    callback group, so that it may await."""
+    if callback.role != Role.EXECUTE:
+        return _CONTINUE_WHEN_DONE
+    action = client is not None and client.kind == EntityKind.ACTION_CLIENT
+    return _AWAIT.format("send_goal_async(…)" if action else "call_async(…)")
 
 
 @rule("EXE002", scope=Scope.CODE)
@@ -75,7 +91,7 @@ def _stuck(code: str, system: System, wait: Wait, verdict: Verdict, options: Opt
     call, callback = wait.call, wait.call.context
     several = threads_of(callback.node, wait.program) == blocking.SEVERAL
     one_group = group_relation(callback.group, wait.client.group) == blocking.SAME
-    help_ = _GROUP_HELP if (wait.kind == blocking.AWAIT or several) and one_group else CONTINUE_WHEN_DONE
+    help_ = _GROUP_HELP if (wait.kind == blocking.AWAIT or several) and one_group else when_done(callback, wait.client)
     return finding(
         code,
         call.place,
@@ -108,8 +124,17 @@ def _deaf(system: System, wait: EventWait) -> Finding:
         "EXE002",
         call.place,
         f"{callback_words(callback)} waits for an event that {wait.setter.name} sets, and {end}: {wait.why}",
-        help="store what arrives in an attribute and continue in the callback that receives it",
+        help=_to_hear(wait),
         related=tuple(related_to(call, wait.program)),
         node=node_name(system, callback.node),
         identity=(callback.name, wait.setter.name, "event"),
     )
+
+
+def _to_hear(wait: EventWait) -> str:
+    """What to do: who answers a request or a goal must have heard before it returns."""
+    callback = wait.call.context
+    if callback.role not in (Role.SERVICE, Role.EXECUTE):
+        return _STORE
+    several = threads_of(callback.node, wait.program) == blocking.SEVERAL
+    return _APART if several else f"spin the node with a MultiThreadedExecutor, {_APART}"

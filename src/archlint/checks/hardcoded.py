@@ -48,11 +48,8 @@ FIXED_BY_OTHERS = {
 }
 """Systems outside of ROS that one robot or one simulation has one of, and whose bridges choose these names."""
 _TYPES_OF_OTHERS = {
-    "ardupilot_msgs/": "ArduPilot",
     "carla_msgs/": "CARLA",
     "gazebo_msgs/srv/": "Gazebo",
-    "mavros_msgs/": "MAVROS",
-    "px4_msgs/": "PX4",
     "rmf_": "Open-RMF",
     "ros_gz_interfaces/srv/": "Gazebo",
     "unitree_api/": "Unitree",
@@ -60,7 +57,8 @@ _TYPES_OF_OTHERS = {
     "unitree_hg/": "Unitree",
 }
 """Interfaces that only such a system speaks: ``/spawn_entity`` of gazebo_ros is one for all robots, and Open-RMF's
-``/robot_path_requests`` (of ``rmf_fleet_msgs``) one for the whole site."""
+``/robot_path_requests`` (of ``rmf_fleet_msgs``) one for the whole site.  MAVROS and PX4 are not among them: each
+vehicle has a namespace, which the workspace chooses, unless the name begins as theirs do by default."""
 
 _BY_CODE = frozenset({"literal", "format"})
 _NAMES_SHOWN = 3
@@ -243,12 +241,13 @@ def _reason(workspace: WorkspaceIndex | None, endpoint: Endpoint, users: int) ->
 
 def _owner(workspace: WorkspaceIndex | None, endpoint: Endpoint) -> str | None:
     """The system outside of ROS that fixes a name, if one does: by the name, or by its type where no other node of the
-    workspace is at the other end, so that it is that system which is spoken with."""
+    workspace is at the other end, so that it is that system which is spoken with.  A name below a namespace such as
+    ``/robot_1`` is the workspace's own choice."""
     name, type_ = endpoint.written or "", endpoint.type or ""
     for prefix, owner in FIXED_BY_OTHERS.items():
         if name.startswith(prefix):
             return owner
-    if workspace is not None and name in _spoken_here(workspace):
+    if name.rfind("/") > 0 or (workspace is not None and name in _spoken_here(workspace)):
         return None
     return next((owner for prefix, owner in _TYPES_OF_OTHERS.items() if type_.startswith(prefix)), None)
 

@@ -19,6 +19,7 @@ from archlint.analysis.reach import (
 from archlint.analysis.source_code import SourceCode, source_code
 from archlint.analysis.stuck import spoken_of
 from archlint.analysis.threads import is_daemon
+from archlint.analysis.unused_results import stands_alone
 from archlint.analysis.waits import other_arm_only_sends
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
@@ -113,7 +114,8 @@ def _help(code: SourceCode, call: ApiCall, spinner: str, distros: tuple[str, ...
     if spinner == _EXECUTOR:
         # rclpy's own function would take the node from its executor for good.
         return f"{sent} and executor.spin_until_future_complete(future, timeout_sec=2.0)"
-    if runs_in_executor(call.context) or (spinner == _UNKNOWN and not other_arm_only_sends(code, call)):
+    unread = spinner == _UNKNOWN and stands_alone(code, call)
+    if runs_in_executor(call.context) or (unread and not other_arm_only_sends(code, call)):
         return f"{sent} and continue in a done callback: future.add_done_callback(…)"
     if not goal and "humble" not in distros:
         return "call(request, timeout_sec=2.0)"

@@ -17,9 +17,11 @@ from archlint.analysis.reach import (
     related_creation,
 )
 from archlint.analysis.source_code import source_code
+from archlint.analysis.spins import is_spun_for_moments
 from archlint.analysis.stuck import nested_waits
 from archlint.analysis.unused_results import stands_alone
 from archlint.analysis.waits import BLOCKING_CALLS, Wait, waits
+from archlint.checks.nested_spins import OWN_EXECUTOR
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.checks.service_cycles import Edge, waits_behind
@@ -50,6 +52,7 @@ _BOUND = (
     "add a timeout: a timer in the client's callback group calls future.set_result(None), and the code after the "
     "await checks for None"
 )
+_SET_LIMIT = "set timeout_sec, and check future.done() afterwards"
 _GROUP = "give the client its own callback group (callback_group=MutuallyExclusiveCallbackGroup())"
 
 _Row = tuple[Wait, Verdict, "list[Wait]"]
@@ -182,9 +185,24 @@ def _help(
         if held_up and kept_apart:
             return _NOT_WITH_IT.format(_names_of(held_up))
         return _APART.format(service) if held_up else _KEEP.format(service)
+    if wait.kind == SPIN and _is_spun_here(wait):
+        return _of_a_node_apart(wait, verdict, service)
     if verdict.safe and wait.limited:
         return _IF_IT_CAN
     return _AWAIT.format("send_goal_async(…)" if wait.client.kind == EntityKind.ACTION_CLIENT else "call_async(…)")
+
+
+def _is_spun_here(wait: Wait) -> bool:
+    """Whether the client's node is another one, which runs only while something waits for it: no done callback is
+    called and nothing that is awaited goes on once the handler has returned."""
+    node = wait.client.node
+    return node is not wait.call.context.node and is_spun_for_moments(node, wait.program)
+
+
+def _of_a_node_apart(wait: Wait, verdict: Verdict, service: str) -> str:
+    if not verdict.safe:
+        return OWN_EXECUTOR.format(wait.call.api.rpartition(".")[2])
+    return _KEEP.format(service) if wait.limited else _SET_LIMIT
 
 
 def _other_handlers(first: Callback, waits: list[Wait]) -> Iterator[Related]:

@@ -19,7 +19,7 @@ from archlint.analysis.reach import (
 )
 from archlint.analysis.spins import is_left_to, is_spin_call, spun_node
 from archlint.analysis.stuck import nested_spins
-from archlint.checks.callback_waits import CONTINUE_WHEN_DONE
+from archlint.checks.callback_waits import when_done
 from archlint.checks.folding import folds
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
@@ -27,7 +27,7 @@ from archlint.finding import Finding, Related, Severity
 from archlint.model import Role
 
 if TYPE_CHECKING:
-    from archlint.model import ApiCall, Blueprint, Program
+    from archlint.model import ApiCall, Blueprint, Creation, Program
     from archlint.systems.model import System
 
 
@@ -59,7 +59,7 @@ def _nested_spin(system: System, program: Program, call: ApiCall, options: Optio
         "EXE001",
         call.place,
         f"{callback_words(call.context)} calls {function}(), and {verdict.why}: this {verdict.words}",
-        help=_instead_of_spinning(program, call, spun),
+        help=_instead_of_spinning(program, call, spun, client),
         related=tuple(related_to(call, program, client)),
         node=node_name(system, call.context.node),
         identity=(call.context.name, function),
@@ -68,12 +68,12 @@ def _nested_spin(system: System, program: Program, call: ApiCall, options: Optio
     yield replace(found, severity=Severity.WARNING) if verdict.safe else found
 
 
-def _instead_of_spinning(program: Program, call: ApiCall, spun: Blueprint | None) -> str:
+def _instead_of_spinning(program: Program, call: ApiCall, spun: Blueprint | None, client: Creation | None) -> str:
     """What to do; whoever spins in a loop waits for something, and the answer of a handler must wait for it, too."""
     if is_left_to(call, spun, program):
-        return _OWN_EXECUTOR.format(call.api.rpartition(".")[2])
+        return OWN_EXECUTOR.format(call.api.rpartition(".")[2])
     if argument(call, "future") is not None:
-        return CONTINUE_WHEN_DONE
+        return when_done(call.context, client)
     several = threads_of(call.context.node, program) == blocking.SEVERAL
     if call.looped and call.context.role == Role.EXECUTE:
         return _PAUSE if several else f"spin the node with a MultiThreadedExecutor, and {_PAUSE}"
@@ -82,7 +82,7 @@ def _instead_of_spinning(program: Program, call: ApiCall, spun: Blueprint | None
     return "return instead: the executor runs the other callbacks once this one has returned"
 
 
-_OWN_EXECUTOR = "add the other node to a SingleThreadedExecutor() of its own, and call that executor's {}() here"
+OWN_EXECUTOR = "add the other node to a SingleThreadedExecutor() of its own, and call that executor's {}() here"
 _PAUSE = "use time.sleep(…) instead: the executor's other threads keep running callbacks"
 _EVENT = "wait for a threading.Event with a timeout; put the callback that sets it into another callback group"
 
