@@ -71,6 +71,19 @@ def test_code_that_may_read_an_argument(index: Index, body: str, reads: bool):
     assert may_read_argument(index(**launch(body)), LAUNCH, "speed") is reads
 
 
+@pytest.mark.parametrize(
+    ("name", "text", "reads"),
+    [
+        ("it.launch.xml", "<launch><let name='v' value='$(var speed)'/></launch>\n", True),
+        ("it.launch.xml", "<launch><arg name='speed' default='1'/></launch>\n", False),
+        ("it.launch.yaml", "launch: [{'let': {'name': 'v', 'value': '$(var speed)'}}]\n", True),
+        ("it.launch.yaml", "launch: [{'let': {'name': 'v', 'value': 'speed'}}]\n", False),  # a text of YAML, and of Python, too
+    ],
+)
+def test_launch_files_that_are_no_python_are_read_as_texts(index: Index, name: str, text: str, reads: bool):
+    assert may_read_argument(index(**{f"launch/{name}": text}), f"launch/{name}", "speed") is reads
+
+
 def test_words_of_launch_files_and_actions_for_them(index: Index):
     actions = "import launch_ros\nEXECUTABLE = 'heavy'\n"
     workspace = index(**launch("a = 'ros2 run robot talker'"), **{"robot/actions.py": actions})

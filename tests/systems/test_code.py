@@ -84,6 +84,16 @@ def test_words_of_a_file(code: WorkspaceCode):
     assert not code.mentions("robot/gone.py", "rate")
 
 
+def test_only_python_has_facts():
+    """A launch file in YAML may well be an expression of Python, too."""
+    compiled: list[str] = []
+    launch = SourceFile("/w/it.launch.yaml", "it.launch.yaml", "launch_yaml", "robot", "")
+    script = SourceFile("/w/it.py", "it.py", "python", "robot", "it")
+    code = WorkspaceCode([launch, script], lambda file: compiled.append(file.relative))
+    assert code.facts_at("it.launch.yaml") is code.facts_at("it.py") is None
+    assert compiled == ["it.py"]
+
+
 def test_without_files_nothing_is_known():
     nothing = WorkspaceCode()
     assert nothing.facts_at("a.py") is None

@@ -8,6 +8,7 @@ from functools import cached_property
 from typing import TYPE_CHECKING
 
 from archlint.interpreter.modules import Module, ModuleIndex
+from archlint.workspace.model import PYTHON_KINDS
 from archlint.workspace.tree import NO_FILES
 
 if TYPE_CHECKING:
@@ -38,9 +39,9 @@ class WorkspaceCode:
         self._by_path = {file.relative: file for file in files}
 
     def facts_at(self, path: str) -> Facts | None:
-        """The facts of a file; None where it was not read."""
+        """The facts of a file; None where it was not read, or is no Python."""
         file = self._by_path.get(path)
-        return None if file is None else self._facts_of(file)
+        return None if file is None or file.kind not in PYTHON_KINDS else self._facts_of(file)
 
     def asked_for(self) -> list[tuple[SourceFile, Facts]]:
         """The files that were asked for and that can matter, with their facts."""
