@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from typing import TYPE_CHECKING
 
 from archlint.branches import UnfollowedCondition
@@ -20,7 +19,8 @@ from archlint.interpreter.values import (
     alternatives,
 )
 from archlint.launch.objects import LaunchObject, argument, kind_of, known_text, made_by_base, own_method
-from archlint.launch.shapes import OPAQUE, WHERE, shape_of
+from archlint.launch.shape import Shape
+from archlint.launch.shapes import shape_of
 from archlint.launch.substitutions.logic import truth_of
 from archlint.launch.tables import SUBSTITUTIONS
 from archlint.launch.verdict import ALWAYS, Verdict
@@ -123,15 +123,6 @@ def _arm_of_truth(run: LaunchRun, name: str, truth: bool) -> tuple[str, int]:
     return run.label((name, int(truth)), f"{run.shown(name)}:={str(truth).lower()}")
 
 
-_EQUALS = re.compile(r"""^\s*['"]?\0(?P<name>[^\0]+)\0['"]?\s*(?P<op>==|!=)\s*['"](?P<value>[^'"]*)['"]\s*$""")
-_PLAIN = re.compile(r"^\s*\0(?P<name>[^\0]+)\0\s*$")
-_ARGUMENT = re.compile(r"\0([^\0]+)\0")
-_FILE = re.compile(f"{WHERE}[^{WHERE}]*{WHERE}")
-_OPERANDS = re.compile(r"\0[^\0]+\0|\b(?:and|or|not)\b|[()]")
-"""What a test of truth values consists of."""
-_NOT = re.compile(r"^\s*not\s+\0(?P<name>[^\0]+)\0\s*$")
-
-
 def _branch(run: LaunchRun, expression: Value | None, expected: bool) -> tuple[str, int]:
     """The arm of an undecided test.  The same test elsewhere has the same branch."""
     arm = _arm(run, expression, expected)
@@ -141,34 +132,29 @@ def _branch(run: LaunchRun, expression: Value | None, expected: bool) -> tuple[s
 
 
 def _arm(run: LaunchRun, expression: Value | None, expected: bool) -> tuple[str, int]:
-    shape = "" if expression is None else shape_of(run, expression)
-    names = _ARGUMENT.findall(shape)
-    if all(map(run.is_open_argument, names)):
+    shape = Shape() if expression is None else shape_of(run, expression)
+    if all(map(run.is_open_argument, shape.arguments)):
         known = _known_form(run, shape, expected)
         if known is not None:
             return known
-        if not _OPERANDS.sub("", shape).strip():
-            for name in names:
+        if shape.is_about_truth:
+            for name in shape.arguments:
                 run.note_undecided(name, "true", "false")
-    arm = (UnfollowedCondition(f"({shape})"), int(expected))
-    if OPAQUE in shape:
+    arm = (UnfollowedCondition(f"({shape.key})"), int(expected))
+    if not shape.is_known:
         return arm
-    shown = _ARGUMENT.sub(lambda found: run.shown(found[1]), _FILE.sub("", shape))
-    return run.label(arm, f"{'' if expected else 'not '}({shown})")
+    return run.label(arm, f"{'' if expected else 'not '}({shape.written(run.shown)})")
 
 
-def _known_form(run: LaunchRun, shape: str, expected: bool) -> tuple[str, int] | None:
+def _known_form(run: LaunchRun, shape: Shape, expected: bool) -> tuple[str, int] | None:
     """The arm of a test of one argument: for its truth, or against one value."""
-    plain = _PLAIN.match(shape)
-    negated = _NOT.match(shape)
-    if plain is not None:
-        return _arm_of_truth(run, plain["name"], expected)
-    if negated is not None:
-        return _arm_of_truth(run, negated["name"], not expected)
-    equality = _EQUALS.match(shape)
+    if shape.truth is not None:
+        name, wanted = shape.truth
+        return _arm_of_truth(run, name, wanted is expected)
+    equality = shape.equality
     if equality is None:
         return None
-    return _arm_of_value(run, equality["name"], equality["value"], (equality["op"] == "==") is expected)
+    return _arm_of_value(run, equality.argument, equality.value, equality.equal is expected)
 
 
 def mistaken(run: LaunchRun, condition: Value) -> str | None:
