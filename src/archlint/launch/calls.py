@@ -34,7 +34,7 @@ def made_object(run: Run, call: ApiUse) -> LaunchObject:
     of the launch file's own code that it is made in."""
     made = launch_object(
         run.store.new_key(),
-        call.api.variant,
+        call.api.makes,
         run.place(call.expression.span) if call.expression is not None and run.activations else None,
         dict(call.arguments),
         places=argument_places(run, call.api, call.expression),
@@ -44,8 +44,13 @@ def made_object(run: Run, call: ApiUse) -> LaunchObject:
     )
     if isinstance(call.receiver, Instance):
         run.store.set(call.receiver.key, MADE_BY_BASE, made)  # super().__init__(…) of a class derived from an action
-    if call.api.variant == "LaunchDescription":
-        run.store.set(made.key, ENTITIES, _items(run, call.arguments.get("initial_entities")))
+    return made
+
+
+def _made_description(run: Run, call: ApiUse) -> LaunchObject:
+    """A ``LaunchDescription`` with its first actions."""
+    made = made_object(run, call)
+    run.store.set(made.key, ENTITIES, _items(run, call.arguments.get("initial_entities")))
     return made
 
 
@@ -60,12 +65,20 @@ def _items(run: Run, value: Value | None) -> Items:
 
 
 def _package_path(run: Run, call: ApiUse) -> Value:
-    return Unknown(SEARCH_PATHS if call.api.variant == "search paths" else "the path of an installed package")
+    return Unknown("the path of an installed package")
 
 
-SEARCH_PATHS = "the environment variable AMENT_PREFIX_PATH"
+def _search_paths(run: Run, call: ApiUse) -> Value:
+    return Unknown("the environment variable AMENT_PREFIX_PATH")
 
-EFFECTS = {"launch_object": made_object, "package_path": _package_path}
+
+EFFECTS = {
+    "launch_object": made_object,
+    "launch_description": _made_description,
+    "package_share": _package_path,
+    "package_prefix": _package_path,
+    "search_paths": _search_paths,
+}
 """By the names that the rows of launch's table have."""
 
 
@@ -175,4 +188,4 @@ def entities(run: Run, description: Instance) -> Value | None:
     return None if actions is None else containers.new_list(run, actions.values, "list", actions.open)
 
 
-__all__ = ["EFFECTS", "METHODS", "PLAIN", "SEARCH_PATHS", "UNDECIDED", "entities", "made_object", "note_given"]
+__all__ = ["EFFECTS", "METHODS", "PLAIN", "UNDECIDED", "entities", "made_object", "note_given"]

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import posixpath
+from collections.abc import Callable
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
@@ -47,25 +48,29 @@ def _launch_object(run: LaunchRun, call: ApiUse) -> LaunchObject:
     return made
 
 
-def _package_path(run: LaunchRun, call: ApiUse) -> Value:
+def _package_share(run: LaunchRun, call: ApiUse) -> Value:
     """``get_package_share_directory('pkg')``."""
-    if call.api.variant == "search paths":
-        return Unknown(calls.SEARCH_PATHS)
+    as_path = call.api.path.endswith("_path")
+    return _of_package(run, call, _share_as_path if as_path else package_share)
+
+
+def _share_as_path(package: str) -> Value:
+    return replace(package_share(package), kind="path")
+
+
+def _package_prefix(run: LaunchRun, call: ApiUse) -> Value:
+    """``get_package_prefix('pkg')``."""
+    return _of_package(run, call, package_prefix)
+
+
+def _of_package(run: LaunchRun, call: ApiUse, folder_of: Callable[[str], Value]) -> Value:
     options = alternatives(call.get("package_name") or Unknown("no package is given"))
-    return one_of(_path_of(call, run.perform(option)) for option in options)
+    names = [run.perform(option) for option in options]
+    texts = [(name, known_text(name)) for name in names]
+    return one_of(Unknown(reason(name)) if text is None else folder_of(text) for name, text in texts)
 
 
-def _path_of(call: ApiUse, name: Value) -> Value:
-    package = known_text(name)
-    if package is None:
-        return Unknown(reason(name))
-    if call.api.variant != "share":
-        return package_prefix(package)
-    share = package_share(package)
-    return replace(share, kind="path") if call.api.path.endswith("_path") else share
-
-
-EFFECTS = {"launch_object": _launch_object, "package_path": _package_path}
+EFFECTS = {"launch_object": _launch_object, "package_share": _package_share, "package_prefix": _package_prefix}
 
 
 def _perform_argument(

@@ -36,7 +36,7 @@ class LaunchLibrary(RosLibrary):
         {**_ROS.effects, **calls.EFFECTS},
         {**_ROS.methods, **calls.METHODS},
         {**_ROS.plain, **calls.PLAIN},
-        _ROS.bases | {"launch_object"},
+        _ROS.bases | {"launch_object", "launch_description"},
     )
 
     def attribute_of_object(self, value: Instance, cls: External, name: str) -> Value:

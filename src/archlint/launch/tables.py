@@ -9,6 +9,7 @@ from __future__ import annotations
 from functools import lru_cache
 
 from archlint.libraries.tables import Api
+from archlint.libraries.tables.api import EffectName
 
 _PROCESS = (
     "prefix cwd env additional_env output output_format respawn respawn_delay respawn_max_retries shell "
@@ -175,20 +176,20 @@ ALIASES = {
 
 _PACKAGES = ("launch", "launch_ros", "launch_xml", "launch_yaml", "nav2_common")
 
-FUNCTIONS = {
-    "ament_index_python.packages.get_package_share_directory": ("package_name", "share"),
-    "ament_index_python.get_package_share_directory": ("package_name", "share"),
-    "ament_index_python.packages.get_package_share_path": ("package_name", "share"),
-    "ament_index_python.get_package_share_path": ("package_name", "share"),
-    "ament_index_python.packages.get_package_prefix": ("package_name", "prefix"),
-    "ament_index_python.get_package_prefix": ("package_name", "prefix"),
-    "launch_ros.substitutions.FindPackageShare.find": ("package_name", "share"),
-    "ament_index_python.get_search_paths": ("", "search paths"),
-    "ament_index_python.packages.get_search_paths": ("", "search paths"),
-    "ament_index_python.search_paths.get_search_paths": ("", "search paths"),
+FUNCTIONS: dict[str, tuple[str, EffectName]] = {
+    "ament_index_python.packages.get_package_share_directory": ("package_name", "package_share"),
+    "ament_index_python.get_package_share_directory": ("package_name", "package_share"),
+    "ament_index_python.packages.get_package_share_path": ("package_name", "package_share"),
+    "ament_index_python.get_package_share_path": ("package_name", "package_share"),
+    "ament_index_python.packages.get_package_prefix": ("package_name", "package_prefix"),
+    "ament_index_python.get_package_prefix": ("package_name", "package_prefix"),
+    "launch_ros.substitutions.FindPackageShare.find": ("package_name", "package_share"),
+    "ament_index_python.get_search_paths": ("", "search_paths"),
+    "ament_index_python.packages.get_search_paths": ("", "search_paths"),
+    "ament_index_python.search_paths.get_search_paths": ("", "search_paths"),
     # Editors complete an import to the module of launch_ros that imports these two.
-    "launch_ros.substitutions.find_package.get_package_share_directory": ("package_name", "share"),
-    "launch_ros.substitutions.find_package.get_package_prefix": ("package_name", "prefix"),
+    "launch_ros.substitutions.find_package.get_package_share_directory": ("package_name", "package_share"),
+    "launch_ros.substitutions.find_package.get_package_prefix": ("package_name", "package_prefix"),
 }
 
 
@@ -199,8 +200,8 @@ def find(path: str) -> Api | None:
         return None
     top, _, rest = path.partition(".")
     if path in FUNCTIONS:
-        parameter, kind = FUNCTIONS[path]
-        return Api(path, parameter, effect="package_path", variant=kind)
+        parameter, folder = FUNCTIONS[path]
+        return Api(path, parameter, effect=folder)
     if top not in _PACKAGES or not rest:
         return None
     name = rest.rpartition(".")[2]
@@ -208,4 +209,5 @@ def find(path: str) -> Api | None:
     signature = SIGNATURES.get(name)
     if signature is None:
         return None
-    return Api(f"launch.{name}", signature, effect="launch_object", variant=name)
+    effect: EffectName = "launch_description" if name == "LaunchDescription" else "launch_object"
+    return Api(f"launch.{name}", signature, effect=effect, makes=name)

@@ -128,7 +128,7 @@ def _get_interface(run: Run, call: ApiUse) -> Value:
             found.append(Unknown("the interface is chosen at run time"))
             continue
         package, kind, name = match.groups()
-        found.append(External(f"{package}.{kind or call.api.variant}.{name}"))
+        found.append(External(f"{package}.{kind or call.api.makes}.{name}"))
     return one_of(found)
 
 
@@ -141,6 +141,7 @@ EFFECTS: dict[str, Effect] = {
     "timer": timers.timer,
     "rate": timers.rate,
     "transform_listener": transforms.transform_listener,
+    "static_transform_listener": transforms.static_transform_listener,
     "transform_buffer": transforms.transform_buffer,
     "parameter_client": parameter_clients.parameter_client,
     "destroy": entities.destroy,

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 from archlint import model
@@ -23,14 +24,24 @@ if TYPE_CHECKING:
     from archlint.libraries.run import Run
 
 
+_TOPICS: list[tuple[str, str, str, DefaultQos]] = [
+    ("tf_topic", "/tf", "qos", "tf"),
+    ("tf_static_topic", "/tf_static", "static_qos", "tf_static_listener"),
+]
+"""The parameter of each topic, its name, the parameter of its profile, and the profile of a call that is given none."""
+
+
 def transform_listener(run: Run, call: ApiUse) -> Value:
     """``TransformListener(buffer, node)`` subscribes to /tf and /tf_static in a reentrant group of its own."""
-    topics: list[tuple[str, str, str, DefaultQos]] = [
-        ("tf_topic", "/tf", "qos", "tf"),
-        ("tf_static_topic", "/tf_static", "static_qos", "tf_static_listener"),
-    ]
-    if call.api.variant == "static" or call.get("static_only") == Known(True):
-        topics = topics[-1:]
+    return _listener(run, call, _TOPICS[-1:] if call.get("static_only") == Known(True) else _TOPICS)
+
+
+def static_transform_listener(run: Run, call: ApiUse) -> Value:
+    """``StaticTransformListener(buffer, node)`` subscribes to /tf_static alone."""
+    return _listener(run, call, _TOPICS[-1:])
+
+
+def _listener(run: Run, call: ApiUse, topics: Sequence[tuple[str, str, str, DefaultQos]]) -> Value:
     made = []
     for blueprint in nodes.given_nodes(run, call.get("node")):
         for parameter, name, qos, default in topics:

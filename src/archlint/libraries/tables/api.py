@@ -18,6 +18,7 @@ EffectName = Literal[
     "timer",
     "rate",
     "transform_listener",
+    "static_transform_listener",
     "transform_buffer",
     "parameter_client",
     "destroy",
@@ -59,7 +60,10 @@ EffectName = Literal[
     "argument_parser",
     # launch's, whose tables and effects are its own
     "launch_object",
-    "package_path",
+    "launch_description",
+    "package_share",
+    "package_prefix",
+    "search_paths",
 ]
 """What the run does with a call: each is a function, which :mod:`archlint.libraries.offers` puts together."""
 
@@ -82,8 +86,8 @@ class Api:
     effect: EffectName = "none"
     kind: EntityKind | None = None
     """What it creates."""
-    variant: str = ""
-    """Tells calls with the same effect from each other, by the names that the effect knows."""
+    makes: str = ""
+    """The class of launch that it makes, or the kind of the interfaces that it gives where a name says none."""
     lifecycle: bool = False
     """True of what makes a lifecycle node."""
     executor: ExecutorKind | None = None

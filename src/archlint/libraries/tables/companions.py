@@ -55,8 +55,7 @@ ROWS = (
     Api(
         "tf2_ros.static_transform_listener.StaticTransformListener",
         "buffer node * spin_thread static_qos tf_static_topic",
-        effect="transform_listener",
-        variant="static",
+        effect="static_transform_listener",
         node="node",
         returns="tf2_ros.static_transform_listener.StaticTransformListener",
     ),

@@ -15,11 +15,11 @@ ROWS = (
     Api("rclpy.qos.QoSPresetProfiles.get_from_short_key", "name", effect="qos_preset"),
     Api("rclpy.duration.Duration", "* seconds nanoseconds", effect="duration"),
     # ---- interfaces by name
-    Api("rosidl_runtime_py.utilities.get_message", "identifier", effect="get_interface", variant="msg"),
-    Api("rosidl_runtime_py.utilities.get_service", "identifier", effect="get_interface", variant="srv"),
-    Api("rosidl_runtime_py.utilities.get_action", "identifier", effect="get_interface", variant="action"),
-    Api("rosidl_runtime_py.utilities.get_interface", "identifier", effect="get_interface", variant="any"),
-    Api("rosidl_runtime_py.get_interface", "identifier", effect="get_interface", variant="any"),
+    Api("rosidl_runtime_py.utilities.get_message", "identifier", effect="get_interface", makes="msg"),
+    Api("rosidl_runtime_py.utilities.get_service", "identifier", effect="get_interface", makes="srv"),
+    Api("rosidl_runtime_py.utilities.get_action", "identifier", effect="get_interface", makes="action"),
+    Api("rosidl_runtime_py.utilities.get_interface", "identifier", effect="get_interface", makes="any"),
+    Api("rosidl_runtime_py.get_interface", "identifier", effect="get_interface", makes="any"),
 )
 
 __all__ = ["ROWS"]
