@@ -74,6 +74,8 @@ def generate_launch_description():
         ("", "rate = rate_of(3)", "output='log'", 5),
         ("rate = RATE", "pass", "output='log'", 3),
         ("", "import os", "output=os.environ.get(OUTPUT)", 6),
+        ("", "with open('rate') as file: rate = file.read() or print(rates[0])", "output=str(RATE)", 6),
+        ("", "with open(folder) as file: print(file)", "output='log'", 5),
     ],
 )
 def test_a_name_that_nothing_defines_stops_the_launch(findings, above, line, argument, at):
@@ -96,6 +98,8 @@ def test_a_name_that_nothing_defines_stops_the_launch(findings, above, line, arg
         ("", "output: str = __file__", "output=output or other"),
         ("", "with open('x') as output: pass", "output=output"),
         ("", "(output := 'log')", "output=(lambda: later)() if False else output"),
+        ("try:\n    rate = RATE\nexcept NameError:\n    rate = 3", "pass", "output='log'"),
+        ("", "try: return LaunchDescription(load())\n    except NameError: pass", "output='log'"),
         ("import os.path", "if os.path.exists('x'): return None", "output=output"),
     ],
 )

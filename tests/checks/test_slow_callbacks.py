@@ -497,6 +497,8 @@ def test_the_request_may_say_how_long(run: Run):
         ("time.sleep(min(request.a, 0.5))", ""),
         ("time.sleep(max(0.0, min(float(request.a) / 10, 0.9)))", ""),
         ("time.sleep(min(request.a, 5.0))", "sleeps for up to 5 s"),
+        ("if request.a > 5:\n    return response\ntime.sleep(request.a)", "sleeps for up to 5 s"),
+        ("if request.a > 5:\n    print()\ntime.sleep(request.a)", "for as long as the request says"),
         ("time.sleep(min(request.a, request.b))", "for as long as the request says"),
         ("pause = abs(request.a) / 100 if abs(request.a) < 5 else 0.05\ntime.sleep(pause)", ""),
         ("if abs(request.a) < 5:\n    pause = abs(request.a) / 100\nelse:\n    pause = 0.05\ntime.sleep(pause)", ""),

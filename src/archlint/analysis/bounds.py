@@ -6,6 +6,8 @@ import math
 from collections.abc import Iterator, Sequence
 
 from archlint.syntax import facts
+from archlint.syntax.control_flow import graph_of
+from archlint.syntax.flow_graph import Block, reach
 from archlint.syntax.parts import names_in
 from archlint.syntax.walk import parts_of, statements_of
 
@@ -24,7 +26,10 @@ def most(expression: facts.Expr, body: Sequence[facts.Stmt], params: Sequence[fa
 
     Only what the function itself shows counts: literals, its variables, the conditions around their assignments.
     """
-    found = _Numbers(body, frozenset(param.name for param in params)).range_of(expression, (), _STEPS)
+    span: facts.Span | None = getattr(expression, "span", None)
+    numbers = _Numbers(body, frozenset(param.name for param in params))
+    tests = [] if span is None else numbers.tests_at(numbers.graph.evaluating(span))
+    found = numbers.range_of(expression, tests, _STEPS)
     return None if found is None or math.isinf(found[1]) else found[1]
 
 
@@ -32,6 +37,20 @@ class _Numbers:
     def __init__(self, body: Sequence[facts.Stmt], params: frozenset[str]) -> None:
         self._body = body
         self._params = params
+        self.graph = graph_of(body)
+
+    def tests_at(self, blocks: Sequence[Block]) -> list[_Test]:
+        """The conditions that still stand as they have come out where some blocks run: nothing on the way has set
+        anew what they ask for."""
+        outcomes = ((edge.test, edge.holds) for edge in self.graph.outcomes(blocks))
+        return [(test, holds) for test, holds in outcomes if test is not None and self._stands(test, blocks)]
+
+    def _stands(self, test: facts.Expr, blocks: Sequence[Block]) -> bool:
+        asks = [block for block in self.graph.blocks if any(edge.test is test for edge in block.edges)]
+        after = reach([edge.target for block in asks for edge in block.edges], avoiding=asks)
+        between = after & self.graph.before(blocks, avoiding=asks)
+        changed = {name for block in between for name in _names_changed(block.statement)}
+        return changed.isdisjoint(names_in(test))
 
     def range_of(self, e: facts.Expr, tests: Sequence[_Test], steps: int) -> _Range | None:
         """The least and the most, infinite where one is open; None where it need not be a number at all."""
@@ -85,49 +104,40 @@ class _Numbers:
 
     def _of_variable(self, name: str, steps: int) -> _Range | None:
         """Of all assignments to a variable together; each holds under the conditions around it."""
-        values = list(_assigned(name, self._body, ()))
+        assigned = [
+            (value, self.graph.of(statement))
+            for statement in statements_of(self._body)
+            for value in _values_of(name, statement)
+        ]
         walrus = parts_of(list(self._body), facts.Assigned)
-        if not values or any(value is None for value, _ in values) or any(name in names_in(w.target) for w in walrus):
+        if any(value is None for value, _ in assigned) or any(name in names_in(w.target) for w in walrus):
             return None
-        return _any_of([self.range_of(value, tests, steps - 1) for value, tests in values if value is not None])
+        ranges = [
+            self.range_of(value, self.tests_at(blocks), steps - 1)
+            for value, blocks in assigned
+            if value is not None and blocks
+        ]
+        return _any_of(ranges) if ranges else None
 
 
-def _assigned(
-    name: str, block: Sequence[facts.Stmt], tests: tuple[_Test, ...]
-) -> Iterator[tuple[facts.Expr | None, tuple[_Test, ...]]]:
-    """What is assigned to a variable, and under which conditions; None for what is not a plain assignment.
-
-    A condition is kept only where nothing in its branch sets what it asks for anew.
-    """
-    for statement in block:
-        match statement:
-            case facts.Assign():
-                for target in statement.targets:
-                    if target.variable == name:
-                        yield statement.value, tests
-                    elif name in names_in(target):
-                        yield None, ()
-            case facts.Annotated(value=value) if value is not None:
-                if statement.target.variable == name:
-                    yield value, tests
-            case _:
-                if name in _names_bound(statement):
-                    yield None, ()
-        if isinstance(statement, facts.If):
-            yield from _assigned(name, statement.body, _with(tests, statement.test, True, statement.body))
-            yield from _assigned(name, statement.orelse, _with(tests, statement.test, False, statement.orelse))
-        else:
-            for inner in statement.blocks:
-                yield from _assigned(name, inner, tests)
+def _values_of(name: str, statement: facts.Stmt) -> Iterator[facts.Expr | None]:
+    """What a statement itself assigns to a variable; None for what is not a plain assignment."""
+    match statement:
+        case facts.Assign():
+            for target in statement.targets:
+                if target.variable == name:
+                    yield statement.value
+                elif name in names_in(target):
+                    yield None
+        case facts.Annotated(value=value):
+            if value is not None and statement.target.variable == name:
+                yield value
+        case _:
+            if name in _names_bound(statement):
+                yield None
 
 
-def _with(tests: tuple[_Test, ...], test: facts.Expr, holds: bool, branch: Sequence[facts.Stmt]) -> tuple[_Test, ...]:
-    asked = names_in(test)
-    changed = {name for statement in statements_of(branch) for name in _names_changed(statement)}
-    return tests if not asked.isdisjoint(changed) else (*tests, (test, holds))
-
-
-def _names_changed(statement: facts.Stmt) -> frozenset[str]:
+def _names_changed(statement: facts.Stmt | None) -> frozenset[str]:
     """The variables that an assignment changes, be it an attribute of their object."""
     match statement:
         case facts.Assign(targets=targets):

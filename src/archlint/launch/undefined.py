@@ -6,8 +6,9 @@ import builtins
 from collections.abc import Iterator, Sequence
 
 from archlint.syntax import facts
+from archlint.syntax.control_flow import graph_of
+from archlint.syntax.flow_graph import Block, Kind, reach, without_exceptions
 from archlint.syntax.parts import everything_in
-from archlint.syntax.walk import statements_of
 
 _ALWAYS = frozenset(dir(builtins)) | {"__file__", "__name__", "__doc__", "__package__", "__spec__", "__loader__"}
 
@@ -58,20 +59,23 @@ def _bound_by(part: facts.Base) -> Sequence[str]:
 
 
 def _read(body: Sequence[facts.Stmt]) -> Iterator[facts.Name]:
-    """The names that a body reads whatever happens, as far as that is certain."""
-    for statement in body:
-        match statement:
-            case facts.Assign() | facts.Annotated() | facts.Augmented() | facts.Expression() | facts.Return():
-                yield from _names(statement.value)
-            case facts.If(test=test):
-                yield from _names(test)
-            case facts.For(iterable=iterable):
-                yield from _names(iterable)
-        if any(True for kind in (facts.Return, facts.Raise) for _ in statements_of([statement], kind)):
-            return
+    """The names that a body reads whatever happens, and where nothing catches a NameError."""
+    graph = graph_of(body)
+    for block in graph.blocks:
+        caught = reach([edge.target for edge in block.edges if edge.kind is Kind.RAISE]) - {graph.raised}
+        if caught.isdisjoint(graph.exits) and graph.post_dominates([block], graph.entry, without_exceptions):
+            yield from _names(_evaluated(block))
 
 
-def _names(value: facts.Expr | None) -> Iterator[facts.Name]:
+def _evaluated(block: Block) -> facts.Base | None:
+    """What a statement, or the head of one, evaluates first of all."""
+    match block.fact:
+        case facts.Assign() | facts.Annotated() | facts.Augmented() | facts.Expression() | facts.Return() as statement:
+            return statement.value
+    return None if block.fact is block.statement else block.fact
+
+
+def _names(value: facts.Base | None) -> Iterator[facts.Name]:
     """The names in an expression that are looked up whenever it is evaluated, in the order of the source."""
     stack: list[facts.Base] = [] if value is None else [value]
     while stack:
