@@ -23,6 +23,17 @@ def test_columns_are_as_wide_as_their_widest_text():
     assert list(cells.columns([["a", "机器人", "x"], ["long", "b", ""]])) == ["a     机器人  x", "long  b"]
 
 
+def test_a_column_is_no_wider_than_it_may_be():
+    rows = [["a", "x"], ["four", "y"], ["sevenxx", "z"]]
+    assert list(cells.columns(rows, 4)) == ["a     x", "four  y", "sevenxx  z"]
+    assert list(cells.columns([["sevenxx", "z"]], 4)) == ["sevenxx  z"]
+
+
+def test_colours_take_no_cells():
+    painted = [["\x1b[1ma\x1b[0m", "x"], ["four", "y"]]
+    assert list(cells.columns([["a", "x"], ["four", "y"]], painted=painted)) == ["\x1b[1ma\x1b[0m     x", "four  y"]
+
+
 def test_a_text_that_is_too_wide_is_left_as_it_is():
     assert cells.padded("机器人", 4) == "机器人"
     assert cells.padded("机器人", 8) == "机器人  "

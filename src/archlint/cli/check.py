@@ -31,15 +31,15 @@ from archlint.report.paths import folder_in_repository
 
 
 def parser() -> argparse.ArgumentParser:
-    made = Parser("check", "Find what is wrong between the nodes of a ROS 2 system and inside their callbacks.")
-    add_paths(made)
-    rules = made.add_argument_group(
+    parser = Parser("check", "Find what is wrong between the nodes of a ROS 2 system and inside their callbacks.")
+    add_paths(parser)
+    rules = parser.add_argument_group(
         "rules", "CODES: rule codes, prefixes such as SRV, names or ALL, separated by commas; repeatable"
     )
     rules.add_argument("--select", metavar="CODES", action="append", help="run these rules only")
     rules.add_argument("--extend-select", metavar="CODES", action="append", help="run these rules too")
     rules.add_argument("--ignore", metavar="CODES", action="append", help="do not run these rules")
-    output = made.add_argument_group("output")
+    output = parser.add_argument_group("output")
     formats = ", ".join(reports.FORMATS)
     output.add_argument("--format", metavar="F", choices=reports.FORMATS, default="text", help=f"one of {formats}")
     output.add_argument("-o", metavar="FILE", dest="file", help="write the findings to FILE")
@@ -52,11 +52,11 @@ def parser() -> argparse.ArgumentParser:
         help="write them to FILE in this format too; repeatable",
     )
     output.add_argument("--statistics", action="store_true", help="count the findings of each rule")
-    mending = made.add_argument_group("fixes")
+    mending = parser.add_argument_group("fixes")
     mending.add_argument("--fix", action="store_true", help="apply safe fixes")
     mending.add_argument("--unsafe-fixes", action="store_true", help="with --fix or --diff: unsafe fixes too")
     mending.add_argument("--diff", action="store_true", help="show what fixes would change, and write nothing")
-    levels = made.add_argument_group("exit status")
+    levels = parser.add_argument_group("exit status")
     levels.add_argument(
         "--severity",
         metavar="LEVEL",
@@ -65,12 +65,12 @@ def parser() -> argparse.ArgumentParser:
         help="the lowest severity that fails the run: info, warning (default) or error",
     )
     levels.add_argument("--exit-zero", action="store_true", help="findings do not fail the run")
-    add_launch(made)
-    add_observed(made)
-    add_configuration(made)
-    add_running(made)
-    add_talking(made)
-    return made
+    add_launch(parser)
+    add_observed(parser)
+    add_configuration(parser)
+    add_running(parser)
+    add_talking(parser)
+    return parser
 
 
 def _output(text: str) -> tuple[str, str]:

@@ -20,10 +20,10 @@ if TYPE_CHECKING:
 
 
 def parser() -> argparse.ArgumentParser:
-    made = Parser("config", "Print the effective configuration as TOML, with where each value came from.")
-    add_paths(made)
-    add_configuration(made)
-    return made
+    parser = Parser("config", "Print the effective configuration as TOML, with where each value came from.")
+    add_paths(parser)
+    add_configuration(parser)
+    return parser
 
 
 def run(arguments: argparse.Namespace) -> int:
@@ -72,14 +72,14 @@ def _architecture(settings: Settings) -> Iterator[tuple[str, object]]:
 def _toml(value: object) -> str:
     match value:
         case Mapping():
-            inner = ", ".join(f"{_toml(key)} = {_toml(one)}" for key, one in value.items())
+            inner = ", ".join(f"{_toml(key)} = {_toml(item)}" for key, item in value.items())
             return f"{{ {inner} }}" if inner else "{}"
         case Severity():
             return json.dumps(value.label)
         case Glob():
             return json.dumps(value.pattern)
         case list() | tuple():
-            return f"[{', '.join(_toml(one) for one in value)}]"
+            return f"[{', '.join(_toml(item) for item in value)}]"
     return json.dumps(value)
 
 

@@ -15,11 +15,11 @@ LEVELS = {"on": "on by default", "off": "opt-in", "closed-world": "on in a close
 
 
 def parser() -> argparse.ArgumentParser:
-    made = Parser("explain", "Print a rule's page: what it finds, why it matters, what to write instead.")
-    made.add_argument("rule", metavar="CODE", help="the code or the name of a rule")
-    made.add_argument("--all", action="store_true", help="show all examples, not only the first of each kind")
-    add_talking(made)
-    return made
+    parser = Parser("explain", "Print a rule's page: what it finds, why it matters, what to write instead.")
+    parser.add_argument("rule", metavar="CODE", help="the code or the name of a rule")
+    parser.add_argument("--all", action="store_true", help="show all examples, not only the first of each kind")
+    add_talking(parser)
+    return parser
 
 
 def run(arguments: argparse.Namespace) -> int:

@@ -34,7 +34,7 @@ def mend(request: Request, report: Report, unsafe: bool) -> Fixed:
     count = 0
     done: set[object] = set()
     for _ in range(ROUNDS):
-        wanted = [one for one in fixes.fixable(report.findings, unsafe) if _key(one) not in done]
+        wanted = [finding for finding in fixes.fixable(report.findings, unsafe) if _key(finding) not in done]
         outcome = fixes.apply(wanted)
         if not outcome.fixed:
             break
@@ -42,7 +42,7 @@ def mend(request: Request, report: Report, unsafe: bool) -> Fixed:
             fixes.write(outcome)
         except OSError as error:
             raise UsageError(f"cannot write {error.filename}: {error.strerror}") from None
-        done.update(_key(one) for one in outcome.fixed)
+        done.update(_key(finding) for finding in outcome.fixed)
         count += len(outcome.fixed)
         report = check(request)
     return Fixed(report, count)

@@ -32,9 +32,9 @@ if TYPE_CHECKING:
 
 
 def parser() -> argparse.ArgumentParser:
-    made = Parser("graph", "Draw which node talks to which, from the source alone.")
-    add_paths(made)
-    output = made.add_argument_group("output")
+    parser = Parser("graph", "Draw which node talks to which, from the source alone.")
+    add_paths(parser)
+    output = parser.add_argument_group("output")
     output.add_argument(
         "--format",
         metavar="F",
@@ -43,12 +43,12 @@ def parser() -> argparse.ArgumentParser:
     )
     output.add_argument("-o", metavar="FILE", dest="file", help="write to FILE; its suffix chooses the format")
     output.add_argument("--all", action="store_true", help="include what rclpy creates for every node, such as /rosout")
-    add_launch(made)
-    add_observed(made)
-    add_configuration(made)
-    add_running(made)
-    add_talking(made)
-    return made
+    add_launch(parser)
+    add_observed(parser)
+    add_configuration(parser)
+    add_running(parser)
+    add_talking(parser)
+    return parser
 
 
 def run(arguments: argparse.Namespace) -> int:

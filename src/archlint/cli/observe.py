@@ -19,12 +19,12 @@ The script needs rclpy and nothing else. Run it where ROS 2 is sourced while the
 
 
 def parser() -> argparse.ArgumentParser:
-    made = Parser("observe", "Print the script that records the graph of a running ROS 2 system.")
-    made.formatter_class = argparse.RawDescriptionHelpFormatter
-    made.epilog = _EPILOG
-    made.add_argument("--print-script", action="store_true", help="print the script")
-    made.add_argument("-o", metavar="FILE", dest="file", help="write it to FILE (default: standard output)")
-    return made
+    parser = Parser("observe", "Print the script that records the graph of a running ROS 2 system.")
+    parser.formatter_class = argparse.RawDescriptionHelpFormatter
+    parser.epilog = _EPILOG
+    parser.add_argument("--print-script", action="store_true", help="print the script")
+    parser.add_argument("-o", metavar="FILE", dest="file", help="write it to FILE (default: standard output)")
+    return parser
 
 
 def run(arguments: argparse.Namespace) -> int:

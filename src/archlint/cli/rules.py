@@ -13,9 +13,9 @@ from archlint.rulebook import Rule, rules
 
 
 def parser() -> argparse.ArgumentParser:
-    made = Parser("rules", "List every rule: its severity, whether it is on by default, what it finds.")
-    made.add_argument("--format", metavar="F", choices=("text", "json"), default="text", help="text or json")
-    return made
+    parser = Parser("rules", "List every rule: its severity, whether it is on by default, what it finds.")
+    parser.add_argument("--format", metavar="F", choices=("text", "json"), default="text", help="text or json")
+    return parser
 
 
 def run(arguments: argparse.Namespace) -> int:
@@ -26,7 +26,7 @@ def run(arguments: argparse.Namespace) -> int:
 
 def _text(book: list[Rule]) -> str:
     rows = [["code", "name", "severity", "default", "fix", "finds"]]
-    rows += [[one.code, one.name, one.severity.label, one.default, one.fix or "-", one.summary] for one in book]
+    rows += [[rule.code, rule.name, rule.severity.label, rule.default, rule.fix or "-", rule.summary] for rule in book]
     return "".join(f"{line}\n" for line in cells.columns(rows))
 
 

@@ -78,7 +78,7 @@ def _codes(selectors: tuple[str, ...]) -> set[str]:
 
 def _severities(settings: Settings) -> dict[str, Severity]:
     """Severity by code; the more specific selector wins."""
-    found: dict[str, Severity] = {}
+    severities: dict[str, Severity] = {}
     for selector, severity in sorted(settings.severity.items(), key=lambda entry: -len(codes_of(entry[0]))):
-        found.update(dict.fromkeys(codes_of(selector), severity))
-    return found
+        severities.update(dict.fromkeys(codes_of(selector), severity))
+    return severities

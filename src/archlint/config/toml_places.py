@@ -64,25 +64,25 @@ def _inside(entry: _Entry, element: str | None) -> TextSpan | None:
 
 
 def _entries(text: str) -> list[_Entry]:
-    found: list[_Entry] = []
+    entries: list[_Entry] = []
     table: KeyPath = ()
     depth, triple = 0, ""
     for number, line in enumerate(text.splitlines(), 1):
         if triple or depth:
-            found[-1].value.append((number, 0, line))
+            entries[-1].value.append((number, 0, line))
             depth, triple = _after(line, depth, triple)
             continue
         header, assignment = _HEADER.match(line), _ASSIGNMENT.match(line)
         if header:
             table = _split(header[1])
-            found.append(_Entry(table, number, (header.start(1) + 1, header.end(1) + 1)))
+            entries.append(_Entry(table, number, (header.start(1) + 1, header.end(1) + 1)))
         elif assignment:
             columns = (assignment.start(1) + 1, assignment.end(1) + 1)
             end = assignment.end()
             value = line[end:]
-            found.append(_Entry(table + _split(assignment[1]), number, columns, [(number, end, value)]))
+            entries.append(_Entry(table + _split(assignment[1]), number, columns, [(number, end, value)]))
             depth, triple = _after(value, 0, "")
-    return found
+    return entries
 
 
 def _after(line: str, depth: int, triple: str) -> tuple[int, str]:

@@ -55,17 +55,17 @@ def judged_in_parts(request: Request, workspace: Workspace, facts: FactsOfFiles,
 
 
 def _joined(judged: Sequence[Judged], workspace: Workspace) -> Judged:
-    every = sorted(dict.fromkeys(f for one in judged for f in one.findings), key=lambda finding: finding.sort_key)
+    every = sorted(dict.fromkeys(f for part in judged for f in part.findings), key=lambda finding: finding.sort_key)
     findings = once_for_copies(every, workspace.packages)
     summary = summarise(
         findings,
-        files=sum(one.summary.files for one in judged),
-        nodes=sum(one.summary.nodes for one in judged),
-        suppressed=sum(one.summary.suppressed for one in judged),
-        unresolved=sum(one.summary.unresolved for one in judged),
+        files=sum(part.summary.files for part in judged),
+        nodes=sum(part.summary.nodes for part in judged),
+        suppressed=sum(part.summary.suppressed for part in judged),
+        unresolved=sum(part.summary.unresolved for part in judged),
         elapsed_s=0.0,
     )
-    return Judged(findings, summary, list(dict.fromkeys(notice for one in judged for notice in one.notices)))
+    return Judged(findings, summary, list(dict.fromkeys(notice for part in judged for notice in part.notices)))
 
 
 def _judged(request: Request, workspace: Workspace, facts: FactsOfFiles, tree: SourceTree) -> Judged:
@@ -74,15 +74,15 @@ def _judged(request: Request, workspace: Workspace, facts: FactsOfFiles, tree: S
     index = systems[0].workspace or WorkspaceIndex()
     faults, launch_files = index.faults, index.launch_files
     imported = [f for f in python_files(workspace) if f not in known and facts.was_read(f) and not facts.is_ros1(f)]
-    found = [*_problems(workspace, [*known, *imported], facts), *merged(_rules(request.settings, systems))]
-    found.extend(_of_interfaces(workspace, systems, faults))
-    by_file = {file.relative: one.suppressions for file in known if (one := facts.facts_of(file)) is not None}
-    found.extend(unreadable(*problem) for problem in launch_files.problems())
+    candidates = [*_problems(workspace, [*known, *imported], facts), *merged(_rules(request.settings, systems))]
+    candidates.extend(_of_interfaces(workspace, systems, faults))
+    by_file = {file.relative: read.suppressions for file in known if (read := facts.facts_of(file)) is not None}
+    candidates.extend(unreadable(*problem) for problem in launch_files.problems())
     by_file.update(launch_files.suppressions())
-    found.extend(failure(fault) for fault in faults.found())
+    candidates.extend(failure(fault) for fault in faults.found())
     old = half_ported(workspace, known, facts)
-    found = as_information(found, old)
-    outcome = suppressions.apply(_wanted(found, request.settings, workspace), by_file)
+    candidates = as_information(candidates, old)
+    outcome = suppressions.apply(_wanted(candidates, request.settings, workspace), by_file)
     stale = suppressions.stale(outcome.unused, _ran(request, systems))
     kept = [*outcome.kept, *suppressions.apply(_wanted(stale, request.settings, workspace), by_file).kept]
     whole = with_reason(folded(dict.fromkeys(kept)), old)
@@ -155,13 +155,13 @@ def _problems(workspace: Workspace, files: Sequence[SourceFile], facts: FactsOfF
         if not problem.file.startswith(old):
             yield unreadable(problem.file, problem.line, problem.column, problem.message, help=problem.help)
     for file in files:
-        found = facts.facts_of(file)
-        if found is None or not found.problems:
+        read = facts.facts_of(file)
+        if read is None or not read.problems:
             continue
         importers = _importers(file, files, facts) if file.context else ()
-        for fault in found.problems:
-            one = unreadable(file.relative, fault.line, fault.column, fault.message, fault.internal)
-            yield replace(one, related=tuple(Related(place, "it is imported here") for place in importers))
+        for fault in read.problems:
+            finding = unreadable(file.relative, fault.line, fault.column, fault.message, fault.internal)
+            yield replace(finding, related=tuple(Related(place, "it is imported here") for place in importers))
 
 
 def _of_interfaces(workspace: Workspace, systems: Sequence[System], faults: Faults) -> Iterator[Finding]:

@@ -60,8 +60,8 @@ def known_files(request: Request, workspace: Workspace, facts: FactsOfFiles) -> 
     named = {os.path.abspath(path) for path in request.paths}
 
     def broken(file: SourceFile) -> bool:
-        found = facts.facts_of(file) if file.path in named and not facts.is_ros1(file) else None
-        return found is not None and bool(found.problems)
+        read = facts.facts_of(file) if file.path in named and not facts.is_ros1(file) else None
+        return read is not None and bool(read.problems)
 
     return [file for file in python_files(workspace) if facts.relevant(file) or broken(file)]
 
@@ -81,10 +81,10 @@ def refuse_nothing(request: Request, workspace: Workspace, facts: FactsOfFiles) 
 def parts_of(request: Request, workspace: Workspace) -> list[Workspace]:
     """The workspace, or the several that it is, of which those that were asked for; with ``--launch`` the one that
     has the launch file."""
-    found = [part for part in parts(workspace) if any(not file.context for file in part.files)] or [workspace]
-    if request.launch is None and request.observed is not None and len(found) > 1:
-        folders = ", ".join(sorted(part.root for part in found))
+    asked = [part for part in parts(workspace) if any(not file.context for file in part.files)] or [workspace]
+    if request.launch is None and request.observed is not None and len(asked) > 1:
+        folders = ", ".join(sorted(part.root for part in asked))
         raise NothingToDo(f"--observed describes one system, but there are several workspaces here: {folders}")
-    if request.launch is None or len(found) == 1:
-        return found
-    return [part for part in found if any(file.relative == request.launch for file in part.files)][:1] or found[:1]
+    if request.launch is None or len(asked) == 1:
+        return asked
+    return [part for part in asked if any(file.relative == request.launch for file in part.files)][:1] or asked[:1]

@@ -23,12 +23,12 @@ def judge(system: System, selected: Mapping[str, Options]) -> Iterator[Finding]:
         if code not in selected:
             continue
         try:
-            found = list(check.function(system, selected[code]))
+            findings = list(check.function(system, selected[code]))
         except Exception as error:
             yield failure(Fault.of(f"the rule {rules()[code].title}", error, _place_of(system)))
         else:
-            kept = [one for one in found if not _passes_by(check, system, one.place.file)]
-            yield from (replace(one, system=system.name) for one in kept)
+            kept = [finding for finding in findings if not _passes_by(check, system, finding.place.file)]
+            yield from (replace(finding, system=system.name) for finding in kept)
 
 
 def _passes_by(check: Check, system: System, file: str) -> bool:
@@ -49,13 +49,13 @@ def judge_alternatives(system: System, selected: Mapping[str, Options]) -> Itera
     every = [arguments for arguments, _ in system.alternatives]
     holding: dict[tuple[object, ...], tuple[Finding, list[Arguments]]] = {}
     for arguments, alternative in system.alternatives:
-        for one in judge(alternative, split):
-            key = (one.code, one.place, one.message, one.node, one.related)
-            holding.setdefault(key, (one, []))[1].append(arguments)
+        for finding in judge(alternative, split):
+            key = (finding.code, finding.place, finding.message, finding.node, finding.related)
+            holding.setdefault(key, (finding, []))[1].append(arguments)
     at_place: dict[tuple[object, ...], list[Finding]] = {}
-    for one, where in holding.values():
-        found = replace(one, condition=condition(where, every))
-        at_place.setdefault((one.code, one.place), []).append(found)
+    for finding, where in holding.values():
+        told = replace(finding, condition=condition(where, every))
+        at_place.setdefault((finding.code, finding.place), []).append(told)
     for several in at_place.values():
         yield from several if len(several) <= _VARIANTS else [min(several, key=_how_general)]
 

@@ -34,10 +34,10 @@ def systems_of(request: Request, workspace: Workspace, facts: FactsOfFiles, tree
     """Link and load."""
     faults = Faults()
     installs = read_installs(workspace.packages, workspace.files, facts.facts_of, tree, faults)
-    words = {name: one.words for name, one in installs.items()}
-    generated = {name: one.generated for name, one in installs.items() if one.generated is not None}
+    words = {name: install.words for name, install in installs.items()}
+    generated = {name: install.generated for name, install in installs.items() if install.generated is not None}
     names = Counter(package.name for package in workspace.packages)
-    without = [name for name, one in installs.items() if one.generates_nothing and names[name] == 1]
+    without = [name for name, install in installs.items() if install.generates_nothing and names[name] == 1]
     interfaces = InterfaceTable(workspace.files, lambda file: tree.text(file.relative), words, generated, without)
     linker = Linker(workspace.files, facts.facts_of, facts.relevant, interfaces, faults)
     entries = entry_points(installs, workspace.files)

@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 def merged(findings: Iterable[Finding]) -> Iterator[Finding]:
     """The findings without repetitions; those of the open system come first and stay."""
     seen: dict[tuple[object, ...], tuple[str | None, str | None]] = {}
-    for finding in sorted(findings, key=lambda one: (one.system is not None, one.condition is not None)):
+    for finding in sorted(findings, key=lambda finding: (finding.system is not None, finding.condition is not None)):
         keys = _keys(finding)
         own = finding.system, finding.condition
         # Two findings of one system differ for a reason: only what another system has said is a repetition, or the
@@ -55,16 +55,16 @@ def folded(findings: Iterable[Finding]) -> list[Finding]:
     folds = registered_folds()
     alone: list[Finding] = []
     groups: dict[tuple[object, ...], list[Finding]] = {}
-    for one in findings:
-        if one.group and one.code in folds:
-            system = None if folds[one.code].across_systems else (one.system, one.condition)
-            groups.setdefault((one.code, one.severity, system, *one.group), []).append(one)
+    for finding in findings:
+        if finding.group and finding.code in folds:
+            system = None if folds[finding.code].across_systems else (finding.system, finding.condition)
+            groups.setdefault((finding.code, finding.severity, system, *finding.group), []).append(finding)
         else:
-            alone.append(one)
+            alone.append(finding)
     for several in groups.values():
-        ordered = sorted(several, key=lambda one: one.sort_key)
-        found = ordered[0] if len(ordered) == 1 else folds[ordered[0].code](ordered)
-        alone.append(replace(found, group=()))
+        ordered = sorted(several, key=lambda finding: finding.sort_key)
+        whole = ordered[0] if len(ordered) == 1 else folds[ordered[0].code](ordered)
+        alone.append(replace(whole, group=()))
     return alone
 
 

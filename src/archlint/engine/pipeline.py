@@ -86,7 +86,7 @@ def graph(request: Request, everything: bool = False) -> System:
     parts = parts_of(request, workspace)
     opened = call_with_deep_stack(lambda: [systems_of(request, part, facts, tree)[0] for part in parts])
     store.close()
-    system = combined([as_asked_for(request, one, part) for one, part in zip(opened, parts, strict=True)])
+    system = combined([as_asked_for(request, whole, part) for whole, part in zip(opened, parts, strict=True)])
     return with_implicit(system, request.settings.distro) if everything else system
 
 

@@ -146,8 +146,8 @@ def own_code() -> list[tuple[str, int, int]]:
     entries: list[tuple[str, int, int]] = []
     folders = [str(Path(__file__).parents[1]), str(pages_folder())]
     while folders:
-        with os.scandir(folders.pop()) as found:
-            for entry in found:
+        with os.scandir(folders.pop()) as listed:
+            for entry in listed:
                 if entry.name.endswith((".py", ".md", ".json")):
                     status = entry.stat()
                     entries.append((entry.path, status.st_mtime_ns, status.st_size))

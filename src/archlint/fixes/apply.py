@@ -60,7 +60,7 @@ def apply(findings: Sequence[Finding]) -> Outcome:
 
 def _pieces(fix: Fix, outcome: Outcome) -> list[tuple[str, _Piece]] | None:
     """Offsets and texts of a fix's edits; None where a file is not as the finding saw it."""
-    found = []
+    pieces = []
     for edit in fix.edits:
         place = edit.place
         source = outcome.sources.get(place.file) or read(place.file)
@@ -72,8 +72,8 @@ def _pieces(fix: Fix, outcome: Outcome) -> list[tuple[str, _Piece]] | None:
         except ValueError:
             return None
         text = edit.text if "\r" in edit.text else edit.text.replace("\n", source.newline)
-        found.append((place.file, (start, end, text)))
-    return found
+        pieces.append((place.file, (start, end, text)))
+    return pieces
 
 
 def _overlaps(piece: _Piece, others: Iterable[_Piece]) -> bool:
@@ -138,10 +138,10 @@ def _replace(target: Path, data: bytes) -> None:
 
 def unified_diff(outcome: Outcome) -> str:
     """What would be written, as a diff."""
-    found = []
+    lines = []
     for file in sorted(outcome.texts):
         before = outcome.sources[file].text.splitlines(keepends=True)
         after = outcome.texts[file].splitlines(keepends=True)
         for line in difflib.unified_diff(before, after, file, file):
-            found.append(line if line.endswith("\n") else f"{line}\n\\ No newline at end of file\n")
-    return "".join(found)
+            lines.append(line if line.endswith("\n") else f"{line}\n\\ No newline at end of file\n")
+    return "".join(lines)

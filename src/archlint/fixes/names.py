@@ -64,7 +64,7 @@ class Names:
         # Whoever else declares parameters on a node that is handed over is perhaps in another file.
         elsewhere = self._around.elsewhere(source) if call.shares_node else ""
         text = "\n".join((source.text, elsewhere, *sorted(self._handed_over)))
-        name = next(one for one in names if one not in source.taken and not _used(one, text))
+        name = next(candidate for candidate in names if candidate not in source.taken and not _used(candidate, text))
         source.taken.add(name)
         if call.shares_node:
             self._handed_over.add(name)

@@ -80,17 +80,17 @@ class Source:
     def tokens(self, start: int, end: int) -> list[tuple[str, int, int]]:
         """Tokens that mean something in a bracketed piece of the text: text, start and end offset."""
         piece = self.text[start:end]
-        found = []
+        tokens = []
         starts = [0, *(match.end() for match in re.finditer("\n", piece))]
         try:
             for token in tokenize.generate_tokens(io.StringIO(piece).readline):
                 if token.type not in _MEANINGLESS and token.string:
                     first = starts[token.start[0] - 1] + token.start[1]
                     last = starts[token.end[0] - 1] + token.end[1]
-                    found.append((token.string, start + first, start + last))
+                    tokens.append((token.string, start + first, start + last))
         except (tokenize.TokenError, IndentationError, SyntaxError):
             return []
-        return found
+        return tokens
 
 
 _MEANINGLESS = frozenset(

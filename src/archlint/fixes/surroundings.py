@@ -29,8 +29,10 @@ class Surroundings:
         file = Path(source.file).resolve()
         root = next((folder for folder in file.parents if (folder / "package.xml").is_file()), file.parent)
         if root not in self._texts:
-            inside = sorted({path for path in (Path(one).resolve() for one in self._files) if root in path.parents})
-            texts = ((str(one), read(str(one))) for one in inside[:_MOST_FILES])
-            self._texts[root] = {name: one.text for name, one in texts if one is not None}
+            inside = sorted(
+                {path for path in (Path(file_name).resolve() for file_name in self._files) if root in path.parents}
+            )
+            texts = ((str(path), read(str(path))) for path in inside[:_MOST_FILES])
+            self._texts[root] = {name: read_source.text for name, read_source in texts if read_source is not None}
         taken = (name for other in self._sources.values() if other not in (None, source) for name in other.taken)
         return "\n".join((*(t for name, t in self._texts[root].items() if name != str(file)), *sorted(taken)))

@@ -76,18 +76,18 @@ def _compared(compared: Comparison) -> dict[str, Any]:
     }
 
 
-def _difference(one: Difference) -> dict[str, Any]:
+def _difference(difference: Difference) -> dict[str, Any]:
     return {
-        "status": one.status,
-        "kind": one.kind,
-        "name": one.name,
-        "node": one.node,
-        "expected": one.expected or None,
-        "observed": one.observed or None,
-        "message": one.message,
-        "file": _file(one.place.file),
-        "line": one.place.line,
-        "column": one.place.column,
+        "status": difference.status,
+        "kind": difference.kind,
+        "name": difference.name,
+        "node": difference.node,
+        "expected": difference.expected or None,
+        "observed": difference.observed or None,
+        "message": difference.message,
+        "file": _file(difference.place.file),
+        "line": difference.place.line,
+        "column": difference.place.column,
     }
 
 
@@ -278,25 +278,25 @@ def unresolved(system: System) -> list[dict[str, Any]]:
 
     A helper's entity appears once, however many nodes use the helper.
     """
-    found: dict[tuple[str, int, int, str, str], None] = {}
+    entries: dict[tuple[str, int, int, str, str], None] = {}
     if system.launched is not None:
         for gap in system.launched.not_followed():
-            found[_file(gap.place.file), gap.place.line, gap.place.column, gap.kind, gap.reason] = None
+            entries[_file(gap.place.file), gap.place.line, gap.place.column, gap.kind, gap.reason] = None
     for node in system.entries:
         place = node.launch_place
         why = node.unfollowed or node.doubt
         if why is not None and place is not None:
-            found[_file(place.file), place.line, place.column, "node", why] = None
+            entries[_file(place.file), place.line, place.column, "node", why] = None
         for endpoint in node.endpoints:
             if endpoint.resolution == "unknown":
                 place = endpoint.place
-                found[_file(place.file), place.line, place.column, endpoint.kind, endpoint.reason or ""] = None
+                entries[_file(place.file), place.line, place.column, endpoint.kind, endpoint.reason or ""] = None
         for blueprint in node.blueprints:
             for place, reason in blueprint.gaps:
-                found[_file(place.file), place.line, place.column, "call", reason] = None
+                entries[_file(place.file), place.line, place.column, "call", reason] = None
     return [
         {"kind": kind, "file": file, "line": line, "column": column, "reason": reason}
-        for file, line, column, kind, reason in sorted(found)
+        for file, line, column, kind, reason in sorted(entries)
     ]
 
 

@@ -161,11 +161,11 @@ def caption(graph: networkx.MultiDiGraph) -> str:
     """One line that counts what is drawn and explains the lines that need it."""
     data = [data for _, data in graph.nodes(data=True)]
     sentences = [counts(graph)]
-    if any(one.get("neighbour") for one in data):
+    if any(item.get("neighbour") for item in data):
         sentences.append("white: a neighbour outside the selection")
-    if any(one["kind"] != NODE and not one["matched"] for one in data):
+    if any(item["kind"] != NODE and not item["matched"] for item in data):
         sentences.append("dashed: nothing at the other end")
-    if any(one["kind"] != NODE and one["resolution"] == "partial" for one in data):
+    if any(item["kind"] != NODE and item["resolution"] == "partial" for item in data):
         sentences.append("*: known only at run time")
     if graph.graph["remapped"]:
         sentences.append("dashed without an arrow: remapped; the source is not in this workspace")

@@ -38,35 +38,35 @@ def mark(graph: networkx.MultiDiGraph, system: System, compared: Comparison) -> 
             _mark_end(graph, difference)
 
 
-def _mark_node(graph: networkx.MultiDiGraph, system: System, one: Difference) -> None:
-    key = (NODE, one.name)
-    if isinstance(one.seen, SeenNode):
-        _add_node(graph, system, one.seen)
+def _mark_node(graph: networkx.MultiDiGraph, system: System, difference: Difference) -> None:
+    key = (NODE, difference.name)
+    if isinstance(difference.seen, SeenNode):
+        _add_node(graph, system, difference.seen)
     elif key in graph:
-        graph.nodes[key]["observed"] = MISSING if one.status == MISSING else DIFFERENT
-        for *_, edge in _edges_at(graph, key) if one.status == MISSING else ():
+        graph.nodes[key]["observed"] = MISSING if difference.status == MISSING else DIFFERENT
+        for *_, edge in _edges_at(graph, key) if difference.status == MISSING else ():
             edge["observed"], edge["remark"] = MISSING, ""  # the node says it
 
 
-def _mark_end(graph: networkx.MultiDiGraph, one: Difference) -> None:
-    key = (NODE, one.node or "")
+def _mark_end(graph: networkx.MultiDiGraph, difference: Difference) -> None:
+    key = (NODE, difference.node or "")
     if key not in graph:  # not shown
         return
     for *_, edge in _edges_at(graph, key):
-        if edge["kind"] == one.kind and edge["endpoint"].name == one.name:
-            edge["observed"], edge["remark"] = one.status, _remark(one)
-    seen = one.seen
-    if isinstance(seen, SeenEnd) and (one.status == UNEXPECTED or seen.name != one.name):
-        _add_end(graph, key, graph.nodes[key]["node"], seen, one.status, one.place, one.status)
+        if edge["kind"] == difference.kind and edge["endpoint"].name == difference.name:
+            edge["observed"], edge["remark"] = difference.status, _remark(difference)
+    seen = difference.seen
+    if isinstance(seen, SeenEnd) and (difference.status == UNEXPECTED or seen.name != difference.name):
+        _add_end(graph, key, graph.nodes[key]["node"], seen, difference.status, difference.place, difference.status)
 
 
 def _edges_at(graph: networkx.MultiDiGraph, key: Key) -> list[tuple[Key, Key, dict[str, Any]]]:
     return [*graph.in_edges(key, data=True), *graph.out_edges(key, data=True)]
 
 
-def _remark(one: Difference) -> str:
-    short = _PACKAGE.sub("", one.observed)
-    return f"{one.status}: {short}" if one.status == DIFFERENT else one.status
+def _remark(difference: Difference) -> str:
+    short = _PACKAGE.sub("", difference.observed)
+    return f"{difference.status}: {short}" if difference.status == DIFFERENT else difference.status
 
 
 def _add_node(graph: networkx.MultiDiGraph, system: System, seen: SeenNode) -> None:

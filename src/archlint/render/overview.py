@@ -24,15 +24,15 @@ def box_sizes(graph: networkx.MultiDiGraph) -> dict[str, int]:
 def streams(graph: networkx.MultiDiGraph) -> dict[Pair, Counter[str]]:
     """From box to box: how many topics, services and actions.  What stays inside a box is left out."""
     groups = look.groups(graph)
-    found: dict[Pair, Counter[str]] = {}
+    counts: dict[Pair, Counter[str]] = {}
     for key, kind in graph.nodes(data="kind"):
         if kind == NODE:
             continue
         tails = {groups.get(node, "") for node in graph.predecessors(key)}
         heads = {groups.get(node, "") for node in graph.successors(key)}
         for pair in ((tail, head) for tail in tails for head in heads if tail != head):
-            found.setdefault(pair, Counter())[kind] += 1
-    return dict(sorted(found.items()))
+            counts.setdefault(pair, Counter())[kind] += 1
+    return dict(sorted(counts.items()))
 
 
 def words(kinds: Counter[str]) -> str:

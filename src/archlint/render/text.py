@@ -182,10 +182,10 @@ def _parameter_row(parameter: ParameterDeclaration, node: Node) -> Sequence[Cell
 
 def _remapped(system: System) -> dict[str, list[str]]:
     """The external nodes that are remapped to a name, by that name."""
-    found: dict[str, list[str]] = {}
+    names: dict[str, list[str]] = {}
     for node, name in connections_of_externals(system):
-        found.setdefault(name, []).append(look.node_label(node).partition("\n")[0])
-    return found
+        names.setdefault(name, []).append(look.node_label(node).partition("\n")[0])
+    return names
 
 
 def _connections(
@@ -249,28 +249,21 @@ def _compared(system: System, paint: Paint) -> Iterator[str]:
     yield paint("running system", "title")
     yield "\n".join(f"  {paint(line, 'plain')}" for line in comparison_words(compared))
     if compared.differences:
-        rows = sorted(compared.differences, key=lambda one: (one.status, one.message))
+        rows = sorted(compared.differences, key=lambda difference: (difference.status, difference.message))
         yield "\n".join(_table([_difference_row(row) for row in rows], paint))
-    quiet = [*(f"not compared: {one}" for one in compared.left_open), *compared.notes]
+    quiet = [*(f"not compared: {words}" for words in compared.left_open), *compared.notes]
     if quiet:
         yield "\n".join(f"  {paint(line, 'quiet')}" for line in quiet)
 
 
-def _difference_row(one: Difference) -> Sequence[Cell]:
-    place = f"{one.place.file}:{one.place.line}"
-    return [(one.status, _STATUS[one.status]), (one.message, "plain"), (place, "quiet")]
+def _difference_row(difference: Difference) -> Sequence[Cell]:
+    place = f"{difference.place.file}:{difference.place.line}"
+    return [(difference.status, _STATUS[difference.status]), (difference.message, "plain"), (place, "quiet")]
 
 
 def _table(rows: Sequence[Sequence[Cell]], paint: Paint) -> Iterator[str]:
     """Rows with aligned columns, indented by two; the last column is as wide as it is."""
-    columns = zip(*rows, strict=True)
-    widths = [
-        max((width for text, _ in column if (width := cells.width(visible(text))) <= _WIDEST), default=0)
-        for column in columns
-    ]
-    for row in rows:
-        shown = [
-            paint(text, style) + " " * (width - cells.width(visible(text)))
-            for (text, style), width in zip(row, widths, strict=True)
-        ]
-        yield "  " + "  ".join(shown).rstrip()
+    texts = [[visible(text) for text, _ in row] for row in rows]
+    painted = [[paint(text, style) for text, style in row] for row in rows]
+    for line in cells.columns(texts, _WIDEST, painted):
+        yield f"  {line}"

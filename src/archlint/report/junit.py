@@ -51,7 +51,9 @@ def _failure(finding: Finding, where: str) -> str:
 
 
 def _text(finding: Finding, where: str) -> str:
-    related = [f"{one.place.file}:{one.place.line}:{one.place.column}: {one.message}" for one in finding.related]
+    related = [
+        f"{other.place.file}:{other.place.line}:{other.place.column}: {other.message}" for other in finding.related
+    ]
     lines = [f"{where}: {finding.message}", *related, finding.help]
     return "\n".join(visible(line) for line in lines if line)
 

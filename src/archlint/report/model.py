@@ -90,8 +90,8 @@ def summary_line(summary: Summary) -> str:
     if not summary.findings:
         return f"No findings in {where}{tail}."
     levels = [(summary.errors, "error"), (summary.warnings, "warning"), (summary.infos, "info")]
-    found = ", ".join(_count(number, word) for number, word in levels if number)
-    return f"Found {found} in {where}{tail}."
+    counts = ", ".join(_count(number, word) for number, word in levels if number)
+    return f"Found {counts} in {where}{tail}."
 
 
 def statistics(findings: Sequence[Finding]) -> str:

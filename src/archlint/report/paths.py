@@ -37,7 +37,7 @@ def findings_in_repository(report: Report) -> list[Finding]:
 
 
 def _moved(finding: Finding, folder: str) -> Finding:
-    related = tuple(replace(one, place=_place(one.place, folder)) for one in finding.related)
+    related = tuple(replace(other, place=_place(other.place, folder)) for other in finding.related)
     system = None if finding.system is None else _path(finding.system, folder)
     return replace(finding, place=_place(finding.place, folder), related=related, system=system)
 

@@ -46,7 +46,7 @@ class WorkspaceCode:
     def asked_for(self) -> list[tuple[SourceFile, Facts]]:
         """The files that were asked for and that can matter, with their facts."""
         rows = [(file, self._facts_of(file)) for file in self._files if self._matters(file)]
-        return [(file, found) for file, found in rows if found is not None]
+        return [(file, read) for file, read in rows if read is not None]
 
     def _matters(self, file: SourceFile) -> bool:
         return not file.context and (file.kind == "launch_python" or (file.kind == "python" and self._relevant(file)))
@@ -88,8 +88,8 @@ class WorkspaceCode:
     def is_local(self, file: SourceFile, module: str) -> bool:
         """Whether an import means a file of the same package."""
         importer = self._index.module(file)
-        found = None if importer is None else self._index.find(importer, module)
-        return found is not None and found.file.package == file.package
+        imported = None if importer is None else self._index.find(importer, module)
+        return imported is not None and imported.file.package == file.package
 
     def imported(self, path: str, name: str, level: int = 0) -> Facts | None:
         """The facts of the file of the workspace that a file's import of a module leads to; None for foreign ones."""
@@ -110,8 +110,12 @@ class WorkspaceCode:
     def in_use(self) -> frozenset[str]:
         """The files that installed programs and launch files are, and all that these import."""
         starts = {file.relative for file in self._files if file.kind == "launch_python"}
-        for one in (each for installs in self._installs.values() for each in installs.executables.values()):
-            starts.update([one.script] if one.script else self.files_named(one.package, one.module or "?"))
+        for executable in (each for installs in self._installs.values() for each in installs.executables.values()):
+            starts.update(
+                [executable.script]
+                if executable.script
+                else self.files_named(executable.package, executable.module or "?")
+            )
         return self.reached_from(starts)
 
     def reached_from(self, starts: Iterable[str]) -> frozenset[str]:

@@ -17,14 +17,14 @@ def words_of(started: Started) -> tuple[Word, ...] | None:
         return tuple(started.arguments)
     if any(parameter.is_open for parameter in started.parameters):
         return None
-    found: list[Word] = [*started.arguments, "--ros-args", *started.ros_arguments]
+    words: list[Word] = [*started.arguments, "--ros-args", *started.ros_arguments]
     for rule, text in (("__node", started.name), ("__ns", started.namespace)):
         if text is not None:
-            found += ["-r", _rule(Text(rule, "exact"), text)]
-    found += _parameters(started)
+            words += ["-r", _rule(Text(rule, "exact"), text)]
+    words += _parameters(started)
     for remap in started.remaps:
-        found += ["-r", _rule(remap.source, remap.target)]
-    return tuple(found)
+        words += ["-r", _rule(remap.source, remap.target)]
+    return tuple(words)
 
 
 def _rule(source: Text, target: Text) -> Word:
@@ -36,10 +36,10 @@ def _rule(source: Text, target: Text) -> Word:
 
 def _parameters(started: Started) -> list[Word]:
     """Shared settings one by one, files by their paths; what a dict holds goes through a file that launch writes."""
-    found: list[Word] = []
+    words: list[Word] = []
     in_dict = False
     for parameter in started.parameters:
         if not (parameter.in_dict and in_dict):
-            found += [parameter.option, None]
+            words += [parameter.option, None]
         in_dict = parameter.in_dict
-    return found
+    return words

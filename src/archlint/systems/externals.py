@@ -55,7 +55,7 @@ def may_use(node: Node, name: str) -> bool:
         return True
     words = [] if node.started is None else [word for word in node.started.arguments if word is not None]
     told = {*_texts_of(node), *(part for word in words for part in _BETWEEN.split(word))}
-    return any(text and f"/{name}".endswith(f"/{text}") for text in (one.lstrip("/~") for one in told))
+    return any(text and f"/{name}".endswith(f"/{text}") for text in (ending.lstrip("/~") for ending in told))
 
 
 def _texts_of(node: Node) -> Iterator[str]:

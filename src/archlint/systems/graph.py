@@ -120,10 +120,10 @@ def interface_key(endpoint: Endpoint) -> Key:
 
 
 def _interfaces(system: System) -> dict[Key, list[Endpoint]]:
-    found: dict[Key, list[Endpoint]] = {}
+    ends: dict[Key, list[Endpoint]] = {}
     for endpoint in (end for node in system.drawn for end in node.endpoints):
-        found.setdefault(interface_key(endpoint), []).append(endpoint)
-    return found
+        ends.setdefault(interface_key(endpoint), []).append(endpoint)
+    return ends
 
 
 def _interface_attributes(key: Key, endpoints: list[Endpoint]) -> dict[str, object]:

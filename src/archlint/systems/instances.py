@@ -100,16 +100,16 @@ def _text(value: Text | str | None) -> Text | None:
 
 
 def _endpoints(blueprint: Blueprint, node: Node, own: NodeName, rules: Sequence[RemapRule]) -> list[Endpoint]:
-    found: dict[tuple[object, ...], Endpoint] = {}
+    endpoints: dict[tuple[object, ...], Endpoint] = {}
     for creation in blueprint.creations:
         if creation.kind in _NO_ENDPOINT:
             continue
         text = _overridden(creation.name, blueprint, node.overrides)
         endpoint = Endpoint(creation, node, *astuple(endpoint_name(text, creation.kind, own, rules)))
         key = _endpoint_key(endpoint)
-        if key not in found or found[key].conditional:
-            found[key] = endpoint
-    return sorted(found.values(), key=_endpoint_order)
+        if key not in endpoints or endpoints[key].conditional:
+            endpoints[key] = endpoint
+    return sorted(endpoints.values(), key=_endpoint_order)
 
 
 _NO_ENDPOINT = (EntityKind.TIMER, "guard_condition")
@@ -160,13 +160,13 @@ def _node_of_twins(twins: list[Twin], distro: str | None) -> Node:
     node = instantiate(blueprint, program, distro=distro)
     node.merged = [twin for twin, _ in ordered[1:]]
     real = [(twin, run) for twin, run in ordered if twin.test == blueprint.test]
-    found = {_endpoint_key(endpoint): endpoint for endpoint in node.endpoints}
+    endpoints = {_endpoint_key(endpoint): endpoint for endpoint in node.endpoints}
     for twin, run in real[1:]:
         for endpoint in instantiate(twin, run, distro=distro).endpoints:
             key = _endpoint_key(endpoint)
-            if key not in found or (found[key].conditional and not endpoint.conditional):
-                found[key] = replace(endpoint, node=node)
-    node.endpoints = sorted(found.values(), key=_endpoint_order)
+            if key not in endpoints or (endpoints[key].conditional and not endpoint.conditional):
+                endpoints[key] = replace(endpoint, node=node)
+    node.endpoints = sorted(endpoints.values(), key=_endpoint_order)
     node.executables = tuple(sorted({name for twin, _ in real for name in twin.executables}))
     node.executable = node.executables[0] if node.executables else None
     node.executor = _common_executor([twin.executor for twin, _ in real])

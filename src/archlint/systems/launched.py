@@ -57,11 +57,11 @@ class LaunchSystems:
         nodes: list[Node] = []
         for started in launched.started:
             if not started.dormant and started.kind != StartedKind.PROCESS:
-                made = self.nodes(started, launched.file)
-                self._note_doubt(started, made)
-                for node in made:
+                started_nodes = self.nodes(started, launched.file)
+                self._note_doubt(started, started_nodes)
+                for node in started_nodes:
                     node.condition = launched.condition(started.branch_arms)
-                nodes.extend(made)
+                nodes.extend(started_nodes)
         programs = list({id(node.program): node.program for node in nodes if node.program is not None}.values())
         return System(
             name=launched.file,
@@ -72,13 +72,13 @@ class LaunchSystems:
             workspace=self.workspace,
         )
 
-    def _note_doubt(self, started: Started, made: Sequence[Node]) -> None:
+    def _note_doubt(self, started: Started, nodes: Sequence[Node]) -> None:
         """Say of nodes whose source is here where it does not fit what the launch file says of them."""
-        if any(node.external for node in made):
+        if any(node.external for node in nodes):
             return
-        settings = [setting for node in made for setting in applied(started, known_name(node), self.parameters_of)]
-        reason = doubt(started, made, settings)
-        for node in made:
+        settings = [setting for node in nodes for setting in applied(started, known_name(node), self.parameters_of)]
+        reason = doubt(started, nodes, settings)
+        for node in nodes:
             node.doubt = reason
 
     # --------------------------------------------------------------------------------------------- nodes
@@ -96,12 +96,12 @@ class LaunchSystems:
         if changes is not None:
             again = self.program(started, changes, words)
             program = again if again is not None and _has_nodes(again) else program
-        own = [one for one in program.nodes if not (one.test or one.made_again)]
-        made = [self._node(one, program, started, launch_file) for one in own]
-        if not any(node.is_node for node in made):
+        own = [blueprint for blueprint in program.nodes if not (blueprint.test or blueprint.made_again)]
+        nodes = [self._node(blueprint, program, started, launch_file) for blueprint in own]
+        if not any(node.is_node for node in nodes):
             # It starts a node for sure, and all that is known of it is what some helper creates there.
-            made.append(self._unfollowed(started, program, launch_file))
-        return made
+            nodes.append(self._unfollowed(started, program, launch_file))
+        return nodes
 
     def _unfollowed(self, started: Started, program: Program | None, launch_file: str) -> Node:
         node = _external(started, launch_file, self._why_unfollowed(started, program))
@@ -180,14 +180,14 @@ def _has_nodes(program: Program) -> bool:
 def _rules(started: Started) -> list[RemapRule]:
     """The remap rules of the process in the order of its command line."""
     arguments = [word for word in [*started.arguments, "--ros-args", *started.ros_arguments] if word is not None]
-    found = rules_of_arguments(arguments)
+    rules = rules_of_arguments(arguments)
     for remap in started.remaps:
         if _known(remap.source) and _known(remap.target):
             try:
-                found.append(RemapRule.parse(f"{remap.source.text}:={remap.target.text}"))
+                rules.append(RemapRule.parse(f"{remap.source.text}:={remap.target.text}"))
             except ValueError:
                 continue
-    return found
+    return rules
 
 
 def _known(text: Text) -> bool:
@@ -210,7 +210,7 @@ def _forget_unknown_remaps(node: Node, started: Started) -> None:
 def _forget_defaults(node: Node, started: Started, parameters_of: Callable[[str], ParameterFacts]) -> None:
     """Parameters that are not known, a file that is not found say, may set whatever the nodes declare: what only their
     defaults name is not known.  What comes after them on the command line holds."""
-    unread = [number for number, one in enumerate(started.parameters) if one.sets_anything]
+    unread = [number for number, parameters in enumerate(started.parameters) if parameters.sets_anything]
     if not unread or node.blueprint is None or not node.blueprint.use_global_arguments:
         return
     later = replace(started, parameters=started.parameters[unread[-1] + 1 :], arguments=[], ros_arguments=[])
@@ -266,7 +266,7 @@ def started_pairs(
     launches: Iterable[Launched], blueprints: Mapping[tuple[str, str], Sequence[Blueprint]]
 ) -> set[frozenset[object]]:
     """Pairs of node classes that one launch file starts: it, not the open system, judges them together."""
-    found: set[frozenset[object]] = set()
+    pairs: set[frozenset[object]] = set()
     for launched in launches:
         keys: dict[object, None] = {}
         for started in launched.started:
@@ -275,5 +275,5 @@ def started_pairs(
                 keys.setdefault(key_of(blueprint))
         every = list(keys)
         if len(every) <= 200:
-            found.update(frozenset((one, other)) for n, one in enumerate(every) for other in every[n:])
-    return found
+            pairs.update(frozenset((key, other)) for n, key in enumerate(every) for other in every[n:])
+    return pairs

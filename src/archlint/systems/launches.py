@@ -48,19 +48,19 @@ def launch_systems(
         maker = LaunchSystems(linker, entries, launches, workspace, dependencies, distro)
         parts = _parts(launched)
         systems = []
-        for one in launched:
-            with launches.faults.contained("making the system of this launch file", Place(one.file, 1, 1, 1, 1)):
-                named = chosen is not None or any(glob.matches(one.file) for glob in configured)
-                if one.ros1 or not one.is_launch_file or (configured and not named):
+        for launch in launched:
+            with launches.faults.contained("making the system of this launch file", Place(launch.file, 1, 1, 1, 1)):
+                named = chosen is not None or any(glob.matches(launch.file) for glob in configured)
+                if launch.ros1 or not launch.is_launch_file or (configured and not named):
                     continue
-                system = maker.system(one)
-                is_included = one.file in parts
+                system = maker.system(launch)
+                is_included = launch.file in parts
                 # The nodes of a part may have their partners beside it.
-                is_closed = (closed and not is_included) or (named and _whole(one, system))
+                is_closed = (closed and not is_included) or (named and _whole(launch, system))
                 settled = partial(replace, closed=is_closed, is_included=is_included)
                 alternatives = [
-                    (values, settled(maker.system(launches.run(one.file, {**one.arguments, **values}))))
-                    for values in (undecided_arguments(one) if _differs(system) else ())
+                    (values, settled(maker.system(launches.run(launch.file, {**launch.arguments, **values}))))
+                    for values in (undecided_arguments(launch) if _differs(system) else ())
                 ]
                 systems.append(settled(system, alternatives=alternatives))
         pairs = frozenset(started_pairs(launched, _by_executable(opened.programs)))
@@ -74,10 +74,10 @@ def launch_systems(
 
 def _parts(launches_: Sequence[Launched]) -> set[str | None]:
     """The launch files that others include, or may include by a path of the machine that they run on."""
-    includes = [include for one in launches_ for include in one.included]
+    includes = [include for launch in launches_ for include in launch.included]
     ends = {end for include in includes if (end := _end_on_machine(include.reference)) is not None}
-    found = {one.file for one in launches_ if _end(one.file) in ends}
-    return found.union(include.reference.source for include in includes if include.file != include.reference.source)
+    files = {launch.file for launch in launches_ if _end(launch.file) in ends}
+    return files.union(include.reference.source for include in includes if include.file != include.reference.source)
 
 
 def _end_on_machine(reference: FileReference) -> tuple[str, ...] | None:
@@ -122,8 +122,8 @@ def _whole(launched: Launched, system: System) -> bool:
 
 
 def _by_executable(programs: Sequence[Program]) -> dict[tuple[str, str], list[Blueprint]]:
-    found: dict[tuple[str, str], list[Blueprint]] = {}
+    blueprints: dict[tuple[str, str], list[Blueprint]] = {}
     for program in programs:
         if program.executable:
-            found.setdefault((program.package or "", program.name), []).extend(program.nodes)
-    return found
+            blueprints.setdefault((program.package or "", program.name), []).extend(program.nodes)
+    return blueprints

@@ -235,11 +235,11 @@ class System:
         """The entries, then the neighbours."""
         return [*self.entries, *self.neighbours]
 
-    def launched_together(self, one: Node, other: Node) -> bool:
+    def launched_together(self, node: Node, other: Node) -> bool:
         """Whether a launch file starts both nodes, in a system that is judged by itself."""
-        if not self.launched_pairs or one.blueprint is None or other.blueprint is None:
+        if not self.launched_pairs or node.blueprint is None or other.blueprint is None:
             return False
-        pair = [(b.place, b.class_name) for b in (one.blueprint, other.blueprint)]
+        pair = [(b.place, b.class_name) for b in (node.blueprint, other.blueprint)]
         return frozenset(pair) in self.launched_pairs
 
     @property
@@ -280,25 +280,25 @@ class System:
     def callbacks(self) -> Iterator[Callback]:
         return (callback for run in self.programs for callback in run.callbacks)
 
-    def may_coexist(self, one: Node, other: Node) -> bool:
+    def may_coexist(self, node: Node, other: Node) -> bool:
         """Whether two nodes can run in one system: a launch file starts both, or they are of one package,
         or one package depends on the other.  Test code never runs together with anything else; opposite
         branches exclude each other."""
-        if one.test or other.test:
+        if node.test or other.test:
             return False
-        if exclusive(one.alternatives, other.alternatives):
+        if exclusive(node.alternatives, other.alternatives):
             return False
-        if self.name is None and self.launched_together(one, other):
+        if self.name is None and self.launched_together(node, other):
             return False  # the launch file's own system judges them, under their final names
         if self.name is not None or self.closed:
             return True
-        if one.package is None or other.package is None:
-            return one.package is None and other.package is None
-        if one.package == other.package:
+        if node.package is None or other.package is None:
+            return node.package is None and other.package is None
+        if node.package == other.package:
             return True
         return other.package in self.package_dependencies.get(
-            one.package, frozenset()
-        ) or one.package in self.package_dependencies.get(other.package, frozenset())
+            node.package, frozenset()
+        ) or node.package in self.package_dependencies.get(other.package, frozenset())
 
 
 @dataclass(eq=False)
@@ -358,27 +358,27 @@ class WorkspaceIndex:
     def launched_names(self) -> Mapping[tuple[object, str, Place], frozenset[str | None]]:
         """The names that launch files give to what a node, by :func:`key_of`, creates at a place; None for one that
         is not known."""
-        found: dict[tuple[object, str, Place], set[str | None]] = {}
+        names: dict[tuple[object, str, Place], set[str | None]] = {}
         for system in self.systems:
             every = (system, *(other for _, other in system.alternatives)) if system.launched is not None else ()
-            for end in (end for one in every for node in one.nodes for end in node.endpoints):
+            for end in (end for arm in every for node in arm.nodes for end in node.endpoints):
                 if end.node.blueprint is not None:
                     key = (key_of(end.node.blueprint), end.kind, end.place)
-                    found.setdefault(key, set()).add(end.name if end.resolved else None)
-        return {key: frozenset(names_) for key, names_ in found.items()}
+                    names.setdefault(key, set()).add(end.name if end.resolved else None)
+        return {key: frozenset(names_) for key, names_ in names.items()}
 
     @cached_property
     def namespaces(self) -> Mapping[object, frozenset[str]]:
         """The namespaces in which whole systems have each node, by :func:`key_of`; a node of which one is not known
         has several.  A launch file that another one includes counts where no other has the node."""
-        found: dict[object, set[str]] = {}
-        for system in sorted(self.systems, key=lambda one: one.is_included):
+        namespaces: dict[object, set[str]] = {}
+        for system in sorted(self.systems, key=lambda other: other.is_included):
             for node in system.nodes if system.name is not None else ():
-                if node.blueprint is None or (system.is_included and key_of(node.blueprint) in found):
+                if node.blueprint is None or (system.is_included and key_of(node.blueprint) in namespaces):
                     continue
                 known = [node.name.rpartition("/")[0]] if node.name is not None else ["", "?"]
-                found.setdefault(key_of(node.blueprint), set()).update(known)
-        return {key: frozenset(names) for key, names in found.items()}
+                namespaces.setdefault(key_of(node.blueprint), set()).update(known)
+        return {key: frozenset(names) for key, names in namespaces.items()}
 
 
 def key_of(blueprint: Blueprint) -> object:
@@ -389,16 +389,16 @@ _Placed = TypeVar("_Placed", "Creation", "ParameterDeclaration")
 
 
 def _once_for_each_place(items: Iterable[_Placed]) -> list[_Placed]:
-    found: dict[tuple[Place, str, float], _Placed] = {}
+    first: dict[tuple[Place, str, float], _Placed] = {}
     for item in items:
-        found.setdefault((item.place, item.name.text or "", getattr(item, "period", None) or 0.0), item)
-    return [found[key] for key in sorted(found)]
+        first.setdefault((item.place, item.name.text or "", getattr(item, "period", None) or 0.0), item)
+    return [first[key] for key in sorted(first)]
 
 
-def runs_along(one: BranchArms, other: BranchArms) -> bool:
+def runs_along(arms: BranchArms, other: BranchArms) -> bool:
     """Whether, of two nodes in these branches, one runs whenever the other does, and the other may.
 
     A condition that is not followed may never hold: a node under it is held only against one under the same.
     """
-    few, more = sorted((one, other), key=len)
+    few, more = sorted((arms, other), key=len)
     return few <= more and not any(isinstance(branch, UnfollowedCondition) for branch, _ in more - few)

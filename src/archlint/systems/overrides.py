@@ -67,11 +67,11 @@ def applied(started: Started, node: str | None, facts_of: Callable[[str], Parame
     by_key: dict[str, dict[str, Setting]] = {}
     for setting in settings_of(started, node, facts_of):
         by_key.setdefault(setting.key, {})[setting.name] = setting
-    found: dict[str, Setting] = {}
+    by_name: dict[str, Setting] = {}
     for key, settings in by_key.items():  # in the order in which the keys first appear
         if key_matches(key, node):
-            found.update(settings)
-    return list(found.values())
+            by_name.update(settings)
+    return list(by_name.values())
 
 
 def settings_of(started: Started, node: str | None, facts_of: Callable[[str], ParameterFacts]) -> Iterator[Setting]:
@@ -148,21 +148,21 @@ def file_value(value: Any, use: ParameterFileUse, quoted: bool = False) -> objec
 
 def _list_value(values: list[Any], use: ParameterFileUse) -> object:
     """Of what stands in a list, quotes are not kept: a text is known where it is one without them, too."""
-    found = [file_value(value, use) for value in values]
-    changed = [now for one, now in zip(values, found, strict=True) if now is not one]
+    read = [file_value(value, use) for value in values]
+    changed = [now for before, now in zip(values, read, strict=True) if now is not before]
     if all(isinstance(now, str) for now in changed):
-        return found
+        return read
     return first_not_known(changed) or _not_substituted(values, use)
 
 
 def _not_substituted(value: object, use: ParameterFileUse) -> NotKnown:
     """Why what stands in a file is not known: for the first substitution in it that is not."""
     known = dict(use.configurations)
-    for found in _SUBSTITUTION.finditer(str(value)):
-        if found[1] == "env":
-            return NotKnown(f"the environment variable {found[2]}")
-        if found[1] != "var" or found[2] not in known:
-            return NotKnown(f"'{found[0]}' in a parameter file")
+    for match in _SUBSTITUTION.finditer(str(value)):
+        if match[1] == "env":
+            return NotKnown(f"the environment variable {match[2]}")
+        if match[1] != "var" or match[2] not in known:
+            return NotKnown(f"'{match[0]}' in a parameter file")
     return NotKnown("a text that YAML may read in several ways")
 
 
@@ -177,8 +177,8 @@ def substituted(text: str, use: ParameterFileUse) -> str | None:
     if not use.substitutions or "$(" not in text:
         return text
     known = dict(use.configurations)
-    found = _VARIABLE.sub(lambda match: known.get(match[1], match[0]), text)
-    return None if "$(" in found else found
+    filled = _VARIABLE.sub(lambda match: known.get(match[1], match[0]), text)
+    return None if "$(" in filled else filled
 
 
 def command_line_parameters(words: Sequence[str | None]) -> Iterator[tuple[str, object]]:

@@ -34,7 +34,7 @@ def parameter_overrides(
 
     ``remaps`` are the rules of its command line: they may rename a node, and parameter files go by final names.
     """
-    found: dict[tuple[str | None, str | None], Mapping[str, object]] = {}
+    by_node: dict[tuple[str | None, str | None], Mapping[str, object]] = {}
     names: dict[tuple[str | None, str | None], tuple[Text, Text]] = {}
     nodes = [blueprint for blueprint in program.nodes if not blueprint.test]
     for blueprint in nodes:
@@ -42,13 +42,13 @@ def parameter_overrides(
         if program.reads_node_names and node.own is not None and node.own != instantiate(blueprint, program).own:
             names[node_key(blueprint)] = (node.own.name, node.own.namespace)
         reached = blueprint.use_global_arguments
-        found[node_key(blueprint)] = overrides_of(started, known_name(node), parameters_of) if reached else {}
+        by_node[node_key(blueprint)] = overrides_of(started, known_name(node), parameters_of) if reached else {}
     everything, mentioned = _decided_by(program)
     decisive = {
         key: _decisive([node for node in nodes if node_key(node) == key], values, everything, mentioned)
-        for key, values in found.items()
+        for key, values in by_node.items()
     }
-    defaults = _defaults_that_hold(started, nodes, found)
+    defaults = _defaults_that_hold(started, nodes, by_node)
     if not names and not any(decisive.values()) and not (defaults and is_undecided(nodes)):
         return None
     others = next(iter(decisive.values())) if len(decisive) == 1 else overrides_of(started, None, parameters_of)
@@ -141,8 +141,8 @@ def _same(default: object, value: object) -> bool:
 def _settled(
     nodes: list[Blueprint], values: Mapping[tuple[str | None, str | None], Mapping[str, object]]
 ) -> frozenset[str]:
-    found = {name for settings in values.values() for name in settings}
+    set_names = {name for settings in values.values() for name in settings}
     for node in nodes:
         declared = {declaration.name.text for declaration in node.parameters}
-        found -= {name for name in found & declared if name is not None and name not in values[node_key(node)]}
-    return frozenset(found)
+        set_names -= {name for name in set_names & declared if name is not None and name not in values[node_key(node)]}
+    return frozenset(set_names)

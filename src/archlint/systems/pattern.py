@@ -59,9 +59,9 @@ def figures(system: System) -> Figures:
 
     nodes = [node for node in system.nodes if not node.test]
     graph = plain_graph(system)
-    groups = [[one for one in part if not isinstance(one, tuple)] for part in networkx.connected_components(graph)]
+    groups = [[key for key in part if not isinstance(key, tuple)] for part in networkx.connected_components(graph)]
     known = {id(node) for node in nodes}
-    groups = [[one for one in group if one in known] for group in groups]
+    groups = [[key for key in group if key in known] for group in groups]
     sources: dict[int, set[int]] = {id(node): set() for node in nodes}
     targets: dict[int, set[int]] = {id(node): set() for node in nodes}
     pairs = {"topic": 0, "service": 0, "action": 0}
@@ -70,19 +70,19 @@ def figures(system: System) -> Figures:
         sources[target].add(source)
         targets[source].add(target)
     by_degree = sorted(nodes, key=lambda n: (-len(sources[id(n)] | targets[id(n)]), n.name or ""))
-    made = Figures(None, len(nodes), sum(len(group) for group in groups if len(group) > 1), pairs)
-    made.hubs = [
+    figures = Figures(None, len(nodes), sum(len(group) for group in groups if len(group) > 1), pairs)
+    figures.hubs = [
         (node.name or "?", len(sources[id(node)]), len(targets[id(node)]))
         for node in by_degree[:3]
         if len(sources[id(node)] | targets[id(node)]) > 1
     ]
-    made.components = sum(len(group) > 1 for group in groups)
-    made.isolated = sum(len(group) == 1 for group in groups)
-    made.chain = _longest_chain(system, nodes)
+    figures.components = sum(len(group) > 1 for group in groups)
+    figures.isolated = sum(len(group) == 1 for group in groups)
+    figures.chain = _longest_chain(system, nodes)
     # Where single nodes are left, the line of the hub says it.
-    made.bridges = [node.name or "?" for node, parts in splits(system) if len(parts[0]) > 1]
-    made.pattern = _pattern(made, by_degree, sources, targets)
-    return made
+    figures.bridges = [node.name or "?" for node, parts in splits(system) if len(parts[0]) > 1]
+    figures.pattern = _pattern(figures, by_degree, sources, targets)
+    return figures
 
 
 def _pairs(system: System, known: set[int]) -> Iterator[tuple[str, int, int]]:
@@ -106,16 +106,16 @@ def _directed(connection: Connection) -> Iterator[tuple[int, int]]:
 
 
 def _pattern(
-    made: Figures, by_degree: list[Node], sources: dict[int, set[int]], targets: dict[int, set[int]]
+    figures: Figures, by_degree: list[Node], sources: dict[int, set[int]], targets: dict[int, set[int]]
 ) -> str | None:
-    if made.connected < _FEWEST:
+    if figures.connected < _FEWEST:
         return None
-    requests = made.pairs["service"] + made.pairs["action"]
+    requests = figures.pairs["service"] + figures.pairs["action"]
     around = {key: sources[key] | targets[key] for key in sources}
     ties = sum(len(others) for others in around.values()) / 2
     hub = len(around[id(by_degree[0])])
-    central = hub >= max(_FEWEST, _CENTRAL * (made.connected - 1), _CENTRAL * ties)
-    if requests > made.pairs["topic"] or (requests and requests == made.pairs["topic"] and not central):
+    central = hub >= max(_FEWEST, _CENTRAL * (figures.connected - 1), _CENTRAL * ties)
+    if requests > figures.pairs["topic"] or (requests and requests == figures.pairs["topic"] and not central):
         return REQUESTS
     return HUB if central else MANY
 
@@ -129,7 +129,9 @@ def _longest_chain(system: System, nodes: list[Node]) -> list[str]:
     for connection in (*system.services.values(), *system.actions.values()):
         if len(connection.providers) * len(connection.users) <= _WIDEST:
             graph.add_edges_from(
-                (one, other) for one, other in _directed(connection) if one != other and {one, other} <= names.keys()
+                (source, other)
+                for source, other in _directed(connection)
+                if source != other and {source, other} <= names.keys()
             )
     if not graph:
         return []
@@ -138,24 +140,29 @@ def _longest_chain(system: System, nodes: list[Node]) -> list[str]:
 
 
 def _members(condensed: networkx.DiGraph, part: int, names: dict[int, str]) -> str:
-    return "/".join(sorted(names[one] for one in condensed.nodes[part]["members"])).replace("//", " and /")
+    return "/".join(sorted(names[key] for key in condensed.nodes[part]["members"])).replace("//", " and /")
 
 
-def words(made: Figures) -> list[str]:
+def words(figures: Figures) -> list[str]:
     """The figures for people, a line each."""
-    lines = [f"pattern: {made.pattern or 'none: fewer than three nodes are connected'}"]
-    ties = ", ".join(f"{made.pairs[kind]} by {kind}s" for kind in ("topic", "service", "action") if made.pairs[kind])
-    lines.append(f"connected: {made.connected} of {_counted(made.nodes, 'node')}" + (f"; pairs {ties}" if ties else ""))
-    if made.components > 1 or made.isolated:
+    lines = [f"pattern: {figures.pattern or 'none: fewer than three nodes are connected'}"]
+    ties = ", ".join(
+        f"{figures.pairs[kind]} by {kind}s" for kind in ("topic", "service", "action") if figures.pairs[kind]
+    )
+    lines.append(
+        f"connected: {figures.connected} of {_counted(figures.nodes, 'node')}" + (f"; pairs {ties}" if ties else "")
+    )
+    if figures.components > 1 or figures.isolated:
         lines.append(
-            f"parts: {_counted(made.components, 'group')} of connected nodes, {_counted(made.isolated, 'node')} alone"
+            f"parts: {_counted(figures.components, 'group')} of connected nodes, "
+            f"{_counted(figures.isolated, 'node')} alone"
         )
-    for name, fan_in, fan_out in made.hubs:
+    for name, fan_in, fan_out in figures.hubs:
         lines.append(f"hub: {name}, fan-in {fan_in}, fan-out {fan_out}")
-    if len(made.chain) > 1:
-        lines.append(f"longest chain of requests: {' -> '.join(made.chain)}")
-    if made.bridges:
-        lines.append(f"connects the parts: {', '.join(made.bridges)}")
+    if len(figures.chain) > 1:
+        lines.append(f"longest chain of requests: {' -> '.join(figures.chain)}")
+    if figures.bridges:
+        lines.append(f"connects the parts: {', '.join(figures.bridges)}")
     return lines
 
 

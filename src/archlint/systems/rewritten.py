@@ -35,19 +35,19 @@ def rewritten(
 
 
 def _rewritten(sections: Sequence[ParameterSection], change: Rewriting) -> list[ParameterSection]:
-    found = [_read_back(section) for section in sections]
+    read = [_read_back(section) for section in sections]
     new = {key: _value(text, change.convert_types) for key, text in change.parameters}
-    found = [_by_keys(section, new) for section in found if not {*section.path, ROOT} & new.keys()]
+    read = [_by_keys(section, new) for section in read if not {*section.path, ROOT} & new.keys()]
     for path, value in new.items():
         keys = tuple(path.split("."))
         if ROOT in keys[:-1]:
             cut = keys.index(ROOT)
-            found = _set(found, keys[:cut], keys[cut + 1 :], value)
+            read = _set(read, keys[:cut], keys[cut + 1 :], value)
     names = dict(change.keys)
     values = {text: _value(now, change.convert_types) for text, now in change.values}
     root = (change.root_key,) if change.root_key else ()
-    found = [_renamed(_revalued(section, values) if values else section, names, root) for section in found]
-    return sorted(found, key=lambda section: (*section.path, ROOT))  # PyYAML sorts the keys
+    read = [_renamed(_revalued(section, values) if values else section, names, root) for section in read]
+    return sorted(read, key=lambda section: (*section.path, ROOT))  # PyYAML sorts the keys
 
 
 def _value(text: str | NotKnown, convert: bool) -> object:
@@ -85,14 +85,14 @@ def _again(value: Any) -> Any:
 
 def _by_keys(section: ParameterSection, new: Mapping[str, object]) -> ParameterSection:
     """A key that is rewritten gets the value, wherever it stands; what was below it is gone."""
-    found: dict[Path, ParameterEntry] = {}
+    entries: dict[Path, ParameterEntry] = {}
     for entry in section.entries:
         depth = next((number for number, key in enumerate(entry.path, start=1) if key in new), None)
         if depth is not None:
             path = entry.path[:depth]
             entry = replace(entry, name=".".join(path), path=path, value=new[path[-1]], changed=True)
-        found[entry.path] = entry
-    return replace(section, entries=tuple(found.values()))
+        entries[entry.path] = entry
+    return replace(section, entries=tuple(entries.values()))
 
 
 def _set(sections: list[ParameterSection], node: Path, path: Path, value: object) -> list[ParameterSection]:

@@ -16,12 +16,12 @@ def connections(system: System) -> list[Connection]:
 
 def connected(system: System) -> set[int]:
     """``id`` of the nodes that share a name with another node, be it one that is not known."""
-    found: set[int] = set()
+    talking: set[int] = set()
     for connection in connections(system):
         nodes = {id(end.node) for end in (*connection.providers, *connection.users)}
         if len(nodes) > 1:
-            found |= nodes
-    return found
+            talking |= nodes
+    return talking
 
 
 def plain_graph(system: System) -> networkx.Graph:
@@ -49,15 +49,15 @@ def splits(system: System) -> list[tuple[Node, list[list[Node]]]]:
 
     graph = plain_graph(system)
     nodes = {id(node): node for node in system.nodes}
-    found = []
+    points = []
     for key in set(networkx.articulation_points(graph)) & nodes.keys():
         around = networkx.node_connected_component(graph, key) - {key}
         parts = [
-            [nodes[one] for one in part if one in nodes]
+            [nodes[member] for member in part if member in nodes]
             for part in networkx.connected_components(graph.subgraph(around))
         ]
         parts = [part for part in parts if part]
         counted = [part for part in parts if len(part) > 1] or parts
         if len(counted) > 1:
-            found.append((nodes[key], counted))
-    return sorted(found, key=lambda entry: entry[0].name or "")
+            points.append((nodes[key], counted))
+    return sorted(points, key=lambda entry: entry[0].name or "")

@@ -45,8 +45,8 @@ def condition(holding: Sequence[Arguments], every: Sequence[Arguments]) -> str |
     names = sorted(every[0])
     for size in range(1, len(names) + 1):
         for chosen in combinations(names, size):
-            for one in holding:
-                part = {name: one[name] for name in chosen}
+            for arguments in holding:
+                part = {name: arguments[name] for name in chosen}
                 if all(other in holding for other in every if part.items() <= other.items()):
                     return " ".join(f"{name}:={value}" for name, value in part.items())
     raise AssertionError("a whole combination names itself")
