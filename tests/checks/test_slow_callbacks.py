@@ -832,6 +832,19 @@ def test_how_often_the_loop_of_a_caller_goes_round(run: Run, loop: str, expected
         ("self.process.wait(timeout=5)", ["EXE003"]),
         ("self.process.wait(timeout=5)\n    self.process.kill()", ["EXE003"]),
         ("self.other.terminate()\n    self.process.wait(timeout=5)", ["EXE003"]),
+        (
+            "if self.process.poll() is None:\n        self.process.terminate()\n    self.process.wait(timeout=5)",
+            [],
+        ),
+        (
+            "try:\n        self.process.terminate()\n    finally:\n        self.process.wait(timeout=5)",
+            [],
+        ),
+        (
+            "if self.process.poll():\n        self.process.terminate()\n"
+            "    else:\n        self.process.wait(timeout=5)",
+            ["EXE003"],
+        ),
     ],
 )
 def test_a_process_that_is_told_to_end_may_take_a_moment(run: Run, end: str, expected: list[str]):

@@ -5,10 +5,9 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from archlint.analysis.assumptions import dotted
-from archlint.finding import Place
 from archlint.syntax import facts
 from archlint.syntax.control_flow import graph_of
-from archlint.syntax.flow_graph import without_exceptions
+from archlint.syntax.flow_graph import Edge, Kind, without_exceptions
 from archlint.syntax.parts import everything_in
 from archlint.syntax.walk import calls_in
 
@@ -32,11 +31,19 @@ def is_told_to_end(code: SourceCode, call: ApiCall, stay: Stay) -> bool:
     expression = code.expression(call)
     name = "" if expression is None or call.api not in _OF_PROCESS else _owner(expression)
     ends = _KILLS if stay.seconds is None else _ENDS
-    return name != "" and any(
-        Place.of(call.file, one.span) < call.place
-        and ((one.func.attribute in ends and _owner(one) == name) or _signals(one, name, stay.seconds is None))
-        for one in calls_in(code.body(call))
+    if not name:
+        return False
+    graph = graph_of(code.body(call))
+    earlier = graph.before(graph.evaluating(call.place.span), _in_this_round)
+    return any(
+        (one.func.attribute in ends and _owner(one) == name) or _signals(one, name, stay.seconds is None)
+        for block in earlier
+        for one in calls_in(block.fact)
     )
+
+
+def _in_this_round(edge: Edge) -> bool:
+    return edge.kind is not Kind.BACK
 
 
 def _signals(call: facts.Call, process: str, certainly: bool) -> bool:
