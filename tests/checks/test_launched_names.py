@@ -251,3 +251,24 @@ def test_the_namespace_that_an_including_file_gives(findings):
     files = {"launch/all.launch.xml": outer, **absolute("/left/words")}
     (found,) = findings("NME001", node(), **files)
     assert found.help == "write 'words': the launch file starts the node in '/left'"
+
+
+@pytest.mark.parametrize(
+    ("parameter", "place"),
+    [
+        ('<param name="robot" value="p2, p3"/>', ("launch/it.launch.xml", 1)),
+        ('<param from="$(find-pkg-share robot)/config/p.yaml"/>', ("config/p.yaml", 3)),
+    ],
+)
+def test_the_value_that_makes_bad_names_is_told_where_it_is_set(findings, parameter: str, place: tuple[str, int]):
+    lines = "robot = self.declare_parameter('robot', 'p1').value\n        "
+    lines += "".join(f"self.create_publisher(String, f'/{{robot}}/{name}', 10)\n        " for name in ("pose", "goal"))
+    files = {
+        "robot/talker.py": TALKER.replace("self.declare_parameter('rate', 1.0)", lines),
+        "config/p.yaml": "talker:\n  ros__parameters:\n    robot: 'p2, p3'\n",
+    }
+    (found,) = findings("NME002", node(parameter), **files)
+    assert (found.place.file, found.place.line) == place
+    assert "'/p2, p3/goal', which is made of this value of the parameter 'robot'" in found.message
+    assert len(found.related) == 2
+    assert findings("NME002", node(parameter.replace("p2, p3", "p2")), **files | {"config/p.yaml": ""}) == []

@@ -111,3 +111,14 @@ def test_a_node_action_without_a_package_needs_none(findings):
 def test_a_module_that_is_not_there_is_named_with_the_near_one(findings, target, words):
     (found,) = findings("PKG002", **{"setup.py": SETUP.replace("robot.talker:", f"{target}:"), "robot/a.py": ""})
     assert found.message.endswith(f": {words}")
+
+
+def test_entries_whose_modules_lack_one_function_are_one_finding(findings):
+    entries = "'talker = robot.talker:main', 'left = robot.left:main', 'right = robot.right:main'"
+    setup = SETUP.replace("'talker = robot.talker:main'", entries)
+    files = {"setup.py": setup, "robot/left.py": "", "robot/right.py": ""}
+    (found,) = findings("PKG002", **files)
+    assert found.message == "2 executables cannot start: their modules have no function 'main': left, right"
+    assert [one.message for one in found.related] == ["the entry of 'right'"]
+    (found,) = findings("PKG002", **files | {"robot/right.py": "def main():\n    pass\n"})
+    assert found.message == "the executable 'left' cannot start: 'robot.left' has no function 'main'"

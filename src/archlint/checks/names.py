@@ -14,6 +14,7 @@ from archlint.finding import Finding, Related
 from archlint.model import NAMED
 from archlint.ros import names
 from archlint.suggestions import listed
+from archlint.systems.overrides import Setting, applied
 
 if TYPE_CHECKING:
     from archlint.finding import Place
@@ -62,9 +63,14 @@ def _invalid_node(node: Node) -> Iterator[Finding]:
 
 
 def _invalid_endpoints(system: System, node: Node) -> Iterator[Finding]:
+    values: dict[Place, tuple[Setting, list[Endpoint]]] = {}
     for endpoint in node.endpoints:
         creation = endpoint.creation
         if endpoint.error is None or not endpoint.resolved or node.test:
+            continue
+        value = _set_by_launch(system, endpoint) if endpoint.resolution == "parameter" else None
+        if value is not None:
+            values.setdefault(value.place, (value, []))[1].append(endpoint)
             continue
         if endpoint.resolution == "parameter" and creation.conditional:
             continue  # with that value of the parameter the branch may not be taken
@@ -89,6 +95,34 @@ def _invalid_endpoints(system: System, node: Node) -> Iterator[Finding]:
             identity=(creation.function, endpoint.kind, shown),
             group=() if relative is None else (creation.place.file, creation.function, "no namespace"),
         )
+
+    yield from (_bad_value(value, endpoints) for value, endpoints in values.values())
+
+
+def _set_by_launch(system: System, endpoint: Endpoint) -> Setting | None:
+    """The value that a launch file or a parameter file sets, of the parameter that decides a name."""
+    started = endpoint.node.started
+    if started is None or system.workspace is None:
+        return None
+    settings = applied(started, endpoint.node.name, system.workspace.parameters_of)
+    return next((setting for setting in settings if setting.name == endpoint.parameter), None)
+
+
+def _bad_value(value: Setting, endpoints: Sequence[Endpoint]) -> Finding:
+    """One finding for the names that are made of one value, where that is set."""
+    first, *_ = endpoints
+    return finding(
+        "NME002",
+        value.value_place or value.place,
+        f"ROS rejects the {NAMED[first.kind]} name '{first.written}', which is made of this value of the parameter "
+        f"'{value.name}': {first.error}",
+        help=f"set '{value.name}' to a value that may be part of a name: letters, digits, '_' and '/'",
+        related=[
+            Related(end.creation.name.origin or end.place, f"'{end.written}' is made of it here") for end in endpoints
+        ],
+        node=first.node.name,
+        identity=("value", value.name, first.written or ""),
+    )
 
 
 def _relative(endpoint: Endpoint) -> str | None:

@@ -3,14 +3,16 @@
 from __future__ import annotations
 
 import posixpath
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from archlint.analysis.entry_points import NoFunction, NoFunctionNamed, NoModule, broken_target
+from archlint.checks.folding import folds
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
-from archlint.finding import Finding
-from archlint.suggestions import did_you_mean, nearest
+from archlint.finding import Finding, Related
+from archlint.suggestions import did_you_mean, listed, nearest
 
 if TYPE_CHECKING:
     from archlint.systems.model import System, WorkspaceIndex
@@ -67,7 +69,9 @@ def _broken(workspace: WorkspaceIndex, executable: Executable) -> Iterator[Findi
         case NoFunctionNamed(module):
             yield _entry_finding(executable, f"'{module}' is a module, and the entry names no function in it")
         case NoFunction(module, function, names):
-            yield _entry_finding(executable, f"'{module}' has no function '{function}'{did_you_mean(function, names)}")
+            meant = did_you_mean(function, names)
+            group = () if meant else (executable.place.file, function)
+            yield _entry_finding(executable, f"'{module}' has no function '{function}'{meant}", group)
 
 
 def _near_module(module: str, known: Iterable[str]) -> str:
@@ -80,11 +84,28 @@ def _near_module(module: str, known: Iterable[str]) -> str:
     return f"; did you mean '{parent}.{near}'?" if near is not None else ""
 
 
-def _entry_finding(executable: Executable, what: str) -> Finding:
+@folds("PKG002")
+def _without_one_function(several: Sequence[Finding]) -> Finding:
+    """One finding for the entries of a file whose modules all lack the same function."""
+    first, *others = several
+    if not others:
+        return first
+    _, function = first.group
+    names = [told.identity[1] for told in several]
+    return replace(
+        first,
+        message=f"{len(names)} executables cannot start: their modules have no function '{function}': {listed(names)}",
+        related=tuple(Related(told.place, f"the entry of '{told.identity[1]}'") for told in others),
+        identity=(first.identity[0], *names),
+    )
+
+
+def _entry_finding(executable: Executable, what: str, group: Sequence[str] = ()) -> Finding:
     return finding(
         "PKG002",
         executable.place,
         f"the executable '{executable.name}' cannot start: {what}",
         help="write the entry point as 'name = package.module:function'",
         identity=(executable.package, executable.name),
+        group=group,
     )
