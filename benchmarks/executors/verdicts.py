@@ -27,7 +27,8 @@ _MANIFEST = "<package format='3'><name>{name}</name><version>0.0.0</version></pa
 _SAID = (
     ("it does not sleep at all", NO_SLEEP),
     ("none is left", STARVES),
-    ("leave none to take an answer", STARVES),
+    ("no thread is left", STARVES),
+    ("leave no thread", STARVES),
     (blocking.RAISES_NESTED, "raises RuntimeError"),
     (blocking.STRANDS, STRANDS),
     (blocking.RAISES_TIMEOUT, TIMEOUT),

@@ -156,6 +156,28 @@ class TestSignatures:
         assert codes(run(source(create, method))) == expected
 
     @pytest.mark.parametrize(
+        ("given", "parameters", "expected"),
+        [
+            ("self.take", "self", None),
+            ("self.take", "self, arm", "is called with no argument, and Robot.take takes 1 argument (arm)"),
+            ("self.take, 1", "self, arm", None),
+            ("self.take, 1", "self", "is called with 1 argument, and Robot.take takes no argument"),
+            ("self.take, 1, 2", "self, arm", "is called with 2 arguments, and Robot.take takes 1 argument (arm)"),
+            ("self.take, arm=1", "self, arm", None),
+            ("self.take, 1", "self, arm, *, fast", "takes 1 argument (arm) and needs fast=… by name"),
+            ("self.take, 1, fast=True", "self, arm, *, fast", None),
+            ("partial(self.take, 1)", "self, arm", None),
+            ("self.take, *self.arms", "self, arm", None),
+            ("self.taken", "self", "a task of the executor is 'taken', but there is no such method"),
+        ],
+    )
+    def test_a_task_gets_what_create_task_is_given(self, run: Run, given: str, parameters: str, expected: str | None):
+        tick = f"self.create_timer(5.0, lambda: self.executor.create_task({given}))\n"
+        found = run(source(tick, f"def take({parameters}):\n    pass\n"))
+        assert [one.code for one in found] == ([] if expected is None else ["EXE006"])
+        assert all(expected in one.message for one in found if expected is not None)
+
+    @pytest.mark.parametrize(
         ("callback", "expected"),
         [("take", []), ("taken", ["EXE006"]), ("_taken", ["EXE006"]), ("trigger_cleanup", [])],
     )
@@ -308,6 +330,52 @@ class TestSpinning:
     )
     def test_a_node_that_is_not(self, run: Run, body: str):
         assert codes(run(source(TIMER, self.TICK, self.main(body)))) == ["EXE008"]
+
+    @pytest.mark.parametrize(
+        ("body", "said"),
+        [
+            ("executor = MultiThreadedExecutor()\nexecutor.spin()", "the timer is created here"),
+            (
+                "executor = MultiThreadedExecutor()\nexecutor.add_node(robot)\nexecutor.remove_node(robot)\n"
+                "executor.spin()",
+                "it is taken off its executor here",
+            ),
+            (
+                "spinner = threading.Thread(target=rclpy.spin, args=(robot,))\nspinner.daemon = True\ntime.sleep(5)",
+                "this thread would spin it, and is never started",
+            ),
+            (
+                "threading.Thread(target=lambda: rclpy.spin(robot))\ntime.sleep(5)",
+                "this thread would spin it, and is never started",
+            ),
+        ],
+        ids=["no node", "removed", "not started", "thrown away"],
+    )
+    def test_what_would_spin_it_does_not(self, run: Run, body: str, said: str):
+        [found] = run(source(TIMER, self.TICK, self.main(body)))
+        assert found.code == "EXE008" and found.related[-1].message == said
+
+    @pytest.mark.parametrize(
+        "body",
+        [
+            "executor = MultiThreadedExecutor()\nfill(executor)\nexecutor.spin()",
+            "executor = MultiThreadedExecutor()\nrobot.executor = executor\nexecutor.spin()",
+            "executor = MultiThreadedExecutor()\nexecutor.add_node(robot)\nexecutor.spin()\n"
+            "executor.remove_node(robot)",
+            "executor = MultiThreadedExecutor()\nexecutor.add_node(robot)\n"
+            "threading.Thread(target=executor.spin).start()\ntime.sleep(5)\nexecutor.remove_node(robot)",
+            "executor = MultiThreadedExecutor()\nexecutor.add_node(robot)\nexecutor.remove_node(robot)\n"
+            "executor.add_node(robot)\nexecutor.spin()",
+            "spinner = threading.Thread(target=rclpy.spin, args=(robot,))\nspinner.start()",
+            "spinner = threading.Thread(target=rclpy.spin, args=(robot,))\nfor one in [spinner]:\n    one.start()",
+            "spinner = threading.Thread(target=rclpy.spin, args=(robot,))\nbegin = spinner.start\nbegin()",
+            "spinner = threading.Thread(target=rclpy.spin, args=(robot,))\n\n"
+            "def begin():\n    spinner.start()\n\nbegin()",
+        ],
+    )
+    def test_what_spins_it_after_all(self, run: Run, body: str):
+        text = source(TIMER, self.TICK, self.main(body))
+        assert codes(run(f"from robot_tools import fill\n{text}")) == []
 
     def test_all_that_never_runs_is_named(self, run: Run):
         others = "self.create_subscription(Empty, 'ready', self.on_ready, 10)\n" + TIMER * 2

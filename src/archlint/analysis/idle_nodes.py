@@ -50,7 +50,8 @@ class Idle:
 
 def _all_is_seen(program: Program, node: Blueprint) -> bool:
     unknown = any(
-        use.kind == ExecutorKind.UNKNOWN or use.astray or (use.spun and not use.nodes) for use in program.executors
+        use.kind == ExecutorKind.UNKNOWN or use.astray or (use.spun and not use.nodes and use.place is None)
+        for use in program.executors
     )
     return not (program.exhausted or unknown or node.escapes) and node.complete
 

@@ -32,13 +32,14 @@ _PASSED = {
     Role.DONE: ("the future",),
     Role.PARAMETER: ("the parameters",),
 }
-"""What rclpy calls a callback with."""
+"""What rclpy calls a callback with; a task, with what it is given."""
 
 _WHAT = {
     Role.SUBSCRIPTION: "the callback of a subscription",
     Role.SERVICE: "a service handler",
     Role.GUARD: "the callback of a guard condition",
     Role.DONE: "a done callback",
+    Role.TASK: "a task of the executor",
 }
 
 
@@ -50,7 +51,7 @@ def callback_signature(system: System, options: Options) -> Iterator[Finding]:
     for program in system.programs:
         for callback in program.callbacks:
             place = callback.registered
-            if callback.role not in _PASSED or place is None or any(map(is_test, (place.file, program.file))):
+            if not _is_judged(callback) or place is None or any(map(is_test, (place.file, program.file))):
                 continue
             wrong = _wrong(system, callback, options.distros)
             if wrong is not None:
@@ -58,6 +59,19 @@ def callback_signature(system: System, options: Options) -> Iterator[Finding]:
     yield from one_for_each_place(
         _finding(system, [found[places] for places in sorted(found)], options.distros) for found in alike.values()
     )
+
+
+def _is_judged(callback: Callback) -> bool:
+    if callback.role == Role.TASK:
+        return callback.handed_over is not None
+    return callback.role in _PASSED
+
+
+def _passed(callback: Callback) -> Sequence[str]:
+    """What a callback is called with, in words."""
+    if not callback.handed_over:
+        return _PASSED.get(callback.role, ())
+    return ("1 argument",) if callback.handed_over == 1 else (f"{callback.handed_over} arguments",)
 
 
 @dataclass(frozen=True)
@@ -112,7 +126,7 @@ def _missing(system: System, first: _Wrong, others: Sequence[_Wrong]) -> Finding
 
 
 def _misfit(system: System, first: _Wrong, others: Sequence[_Wrong], distros: Sequence[str]) -> Finding:
-    callback, passed = first.callback, _and(_PASSED[first.callback.role])
+    callback, passed = first.callback, _and(_passed(first.callback))
     some = set(first.distros) != set(distros)
     where = f" {in_distros(first.distros)}" if some else ""
     names = list(dict.fromkeys(one.callback.name for one in others if one.callback.name != callback.name))
@@ -121,7 +135,7 @@ def _misfit(system: System, first: _Wrong, others: Sequence[_Wrong], distros: Se
         "EXE006",
         _place(first),
         f"{_what(callback)} is called with {passed}{where}, and {callback.name} {first.takes}{so}",
-        help=f"rclpy passes {passed}" + _more(callback.role, distros),
+        help=_what_is_passed(callback, passed) + _more(callback.role, distros),
         related=[
             Related(callback.place, f"{callback.name} is defined here")
             if _place(first) != callback.place
@@ -173,7 +187,7 @@ def _registered(wrong: _Wrong) -> Place:
 
 def _fits(system: System, signature: Signature, callback: Callback, distro: str) -> bool:
     """Whether a function can be called with what rclpy of ``distro`` passes."""
-    counts = [len(_PASSED[callback.role])]
+    counts = [len(_PASSED.get(callback.role, ())) if callback.handed_over is None else callback.handed_over]
     if callback.role == Role.SUBSCRIPTION and distro != "humble":
         counts.append(2)
     if callback.role == Role.TIMER and distro not in ("humble", "jazzy") and signature.wants_timer_info:
@@ -196,6 +210,12 @@ def _takes(signature: Signature) -> str:
 
 def _and(parts: Sequence[str]) -> str:
     return " and ".join(parts) if parts else "no argument"
+
+
+def _what_is_passed(callback: Callback, passed: str) -> str:
+    if callback.role == Role.TASK:
+        return "give create_task() the arguments after the callback: create_task(callback, argument)"
+    return f"rclpy passes {passed}"
 
 
 def _more(role: Role, distros: Sequence[str]) -> str:

@@ -13,6 +13,7 @@ from archlint.analysis.reach import node_name, one_for_each_place
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.finding import Finding, Related, Severity
+from archlint.model import ExecutorKind
 
 if TYPE_CHECKING:
     from archlint.model import Blueprint
@@ -42,6 +43,12 @@ def _never_spun(system: System, node: Blueprint, idle: Idle) -> Finding:
     message = f"nothing spins this node, so the {callbacks} of its {what} never {runs}"
     help_ = "rclpy.spin(node), or add it to the executor that spins"
     related = [Related(one.place, f"the {SERVED[one.kind]} is created here") for one in served[:_SHOWN]]
+    if node.executor == ExecutorKind.NONE:
+        if node.never_starting is not None:
+            help_ = "start the thread: call its start()"
+            related.append(Related(node.never_starting, "this thread would spin it, and is never started"))
+        elif node.removed_at is not None:
+            related.append(Related(node.removed_at, "it is taken off its executor here"))
     if idle.spin is not None:
         message = f"nothing spins this node after its constructor, so the {callbacks} of its {what} no longer {runs}"
         related.append(Related(idle.spin, "the constructor spins only briefly"))

@@ -15,6 +15,7 @@ from archlint.libraries.rclpy import (
     attributes,
     changed_profiles,
     escapes,
+    executors,
     interfaces,
     message_constants,
     message_uses,
@@ -185,6 +186,8 @@ class RosLibrary(Library):
 
     def assigned(self, target: Value, name: str, value: Value) -> None:
         escapes.assigned(self.run, target, name, value)
+        if name == "executor":
+            executors.set_executor(self.run, target, value)
         if isinstance(target, External):
             changed_profiles.change_preset(self.run, target, name, value)
 

@@ -55,7 +55,7 @@ class ExecutorUse:
     spells: dict[Blueprint, list[Spell]] = field(default_factory=dict)
     """The nodes that are only there while a spin that is given them lasts, with these spins."""
     astray: bool = False
-    """True where it was given a node that is not known."""
+    """True where it was given a node that is not known, or code that is not followed has the executor."""
 
     def lasts_for(self, node: Blueprint) -> SpinDuration:
         """How long it spins one of its nodes."""

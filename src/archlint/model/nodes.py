@@ -73,6 +73,10 @@ class Callback:
     """How many leading positional arguments are already bound (``self``, ``partial``)."""
     bound_keywords: frozenset[str] = frozenset()
     """Parameters that a ``partial`` binds by name."""
+    never_starts: bool = False
+    """True of a thread that is made and not started."""
+    handed_over: int | None = None
+    """How many arguments a task is given besides its callback; None of all others, and where it is not known."""
     file: str = ""
     missing: str | None = None
     """Set when the callback names a method that does not exist: its name."""
@@ -202,6 +206,10 @@ class Blueprint:
     """True where an executor was given it, and not one of several nodes."""
     escapes: bool = False
     """True where code that is not in this workspace is given the node: that may spin it."""
+    never_starting: Place | None = None
+    """The thread that would spin it and is never started."""
+    removed_at: Place | None = None
+    """The call that takes it off its executor before that spins."""
     number: int = 0
     """How many nodes the program had made before this one."""
     until: int | None = None

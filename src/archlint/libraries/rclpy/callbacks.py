@@ -130,3 +130,15 @@ def told_apart(run: Run, base: Key, call: ApiUse) -> Key:
     apart = tuple(kind_key(run.store, function, closely=closely) for function in functions)
     first = run.noted.told_apart.setdefault(base, apart)
     return (*base, apart if run.nodes.met_again is None else first)
+
+
+def task(run: Run, call: ApiUse, node: model.Blueprint | None) -> None:
+    """``executor.create_task(self.go, 1, fast=True)``: the executor calls ``self.go(1, fast=True)``."""
+    value = call.get("callback")
+    if value is None:
+        return
+    named = tuple((name, given) for name, given in call.keywords.items() if name != "callback")
+    value = Partial(value, (), named) if named else value
+    callback = register(run, value, model.Role.TASK, node, None, None, call, tuple(call.rest))
+    if callback is not None and not call.open:
+        callback.handed_over = len(call.rest)

@@ -100,6 +100,9 @@ def _callbacks(run: Run, call: ApiUse) -> Value:
         node = call.receiver.creations[0].node
     if node is None and isinstance(call.receiver, ExecutorValue):
         node = _node_of_a_task(run, call.receiver)
+    if call.api.callbacks[0][1] == model.Role.TASK:
+        callbacks.task(run, call, node)
+        return Unknown(f"the result of {call.api.path}()")
     callbacks.register_row(run, call, node, None, _group(run, call))
     return Unknown(f"the result of {call.api.path}()")
 
@@ -154,6 +157,7 @@ EFFECTS: dict[str, Effect] = {
     "executor": executors.make_executor,
     "executor_spin": executors.executor_spin,
     "add_node": executors.add_node,
+    "remove_node": executors.remove_node,
     "declare_parameter": declarations.declare_parameter,
     "declare_parameters": declarations.declare_parameters,
     "get_parameter": parameters.get_parameter,

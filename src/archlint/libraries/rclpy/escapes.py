@@ -129,6 +129,7 @@ def _spread(run: Run, values: Iterable[Value], how: Escape) -> None:
             case ClassValue():
                 nodes.hand_out_class(run, value)
             case ExecutorValue(use=use):
+                use.astray = True
                 for served in use.nodes:
                     mark(served, how)
             case FunctionValue() | BoundMethod() | Partial():

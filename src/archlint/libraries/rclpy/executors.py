@@ -103,6 +103,15 @@ def running(run: Run, node: model.Blueprint | None) -> model.ExecutorUse | None:
     return found[0] if len(found) == 1 else None
 
 
+def _is_left_out(run: Run, spun: Sequence[model.Blueprint]) -> bool:
+    """Whether a spin is in a thread that is never started."""
+    if not run.context.never_starts:
+        return False
+    for node in spun:
+        node.never_starting = run.context.registered or run.context.place
+    return True
+
+
 def _spins(run: Run, use: model.ExecutorUse, call: ApiUse, lasting: model.SpinDuration) -> None:
     if not use.spun or lasting > use.lasting:
         use.spun_at = _place(run, call)
@@ -148,6 +157,8 @@ def spin(run: Run, call: ApiUse) -> Value:
     """``rclpy.spin(node)`` and its relatives."""
     spun = nodes.given_nodes(run, call.get("node"), plausible=False)
     lasting = _lasting(run, call, spun)
+    if _is_left_out(run, spun):
+        return Unknown("the result of a spin")
     if run.context.role in _STARTED or spun != [run.context.node]:
         given = call.get("executor")
         use = use_of(run, given)
@@ -202,9 +213,32 @@ def add_node(run: Run, call: ApiUse) -> Value:
     return Known(True)
 
 
+def remove_node(run: Run, call: ApiUse) -> Value:
+    """``executor.remove_node(node)``, where nothing can have spun the executor by then: later it is clearing up."""
+    use = use_of(run, call.receiver)
+    removed = nodes.given_nodes(run, call.get("node"), plausible=False)
+    at_start = run.context.role in (model.Role.MAIN, model.Role.MODULE) and not run.branch_arms
+    apart = any(one.role in (model.Role.THREAD, model.Role.METHOD) for one in run.program.callbacks)
+    if use is None or use.spun or not at_start or apart or any(one.loops or one.tries for one in run.activations):
+        return Known(None)
+    for node in removed if len(removed) == 1 else ():
+        if node in use.nodes:
+            use.nodes.remove(node)
+            use.spells.pop(node, None)
+            node.removed_at = _place(run, call)
+    return Known(None)
+
+
+def set_executor(run: Run, target: Value, value: Value) -> None:
+    """``node.executor = executor`` adds the node to the executor."""
+    use, node = use_of(run, value), nodes.known_node(run, target)
+    if use is not None and node is not None:
+        _put(use, node)
+
+
 def executor_spin(run: Run, call: ApiUse) -> Value:
     use = use_of(run, call.receiver)
-    if use is not None:
+    if use is not None and not _is_left_out(run, use.nodes):
         _spins(run, use, call, _lasting(run, call, use.nodes))
     _serve(run, call)
     return Unknown("the result of a spin")

@@ -22,6 +22,7 @@ from archlint.interpreter.values import (
 )
 from archlint.libraries import tables
 from archlint.libraries.rclpy.callbacks import register
+from archlint.libraries.rclpy.unstarted_threads import is_never_started
 from archlint.syntax import facts
 
 if TYPE_CHECKING:
@@ -36,6 +37,7 @@ def thread(run: Run, call: ApiUse) -> Value:
     if isinstance(given, ListValue):
         arguments = list(containers.items_of(run, given).values)
     keywords = call.get("kwargs")
+    idle = is_never_started(run, call.expression)
     for parameter, role in call.api.callbacks:
         value = call.get(parameter)
         if value is None:
@@ -44,28 +46,37 @@ def thread(run: Run, call: ApiUse) -> Value:
             entries = containers.entries_of(run, keywords).entries.values()
             pairs = tuple((key.text, item) for key, item in entries if key.text is not None)
             value = Partial(value, (), pairs) if pairs else value
-        register(run, value, role, None, None, None, call, tuple(arguments))
+        callback = register(run, value, role, None, None, None, call, tuple(arguments))
+        if callback is not None:
+            callback.never_starts = idle
         if isinstance(value, (Unknown, OneOf)):
             run.library.given_away(CallSite(arguments))
-        _run_foreign_target(run, value, arguments, call)
+        _run_foreign_target(run, value, arguments, call, idle)
     place = run.place(call.expression.span) if call.expression is not None else None
     return Instance(External(call.api.path), run.store.new_key(), place)
 
 
-def _run_foreign_target(run: Run, value: Value, arguments: list[Value], call: ApiUse) -> None:
+def _run_foreign_target(run: Run, value: Value, arguments: list[Value], call: ApiUse, idle: bool) -> None:
     """``Thread(target=executor.spin)`` and ``Thread(target=rclpy.spin, args=(node,))``: no function of ours, so
     nothing is left to be run later."""
     for option in alternatives(value):
         match option.callee:
             case ApiMethod(path=path) | External(path=path):
-                _run_apart(run, option, path, arguments, call.expression)
+                _run_apart(run, option, path, arguments, call.expression, idle)
 
 
-def _run_apart(run: Run, target: Value, name: str, arguments: Iterable[Value], expression: facts.Call | None) -> None:
-    """A function of a library runs in a thread that is started here."""
+def _run_apart(
+    run: Run,
+    target: Value,
+    name: str,
+    arguments: Iterable[Value],
+    expression: facts.Call | None,
+    idle: bool = False,
+) -> None:
+    """A function of a library runs in a thread that is made here; an ``idle`` one is never started."""
     kept = run.context
     place = kept.place if expression is None else run.place(expression.span)
-    run.context = model.Callback(model.Role.THREAD, name, place, None, file=place.file)
+    run.context = model.Callback(model.Role.THREAD, name, place, None, file=place.file, never_starts=idle)
     try:
         run.call(target, CallSite(list(arguments)))
     finally:

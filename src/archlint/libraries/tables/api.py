@@ -32,6 +32,7 @@ EffectName = Literal[
     "executor",
     "executor_spin",
     "add_node",
+    "remove_node",
     # parameters and names
     "declare_parameter",
     "declare_parameters",

@@ -31,6 +31,7 @@ ROWS = (
     ),
     Api("rclpy.executors.Executor", "* context", effect="executor", executor=ExecutorKind.UNKNOWN),
     Api("rclpy.executors.Executor.add_node", "node", effect="add_node"),
+    Api("rclpy.executors.Executor.remove_node", "node", effect="remove_node"),
     Api("rclpy.executors.Executor.spin", effect="executor_spin", watched=True),
     Api("rclpy.executors.Executor.spin_once", "timeout_sec", effect="executor_spin", watched=True),
     Api(
