@@ -279,6 +279,8 @@ def test_names_that_one_file_takes_from_another(named):
     ("import_", "severity"),
     [
         ("from robot.eyes import Eye", Severity.INFO),
+        ("import rospy", Severity.INFO),
+        ("from dynamic_reconfigure.server import Server", Severity.INFO),
         ("from robot.driver import Eye", Severity.WARNING),
         ("from robot import driver", Severity.WARNING),
         ("from robot.msg import Eye", Severity.WARNING),
@@ -306,7 +308,8 @@ def test_a_script_that_nobody_installs_and_whose_import_fails(tmp_path, monkeypa
         one for one in check(Request((".",), load(tmp_path), cached=False, jobs=1)).findings if one.code == "EXE008"
     ]
     assert [one.severity for one in found] == [severity]
-    assert ("its import of 'robot.eyes' fails" in found[0].message) == (severity is Severity.INFO)
+    module = import_.split()[1]
+    assert (f"its import of '{module}' fails" in found[0].message) == (severity is Severity.INFO)
 
 
 WAITS = """

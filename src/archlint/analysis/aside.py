@@ -75,9 +75,12 @@ def is_not_installed(workspace: WorkspaceIndex | None, file: str) -> bool:
 
 
 def import_that_fails(workspace: WorkspaceIndex | None, file: str) -> str | None:
-    """The first module of a file's own package that it imports as it starts, and that is not there."""
+    """The first module that a file imports as it starts and that is not there: one of its own package, or of ROS 1."""
     package = None if workspace is None else workspace.package_of(file)
     found = None if workspace is None else workspace.facts_at(file)
+    for one in [] if found is None else found.body:
+        if isinstance(one, (facts.Import, facts.ImportFrom)) and one.module.partition(".")[0] in _OF_ROS_1:
+            return one.module
     if workspace is None or package is None or found is None or package not in workspace.code.top_modules:
         return None
     imports = (one for one in found.body if isinstance(one, facts.ImportFrom) and not one.level)
@@ -90,6 +93,8 @@ def import_that_fails(workspace: WorkspaceIndex | None, file: str) -> str | None
     return None
 
 
+_OF_ROS_1 = frozenset({"actionlib", "dynamic_reconfigure", "roslib", "rospy"})
+"""Modules that ROS 2 does not have; the file was not ported to the end."""
 _GENERATED = frozenset({"msg", "srv", "action"})
 
 
