@@ -167,6 +167,9 @@ def test_a_script_where_there_is_no_package(tmp_path: Path, monkeypatch: pytest.
     [script] = check(Request((".",), load(tmp_path), cached=False, jobs=1)).findings
     assert script.severity is Severity.INFO and script.message.endswith("in code that no package installs")
     assert script.fix is not None and script.fix.title == "take the name from a parameter"
+    (tmp_path / "measure.py").write_text(NODE.partition("def main")[0] + "rclpy.init()\nrclpy.spin(Talker())\n")
+    [unguarded] = check(Request((".",), load(tmp_path), cached=False, jobs=1)).findings
+    assert unguarded.severity is Severity.INFO
     (tmp_path / "measure.py").write_text(NODE.partition("if __name__")[0])
     [module] = check(Request((".",), load(tmp_path), cached=False, jobs=1)).findings
     assert module.severity is Severity.WARNING

@@ -121,9 +121,17 @@ def _stray(workspace: WorkspaceIndex) -> frozenset[str]:
 
 
 def _is_script(workspace: WorkspaceIndex, file: str) -> bool:
+    """Whether a file asks whether it is the program, or starts ROS as it is loaded: no other imports it then."""
     found = workspace.facts_at(file)
-    tests = [one.test for one in ([] if found is None else found.body) if isinstance(one, facts.If)]
-    return any(isinstance(test, facts.Compare) and test.left.variable == "__name__" for test in tests)
+    body = [] if found is None else found.body
+    tests = [one.test for one in body if isinstance(one, facts.If)]
+    if any(isinstance(test, facts.Compare) and test.left.variable == "__name__" for test in tests):
+        return True
+    return any(isinstance(one, facts.Expression) and _starts_ros(one.value) for one in body)
+
+
+def _starts_ros(value: facts.Expr) -> bool:
+    return isinstance(value, facts.Call) and value.func.dotted == "rclpy.init"
 
 
 def _is_named(workspace: WorkspaceIndex, installs: Installs, file: str) -> bool:
