@@ -77,11 +77,8 @@ def test_code_that_may_read_an_argument(index: Index, body: str, reads: bool):
         ("it.launch.xml", "<launch><let name='v' value='$(var speed)'/></launch>\n", True),
         ("it.launch.xml", "<launch><arg name='speed' default='1'/></launch>\n", False),
         ("it.launch.yaml", "launch: [{'let': {'name': 'v', 'value': '$(var speed)'}}]\n", True),
-        (
-            "it.launch.yaml",
-            "launch: [{'let': {'name': 'v', 'value': 'speed'}}]\n",
-            False,
-        ),  # a text of YAML, and of Python, too
+        # A text of YAML, and of Python, too.
+        ("it.launch.yaml", "launch: [{'let': {'name': 'v', 'value': 'speed'}}]\n", False),
     ],
 )
 def test_launch_files_that_are_no_python_are_read_as_texts(index: Index, name: str, text: str, reads: bool):
