@@ -44,4 +44,4 @@ def may_get_any_file(launched: Launched, started: Started) -> bool:
         return True
     defaults = {argument.default.text for argument in launched.declared if argument.default is not None}
     references = [use.reference for use in files_among(started.parameters)]
-    return any(one.status == FileStatus.UNKNOWN or one.written in defaults for one in references)
+    return any(reference.status == FileStatus.UNKNOWN or reference.written in defaults for reference in references)

@@ -67,9 +67,9 @@ def in_source_order(endpoints: Iterable[Endpoint]) -> list[Endpoint]:
 
 def coexisting_pairs(system: System, endpoints: Iterable[Endpoint]) -> Iterator[tuple[Endpoint, Endpoint]]:
     """Pairs of certain endpoints that run together; in each, the second comes later in the source."""
-    for one, other in combinations(in_source_order(e for e in endpoints if certain(e)), 2):
-        if coexist(system, one, other) and _under_one_name(system, one, other):
-            yield one, other
+    for end, other in combinations(in_source_order(e for e in endpoints if certain(e)), 2):
+        if coexist(system, end, other) and _under_one_name(system, end, other):
+            yield end, other
 
 
 def conflicting_pairs(
@@ -171,8 +171,8 @@ def has_launch_files(system: System) -> bool:
 
 
 def _starters(node: Node) -> set[tuple[str | None, str]]:
-    made = [one for one in (node.blueprint, *node.merged) if one is not None]
-    scripts = {(None, file) for one in made for file in one.scripts}
+    nodes = [one for one in (node.blueprint, *node.merged) if one is not None]
+    scripts = {(None, file) for one in nodes for file in one.scripts}
     return scripts | {(node.package, executable) for executable in node.executables}
 
 

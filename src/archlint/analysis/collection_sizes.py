@@ -46,7 +46,7 @@ def _displayed(value: facts.Expr) -> int | None:
 
 
 def _is_parameter(name: str, file: facts.Facts) -> bool:
-    return any(one.name == name for one in everything_in(file.body, facts.Param))
+    return any(param.name == name for param in everything_in(file.body, facts.Param))
 
 
 class _Uses:
@@ -83,7 +83,7 @@ class _Uses:
             case facts.Call(func=facts.Attribute(value=inner, attr=method)) if self._is(inner):
                 return method not in _GROW
             case facts.Call(args=args):
-                return called_name(part) in _LOOKS or not any(self._is(one.value) for one in args)
+                return called_name(part) in _LOOKS or not any(self._is(argument.value) for argument in args)
         return True
 
     def _binds(self, target: facts.Expr) -> bool:

@@ -36,11 +36,12 @@ def compare(
     """``is_external`` tells the names that the configuration says something outside provides; of what is written in
     ``context`` files, which were not asked for, no difference is told."""
     if observed.form == BAG:
-        made = topics_of(system, observed, is_external)
+        comparison = topics_of(system, observed, is_external)
     else:
-        made = _Comparing(system, observed, is_external).result()
+        comparison = _Comparing(system, observed, is_external).result()
     return replace(
-        made, differences=tuple(difference for difference in made.differences if difference.place.file not in context)
+        comparison,
+        differences=tuple(difference for difference in comparison.differences if difference.place.file not in context),
     )
 
 
@@ -59,26 +60,26 @@ class _Comparing:
         self.left_open: list[str] = []
 
     def result(self) -> Comparison:
-        found: list[Difference] = []
+        differences: list[Difference] = []
         nodes = ends = 0
         for name, seen in sorted(self.seen.items()):
             candidates = self.expected.get(name, [])
             if not candidates:
-                found += self._unexpected(seen)
+                differences += self._unexpected(seen)
                 continue
             nodes += 1
-            found += self._too_many(seen, candidates)
+            differences += self._too_many(seen, candidates)
             compared = self._ends(seen, candidates)
-            found += compared.differences
+            differences += compared.differences
             ends += compared.same
             self.left_open += compared.left_open
         for name, candidates in sorted(self.expected.items()):
             if name not in self.seen:
-                found += self._missing(name, candidates)
+                differences += self._missing(name, candidates)
         return Comparison(
             self.observed,
             what_is_compared(self.system),
-            tuple(found),
+            tuple(differences),
             nodes,
             ends,
             tuple(self.left_open),

@@ -58,11 +58,11 @@ def ends_of(system: System, node: Node, seen: SeenNode, observed: Observed, whol
 def _parameters(node: Node, seen: SeenNode) -> Iterator[Difference]:
     """Declared parameters that have another type when the node runs; what it has beside them is not judged, for
     launch files and libraries declare, too."""
-    there = {one.name: one.type for one in seen.parameters or ()}
-    for one in node.parameters:
-        name, type_ = one.name.text, None if one.dynamic else one.type
+    there = {parameter.name: parameter.type for parameter in seen.parameters or ()}
+    for declaration in node.parameters:
+        name, type_ = declaration.name.text, None if declaration.dynamic else declaration.type
         running = there.get(name or "")
-        if one.name.resolution != "exact" or name is None or type_ is None or running in (None, type_):
+        if declaration.name.resolution != "exact" or name is None or type_ is None or running in (None, type_):
             continue
         yield Difference(
             DIFFERENT,
@@ -71,7 +71,7 @@ def _parameters(node: Node, seen: SeenNode) -> Iterator[Difference]:
             node.name,
             f"the parameter {name} of {node.name} is of type {running} when it runs, but {type_} in the source",
             _OTHER_BUILD,
-            one.place,
+            declaration.place,
             type_,
             running or "",
             ((seen.place, "this is what was observed"),),

@@ -30,7 +30,7 @@ _OF_THE_RECORDER = "rosbag2_interfaces/"
 
 def topics_of(system: System, observed: Observed, is_external: Callable[[str], bool]) -> Comparison:
     implicit = implicit_names(system)
-    found: list[Difference] = []
+    differences: list[Difference] = []
     left_open: list[str] = []
     same = 0
     for topic in sorted(observed.topics, key=lambda one: one.name):
@@ -39,19 +39,19 @@ def topics_of(system: System, observed: Observed, is_external: Callable[[str], b
         connection = system.topics.get(topic.name)
         if connection is not None and connection.providers:
             different = list(_different(system, topic, connection))
-            found += different
+            differences += different
             same += not different
             continue
         why = _may_publish(system, topic.name)
         if is_external(topic.name) or why is not None:
             left_open.append(f"{topic.name} is in the bag; {why or 'it is declared external'}")
         else:
-            found.append(_unexpected(system, topic))
+            differences.append(_unexpected(system, topic))
     there = {topic.name for topic in observed.topics}
     absent = [name for name, one in system.topics.items() if one.providers and name not in there]
     notes = (f"not recorded, so not compared: {', '.join(absent)}",) if absent else ()
     what = f"the topics that are published in {what_is_compared(system)}"
-    return Comparison(observed, what, tuple(found), 0, same, tuple(left_open), notes)
+    return Comparison(observed, what, tuple(differences), 0, same, tuple(left_open), notes)
 
 
 def _different(system: System, topic: SeenTopic, connection: Connection) -> Iterator[Difference]:
@@ -94,7 +94,7 @@ def _other(topic: SeenTopic, end: Endpoint, expected: str, observed: str, words:
 
 
 def _unexpected(system: System, topic: SeenTopic) -> Difference:
-    published = [name for name, one in system.topics.items() if one.providers]
+    published = [name for name, connection in system.topics.items() if connection.providers]
     return Difference(
         UNEXPECTED,
         "topic",

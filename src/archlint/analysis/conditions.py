@@ -37,21 +37,21 @@ def _condition(workspace: WorkspaceIndex | None, arm: BranchArm) -> BranchArm:
 def _asked(found: facts.Facts) -> dict[tuple[int, int], tuple[str, bool]]:
     """Where an ``if`` asks nothing but an attribute of ``self`` that is set once, or in constructors alone, and whether
     it asks ``not``."""
-    constructors = [one for one in everything_in(found.body, facts.Function) if one.name == "__init__"]
+    constructors = [function for function in everything_in(found.body, facts.Function) if function.name == "__init__"]
     once, later = _assigned(found.body), _assigned(found.body)
-    for one in constructors:
-        later.subtract(_assigned(one.body))
-    rows = ((one, _attribute(one.test)) for one in everything_in(found.body, facts.If))
+    for function in constructors:
+        later.subtract(_assigned(function.body))
+    rows = ((branch, _attribute(branch.test)) for branch in everything_in(found.body, facts.If))
     return {
-        (one.span[0], one.span[1]): attribute
-        for one, attribute in rows
+        (branch.span[0], branch.span[1]): attribute
+        for branch, attribute in rows
         if attribute is not None and (later[attribute[0]] <= 0 or once[attribute[0]] == 1)
     }
 
 
 def _assigned(body: Sequence[facts.Stmt]) -> Counter[str]:
     """How often each attribute is assigned in a body."""
-    targets = (target for one in everything_in(body, facts.Assign) for target in one.targets)
+    targets = (target for assignment in everything_in(body, facts.Assign) for target in assignment.targets)
     return Counter(target.attribute for target in targets if target.attribute)
 
 

@@ -224,7 +224,7 @@ def _relation_of_spin(call: ApiCall, spun: Blueprint | None, client: Creation | 
     if callback.node is not None and spun is not None and spun is not callback.node:
         # A default group is the node's own; any other may be handed from node to node.
         handed = callback.group is not None and callback.group.kind != GroupKind.DEFAULT
-        return UNCLEAR if handed and any(one.group == callback.group for one in spun.creations) else OTHER
+        return UNCLEAR if handed and any(creation.group == callback.group for creation in spun.creations) else OTHER
     relation = group_relation(callback.group, None)
     if "future" not in call.arguments and relation == UNCLEAR:
         # What spins without a future waits for any work, and the group keeps out that of its own.

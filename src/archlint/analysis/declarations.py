@@ -32,7 +32,7 @@ def is_guarded(workspace: WorkspaceIndex | None, declaration: ParameterDeclarati
     function = None if workspace is None else enclosing_function(workspace, declaration.place)
     if function is None:
         return False
-    asked = (one.attr for one in everything_in(function.body, facts.Attribute))
+    asked = (attribute.attr for attribute in everything_in(function.body, facts.Attribute))
     if any(name in ("has_parameter", "undeclare_parameter") for name in asked):
         return True
     tried = (one.span for one in everything_in(function.body, facts.Try))

@@ -99,8 +99,8 @@ def _bound_names(body: Sequence[facts.Stmt]) -> frozenset[str]:
 
 def _binds_more(body: Sequence[facts.Stmt]) -> bool:
     """Whether a module may bind names that stand nowhere in it."""
-    stars = (name == "*" for one in everything_in(body, facts.ImportFrom) for name, _ in one.names)
-    return any(stars) or any(one.id in ("globals", "setattr") for one in everything_in(body, facts.Name))
+    stars = (name == "*" for statement in everything_in(body, facts.ImportFrom) for name, _ in statement.names)
+    return any(stars) or any(variable.id in ("globals", "setattr") for variable in everything_in(body, facts.Name))
 
 
 __all__ = ["NoFunction", "NoFunctionNamed", "NoModule", "broken_target"]

@@ -39,17 +39,17 @@ def _kept_by(workspace: WorkspaceIndex, file: str, body: Sequence[facts.Stmt]) -
     ``for topic in self.topics``."""
     kept = {loop.iterable.attribute for loop in statements_of(body, facts.For)} - {""}
     found = workspace.facts_at(file)
-    for one in everything_in([] if found is None or not kept else found.body, facts.Assign):
-        if isinstance(one.value, facts.Call) and any(target.attribute in kept for target in one.targets):
-            yield [one]
+    for assignment in everything_in([] if found is None or not kept else found.body, facts.Assign):
+        if isinstance(assignment.value, facts.Call) and any(target.attribute in kept for target in assignment.targets):
+            yield [assignment]
 
 
 def _demands(body: Sequence[facts.Stmt]) -> bool:
     """Whether a body has ``if not name.startswith('/'): raise …``."""
     return any(
-        any(isinstance(inner, facts.Raise) for inner in one.body)
-        and any(_is_relative(part) for part in parts_of(one.test, facts.Unary))
-        for one in statements_of(body, facts.If)
+        any(isinstance(inner, facts.Raise) for inner in branch.body)
+        and any(_is_relative(part) for part in parts_of(branch.test, facts.Unary))
+        for branch in statements_of(body, facts.If)
     )
 
 
@@ -63,15 +63,15 @@ def _is_relative(test: facts.Unary) -> bool:
 def _called(workspace: WorkspaceIndex, file: str, body: Sequence[facts.Stmt]) -> Iterator[Sequence[facts.Stmt]]:
     """The bodies of the functions that a body gives something to, be they of the same file or imported from one of the
     workspace."""
-    given = {one.func.variable for one in calls_in(list(body)) if one.args} - {""}
+    given = {call.func.variable for call in calls_in(list(body)) if call.args} - {""}
     found = workspace.facts_at(file)
     if found is None:
         return
     sources = [(name, name, found) for name in sorted(given)]
-    for one in (part for part in found.body if isinstance(part, facts.ImportFrom)):
-        other = workspace.code.imported(file, one.module, one.level)
+    for statement in (part for part in found.body if isinstance(part, facts.ImportFrom)):
+        other = workspace.code.imported(file, statement.module, statement.level)
         if other is not None:
-            sources += [(bound, name, other) for name, bound in one.names if bound in given]
+            sources += [(bound, name, other) for name, bound in statement.names if bound in given]
     for _, name, where in sources:
         yield from (one.body for one in where.body if isinstance(one, facts.Function) and one.name == name)
 
@@ -84,13 +84,13 @@ def is_of_a_model(workspace: WorkspaceIndex | None, name: str) -> bool:
 @once
 def _topics_of_models(workspace: WorkspaceIndex) -> frozenset[str]:
     texts = [workspace.tree.text(path) or "" for path in workspace.launch_files.all()]
-    bridged = {found[1] for text in texts for found in _BRIDGED.finditer(text)}
+    bridged = {match[1] for text in texts for match in _BRIDGED.finditer(text)}
     if not bridged:
         return frozenset()
     models = {
         path for folder in workspace.manifests for path in workspace.tree.files_below(folder) if path.endswith(_MODELS)
     }
-    named = {found[1] for path in sorted(models) for found in _TOPIC.finditer(workspace.tree.text(path) or "")}
+    named = {match[1] for path in sorted(models) for match in _TOPIC.finditer(workspace.tree.text(path) or "")}
     return frozenset(bridged & named)
 
 

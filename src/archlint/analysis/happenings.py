@@ -66,7 +66,7 @@ def _only_true(code: SourceCode, call: ApiCall) -> bool:
             return [arg.value.is_true for arg in args if arg.keyword == "data"] == [True]
         case facts.Name(id=name):
             assigned = statements_of(code.body(call), facts.Assign)
-            values = [value for one in assigned for value in _values_of(one, name)]
+            values = [value for assignment in assigned for value in _values_of(assignment, name)]
             return bool(values) and all(value.is_true for value in values)
     return False
 

@@ -16,13 +16,13 @@ if TYPE_CHECKING:
 def words_ignored_at(workspace: WorkspaceIndex, place: Place) -> list[str]:
     """The codes and names of rules that comments keep quiet at a place, as they are written."""
     known = _suppressions(workspace).get(place.file, ())
-    return [word for one in known if one.covers(place.line) for word in one.codes]
+    return [word for suppression in known if suppression.covers(place.line) for word in suppression.codes]
 
 
 @once
 def _suppressions(workspace: WorkspaceIndex) -> Mapping[str, Sequence[Suppression]]:
     asked_for = workspace.code.asked_for()
-    python = {file.relative: found.suppressions for file, found in asked_for if found.suppressions}
+    python = {file.relative: facts.suppressions for file, facts in asked_for if facts.suppressions}
     return {**python, **workspace.launch_files.suppressions()}
 
 

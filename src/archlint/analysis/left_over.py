@@ -144,8 +144,8 @@ class _Uses:
     def _methods(found: facts.Facts) -> list[facts.Function]:
         """The methods of classes whose bases, if any, do not call methods of their own accord."""
         classes = everything_in(found.body, facts.Class)
-        plain = [one for one in classes if all(base.value.last_name in _PLAIN_BASES for base in one.bases)]
-        methods = [item for one in plain for item in one.body if isinstance(item, facts.Function)]
+        plain = [cls for cls in classes if all(base.value.last_name in _PLAIN_BASES for base in cls.bases)]
+        methods = [item for cls in plain for item in cls.body if isinstance(item, facts.Function)]
         names = [method.name for method in methods]
         return [method for method in methods if names.count(method.name) == 1]
 

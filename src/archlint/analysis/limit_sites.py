@@ -161,10 +161,10 @@ def _asks(tree: Tree, call: facts.Call, future: facts.Expr) -> bool:
     """Whether the function around asks a future whether it is done, or whether its result is there."""
     function = tree.function_around(call)
     return any(
-        (one.attr == "done" or (one.attr == "result" and _is_asked(tree, one)))
-        and same_code(one.value, future)
-        and (function is None or any(outer is function for outer in tree.around(one)))
-        for one in tree.of_kind(facts.Attribute)
+        (attribute.attr == "done" or (attribute.attr == "result" and _is_asked(tree, attribute)))
+        and same_code(attribute.value, future)
+        and (function is None or any(outer is function for outer in tree.around(attribute)))
+        for attribute in tree.of_kind(facts.Attribute)
     )
 
 

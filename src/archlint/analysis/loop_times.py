@@ -62,7 +62,7 @@ def _times(code: SourceCode, file: str, loop: Loop | None, unknown: float) -> fl
         return 1.0 if not _RUNS_EMPTY.isdisjoint(names_in(loop.tests)) else math.inf
     match loop.head:
         case facts.Call(args=given) as call if given and called_name(call) == "range":
-            bounds = [one.value.value for one in given if isinstance(one.value, facts.Literal)]
+            bounds = [argument.value.value for argument in given if isinstance(argument.value, facts.Literal)]
             numbers = [bound for bound in bounds if isinstance(bound, int)]
             return len(range(*numbers)) if len(numbers) == len(given) else unknown
     items = most_items(loop.head, found)
@@ -83,9 +83,9 @@ def reads_until_it_has(code: SourceCode, call: ApiCall) -> bool:
         return False
     read = {
         name
-        for one in statements_of(loop.body, facts.Assign)
-        if any(True for _ in calls_in(one.value))
-        for target in one.targets
+        for assignment in statements_of(loop.body, facts.Assign)
+        if any(True for _ in calls_in(assignment.value))
+        for target in assignment.targets
         if isinstance(target, (facts.Name, facts.Sequence))
         for name in names_in(target)
     }
@@ -126,8 +126,8 @@ def lasts_as_requested(code: SourceCode, call: ApiCall) -> bool:
     if call.chain or function is None:
         return False
     known = {param.name for param in function.params[bound : bound + 1]}
-    for one in statements_of(code.body(call), facts.Assign):
-        if not known.isdisjoint(names_in(one.value)):
-            known |= {target.variable for target in one.targets} - {""}
+    for assignment in statements_of(code.body(call), facts.Assign):
+        if not known.isdisjoint(names_in(assignment.value)):
+            known |= {target.variable for target in assignment.targets} - {""}
     ends = not any(loop.tests for loop in code.loops(call))
     return ends and not known.isdisjoint(names_in(code.expression(call)))

@@ -20,7 +20,11 @@ def read_off(workspace: WorkspaceIndex | None, node: Blueprint) -> list[str]:
     if workspace is None or found is None or node.made_at is None:
         return []
     attributes = list(everything_in(found.body, facts.Attribute))
-    kept = [one.targets for one in everything_in(found.body, facts.Assign) if _makes(one.value, node.made_at)]
+    kept = [
+        assignment.targets
+        for assignment in everything_in(found.body, facts.Assign)
+        if _makes(assignment.value, node.made_at)
+    ]
     target = kept[0][0] if kept and len(kept[0]) == 1 else None
     if not isinstance(target, facts.Attribute):
         return []
@@ -44,7 +48,7 @@ def _is_attribute(workspace: WorkspaceIndex, node: Blueprint, name: str) -> bool
         found = workspace.facts_at(place.file)
         classes = everything_in([] if found is None else found.body, facts.Class)
         for cls in (one for one in classes if one.name == qualified.rpartition(".")[2]):
-            targets = (target for one in everything_in(cls, facts.Assign) for target in one.targets)
+            targets = (target for assignment in everything_in(cls, facts.Assign) for target in assignment.targets)
             if any(one.dotted == f"self.{name}" for one in targets):
                 return True
     return False

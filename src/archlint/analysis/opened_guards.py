@@ -30,15 +30,15 @@ def is_behind_its_setter(code: SourceCode, wait: ApiCall, setting: Sequence[ApiC
     places = (wait.place, *(frame.place for frame in wait.chain))
     asked = {name for place in places for name in asked_before(code.body_at(place), place)}
     asked -= _assigned_elsewhere(code, wait, setting)
-    return all(asked & set(_assigned(statements_of(code.body(one), facts.Assign))) for one in setting)
+    return all(asked & set(_assigned(statements_of(code.body(call), facts.Assign))) for call in setting)
 
 
 def _assigned_elsewhere(code: SourceCode, wait: ApiCall, setting: Sequence[ApiCall]) -> set[str]:
     """The attributes that something else in the file assigns, too: they say nothing of the event."""
     found = code.facts_at(wait.file)
-    own = {one.span for call in setting for one in statements_of(code.body(call), facts.Assign)}
+    own = {assignment.span for call in setting for assignment in statements_of(code.body(call), facts.Assign)}
     every = everything_in(() if found is None else found.body, facts.Assign)
-    return set(_assigned(one for one in every if one.span not in own))
+    return set(_assigned(assignment for assignment in every if assignment.span not in own))
 
 
 def _is_cleared(code: SourceCode, wait: ApiCall) -> bool:
@@ -47,7 +47,7 @@ def _is_cleared(code: SourceCode, wait: ApiCall) -> bool:
         return True
     event = _owner(expression)
     functions = everything_in(found.body, facts.Call)
-    return not event or any(called_name(one) == "clear" and _owner(one) == event for one in functions)
+    return not event or any(called_name(call) == "clear" and _owner(call) == event for call in functions)
 
 
 def _owner(call: facts.Call) -> str:
@@ -57,10 +57,10 @@ def _owner(call: facts.Call) -> str:
 
 def _assigned(assigns: Iterable[facts.Assign]) -> Iterator[str]:
     """The attributes that are assigned something other than None."""
-    for one in assigns:
-        if not _is_none(one.value):
+    for assignment in assigns:
+        if not _is_none(assignment.value):
             yield from (
-                target.dotted for target in one.targets if isinstance(target, facts.Attribute) and target.dotted
+                target.dotted for target in assignment.targets if isinstance(target, facts.Attribute) and target.dotted
             )
 
 

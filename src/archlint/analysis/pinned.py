@@ -37,9 +37,9 @@ def _pinned(workspace: WorkspaceIndex) -> tuple[str, str] | None:
     named: dict[str, str] = {}
     certain = False
     for path, text in _texts(workspace.tree):
-        for found in _NAMED.finditer(text):
-            named.setdefault(found[1].lower(), path)
-            certain = certain or _OF_ROS.search(text[max(0, found.start() - 60) : found.start()]) is not None
+        for match in _NAMED.finditer(text):
+            named.setdefault(match[1].lower(), path)
+            certain = certain or _OF_ROS.search(text[max(0, match.start() - 60) : match.start()]) is not None
     [one, *others] = sorted(named) or [""]
     return (one, named[one]) if certain and not others and one in DISTROS else None
 

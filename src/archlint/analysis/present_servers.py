@@ -98,7 +98,7 @@ def _has_a_listed_name(code: SourceCode, client: Creation) -> bool:
 
 def _name_given(create: facts.Call) -> facts.Expr | None:
     """``name`` of ``node.create_client(Trigger, name)``."""
-    by_keyword = next((one.value for one in create.args if one.keyword == "srv_name"), None)
+    by_keyword = next((argument.value for argument in create.args if argument.keyword == "srv_name"), None)
     by_position = create.args[1].value if len(create.args) > 1 and not create.args[1].keyword else None
     return by_keyword or by_position
 

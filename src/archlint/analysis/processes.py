@@ -52,8 +52,10 @@ def _signals(call: facts.Call, process: str, certainly: bool) -> bool:
         return False
     who, what = (argument.value for argument in call.args)
     number = what.value if isinstance(what, facts.Literal) else dotted(what).rpartition(".")[2]
-    pids = (one for one in everything_in([who], facts.Attribute) if one.attr == "pid")
-    return number in (_KILLING if certainly else _ENDING) and any(dotted(one.value) == process for one in pids)
+    pids = (attribute for attribute in everything_in([who], facts.Attribute) if attribute.attr == "pid")
+    return number in (_KILLING if certainly else _ENDING) and any(
+        dotted(attribute.value) == process for attribute in pids
+    )
 
 
 def ends_with_the_node(code: SourceCode, call: ApiCall, stay: Stay) -> bool:

@@ -85,7 +85,9 @@ def annotations_are_texts(system: System, callback: Callback) -> bool:
     """Whether a callback is in a file with ``from __future__ import annotations``."""
     found = None if system.workspace is None else system.workspace.facts_at(callback.place.file)
     imports = [one for one in ([] if found is None else found.body) if isinstance(one, facts.ImportFrom)]
-    return any(one.module == "__future__" and ("annotations", "annotations") in one.names for one in imports)
+    return any(
+        statement.module == "__future__" and ("annotations", "annotations") in statement.names for statement in imports
+    )
 
 
 __all__ = ["Signature", "annotations_are_texts", "signature_of"]

@@ -97,9 +97,9 @@ def class_elsewhere(code: WorkspaceCode, file: str, tree: Tree) -> ClassElsewher
     """Looks up the classes that a file imports from its own package."""
 
     def find(name: str) -> facts.Class | None:
-        for one in tree.of_kind(facts.ImportFrom):
-            original = next((original for original, bound in one.names if bound == name), None)
-            found = None if original is None else code.imported_of_package(file, one.module, one.level)
+        for statement in tree.of_kind(facts.ImportFrom):
+            original = next((original for original, bound in statement.names if bound == name), None)
+            found = None if original is None else code.imported_of_package(file, statement.module, statement.level)
             if found is not None:
                 classes = [item for item in Tree(found).of_kind(facts.Class) if item.name == original]
                 return classes[0] if len(classes) == 1 else None
@@ -120,9 +120,9 @@ def own_node(tree: Tree, node: facts.Expr, statement: facts.Stmt) -> bool:
 
 def _assigned_in(tree: Tree, function: facts.Function | None) -> Iterator[tuple[facts.Expr, facts.Expr]]:
     """What a function, or the module, sets by plain assignments, with the values."""
-    for one in tree.of_kind(facts.Assign):
-        if tree.function_around(one) is function:
-            yield from ((target, one.value) for target in one.targets)
+    for assignment in tree.of_kind(facts.Assign):
+        if tree.function_around(assignment) is function:
+            yield from ((target, assignment.value) for target in assignment.targets)
 
 
 def _makes_node(value: facts.Expr) -> bool:
@@ -165,7 +165,7 @@ def runs_once(tree: Tree, function: facts.Function | None) -> bool:
         return True
     if not is_method(tree, function):
         return tree.class_around(function) is None
-    uses = [one for one in tree.of_kind(facts.Attribute) if one.attr == function.name]
+    uses = [attribute for attribute in tree.of_kind(facts.Attribute) if attribute.attr == function.name]
     if len(uses) != 1 or uses[0].value.dotted != "self":
         return False
     match tree.parent(uses[0]):
@@ -239,17 +239,19 @@ def _is_constant_name(tree: Tree, name: str) -> bool:
 
 def _bindings(tree: Tree) -> Iterator[tuple[str, facts.Base]]:
     """Each name that something binds anywhere in the file, with what does: the statement of a plain assignment."""
-    yield from (((one.alias or one.module).partition(".")[0], one) for one in tree.of_kind(facts.Import))
-    yield from ((bound, one) for one in tree.of_kind(facts.ImportFrom) for _, bound in one.names)
+    yield from (
+        ((statement.alias or statement.module).partition(".")[0], statement) for statement in tree.of_kind(facts.Import)
+    )
+    yield from ((bound, statement) for statement in tree.of_kind(facts.ImportFrom) for _, bound in statement.names)
     for holder, target in tree.stored:
         match target:
             case facts.Name(id=name):
                 yield name, holder if _sets_alone(holder, target) else target
-    yield from ((one.name, one) for one in tree.of_kind(facts.Param))
-    yield from ((one.name, one) for one in tree.of_kind(facts.Function))
-    yield from ((one.name, one) for one in tree.of_kind(facts.Class))
+    yield from ((param.name, param) for param in tree.of_kind(facts.Param))
+    yield from ((function.name, function) for function in tree.of_kind(facts.Function))
+    yield from ((cls.name, cls) for cls in tree.of_kind(facts.Class))
     yield from ((name, one) for one in tree.of_kind(facts.Global) for name in one.names)
-    yield from ((one.name, one) for one in tree.of_kind(facts.Handler) if one.name)
+    yield from ((handler.name, handler) for handler in tree.of_kind(facts.Handler) if handler.name)
 
 
 def _sets_alone(holder: facts.Base, target: facts.Expr) -> bool:
@@ -290,6 +292,6 @@ def _is_set_once(tree: Tree, cls: facts.Class, name: str) -> bool:
 
 
 def is_imported(tree: Tree, name: str) -> bool:
-    plain = ((one.alias or one.module).partition(".")[0] for one in tree.of_kind(facts.Import))
-    named = (bound for one in tree.of_kind(facts.ImportFrom) for _, bound in one.names)
+    plain = ((statement.alias or statement.module).partition(".")[0] for statement in tree.of_kind(facts.Import))
+    named = (bound for statement in tree.of_kind(facts.ImportFrom) for _, bound in statement.names)
     return name in plain or name in named

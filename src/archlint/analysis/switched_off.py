@@ -37,9 +37,11 @@ def _off(owner: Endpoint) -> frozenset[str]:
     node = owner.node
     declared = [] if node.blueprint is None else node.blueprint.parameters
     return frozenset(
-        one.name.text
-        for one in declared
-        if one.name.text is not None and one.default is False and not node.overrides.get(one.name.text)
+        declaration.name.text
+        for declaration in declared
+        if declaration.name.text is not None
+        and declaration.default is False
+        and not node.overrides.get(declaration.name.text)
     )
 
 
@@ -50,7 +52,9 @@ def _asked(system: System, call: ApiCall) -> Iterator[str]:
     found = code.facts_at(call.file)
     assigns = list(everything_in(() if found is None else found.body, facts.Assign))
     for name in asked:
-        values = [one.value for one in assigns if any(target.dotted == name for target in one.targets)]
+        values = [
+            assignment.value for assignment in assigns if any(target.dotted == name for target in assignment.targets)
+        ]
         if len(values) == 1 and name.startswith("self."):
             yield from _parameters_in(values[0])
 

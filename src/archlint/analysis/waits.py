@@ -139,9 +139,11 @@ def other_arm_only_sends(code: SourceCode, call: ApiCall) -> bool:
     """Whether the other arm of an ``if`` around a wait sends without waiting: then the wait is there for those who want
     to."""
     asked = code.expression(call)
-    for one in statements_of(code.body(call), facts.If):
-        waits_here = [any(same_expression(inner, asked) for inner in calls_in(arm)) for arm in (one.body, one.orelse)]
-        sends = [any(called_name(inner) in _SENDS for inner in calls_in(arm)) for arm in (one.orelse, one.body)]
+    for branch in statements_of(code.body(call), facts.If):
+        waits_here = [
+            any(same_expression(inner, asked) for inner in calls_in(arm)) for arm in (branch.body, branch.orelse)
+        ]
+        sends = [any(called_name(inner) in _SENDS for inner in calls_in(arm)) for arm in (branch.orelse, branch.body)]
         if any(waits and only_sends for waits, only_sends in zip(waits_here, sends, strict=True)):
             return True
     return False
@@ -164,4 +166,6 @@ def _signals(system: System) -> _Signals:
                 if call.receiver.place is not None:
                     of_place.setdefault(call.receiver.place, []).append(of_future[0])
     # A callback that several timers have makes an event each time, and its done callback was followed once.
-    return found | {place: given[0] for place, given in of_place.items() if all(one is given[0] for one in given)}
+    return found | {
+        place: given[0] for place, given in of_place.items() if all(creation is given[0] for creation in given)
+    }

@@ -33,5 +33,5 @@ def folds(code: str, *, across_systems: bool = False) -> Callable[[Callable[[Seq
 
 def all_sites(findings: Sequence[Finding]) -> Sites | None:
     """What a finding that stands for several would have edited: what each of them would."""
-    found = [finding.sites for finding in findings if finding.sites is not None]
-    return sum(found, Sites()) if found else None
+    sites = [finding.sites for finding in findings if finding.sites is not None]
+    return sum(sites, Sites()) if sites else None

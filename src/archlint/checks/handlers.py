@@ -43,7 +43,7 @@ def _missing(system: System, end: HandlerEnd) -> Finding:
 def related_handler(end: HandlerEnd) -> list[Related]:
     """The handler of an end, and where it is handed over."""
     callback = end.callback
-    found = [] if end.place == callback.place else [Related(callback.place, f"{callback.name} is the handler")]
+    rows = [] if end.place == callback.place else [Related(callback.place, f"{callback.name} is the handler")]
     if callback.registered is not None:
-        found.append(Related(callback.registered, "it is registered here"))
-    return found
+        rows.append(Related(callback.registered, "it is registered here"))
+    return rows

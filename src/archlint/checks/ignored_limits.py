@@ -49,11 +49,11 @@ def ignored_wait_result(system: System, options: Options) -> Iterator[Finding]:
 
 def _clients_asked_for(system: System) -> set[Place]:
     """Where the clients are created that somebody asks whether their server is there."""
-    found: set[Place] = set()
+    places: set[Place] = set()
     for _, call in calls_of(system, (*READY, WAIT_FOR_SERVICE, WAIT_FOR_SERVER)):
         if not is_thrown_away(source_code(system), call):
-            found.update(creation.place for creation in creations_of(call.receiver))
-    return found
+            places.update(creation.place for creation in creations_of(call.receiver))
+    return places
 
 
 def _ignored(system: System, call: ApiCall) -> Finding:

@@ -23,7 +23,9 @@ _SHOWN = 12
 @rule("MSG002", scope=Scope.CODE)
 def unknown_interface(system: System, options: Options) -> Iterator[Finding]:
     """Interfaces imported from a package that does not define them."""
-    found = {(one.place, one.name): one for run in system.programs for one in run.unknown_interfaces}
+    found = {
+        (interface.place, interface.name): interface for run in system.programs for interface in run.unknown_interfaces
+    }
     for key in sorted(found):
         yield _unknown_interface(found[key])
 

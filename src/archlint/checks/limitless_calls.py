@@ -59,10 +59,10 @@ def _waits_apart(system: System, program: Program, call: ApiCall) -> bool:
     """Whether a call is what a daemon thread was made for: it waits once, nobody waits for it, and it is gone when
     the program ends."""
     callback, workspace = call.context, system.workspace
-    made = callback.registered
-    if callback.role != Role.THREAD or call.chain or call.enclosing_loops or made is None or workspace is None:
+    place = callback.registered
+    if callback.role != Role.THREAD or call.chain or call.enclosing_loops or place is None or workspace is None:
         return False
-    return _spinner(call, program) != _NOBODY and is_daemon(workspace, made)
+    return _spinner(call, program) != _NOBODY and is_daemon(workspace, place)
 
 
 def _limitless_call(system: System, program: Program, call: ApiCall, distros: tuple[str, ...]) -> Finding:

@@ -88,7 +88,7 @@ def _nested(system: System, rows: list[_Row]) -> Finding:
     service = endpoint_words(handler.creation)
     awaited = _all_words([wait, *further]) if verdict.safe else endpoint_words(wait.client)
     rivals = {one.call.context.place for one in waits(system) if one.call.place == call.place} - {handler.place}
-    held_up = [one for one in _held_up(wait) if one.place not in rivals]
+    held_up = [callback for callback in _held_up(wait) if callback.place not in rivals]
     behind = waits_behind(system, wait) if verdict.safe else []
     found = finding(
         "SRV003",

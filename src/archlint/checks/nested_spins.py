@@ -39,7 +39,7 @@ def spin_in_callback(system: System, options: Options) -> Iterator[Finding]:
         found
         for program, call in judged_calls(system)
         if is_spin_call(call) and runs_in_executor(call.context)
-        if reported.isdisjoint((call.context.place, one) for one in (call.place, *call.loops[-1:]))
+        if reported.isdisjoint((call.context.place, place) for place in (call.place, *call.loops[-1:]))
         for found in _nested_spin(system, program, call, options)
     )
 

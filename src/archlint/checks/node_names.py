@@ -31,14 +31,14 @@ def duplicate_node_name(system: System, options: Options) -> Iterator[Finding]:
     included: dict[tuple[Place, Place, str], list[Twins]] = {}
     of_actions: dict[tuple[int, int], list[Twins]] = {}
     for twins in _twins(system):
-        one, other = twins
-        again = None if one.started is other.started else _included_twice(one.started, other.started)
+        node, other = twins
+        again = None if node.started is other.started else _included_twice(node.started, other.started)
         if again is not None:
             included.setdefault(again, []).append(twins)
-        elif one.started is other.started:
+        elif node.started is other.started:
             yield from _of_one_process(*twins)
         else:
-            of_actions.setdefault((id(one.started), id(other.started)), []).append(twins)
+            of_actions.setdefault((id(node.started), id(other.started)), []).append(twins)
     for several in of_actions.values():
         yield from _of_two_actions(system, several)
     for (before, place, file), several in included.items():
@@ -118,7 +118,7 @@ def _included_twice(one: Started | None, other: Started | None) -> tuple[Place, 
 
 
 def _of_an_include(before: Place, place: Place, file: str, several: list[Twins]) -> Finding:
-    names = sorted(one.name or "" for one, _ in several)
+    names = sorted(node.name or "" for node, _ in several)
     some = f"{len(names)} nodes twice, such as '{names[0]}'"
     starts = f"'{names[0]}' twice" if len(names) == 1 else some
     return finding(
@@ -128,7 +128,11 @@ def _of_an_include(before: Place, place: Place, file: str, several: list[Twins])
         help="include it once, or in a different namespace each time",
         related=[
             Related(before, "it is first included here"),
-            *(Related(one.launch_place, f"{one.name} is started here") for one, _ in several[:1] if one.launch_place),
+            *(
+                Related(node.launch_place, f"{node.name} is started here")
+                for node, _ in several[:1]
+                if node.launch_place
+            ),
         ],
         node=names[0],
         identity=(posixpath.basename(file), *names),

@@ -20,7 +20,7 @@ def node_not_launched(system: System, options: Options) -> Iterator[Finding]:
     workspace = system.workspace
     if system.launched is not None or workspace is None or not workspace.launched:
         return
-    started = {(s.package.text, s.executable.text) for one in workspace.launched for s in one.started}
+    started = {(s.package.text, s.executable.text) for launched in workspace.launched for s in launched.started}
     spoken = words_of_launch_code(workspace)
     for node in system.nodes:
         blueprint = node.blueprint

@@ -36,8 +36,8 @@ def finding_for_owners(
 
 def _cause(last: Endpoint) -> tuple[str, ...]:
     """What findings have in common that one change mends: the node that was added last."""
-    made = last.node.blueprint
-    return (last.place.file, "") if made is None else (*map(str, astuple(made.place)), made.class_name)
+    node = last.node.blueprint
+    return (last.place.file, "") if node is None else (*map(str, astuple(node.place)), node.class_name)
 
 
 def all_of(owners: Iterable[Endpoint]) -> str:

@@ -30,7 +30,7 @@ if TYPE_CHECKING:
 @rule("OWN001", scope=Scope.SYSTEM)
 def multiple_publishers(system: System, options: Options) -> Iterator[Finding]:
     """Topics with publishers in several nodes that run together."""
-    found = [
+    findings = [
         _of_topic(system, connection, owners)
         for connection in system.topics.values()
         if not _is_shared(connection, options)
@@ -38,11 +38,11 @@ def multiple_publishers(system: System, options: Options) -> Iterator[Finding]:
         if not _is_meant(system, connection, owners)
     ]
     gravest: dict[tuple[str, ...], Severity] = {}
-    for one in found:
-        nodes = one.identity[2:]
-        gravest[nodes] = max(gravest.get(nodes, one.severity), one.severity)
-    for one in found:  # what the same nodes publish beside a command is told along with it
-        yield replace(one, severity=gravest[one.identity[2:]])
+    for finding in findings:
+        nodes = finding.identity[2:]
+        gravest[nodes] = max(gravest.get(nodes, finding.severity), finding.severity)
+    for finding in findings:  # what the same nodes publish beside a command is told along with it
+        yield replace(finding, severity=gravest[finding.identity[2:]])
 
 
 def _is_meant(system: System, connection: Connection, owners: list[Endpoint]) -> bool:
@@ -77,7 +77,7 @@ def _are_exercises(owners: Sequence[Endpoint]) -> bool:
 
 def _of_topic(system: System, connection: Connection, owners: list[Endpoint]) -> Finding:
     switches = {end.node.name: switch for end in owners if (switch := switch_of(system, end)) is not None}
-    found = finding_for_owners(
+    finding = finding_for_owners(
         "OWN001",
         system,
         owners,
@@ -87,7 +87,7 @@ def _of_topic(system: System, connection: Connection, owners: list[Endpoint]) ->
         "to be shared",
     )
     silent = len(owners) - len(switches) < 2
-    return found if _is_obeyed(connection, owners) and not silent else replace(found, severity=Severity.INFO)
+    return finding if _is_obeyed(connection, owners) and not silent else replace(finding, severity=Severity.INFO)
 
 
 def _if_set(switches: Mapping[str | None, str]) -> str:

@@ -180,7 +180,7 @@ def _is_folder(text: str) -> bool:
 
 def _nodes_beside(workspace: WorkspaceIndex, file: str) -> list[_Loader]:
     """All nodes of the launches that load a file; none where the name of one is not known."""
-    found: list[_Loader] = []
+    loaders: list[_Loader] = []
     for system in workspace.systems:
         launched = system.launched
         if launched is None or file not in files_of(system):
@@ -194,5 +194,5 @@ def _nodes_beside(workspace: WorkspaceIndex, file: str) -> list[_Loader]:
                 return []
             one = node.started
             other_name = one is not None and name_is_chosen(launched, one)
-            found.append(_Loader(node.name, node, other_name, one is not None and namespace_is_chosen(launched, one)))
-    return found
+            loaders.append(_Loader(node.name, node, other_name, one is not None and namespace_is_chosen(launched, one)))
+    return loaders

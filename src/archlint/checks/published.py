@@ -40,10 +40,10 @@ def published_type_mismatch(system: System, options: Options) -> Iterator[Findin
         if call.api in _SENDS:
             sites.setdefault(call.place, []).append(_judge(code, call))
     for place in sorted(sites):
-        found = sites[place]
+        findings = sites[place]
         # A call that serves several publishers, or is made in several ways, is wrong where each of them is.
-        if found[0] is not None and all(found):
-            yield found[0]
+        if findings[0] is not None and all(findings):
+            yield findings[0]
 
 
 def _judge(code: SourceCode, call: ApiCall) -> Finding | None:

@@ -43,8 +43,11 @@ def _profiles(end: Endpoint) -> list[Qos]:
     """The profiles that the create call of a topic's endpoint may be given: several where a branch decides."""
     if end.kind not in (EntityKind.PUBLISHER, EntityKind.SUBSCRIBER):
         return []
-    made = [end.creation] if end.node.blueprint is None else end.node.blueprint.creations
-    given = [end.qos, *(one.qos for one in made if one.place == end.place and one.kind == end.kind)]
+    creations = [end.creation] if end.node.blueprint is None else end.node.blueprint.creations
+    given = [
+        end.qos,
+        *(creation.qos for creation in creations if creation.place == end.place and creation.kind == end.kind),
+    ]
     return [qos for qos in dict.fromkeys(given) if qos is not None]
 
 

@@ -29,9 +29,9 @@ def dead_remapping(system: System, options: Options) -> Iterator[Finding]:
     for started, nodes in _by_started(system):
         if all(is_whole(system.workspace, node) for node in nodes):
             for remap in started.remaps:
-                found = [] if remap.group else list(_dead(remap, nodes, started))
-                if found and not _live_elsewhere(system, remap):
-                    yield from found
+                findings = [] if remap.group else list(_dead(remap, nodes, started))
+                if findings and not _live_elsewhere(system, remap):
+                    yield from findings
 
 
 def _by_started(system: System) -> list[tuple[Started, list[Node]]]:

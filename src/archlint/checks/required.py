@@ -120,7 +120,7 @@ def _end_of_no_node(system: System, contract: Contract, globs: Globs, kind: Enti
     if not any_node(globs):
         if not nodes:
             return f"there is no node {' or '.join(globs)} to {does} {name}"
-        doing = {id(end.node) for one in there for end in _ends(one, kind)}
+        doing = {id(end.node) for connection in there for end in _ends(connection, kind)}
         lost = [node for node in nodes if id(node) not in doing and _followed(node, kind)]
         if lost:
             return f"{_listed(lost)} {'does' if len(lost) == 1 else 'do'} not {does} {name}"
@@ -128,7 +128,7 @@ def _end_of_no_node(system: System, contract: Contract, globs: Globs, kind: Enti
         return None
     if not there:
         return f"there is no node to {does} {name}"
-    bare = [one for one in there if not any(is_meant(globs, end.node) for end in _ends(one, kind))]
+    bare = [connection for connection in there if not any(is_meant(globs, end.node) for end in _ends(connection, kind))]
     return f"no node {' or '.join(globs)} is there to {does} {bare[0].name}" if bare else None
 
 

@@ -35,16 +35,16 @@ def different_at_run_time(system: System, options: Options) -> Iterator[Finding]
 
 
 def _findings(code: str, status: Status, system: System) -> Iterator[Finding]:
-    for one in system.compared.differences if system.compared is not None else ():
-        if one.status != status:
+    for difference in system.compared.differences if system.compared is not None else ():
+        if difference.status != status:
             continue
         found = finding(
             code,
-            one.place,
-            one.message,
-            help=one.help,
-            related=[Related(place, words) for place, words in one.related],
-            node=one.node,
-            identity=(one.kind, one.name, one.node or ""),
+            difference.place,
+            difference.message,
+            help=difference.help,
+            related=[Related(place, words) for place, words in difference.related],
+            node=difference.node,
+            identity=(difference.kind, difference.name, difference.node or ""),
         )
-        yield replace(found, severity=Severity.INFO) if one.doubtful else found
+        yield replace(found, severity=Severity.INFO) if difference.doubtful else found

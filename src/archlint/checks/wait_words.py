@@ -26,8 +26,8 @@ MAKE_IT_EARLIER = "create the client in the constructor, and check here without 
 
 def made_here(call: ApiCall) -> bool:
     """Whether the client is made by the same run of the callback: no server is found yet, however ready it is."""
-    made = creations_of(call.receiver)
-    return any(creation.context is call.context for creation in made)
+    creations = creations_of(call.receiver)
+    return any(creation.context is call.context for creation in creations)
 
 
 def kind_of(call: ApiCall) -> str:

@@ -33,10 +33,10 @@ class Context:
 
     def fork(self) -> Context:
         """A copy that shares nothing, for a branch that may not be taken."""
-        made = self.copy()
-        made.remaps = None if self.remaps is None else list(self.remaps)
-        made.parameters = None if self.parameters is None else list(self.parameters)
-        return made
+        context = self.copy()
+        context.remaps = None if self.remaps is None else list(self.remaps)
+        context.parameters = None if self.parameters is None else list(self.parameters)
+        return context
 
     def set_aside(self) -> Context:
         """The context as it is, with the lists that it shares with the scopes around it; what comes next goes to
@@ -79,8 +79,8 @@ def prefix_namespace(base: Value | None, namespace: Value | None) -> Value | Non
     The root as ``base`` adds nothing in front of the slash: ``/`` and ``robot`` make ``/robot``.
     """
     if namespace is None or base is None or known_text(base) == "":
-        found = namespace if namespace is not None else base
-        return None if found is None else _stripped(found)
+        value = namespace if namespace is not None else base
+        return None if value is None else _stripped(value)
     if known_text(namespace) == "":
         return _stripped(base)
     rows = [_below(alternative, other) for alternative in alternatives(base) for other in alternatives(namespace)]

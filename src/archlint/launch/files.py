@@ -169,7 +169,7 @@ class LaunchFiles:
         """What XML, YAML and parameter files suppress in place."""
         rows = [(path, one.suppressions) for path, one in self._frontend_facts.items()]
         rows += [(path, one.suppressions) for path, one in self._parameter_facts.items()]
-        return {path: list(found) for path, found in rows if found}
+        return {path: list(suppressions) for path, suppressions in rows if suppressions}
 
 
 def _read(path: str, text: str) -> LaunchFacts:

@@ -82,16 +82,16 @@ class Launcher(LaunchRun):
             self.file, self.place_now = kept, kept_place
 
     def _enter_frontend(self, path: str) -> None:
-        found = self.files.frontend(path)
-        if found.ros1:
+        facts = self.files.frontend(path)
+        if facts.ros1:
             self.result.ros1 = self.result.ros1 or len(self.stack) == 1
             if len(self.stack) > 1:
                 self.gap(f"{path} is a launch file of ROS 1")
-        elif found.root is not None:
-            for action in actions_of(self, path, found.root):
+        elif facts.root is not None:
+            for action in actions_of(self, path, facts.root):
                 self.visit(action)
         else:
-            why = found.problems[0].message if found.problems else "it is not a launch file"
+            why = facts.problems[0].message if facts.problems else "it is not a launch file"
             self.gap(f"{path} cannot be read: {why}")
 
     def _enter_python(self, path: str) -> None:
@@ -100,7 +100,7 @@ class Launcher(LaunchRun):
         if module is None:
             self.gap(f"{path} cannot be read")
             return
-        lost = None if (found := self.files.python(path)) is None else undefined_name(found, GENERATE)
+        lost = None if (facts := self.files.python(path)) is None else undefined_name(facts, GENERATE)
         if lost is not None:
             self.result.undefined[Place(path, *lost.span)] = lost.id
             self.gap(f"{path} fails at '{lost.id}', which is not defined")

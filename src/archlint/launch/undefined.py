@@ -26,8 +26,8 @@ _MAKES_NAMES = frozenset({"exec", "globals", "vars", "setattr"})
 
 
 def _may_bind_anything(body: Sequence[facts.Stmt]) -> bool:
-    stars = (name == "*" for one in everything_in(body, facts.ImportFrom) for name, _ in one.names)
-    makers = (one.id in _MAKES_NAMES for one in everything_in(body, facts.Name))
+    stars = (name == "*" for statement in everything_in(body, facts.ImportFrom) for name, _ in statement.names)
+    makers = (variable.id in _MAKES_NAMES for variable in everything_in(body, facts.Name))
     return any(stars) or any(makers) or any(True for _ in everything_in(body, facts.Opaque))
 
 

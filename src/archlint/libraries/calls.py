@@ -122,7 +122,7 @@ def record(run: Run, api: Api, receiver: Value | None, bound: dict[str, Value], 
     if api.path == "rclpy.publisher.Publisher.publish" and len(on) == 1:
         key = (*key, id(on[0]))  # what is published where, for each publisher that a loop or a helper serves
     if api.path == "rclpy.timer.Timer.cancel":
-        key = (*key, *(id(one) for one in on))  # which timers end here, whichever was there at first
+        key = (*key, *(id(creation) for creation in on))  # which timers end here, whichever was there at first
     if api.path in parameters.BY_NAME:
         key = (*key, bound.get("name"))  # what a helper reads, for each name that it is given
     known = run.noted.watched.get(key)

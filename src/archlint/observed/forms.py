@@ -189,7 +189,7 @@ def _recorded_node(node: _RecordedNode, places: _Places) -> SeenNode:
         for end in listed
     ]
     known = node.parameters
-    asked = None if known is None else tuple(SeenParameter(one.name, one.type) for one in known)
+    asked = None if known is None else tuple(SeenParameter(parameter.name, parameter.type) for parameter in known)
     return SeenNode(node.name, tuple(ends), places.of(node.name), node.count, asked)
 
 
@@ -217,7 +217,7 @@ class _BagFile(Struct):
 def _of_bag(data: _Bag, file: str, text: str, digest: str) -> Observed:
     places = _Places(file, text)
     topics = [
-        SeenTopic(topic.name, topic.type, tuple(one.profile() for one in _offered(topic)), places.of(topic.name))
+        SeenTopic(topic.name, topic.type, tuple(qos.profile() for qos in _offered(topic)), places.of(topic.name))
         for topic in (one.topic_metadata for one in data.topics_with_message_count)
     ]
     return Observed(file, BAG, digest, topics=tuple(topics), kinds=frozenset([program.EntityKind.PUBLISHER]))
@@ -322,9 +322,9 @@ class _Places:
         self._file = file
         self._lines: dict[str, Place] = {}
         for number, line in enumerate(text.splitlines(), 1):
-            for found in re.finditer(r"""["']?name["']?\s*:\s*["']?(/[\w/]*)""", line):
-                columns = (found.start(1) + 1, found.end(1) + 1)
-                self._lines.setdefault(found[1], Place(file, number, columns[0], number, columns[1]))
+            for match in re.finditer(r"""["']?name["']?\s*:\s*["']?(/[\w/]*)""", line):
+                columns = (match.start(1) + 1, match.end(1) + 1)
+                self._lines.setdefault(match[1], Place(file, number, columns[0], number, columns[1]))
 
     def of(self, name: str) -> Place:
         return self._lines.get(name, Place(self._file, 1, 1, 1, 1))

@@ -132,11 +132,11 @@ def wait(node: Node, limit: float) -> bool:
 
 def names(node: Node) -> dict[str, int]:
     """The full name of each node that is not hidden, and how many nodes have it."""
-    found: Counter[str] = Counter()
+    counter: Counter[str] = Counter()
     for name, namespace in node.get_node_names_and_namespaces():
         if not name.startswith("_"):
-            found[f"{namespace.rstrip('/')}/{name}"] += 1
-    return dict(sorted(found.items()))
+            counter[f"{namespace.rstrip('/')}/{name}"] += 1
+    return dict(sorted(counter.items()))
 
 
 def ends(node: Node, full: str) -> dict[str, list[tuple[str, str]]]:

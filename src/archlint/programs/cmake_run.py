@@ -264,7 +264,7 @@ def _end(commands: Sequence[Command], at: int) -> int:
 
 def _expanded(command: Command, scope: _Scope) -> list[Argument]:
     """The arguments with known variables replaced; a list that is not quoted becomes several."""
-    found: list[Argument] = []
+    arguments: list[Argument] = []
     for argument in command.arguments:
         text = argument.text
         for _ in range(3):  # ${${name}}
@@ -272,8 +272,8 @@ def _expanded(command: Command, scope: _Scope) -> list[Argument]:
                 break
             text = _VARIABLE.sub(lambda match: _value(match, scope), text)
         parts = [text] if argument.quoted else [part for part in text.split(";") if part]
-        found.extend(Argument(part, argument.line, argument.column, argument.quoted) for part in parts)
-    return found[:10_000]
+        arguments.extend(Argument(part, argument.line, argument.column, argument.quoted) for part in parts)
+    return arguments[:10_000]
 
 
 def _value(variable: re.Match[str], scope: _Scope) -> str:

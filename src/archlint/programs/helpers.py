@@ -48,7 +48,7 @@ def settle_helpers(programs: Sequence[model.Program], holders: Holders) -> None:
     for node in every:
         if node.caller_unknown:
             node.creations = [one for one in node.creations if not _is_known(one, owned)]
-            node.parameters = [one for one in node.parameters if not _is_known(one, declared)]
+            node.parameters = [declaration for declaration in node.parameters if not _is_known(declaration, declared)]
             _give_away(node, _meant(node, every, holders))
     for program in programs:
         program.nodes[:] = [node for node in program.nodes if not _is_nothing(node, program)]

@@ -83,7 +83,7 @@ def _code_of(run: Run, value: Value) -> facts.Function | facts.Lambda | None:
 
 def _functions(run: Run) -> dict[str, list[facts.Function]]:
     """The methods of the program's objects and the functions beside them, by name."""
-    classes = {id(base): base for one in run.instances.values() for base in _classes_of(one)}
+    classes = {id(base): base for instance in run.instances.values() for base in _classes_of(instance)}
     bodies: dict[int, Sequence[facts.Stmt]] = {}
     for cls in classes.values():
         bodies[id(cls.ir)] = cls.ir.body

@@ -46,12 +46,12 @@ class RemapRule:
     @classmethod
     def parse(cls, text: str) -> RemapRule:
         """Raises ``ValueError`` where rcl refuses the rule."""
-        if found := _NODE_RULE.fullmatch(text):
-            return cls(text, frozenset((NODE_NAME,)), "", found["replacement"], found["node"])
-        if found := _NAMESPACE_RULE.fullmatch(text):
-            return cls(text, frozenset((NAMESPACE,)), "", found["replacement"], found["node"])
-        if found := _NAME_RULE.fullmatch(text):
-            return cls(text, _KINDS[found["scheme"]], found["match"], found["replacement"], found["node"])
+        if match := _NODE_RULE.fullmatch(text):
+            return cls(text, frozenset((NODE_NAME,)), "", match["replacement"], match["node"])
+        if match := _NAMESPACE_RULE.fullmatch(text):
+            return cls(text, frozenset((NAMESPACE,)), "", match["replacement"], match["node"])
+        if match := _NAME_RULE.fullmatch(text):
+            return cls(text, _KINDS[match["scheme"]], match["match"], match["replacement"], match["node"])
         raise ValueError(_refusal(text))
 
     def applies(self, kind: str, node_name: str | None) -> bool:
@@ -122,7 +122,7 @@ def resolve(
 
 def rules_of_arguments(arguments: Iterable[str]) -> list[RemapRule]:
     """The remap rules between ``--ros-args`` and ``--`` of a command line; malformed ones are left out."""
-    found: list[RemapRule] = []
+    rules: list[RemapRule] = []
     in_ros_arguments = remap_next = False
     for argument in arguments:
         if argument in ("--ros-args", "--"):
@@ -130,9 +130,9 @@ def rules_of_arguments(arguments: Iterable[str]) -> list[RemapRule]:
         elif in_ros_arguments and remap_next:
             remap_next = False
             try:
-                found.append(RemapRule.parse(argument))
+                rules.append(RemapRule.parse(argument))
             except ValueError:
                 continue
         else:
             remap_next = argument in ("-r", "--remap")
-    return found
+    return rules

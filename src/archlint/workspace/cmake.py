@@ -49,7 +49,7 @@ class Command:
 
 def parse_cmake(text: str) -> list[Command]:
     """The commands of a CMake file, one after the other, blocks and what is in them included."""
-    found: list[Command] = []
+    commands: list[Command] = []
     name: str | None = None
     start = (1, 1)
     arguments: list[Argument] = []
@@ -68,7 +68,7 @@ def parse_cmake(text: str) -> list[Command]:
         elif match["close"]:
             depth = max(0, depth - 1)
             if depth == 0 and name is not None:
-                found.append(Command(name, tuple(arguments), *start))
+                commands.append(Command(name, tuple(arguments), *start))
                 name, arguments = None, []
         elif match["comment"] or match["bracket_comment"]:
             continue
@@ -77,4 +77,4 @@ def parse_cmake(text: str) -> list[Command]:
         elif kind is not None:
             quoted = match["quoted"] is not None
             arguments.append(Argument(value[1:-1] if quoted else value, line, column, quoted))
-    return found
+    return commands

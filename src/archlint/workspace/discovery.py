@@ -53,8 +53,8 @@ def find(paths: Sequence[str], *, exclude: Sequence[str] = (), working_directory
         walk.add_folder(package, context=True)
     whole = [*folders, *packages, *_add_workspaces(walk, asked)]
     root = _root([path if path in folders else os.path.dirname(path) for path in asked])
-    found = place(root, walk.files.values(), walk.problems.values(), whole, walk.cpp_folders)
-    return replace(found, idle_exclusions=tuple(excluder.idle))
+    workspace = place(root, walk.files.values(), walk.problems.values(), whole, walk.cpp_folders)
+    return replace(workspace, idle_exclusions=tuple(excluder.idle))
 
 
 def _add_workspaces(walk: Walk, asked: Sequence[str]) -> list[str]:

@@ -50,16 +50,16 @@ def _units(folder: str, packages: Sequence[Package]) -> list[list[Package]]:
     if _unique(packages):
         return [list(packages)]
     direct = [package for package in packages if os.path.dirname(package.root) == folder]
-    found = [direct] if _unique(direct) else [[package] for package in direct]
+    packagess = [direct] if _unique(direct) else [[package] for package in direct]
     below: dict[str, list[Package]] = {}
     for package in packages:
         if package not in direct:
             below.setdefault(_child(folder, package.root), []).append(package)
     for child in sorted(below):
-        found += _units(child, below[child])
-    owners = Counter(name for unit in found for name in {package.name for package in unit})
-    clashing = [unit for unit in found if any(owners[package.name] > 1 for package in unit)]
-    shared = [package for unit in found if unit not in clashing for package in unit]
+        packagess += _units(child, below[child])
+    owners = Counter(name for unit in packagess for name in {package.name for package in unit})
+    clashing = [unit for unit in packagess if any(owners[package.name] > 1 for package in unit)]
+    shared = [package for unit in packagess if unit not in clashing for package in unit]
     return [[*unit, *shared] for unit in clashing]
 
 

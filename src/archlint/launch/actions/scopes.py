@@ -117,5 +117,5 @@ def set_parameter(run: LaunchRun, entity: LaunchObject) -> None:
 
 
 def set_parameters_from_file(run: LaunchRun, entity: LaunchObject) -> None:
-    made = file_use(run, entity.argument("filename"), run.place_now)
-    run.launch.add_parameter(replace(made, shared=True))
+    use = file_use(run, entity.argument("filename"), run.place_now)
+    run.launch.add_parameter(replace(use, shared=True))

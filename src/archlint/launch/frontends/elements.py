@@ -115,9 +115,9 @@ def _described(frontend: Frontend, element: Element, given: dict[str, Value]) ->
 
 def _pair(frontend: Frontend, element: Element, first: str, second: str) -> Value:
     values = [frontend.get(element, name) or Known("") for name in (first, second)]
-    made = containers.new_list(frontend.run, values, "tuple")
-    frontend.run.store.set(made.key, PAIR_PLACE, frontend.place(element.span))
-    return made
+    value = containers.new_list(frontend.run, values, "tuple")
+    frontend.run.store.set(value.key, PAIR_PLACE, frontend.place(element.span))
+    return value
 
 
 def _container(frontend: Frontend, element: Element) -> LaunchObject:
@@ -133,7 +133,7 @@ def _load(frontend: Frontend, element: Element) -> LaunchObject:
 
 
 def _components(frontend: Frontend, element: Element) -> Value:
-    found: list[Value] = []
+    values: list[Value] = []
     for child in element.of("composable_node", "composable_lifecycle_node"):
         names = {"pkg": "package", "plugin": "plugin", "name": "name", "namespace": "namespace"}
         given, places = frontend.arguments(child, names)
@@ -141,8 +141,8 @@ def _components(frontend: Frontend, element: Element) -> Value:
         made = frontend.make("ComposableNode", frontend.place(child.span), given, places)
         _condition(frontend, child, made)
         _check(frontend, child)
-        found.append(made)
-    return frontend.list(found)
+        values.append(made)
+    return frontend.list(values)
 
 
 def _include(frontend: Frontend, element: Element) -> LaunchObject:

@@ -42,10 +42,10 @@ def _nested(frontend: Frontend, element: Element, name: Value) -> Value | None:
             key = Known(written, origin=frontend.place(child.span))
         inner = _nested(frontend, child, Known("")) if child.of("param") else _value(frontend, child)
         entries[UnknownKey(number)] = (key, inner or Unknown("a parameter without a value"))
-    made = containers.new_dict(frontend.run, entries)
+    value = containers.new_dict(frontend.run, entries)
     if isinstance(name, Known) and not name.value:
-        return made
-    return containers.new_dict(frontend.run, {UnknownKey(0): (name, made)})
+        return value
+    return containers.new_dict(frontend.run, {UnknownKey(0): (name, value)})
 
 
 def set_parameter(frontend: Frontend, element: Element) -> LaunchObject:

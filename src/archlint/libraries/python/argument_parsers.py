@@ -40,10 +40,10 @@ OPTIONS: Fields[Option] = Fields("option")
 
 
 def argument_parser(run: Run, call: ApiUse) -> Value:
-    made = Instance(External("argparse.ArgumentParser"), run.store.new_key())
+    instance = Instance(External("argparse.ArgumentParser"), run.store.new_key())
     if call.open or "parents" in call.keywords or "prefix_chars" in call.keywords:
-        run.store.set(made.key, OPEN, True)
-    return made
+        run.store.set(instance.key, OPEN, True)
+    return instance
 
 
 def add_argument(
@@ -98,23 +98,23 @@ def _parsed(
     run: Run, receiver: Value, args: list[Value], keywords: dict[str, Value], some: bool
 ) -> tuple[Value, Value]:
     """The namespace, and the words that no option takes where ``some`` may be left."""
-    made = Instance(External("argparse.Namespace"), run.store.new_key())
+    instance = Instance(External("argparse.Namespace"), run.store.new_key())
     rest: Value = Unknown("the rest of the command line")
     if not isinstance(receiver, Instance):
-        return made, rest
+        return instance, rest
     for name, value in run.store.family(receiver.key, ARGUMENTS).items():
-        run.store.set(made.key, name, value)
+        run.store.set(instance.key, name, value)
     words = known_words(run, args[0] if args else keywords.get("args", NONE))
     if words is None or run.store.get(receiver.key, OPEN):
-        return made, rest
+        return instance, rest
     options = run.store.family(receiver.key, OPTIONS)
     try:
         found, left = divide(options, words, some)
     except (NotDivided, SystemExit, ValueError, TypeError, argparse.ArgumentError):
-        return made, rest
+        return instance, rest
     for name, option in options.items():
-        run.store.set(made.key, name, _value(run, option, found, name, words))
-    return made, containers.new_list(run, [word_of(text, words) for text in left])
+        run.store.set(instance.key, name, _value(run, option, found, name, words))
+    return instance, containers.new_list(run, [word_of(text, words) for text in left])
 
 
 def _value(run: Run, option: Option, found: dict[str, Any], name: str, words: list[Value]) -> Value:

@@ -41,14 +41,14 @@ def divide(options: dict[str, Option], words: list[Value], some: bool) -> tuple[
         if not option.flags[0].startswith("-") and "nargs" in option.keywords:
             optional.add(name)
     texts = [f"{_MARK}{n}" if word.text is None else word.text for n, word in enumerate(words)]
-    found, left = parser.parse_known_args(texts)
+    namespace, left = parser.parse_known_args(texts)
     if left and not some:
         raise NotDivided
     # What is not known may be an option: it must be where only a value can be.
-    loose = [*left, *(text for name in optional for text in _texts(vars(found).get(name)))]
+    loose = [*left, *(text for name in optional for text in _texts(vars(namespace).get(name)))]
     if any(text.startswith(_MARK) for text in loose):
         raise NotDivided
-    return vars(found), left
+    return vars(namespace), left
 
 
 def _texts(value: object) -> list[str]:

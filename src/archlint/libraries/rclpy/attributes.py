@@ -99,9 +99,9 @@ _PARAMETER_TYPES: dict[type, int] = {bool: 1, int: 2, float: 3, str: 4}
 
 def _parameter_value(run: Run, held: Value) -> Value:
     """A ``rcl_interfaces/msg/ParameterValue`` that holds a value: ``.string_value`` and the like read it."""
-    made = Instance(External("rcl_interfaces.msg.ParameterValue"), run.store.new_key())
-    run.store.set(made.key, "value", held)
-    return made
+    instance = Instance(External("rcl_interfaces.msg.ParameterValue"), run.store.new_key())
+    run.store.set(instance.key, "value", held)
+    return instance
 
 
 def interface_constant(run: Run, path: str, name: str) -> Value | None:

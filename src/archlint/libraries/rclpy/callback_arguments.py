@@ -35,9 +35,9 @@ def default_arguments(run: Run, role: model.Role, creation: model.Creation | Non
         return (message("Request"), message("Response"))
     if role in (model.Role.EXECUTE, model.Role.CANCEL, model.Role.ACCEPTED):
         goal = message("Goal")
-        made = Instance(GOAL_HANDLE, run.store.new_key(), None, {"request": goal})
-        run.store.set(made.key, "request", goal)
-        return (made,)
+        instance = Instance(GOAL_HANDLE, run.store.new_key(), None, {"request": goal})
+        run.store.set(instance.key, "request", goal)
+        return (instance,)
     if role == model.Role.GOAL:
         return (message("Goal"),)
     if role == model.Role.DONE:
@@ -62,6 +62,6 @@ def _feedback(run: Run, call: ApiUse) -> Value:
     type_ = creations[0].type if len(creations) == 1 else None
     if type_ is None:
         return Unknown("the feedback of an action of unknown type")
-    made = MessageValue(type_, "FeedbackMessage", run.store.new_key())
-    run.store.set(made.key, "feedback", MessageValue(type_, "Feedback", run.store.new_key()))
-    return made
+    value = MessageValue(type_, "FeedbackMessage", run.store.new_key())
+    run.store.set(value.key, "feedback", MessageValue(type_, "Feedback", run.store.new_key()))
+    return value

@@ -46,11 +46,11 @@ def as_changed(run: Run, value: Value) -> Value:
     }
     if tail is None or not changes:
         return value
-    made = Instance(External(PROFILE), run.store.new_key())
-    run.store.set(made.key, PRESET, PRESETS[tail])
+    instance = Instance(External(PROFILE), run.store.new_key())
+    run.store.set(instance.key, PRESET, PRESETS[tail])
     for name, held in changes.items():
-        run.store.set(made.key, name, held)
-    return made
+        run.store.set(instance.key, name, held)
+    return instance
 
 
 def copy_profile(run: Run, value: Value) -> Value:
@@ -61,19 +61,19 @@ def copy_profile(run: Run, value: Value) -> Value:
     known = preset(rclpy_names.canonical(value.dotted)) if value.dotted else None
     if known is None:
         return value
-    made = Instance(External(PROFILE), run.store.new_key())
-    run.store.set(made.key, PRESET, known)
-    return made
+    instance = Instance(External(PROFILE), run.store.new_key())
+    run.store.set(instance.key, PRESET, known)
+    return instance
 
 
 def copy_of(run: Run, value: Instance) -> Instance:
-    made = Instance(value.cls, run.store.new_key(), value.place, value.arguments)
-    run.store.set(made.key, OPEN, run.store.get(value.key, OPEN) or False)
+    instance = Instance(value.cls, run.store.new_key(), value.place, value.arguments)
+    run.store.set(instance.key, OPEN, run.store.get(value.key, OPEN) or False)
     copied = run.store.get(value.key, PRESET)
     if copied is not None:
-        run.store.set(made.key, PRESET, copied)
+        run.store.set(instance.key, PRESET, copied)
     for name in ("depth", *POLICIES, *DURATIONS):
         held = run.store.get(value.key, name)
         if held is not None:
-            run.store.set(made.key, name, held)
-    return made
+            run.store.set(instance.key, name, held)
+    return instance

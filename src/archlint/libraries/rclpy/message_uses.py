@@ -68,17 +68,17 @@ def _passed(run: Run, message: MessageValue) -> tuple[Passed, ...]:
     while outer is not None:
         keys.add(outer)
         outer = run.messages.inside.get(outer)
-    found: list[Passed] = []
+    hops: list[Passed] = []
     for number in range(len(run.activations) - 1, 0, -1):
-        one = run.activations[number]
-        if one.scope.kind == "comprehension":
+        activation = run.activations[number]
+        if activation.scope.kind == "comprehension":
             continue
-        if one.function is None or one.call_place is None or not _is_given(run, one, keys):
+        if activation.function is None or activation.call_place is None or not _is_given(run, activation, keys):
             break
-        place = one.place(one.function.ir.span)
-        run.messages.passed_to[id(one.function.ir)] = place
-        found.append(Passed(one.call_place, one.qualified, place))
-    return tuple(found)
+        place = activation.place(activation.function.ir.span)
+        run.messages.passed_to[id(activation.function.ir)] = place
+        hops.append(Passed(activation.call_place, activation.qualified, place))
+    return tuple(hops)
 
 
 def _is_given(run: Run, one: Activation, keys: set[int]) -> bool:

@@ -101,12 +101,12 @@ def node_key(run: Run, value: Value | None) -> int:
 
 def given_nodes(run: Run, value: Value | None, *, plausible: bool = True) -> list[model.Blueprint]:
     """The nodes that an argument stands for which ROS takes nothing but a node for."""
-    found = nodes_of(run, value, plausible=plausible)
+    nodes = nodes_of(run, value, plausible=plausible)
     for option in alternatives(value) if value is not None else ():
         node = known_node(run, option)
         if node is not None:
             node.caller_unknown = False
-    return found
+    return nodes
 
 
 def nodes_of(run: Run, value: Value | None, *, plausible: bool = True) -> list[model.Blueprint]:
@@ -114,10 +114,10 @@ def nodes_of(run: Run, value: Value | None, *, plausible: bool = True) -> list[m
     match value:
         case OneOf(values=options):
             objects = [option for option in options if isinstance(option, (NodeValue, Instance))]
-            found: list[model.Blueprint] = []
+            nodes: list[model.Blueprint] = []
             for option in objects or options:
-                found.extend(node for node in nodes_of(run, option, plausible=plausible) if node not in found)
-            return found
+                nodes.extend(node for node in nodes_of(run, option, plausible=plausible) if node not in nodes)
+            return nodes
         case NodeValue(blueprint=node):
             return [node]
         case Instance():

@@ -37,11 +37,11 @@ _UNKNOWN = Qos(None, None, None, None)
 def make_profile(run: Run, call: ApiUse) -> Value:
     """``QoSProfile(depth=10, reliability=…)``: an object whose attributes can still change."""
     place = run.place(call.expression.span) if call.expression is not None else None
-    made = Instance(External(PROFILE), run.store.new_key(), place)
+    instance = Instance(External(PROFILE), run.store.new_key(), place)
     for name, value in call.arguments.items():
-        run.store.set(made.key, name, value)
-    run.store.set(made.key, OPEN, call.open)
-    return made
+        run.store.set(instance.key, name, value)
+    run.store.set(instance.key, OPEN, call.open)
+    return instance
 
 
 def make_duration(run: Run, call: ApiUse) -> Value:
@@ -51,12 +51,12 @@ def make_duration(run: Run, call: ApiUse) -> Value:
 def resolve(run: Run, value: Value | None, default: DefaultQos, call: ApiUse) -> Qos:
     """The profile that an argument gives, with the API's default where none is given."""
     if value is None or value.is_none:
-        found = _UNKNOWN if call.open else API_DEFAULTS[default]
+        qos = _UNKNOWN if call.open else API_DEFAULTS[default]
     else:
-        found = _of_value(run, value)
+        qos = _of_value(run, value)
     if call.get("qos_overriding_options") not in (None, Known(None)):
-        found = replace(found, overridable=True)
-    return found
+        qos = replace(qos, overridable=True)
+    return qos
 
 
 PROFILE_ALTERNATIVES = 8
@@ -65,13 +65,13 @@ PROFILE_ALTERNATIVES = 8
 
 def resolve_all(run: Run, value: Value | None, default: DefaultQos, call: ApiUse) -> list[Qos]:
     """The profiles that an argument may give: several where a branch decides, or one."""
-    found: list[Qos] = []
+    profiles: list[Qos] = []
     for option in alternatives(value) if value is not None else ():
         for variant in _variants(run, option):
             profile = resolve(run, variant, default, call)
-            if profile not in found:
-                found.append(profile)
-    return found if 0 < len(found) <= PROFILE_ALTERNATIVES else [resolve(run, value, default, call)]
+            if profile not in profiles:
+                profiles.append(profile)
+    return profiles if 0 < len(profiles) <= PROFILE_ALTERNATIVES else [resolve(run, value, default, call)]
 
 
 def _variants(run: Run, value: Value) -> list[Value]:
@@ -88,13 +88,13 @@ def _variants(run: Run, value: Value) -> list[Value]:
                 return [value]
     if rows == [{}]:
         return [value]
-    made: list[Value] = []
+    values: list[Value] = []
     for row in rows:
         variant = copy_of(run, value)
         for name, option in row.items():
             run.store.set(variant.key, name, option)
-        made.append(variant)
-    return made
+        values.append(variant)
+    return values
 
 
 def _of_value(run: Run, value: Value) -> Qos:

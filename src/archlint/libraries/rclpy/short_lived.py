@@ -50,7 +50,7 @@ def _assigned(ir: facts.Function, statement: facts.Stmt | None, call: facts.Call
 
 def _call_of(activations: Sequence[Activation], callee: Activation, ir: facts.Function) -> facts.Call | None:
     """The call by name that runs a function, where the caller's statement takes what it returns."""
-    at = next(number for number, one in enumerate(activations) if one is callee)
+    at = next(number for number, activation in enumerate(activations) if activation is callee)
     match activations[at - 1].statement if at else None:
         case facts.Assign(value=facts.Call(func) as call) | facts.Return(facts.Call(func) as call):
             return call if func.variable == ir.name else None
@@ -86,7 +86,7 @@ def _harmless(ir: facts.Function, name: str, functions: Mapping[str, facts.Funct
             case facts.Call(facts.Attribute(owner)) if owner.variable == name:
                 count += 1
             case facts.Call(facts.Attribute(facts.Name("rclpy"), method), given) if method.startswith("spin"):
-                count += sum(one.value.variable == name for one in given)
+                count += sum(argument.value.variable == name for argument in given)
             case facts.Call(facts.Name(called)):
                 count += _lent(item, functions.get(called), name, functions)
     return count
@@ -101,7 +101,7 @@ def _lent(call: facts.Call, function: facts.Function | None, name: str, function
     for position, given in enumerate(call.args):
         if given.value.variable != name:
             continue
-        keywords = [one.name for one in function.params if one.name == given.keyword]
-        names = keywords if given.keyword else [one.name for one in function.params[position : position + 1]]
+        keywords = [param.name for param in function.params if param.name == given.keyword]
+        names = keywords if given.keyword else [param.name for param in function.params[position : position + 1]]
         count += sum(_mentions(function, one) == _harmless(function, one, others) for one in names)
     return count

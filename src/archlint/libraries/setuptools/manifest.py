@@ -45,8 +45,8 @@ def document(run: Run, args: list[Value], keywords: dict[str, Value], e: facts.C
     element = _object(run, firstChild=text, childNodes=containers.new_list(run, [text]))
 
     def elements(*values: Value, **_: Value) -> Value:
-        found = containers.new_list(run, [element])
-        return found if _asks_for_name(values) else Unknown("elements of package.xml")
+        value = containers.new_list(run, [element])
+        return value if _asks_for_name(values) else Unknown("elements of package.xml")
 
     return _object(run, getElementsByTagName=_function("getElementsByTagName", elements))
 
@@ -77,10 +77,10 @@ def _asks_for_name(values: tuple[Value, ...]) -> bool:
 
 
 def _object(run: Run, **attributes: Value) -> Value:
-    made = Instance(External("xml.package"), run.store.new_key())
+    instance = Instance(External("xml.package"), run.store.new_key())
     for name, value in attributes.items():
-        run.store.set(made.key, name, value)
-    return made
+        run.store.set(instance.key, name, value)
+    return instance
 
 
 def _function(name: str, function: Callable[..., Value]) -> Value:
