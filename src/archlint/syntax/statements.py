@@ -21,11 +21,6 @@ class Statement(Base, frozen=True):
         """The blocks that it holds."""
         return []
 
-    @property
-    def leaves_loop(self) -> bool:
-        """Whether this is ``break`` or ``return``, after which the loop around it is over."""
-        return False
-
 
 class Assign(Statement, frozen=True, tag="="):
     """``targets[0] = targets[1] = value``; targets are Name, Attribute, Subscript, Sequence or Starred."""
@@ -74,22 +69,10 @@ class Return(Statement, frozen=True, tag="return"):
     value: Expr | None
     span: Span
 
-    @property
-    def jumps(self) -> bool:
-        return True
-
-    @property
-    def leaves_loop(self) -> bool:
-        return True
-
 
 class Raise(Statement, frozen=True, tag="raise"):
     value: Expr | None
     span: Span
-
-    @property
-    def jumps(self) -> bool:
-        return True
 
 
 class If(Statement, frozen=True, tag="if"):
@@ -265,14 +248,6 @@ class Jump(Statement, frozen=True, tag="jump"):
 
     kind: JumpKind
     span: Span
-
-    @property
-    def jumps(self) -> bool:
-        return self.kind != "pass"
-
-    @property
-    def leaves_loop(self) -> bool:
-        return self.kind == "break"
 
 
 class Function(Statement, frozen=True, tag="def"):

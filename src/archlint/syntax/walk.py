@@ -1,4 +1,4 @@
-"""Walking facts: the statements, blocks and calls inside a piece of source; functions inside it are left out."""
+"""Walking facts: the statements and calls inside a piece of source; functions inside it are left out."""
 
 from __future__ import annotations
 
@@ -7,14 +7,6 @@ from typing import overload
 
 from archlint.syntax import facts
 from archlint.syntax.parts import Kind, Source, parts_of
-
-
-def blocks_of(body: Sequence[facts.Stmt]) -> Iterator[Sequence[facts.Stmt]]:
-    """A body and every block inside it."""
-    yield body
-    for statement in body:
-        for block in statement.blocks:
-            yield from blocks_of(block)
 
 
 @overload
@@ -54,4 +46,4 @@ def main_guard(found: facts.Facts) -> facts.If | None:
     return None
 
 
-__all__ = ["blocks_of", "called_name", "calls_in", "main_guard", "parts_of", "statements_of"]
+__all__ = ["called_name", "calls_in", "main_guard", "parts_of", "statements_of"]
