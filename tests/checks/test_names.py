@@ -492,7 +492,7 @@ class TestInvalidName:
     def test_names_that_begin_with_an_empty_namespace_are_one_finding(self, judge: Judge):
         lines = ["space = node.get_namespace()", "node.create_publisher(String, f'{space}/words', 10)  # here"]
         [found] = judge("NME002", script(*lines, "node.create_client(Trigger, f'{space}/go')"))
-        assert "the topic name '//words': " in found.message
+        assert "the topic name '//words' of a node in no namespace: " in found.message
         assert found.message.endswith("; the same goes for '//go'")
         assert found.help == "write the relative name 'words': ROS adds the node's namespace"
         [alone] = judge("NME002", script(*lines, "node.create_client(Trigger, 'go')"))

@@ -81,6 +81,8 @@ def _invalid_endpoints(system: System, node: Node) -> Iterator[Finding]:
             continue  # launch files start it, perhaps in a namespace: their systems tell
         shown, word = endpoint.written or "", NAMED[endpoint.kind]
         default = f", the default of the parameter '{endpoint.parameter}'" if endpoint.resolution == "parameter" else ""
+        if relative is not None and creation.name.origin_kind == "node_name":
+            default = " of a node in no namespace"
         only_complete = names.validate_topic_name(shown) is None and endpoint.name != shown
         complete = f" (complete: '{endpoint.name}')" if only_complete else ""
         yield finding(
