@@ -15,7 +15,6 @@ from typing import Any
 from archlint import model
 from archlint.finding import Place
 from archlint.interpreter.activation import Activation
-from archlint.interpreter.containers import entries_of, items_of
 from archlint.interpreter.heap import Store
 from archlint.interpreter.interpreter import Interpreter
 from archlint.interpreter.library import Library
@@ -108,11 +107,11 @@ class Interpreted:
         if isinstance(value, Known):
             return value.value
         if isinstance(value, ListValue):
-            items = items_of(self.run, value)
+            items = value.items(self.run)
             if not items.open:
                 return COLLECTIONS[value.kind](self.as_python(item) for item in items.values)
         if isinstance(value, DictValue):
-            entries = entries_of(self.run, value)
+            entries = value.entries(self.run)
             if not entries.open:
                 return {self.as_python(key): self.as_python(item) for key, item in entries.entries.values()}
         raise NotConstant(value)

@@ -1,17 +1,16 @@
-"""Calls: binding arguments, entering functions, making objects, defining functions and classes."""
+"""Calls: what runs, with which arguments, and what it leaves behind."""
 
 from __future__ import annotations
 
 from dataclasses import replace
 
 from archlint.branches import ChoiceOfCallee
-from archlint.finding import Place
-from archlint.interpreter import containers, hints, refusals, repeats
+from archlint.interpreter import containers, hints, repeats
 from archlint.interpreter.activation import Activation
 from archlint.interpreter.attributes import method_of
 from archlint.interpreter.bindings import bound_names
-from archlint.interpreter.builtins import BUILTINS, call_builtin
-from archlint.interpreter.call_site import NOTHING_GIVEN, CallSite
+from archlint.interpreter.builtins import call_builtin
+from archlint.interpreter.call_site import CallSite
 from archlint.interpreter.heap import Layer
 from archlint.interpreter.machine import DEPTH, Machine, Status
 from archlint.interpreter.objects.classes import instantiate
@@ -21,93 +20,24 @@ from archlint.interpreter.values import (
     BoundMethod,
     Builtin,
     ClassValue,
-    Entries,
     External,
     ForeignValue,
     FunctionValue,
     Instance,
-    Items,
-    ListValue,
     OneOf,
     Partial,
     PythonValue,
-    SuperValue,
     Unknown,
     Value,
-    alternatives,
     one_of,
 )
-from archlint.reasons import NotPassed, Uninformative
+from archlint.reasons import NotPassed
 from archlint.syntax import facts
 
-__all__ = ["BUILTINS", "call", "call_function", "place_of"]
+__all__ = ["call", "call_function"]
 
 
-# ----------------------------------------------------------------------------------------- a call expression
-
-
-def evaluate_call(machine: Machine, e: facts.Call) -> Value:
-    """The value of a call expression."""
-    name = e.func.variable
-    if name == "super" and machine.lookup("super") is None:
-        return _super(machine, e)
-    if name in ("locals", "globals"):
-        return Unknown("the variables as a dict")
-    function = machine.evaluate(e.func)
-    machine.library.coroutines_started(function, e)
-    site = call_site(machine, e)
-    refusals.check_call(machine, function, site, e)
-    with machine.library.around_call(function, e):
-        return call(machine, function, site)
-
-
-def call_site(machine: Machine, e: facts.Call) -> CallSite:
-    """The arguments of a call expression."""
-    args: list[Value] = []
-    keywords: dict[str, Value] = {}
-    complete = True
-    for argument in e.args:
-        value = machine.evaluate(argument.value)
-        if argument.star == "*":
-            complete &= _add_items(args, value.items(machine))
-        elif argument.star == "**":
-            complete &= _add_entries(keywords, value.entries(machine))
-        elif argument.keyword is not None:
-            keywords[argument.keyword] = value
-        else:
-            args.append(value)
-    return CallSite(args, keywords, e, not complete)
-
-
-def _add_items(args: list[Value], items: Items | None) -> bool:
-    """Add the arguments of ``*items``; whether they are all."""
-    if items is None:
-        return False
-    args.extend(items.values[: max(0, containers.ITEM_LIMIT - len(args))])
-    return not items.open and len(args) < containers.ITEM_LIMIT
-
-
-def _add_entries(keywords: dict[str, Value], entries: Entries | None) -> bool:
-    """Add the arguments of ``**entries``; whether they are all."""
-    if entries is None:
-        return False
-    keywords.update((key.text, value) for key, value in entries.entries.values() if key.text is not None)
-    return not entries.open
-
-
-def _super(machine: Machine, e: facts.Call) -> Value:
-    if e.args:
-        args = call_site(machine, e).args
-        if len(args) >= 2 and isinstance(args[0], ClassValue):
-            return SuperValue(args[0], args[1])
-    for activation in reversed(machine.activations):
-        if activation.function is not None and activation.function.owner is not None:
-            if activation.self_value is not None:
-                return SuperValue(activation.function.owner, activation.self_value)
-            break
-        if activation.scope.kind not in ("function", "comprehension"):
-            break
-    return Unknown("super() outside of a method")
+# ------------------------------------------------------------------------------------------- whatever is called
 
 
 def call(machine: Machine, function: Value, site: CallSite) -> Value:
@@ -285,46 +215,3 @@ def _leave_function(
     if not values:
         return Unknown(f"'{activation.qualified}' raises")
     return one_of(values)
-
-
-# ------------------------------------------------------------------------------------------- odds and ends
-
-
-def awaited(machine: Machine, value: Value, expression: facts.Await) -> Value:
-    """``await value``."""
-    return one_of(
-        machine.library.awaited(option, expression) if isinstance(option, ForeignValue) else option
-        for option in alternatives(value)
-    )
-
-
-def enter(machine: Machine, value: Value) -> Value:
-    """What ``with value as x`` binds."""
-    match value:
-        case ListValue(kind="generator"):
-            items = value.items(machine)
-            return items.values[0] if items.values else Unknown(Uninformative("the value of a context manager"))
-        case Instance(cls=ClassValue()):
-            method = method_of(machine, value, "__enter__")
-            if method is not None:
-                return call(machine, method, NOTHING_GIVEN)
-    return value
-
-
-_EXITS = frozenset({"sys.exit", "os._exit"})
-
-
-def never_returns(machine: Machine, e: facts.Call) -> bool:
-    """``sys.exit()`` and the like."""
-    match e.func:
-        case facts.Name(id=name):
-            return name in ("exit", "quit") and machine.lookup(name) is None
-        case facts.Attribute(value=facts.Name(id=name), attr=attribute):
-            value = machine.lookup(name)
-            return value is not None and f"{value.dotted}.{attribute}" in _EXITS
-    return False
-
-
-def place_of(function: FunctionValue) -> Place:
-    """Where a function is defined."""
-    return Place(function.scope.module.path, *function.place_span)

@@ -36,7 +36,7 @@ def distinct(values: Iterable[Value]) -> tuple[Value, ...]:
     """The items of a set: of those that Python takes for the same, the first."""
     found: dict[Hashable, Value] = {}
     for value in values:
-        at = hashable(value)
+        at = value.entry_key()
         found.setdefault(UnknownKey(len(found)) if at is None else at, value)
     return tuple(found.values())
 
@@ -53,24 +53,11 @@ def dict_of_names(machine: Machine, values: Mapping[str, Value], open_: bool = F
     return new_dict(machine, {name.entry_key(): (name, value) for name, value in names}, open_)
 
 
-def items_of(machine: Machine, value: ListValue) -> Items:
-    """The items of a list."""
-    return value.items(machine)
-
-
-def entries_of(machine: Machine, value: DictValue) -> Entries:
-    """The entries of a dict."""
-    return value.entries(machine)
-
-
-def hashable(value: Value) -> Hashable | None:
-    """What stands for a value as a key; None where it is not known."""
-    return value.entry_key()
-
-
-def iterate(machine: Machine, value: Value) -> Items | None:
-    """The items that iterating yields; None where nothing is known of them."""
-    return value.items(machine)
+def all_items(machine: Machine, values: Sequence[Value]) -> list[Items] | None:
+    """The items of several collections; None where one of them is not known."""
+    rows = [value.items(machine) for value in values]
+    known = [row for row in rows if row is not None]
+    return known if len(known) == len(rows) else None
 
 
 def unknown_item(machine: Machine, iterable: Value, why: str) -> Value:

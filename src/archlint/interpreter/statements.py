@@ -5,19 +5,25 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
-from archlint.interpreter import calls, caught, containers, decisions, definitions, hints, refusals
+from archlint.interpreter import caught, definitions, hints
 from archlint.interpreter.assignment import assign
-from archlint.interpreter.augmented import augmented, forget_counters
-from archlint.interpreter.expressions import evaluate_test
+from archlint.interpreter.attributes import method_of
+from archlint.interpreter.augmented import augmented
+from archlint.interpreter.call_expressions import never_returns
+from archlint.interpreter.conditions import evaluate_test
 from archlint.interpreter.heap import Layer
+from archlint.interpreter.imports import import_from, import_module
 from archlint.interpreter.items import delete_item
-from archlint.interpreter.machine import UNROLL, Machine, Status
-from archlint.interpreter.values import NONE, External, Items, Unknown, Value, reason
-from archlint.reasons import NOT_A_CONSTANT
+from archlint.interpreter.loops import for_each, while_it_holds
+from archlint.interpreter.machine import Machine, Status
+from archlint.interpreter.narrowing import narrow
+from archlint.interpreter.patterns import bind_pattern, matches
+from archlint.interpreter.values import NONE, ClassValue, Instance, ListValue, Unknown, Value
+from archlint.reasons import Uninformative
 from archlint.syntax import facts
 
 if TYPE_CHECKING:
-    from archlint.interpreter.modules import Module
+    pass
 
 
 def _assign(machine: Machine, s: facts.Assign) -> Status:
@@ -35,7 +41,7 @@ def _annotated(machine: Machine, s: facts.Annotated) -> Status:
 
 def _expression(machine: Machine, s: facts.Expression) -> Status:
     machine.evaluate(s.value)
-    if isinstance(s.value, facts.Call) and calls.never_returns(machine, s.value):
+    if isinstance(s.value, facts.Call) and never_returns(machine, s.value):
         return "raise"
     return None
 
@@ -63,113 +69,36 @@ def _if(machine: Machine, s: facts.If) -> Status:
     results = []
     for arm, block in enumerate((s.body, s.orelse)):
         with machine.arm(key, arm) as taken:
-            decisions.narrow(machine, s.test, arm == 0)
+            narrow(machine, s.test, arm == 0)
             status = machine.execute(block)
         results.append((status, taken[0]))
     joined = machine.join(results)
     ended = [status for status, _ in results]
     if joined is None and ended.count(None) == 1:
         # The other arm goes to the next round: what follows here knows how the test came out.
-        decisions.narrow(machine, s.test, ended[0] is None)
+        narrow(machine, s.test, ended[0] is None)
     return joined
-
-
-def _for(machine: Machine, s: facts.For) -> Status:
-    iterable = machine.evaluate(s.iterable)
-    if refusals.refuses_to_iterate(machine, iterable):
-        return "raise"
-    activation = machine.activation
-    activation.loops.append(s)
-    try:
-        items = containers.iterate(machine, iterable)
-        if items is None or items.open or len(items.values) > UNROLL:
-            return _loop_of_unknown(machine, s, iterable, items)
-        for item in items.values:
-            assign(machine, s.target, item)
-            status = machine.execute(s.body)
-            if status == "break":
-                return None
-            if status in ("return", "raise"):
-                return status
-    finally:
-        activation.loops.pop()
-    return _otherwise(machine, s)
-
-
-def _otherwise(machine: Machine, s: facts.For | facts.While) -> Status:
-    """The ``else`` of a loop: only one of two ways on where a ``break`` may have left the loop."""
-    if not s.orelse or id(s) not in machine.activation.left:
-        return machine.execute(s.orelse)
-    machine.activation.left.discard(id(s))
-    return machine.join([machine.branch(machine.key_of(s.span), 0, s.orelse), (None, {})])
-
-
-def _loop_of_unknown(machine: Machine, s: facts.For, iterable: Value, items: Items | None) -> Status:
-    key = machine.key_of(s.span)
-    if items is not None and len(items.values) <= UNROLL:
-        for number, item in enumerate(items.values):
-            with machine.arm(key + f"#{number}", 0) as taken:
-                assign(machine, s.target, item)
-                machine.execute(s.body)
-            machine.store.merge([taken[0], {}])
-        if items.whole or any(isinstance(item, Unknown) for item in items.values):
-            return None
-    with machine.arm(key, 0) as taken:
-        forget_counters(machine, s.body)
-        why = reason(iterable)
-        if why is NOT_A_CONSTANT:
-            why = "what the loop runs over is not known"
-        assign(machine, s.target, containers.unknown_item(machine, iterable, why))
-        status = machine.execute(s.body)
-    _maybe_a_round(machine, status, taken[0])
-    return None
-
-
-def _maybe_a_round(machine: Machine, status: Status, written: Layer) -> None:
-    """Go on after a body that may have run, or not."""
-    machine.join([(None if status in ("break", "continue") else status, written), (None, {})])
-
-
-def _while(machine: Machine, s: facts.While) -> Status:
-    activation = machine.activation
-    activation.loops.append(s)
-    try:
-        for _ in range(UNROLL):
-            _, truth = evaluate_test(machine, s.test)
-            if truth is False:
-                break
-            constant = isinstance(s.test, facts.Literal)
-            if truth is None or constant:
-                return _loop_once(machine, s, certain=constant)
-            status = machine.execute(s.body)
-            if status == "break":
-                return None
-            if status in ("return", "raise"):
-                return status
-    finally:
-        activation.loops.pop()
-    return _otherwise(machine, s)
-
-
-def _loop_once(machine: Machine, s: facts.While, certain: bool) -> Status:
-    if certain:
-        forget_counters(machine, s.body)
-        status = machine.execute(s.body)
-        return status if status in ("return", "raise") else None
-    with machine.arm(machine.key_of(s.span), 0) as taken:
-        decisions.narrow(machine, s.test, True)
-        forget_counters(machine, s.body)
-        status = machine.execute(s.body)
-    _maybe_a_round(machine, status, taken[0])
-    return None
 
 
 def _with(machine: Machine, s: facts.With) -> Status:
     for item in s.items:
-        value = calls.enter(machine, machine.evaluate(item.value))
+        value = _entered(machine, machine.evaluate(item.value))
         if item.target is not None:
             assign(machine, item.target, value)
     return machine.execute(s.body)
+
+
+def _entered(machine: Machine, value: Value) -> Value:
+    """What ``with value as x`` binds."""
+    match value:
+        case ListValue(kind="generator"):
+            items = value.items(machine)
+            return items.values[0] if items.values else Unknown(Uninformative("the value of a context manager"))
+        case Instance(cls=ClassValue()):
+            method = method_of(machine, value, "__enter__")
+            if method is not None:
+                return machine.call(method)
+    return value
 
 
 def _try(machine: Machine, s: facts.Try) -> Status:
@@ -220,11 +149,11 @@ def _match(machine: Machine, s: facts.Match) -> Status:
     key = machine.key_of(s.span)
     results: list[tuple[Status, Layer]] = []
     for arm, case in enumerate(s.cases):
-        verdict = decisions.matches(machine, case.pattern, subject)
+        verdict = matches(machine, case.pattern, subject)
         if verdict is False:
             continue
         with machine.arm(key, arm) as taken:
-            decisions.bind_pattern(machine, case.pattern, subject)
+            bind_pattern(machine, case.pattern, subject)
             guard = None if case.guard is None else evaluate_test(machine, case.guard)[1]
             certain = verdict is True and (case.guard is None or guard is True)
             if guard is False:
@@ -239,62 +168,8 @@ def _match(machine: Machine, s: facts.Match) -> Status:
         results.append((None, {}))
         return machine.join(results)
     # The first case that can match does match: no branch at all.
-    decisions.bind_pattern(machine, case.pattern, subject)
+    bind_pattern(machine, case.pattern, subject)
     return machine.execute(case.body)
-
-
-def _import(machine: Machine, s: facts.Import) -> Status:
-    importer = machine.activation.module
-    found = machine.index.find(importer, s.module)
-    if s.alias is not None:
-        machine.assign_name(s.alias, External(s.module) if found is None else machine.import_module(found))
-        return None
-    if found is not None:
-        machine.import_module(found)
-    top = s.module.partition(".")[0]
-    first = machine.index.find(importer, top)
-    machine.assign_name(top, External(top) if first is None else machine.import_module(first))
-    return None
-
-
-def _import_from(machine: Machine, s: facts.ImportFrom) -> Status:
-    importer = machine.activation.module
-    found = machine.index.find(importer, s.module, s.level)
-    dotted = machine.index.absolute_name(importer, s.module, s.level)
-    for name, bound in s.names:
-        if name == "*":
-            _import_star(machine, found, dotted)
-            continue
-        value: Value | None = None
-        if found is not None and found is not importer:
-            value = machine.module_attribute(found, name)
-            if value is None:
-                value = (
-                    Unknown(f"'{name}' is defined later in an import cycle")
-                    if found.state == "running"
-                    else Unknown(f"{found.name} has no '{name}'")
-                )
-        else:
-            below = machine.index.find(importer, f"{s.module}.{name}" if s.module else name, s.level)
-            if below is None:
-                value = machine.library.imported(f"{dotted}.{name}", s.span)
-            else:
-                value = machine.import_module(below)
-        machine.assign_name(bound, value)
-    return None
-
-
-def _import_star(machine: Machine, found: Module | None, dotted: str) -> None:
-    if found is None:
-        machine.activation.module.star_externals.append(dotted)
-        return
-    machine.import_module(found)
-    assert found.scope is not None
-    exports = found.facts.exports
-    for name, value in machine.store.variables(found.scope.key):
-        if name in exports if exports is not None else not name.startswith("_"):
-            machine.assign_name(name, value)
-    machine.activation.module.star_externals.extend(found.star_externals)
 
 
 def _function(machine: Machine, s: facts.Function) -> Status:
@@ -316,7 +191,7 @@ def _delete(machine: Machine, s: facts.Delete) -> Status:
 
 def _assert(machine: Machine, s: facts.Assert) -> Status:
     machine.evaluate(s.test)
-    decisions.narrow(machine, s.test, True)
+    narrow(machine, s.test, True)
     return None
 
 
@@ -336,13 +211,13 @@ STATEMENTS: dict[type, Callable[[Machine, Any], Status]] = {
     facts.Return: _return,
     facts.Raise: _raise,
     facts.If: _if,
-    facts.For: _for,
-    facts.While: _while,
+    facts.For: for_each,
+    facts.While: while_it_holds,
     facts.With: _with,
     facts.Try: _try,
     facts.Match: _match,
-    facts.Import: _import,
-    facts.ImportFrom: _import_from,
+    facts.Import: import_module,
+    facts.ImportFrom: import_from,
     facts.Global: _nothing,
     facts.Delete: _delete,
     facts.Assert: _assert,

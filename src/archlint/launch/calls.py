@@ -61,7 +61,7 @@ def _items(run: Run, value: Value | None) -> Items:
         case OneOf() as several:
             return Items((several,))
         case actions:
-            return containers.iterate(run, actions) or Items((actions,), True)
+            return actions.items(run) or Items((actions,), True)
 
 
 def _package_path(run: Run, call: ApiUse) -> Value:

@@ -138,7 +138,7 @@ def _load_yaml(run: LaunchRun, args: list[Value], keywords: dict[str, Value], e:
 def _value_of(run: LaunchRun, value: object) -> Value:
     match value:
         case dict():
-            rows = {containers.hashable(Known(key)): (Known(key), _value_of(run, item)) for key, item in value.items()}
+            rows = {Known(key).entry_key(): (Known(key), _value_of(run, item)) for key, item in value.items()}
             return containers.new_dict(run, {key: row for key, row in rows.items() if key is not None})
         case list():
             return containers.new_list(run, [_value_of(run, item) for item in value])

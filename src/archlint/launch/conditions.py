@@ -5,7 +5,6 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from archlint.branches import UnfollowedCondition
-from archlint.interpreter import decisions
 from archlint.interpreter.values import (
     BoundMethod,
     ClassValue,
@@ -74,7 +73,7 @@ def _asked(run: LaunchRun, condition: Value) -> bool | None:
     predicate = _own_predicate(run, condition) or argument(made, "predicate")
     if predicate is None:
         return None
-    return decisions.truth(run, run.ask(predicate))
+    return run.ask(predicate).truth(run)
 
 
 def _own_predicate(run: LaunchRun, condition: Value) -> Value | None:

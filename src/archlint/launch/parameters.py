@@ -6,7 +6,6 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from archlint.finding import Place
-from archlint.interpreter import containers
 from archlint.interpreter.values import (
     Builtin,
     DictValue,
@@ -50,7 +49,7 @@ def parameters_of(run: LaunchRun, value: Value | None, place: Place) -> list[Par
                 rows = [row for option in options for row in parameters_of(run, option, place)]
             return [OpenParameters("one of several lists of parameters", place, of_several=True), *rows]
         case ListValue():
-            items = containers.items_of(run, value)
+            items = value.items(run)
             rows = [row for item in items.values for row in _one(run, item, place)]
             return [*rows, OpenParameters("a list of parameters that is not known", place)] if items.open else rows
         case DictValue() | Known():
@@ -107,7 +106,7 @@ def _entries(run: LaunchRun, item: DictValue, within: Within, place: Place, room
     if room.left < 0 or room.depth >= NESTED:
         yield OpenParameters("more parameters than can be followed", place)
         return
-    entries = containers.entries_of(run, item)
+    entries = item.entries(run)
     for key, value in entries.entries.values():
         name, where = run.perform(key), _written_at(key) or place
         text = known_text(name)
@@ -155,7 +154,7 @@ def _of_text(text: Value) -> ParameterData:
 
 def _list(run: LaunchRun, value: ListValue) -> ParameterData:
     """A list of constants is an array; one with substitutions among texts is one text."""
-    items = containers.items_of(run, value)
+    items = value.items(run)
     if items.open:
         return NotKnown("a list that is only partly known")
     substitutions = sum(kind_of(item) in SUBSTITUTIONS for item in items.values)

@@ -247,20 +247,20 @@ class LaunchRun(Run):
                 return [containers.new_list(self, pair, "tuple") for pair in self.entries(value)]
             case OneOf(values=options):
                 return [item for option in options for item in self.items(option)]
-        items = containers.iterate(self, value)
+        items = value.items(self)
         return [] if items is None else list(items.values)
 
     def entries(self, value: Value | None) -> list[tuple[Value, Value]]:
         """The known entries of a dict."""
-        return list(containers.entries_of(self, value).entries.values()) if isinstance(value, DictValue) else []
+        return list(value.entries(self).entries.values()) if isinstance(value, DictValue) else []
 
     def is_open(self, value: Value) -> bool:
-        items = containers.iterate(self, value)
+        items = value.items(self)
         return items is None or not items.whole
 
     def is_closed(self, value: Value) -> bool:
         """Whether all items of a list are there for certain."""
-        items = containers.iterate(self, value)
+        items = value.items(self)
         return items is not None and not items.open
 
     # ----------------------------------------------------------------------------------------- branches
@@ -385,7 +385,7 @@ class LaunchRun(Run):
     def _context(self) -> tuple[Value, DictValue]:
         """The launch context as code sees it, and the dict of its configurations."""
         context = launch_object(self.store.new_key(), "LaunchContext", None, {})
-        entries = {containers.hashable(Known(n)): (Known(n), v) for n, v in self.launch.configurations.items()}
+        entries = {Known(n).entry_key(): (Known(n), v) for n, v in self.launch.configurations.items()}
         known = containers.new_dict(self, {key: row for key, row in entries.items() if key is not None})
         self.store.set(context.key, "launch_configurations", known)
         return context, known

@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING
 
-from archlint.interpreter import containers
 from archlint.interpreter.values import ClassValue, Instance, Known, ListValue, Value
 from archlint.launch.objects import LaunchObject, given_of, kind_of
 from archlint.launch.shape import Argument, ClassFile, Part, SameObject, Shape
@@ -55,7 +54,7 @@ def _part(run: LaunchRun, value: LaunchObject, name: str, depth: int) -> Parts:
 
 
 def _list(run: LaunchRun, value: ListValue, depth: int) -> Parts:
-    items = containers.items_of(run, value)
+    items = value.items(run)
     if items.open:
         return _opaque(run, value)
     return [part for item in items.values for part in _parts(run, item, depth + 1)]

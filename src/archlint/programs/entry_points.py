@@ -16,7 +16,6 @@ from typing import TYPE_CHECKING, Protocol
 from archlint import model
 from archlint.faults import Faults
 from archlint.finding import Place
-from archlint.interpreter import containers
 from archlint.interpreter.heap import Store
 from archlint.interpreter.modules import Module, ModuleIndex
 from archlint.interpreter.values import DictValue, Known, OneOf, Value
@@ -197,7 +196,7 @@ def _items(run: SetupRun, value: Value | None) -> tuple[list[Value], bool]:
     """The items of a list, and whether there may be more."""
     if value is None or value.is_none:
         return [], False
-    items = containers.iterate(run, value)
+    items = value.items(run)
     return ([], True) if items is None else (list(items.values), items.open)
 
 
@@ -207,7 +206,7 @@ def _console_scripts(installs: Installs, run: SetupRun, value: Value | None, whe
     if not isinstance(value, DictValue):
         installs.open_executables = True
         return
-    entries = containers.entries_of(run, value)
+    entries = value.entries(run)
     installs.open_executables |= entries.open
     for key, rows in entries.entries.values():
         if key.text != "console_scripts":

@@ -17,7 +17,6 @@ from archlint.finding import Place
 from archlint.interpreter.activation import Activation
 from archlint.interpreter.attributes import get_attribute
 from archlint.interpreter.call_site import CallSite
-from archlint.interpreter.classes import class_lookup
 from archlint.interpreter.heap import Store
 from archlint.interpreter.machine import TEST_STEPS
 from archlint.interpreter.modules import Module, ModuleIndex
@@ -273,7 +272,7 @@ class Linker:
         run = self.new_run(cls.qualified, module, model.Role.INIT)
         run.program.executable = False
         with FollowedProgram(self.progress, run, module, place_of(cls)):
-            init, _ = class_lookup(run, cls, "__init__")
+            init, _ = cls.lookup(run, "__init__")
             run.call(cls, CallSite(keywords=flags_of(init)))
 
     def _run_rest(self, modules: list[Module], classes: list[tuple[Module, ClassValue]], test: bool) -> None:

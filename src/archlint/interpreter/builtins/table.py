@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from archlint.interpreter.builtins import collections, conversions, reflection
+from archlint.interpreter.builtins import aggregates, collections, conversions, reflection
 from archlint.interpreter.builtins.handlers import Handler, nothing, same, unknown
 from archlint.interpreter.objects.methods import call_method
 from archlint.interpreter.values import Builtin, Unknown, Value
@@ -79,13 +79,13 @@ BUILTINS: dict[str, Handler] = {
     "sorted": collections.in_sequence,
     "map": collections.mapped,
     "filter": collections.filtered,
-    "len": collections.length,
-    "min": collections.extreme(min),
-    "max": collections.extreme(max),
-    "sum": collections.total,
-    "any": collections.any_or_all(True),
-    "all": collections.any_or_all(False),
-    "next": collections.following,
+    "len": aggregates.length,
+    "min": aggregates.extreme(min),
+    "max": aggregates.extreme(max),
+    "sum": aggregates.total,
+    "any": aggregates.any_or_all(True),
+    "all": aggregates.any_or_all(False),
+    "next": aggregates.following,
     # objects
     "object.__new__": reflection.new_object,
     "object.__setattr__": reflection.assign,

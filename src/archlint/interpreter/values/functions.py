@@ -50,10 +50,6 @@ class FunctionValue(Value):
     def is_callable(self) -> bool:
         return True
 
-    @property
-    def place_span(self) -> tuple[int, int, int, int]:
-        return self.ir.span if not hasattr(self.ir, "name_span") else self.ir.name_span
-
 
 @dataclass(frozen=True, slots=True)
 class BoundMethod(Value):

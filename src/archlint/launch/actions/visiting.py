@@ -7,7 +7,6 @@ from collections.abc import Callable
 from typing import TYPE_CHECKING
 
 from archlint.branches import BranchArms
-from archlint.interpreter import containers
 from archlint.interpreter.values import External, Instance, Items, Known, ListValue, OneOf, Value, reason
 from archlint.launch.actions import included, processes, scopes
 from archlint.launch.actions.branches import arms_of, each_alternative, note_open, verdict_on, version, visit_items
@@ -92,9 +91,9 @@ def visit(run: LaunchRun, entity: Value) -> None:
 def _visit(run: LaunchRun, entity: Value) -> None:
     match entity:
         case ListValue():
-            visit_items(run, containers.items_of(run, entity))
+            visit_items(run, entity.items(run))
         case OneOf(values=options):
-            rows = [containers.items_of(run, option) for option in options if isinstance(option, ListValue)]
+            rows = [option.items(run) for option in options if isinstance(option, ListValue)]
             if len(rows) == len(options):
                 _visit_versions(run, entity, rows)
             else:

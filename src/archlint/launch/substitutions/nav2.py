@@ -8,7 +8,6 @@ from __future__ import annotations
 import re
 from typing import TYPE_CHECKING
 
-from archlint.interpreter import containers
 from archlint.interpreter.values import (
     DictValue,
     Known,
@@ -75,7 +74,7 @@ def _pairs(run: LaunchRun, value: Value | None) -> Pairs | None:
         case None:
             return ()
         case DictValue():
-            entries = containers.entries_of(run, value)
+            entries = value.entries(run)
         case _:
             return None
     rows = [(known_text(key), _text_or_why(run.perform(text))) for key, text in entries.entries.values()]

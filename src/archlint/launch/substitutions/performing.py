@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import TYPE_CHECKING
 
-from archlint.interpreter import containers
 from archlint.interpreter.values import (
     ClassValue,
     Holed,
@@ -67,7 +66,7 @@ def _perform(run: LaunchRun, value: Value) -> Value:
             with run.perhaps():
                 return one_of([run.perform(option) for option in options])
         case ListValue():
-            items = containers.items_of(run, value)
+            items = value.items(run)
             if items.open:
                 return Unknown("a string with unknown parts")
             return texts.concatenate([run.perform(item) for item in items.values])

@@ -6,7 +6,7 @@ import posixpath
 from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING
 
-from archlint.interpreter import constant_expressions, containers
+from archlint.interpreter import constant_expressions
 from archlint.interpreter.values import (
     Known,
     ListValue,
@@ -54,7 +54,7 @@ def each_text(value: Value, make: Callable[[str], Value]) -> Value:
 
 def _parts(run: LaunchRun, value: Value | None) -> list[Value]:
     """The texts of a list, or of what stands for the only item of one."""
-    items = containers.items_of(run, value).values if isinstance(value, ListValue) else (value,)
+    items = value.items(run).values if isinstance(value, ListValue) else (value,)
     return [run.perform(item) for item in items if item is not None]
 
 

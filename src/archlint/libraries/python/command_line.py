@@ -72,7 +72,7 @@ def without_ros_arguments(words: Sequence[Value]) -> list[Value]:
 
 def _items(run: Run, value: Value) -> list[Value] | None:
     """The items of a list of which all are there; None for anything else."""
-    items = containers.items_of(run, value) if isinstance(value, ListValue) else None
+    items = value.items(run) if isinstance(value, ListValue) else None
     return None if items is None or items.open or len(items.values) > WORDS else list(items.values)
 
 

@@ -28,10 +28,10 @@ def _copy(run: Run, args: list[Value], keywords: dict[str, Value], e: facts.Call
 def _copied(run: Run, value: Value) -> Value:
     match value:
         case ListValue():
-            items = containers.items_of(run, value)
+            items = value.items(run)
             return containers.new_list(run, items.values, value.kind, items.open, items.whole)
         case DictValue():
-            entries = containers.entries_of(run, value)
+            entries = value.entries(run)
             return containers.new_dict(run, dict(entries.entries), entries.open)
     return changed_profiles.copy_profile(run, value)
 
@@ -50,11 +50,11 @@ def _copied_deep(run: Run, value: Value, copies: dict[int, Value]) -> Value:
         return copies[value.key]
     copies[value.key] = Unknown("a container that contains itself")
     if isinstance(value, ListValue):
-        items = containers.items_of(run, value)
+        items = value.items(run)
         inside = [_copied_deep(run, item, copies) for item in items.values]
         made: Value = containers.new_list(run, inside, value.kind, items.open, items.whole)
     else:
-        held = containers.entries_of(run, value)
+        held = value.entries(run)
         entries = {at: (key, _copied_deep(run, one, copies)) for at, (key, one) in held.entries.items()}
         made = containers.new_dict(run, entries, held.open)
     copies[value.key] = made

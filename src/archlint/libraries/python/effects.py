@@ -126,7 +126,7 @@ def _named_tuple(run: Run, args: list[Value], keywords: dict[str, Value], e: fac
     if fields is not None and fields.text is not None:
         names: list[Value] = [Known(name) for name in fields.text.replace(",", " ").split()]
     else:
-        items = containers.iterate(run, fields) if fields is not None else None
+        items = fields.items(run) if fields is not None else None
         if items is None or items.open:
             return Unknown("a named tuple whose fields are not known")
         names = list(items.values)
@@ -146,7 +146,7 @@ def _named_tuple(run: Run, args: list[Value], keywords: dict[str, Value], e: fac
 def _product(run: Run, args: list[Value], keywords: dict[str, Value], e: facts.Call | None) -> Value:
     rows: list[list[Value]] = [[]]
     for arg in args:
-        items = containers.iterate(run, arg)
+        items = arg.items(run)
         if items is None or items.open or "repeat" in keywords or len(rows) * len(items.values) > 4096:
             return Unknown("the combinations are not known")
         rows = [[*row, item] for row in rows for item in items.values]
@@ -177,7 +177,7 @@ def _chain(run: Run, args: list[Value]) -> Value:
     values: list[Value] = []
     open_ = False
     for arg in args:
-        items = containers.iterate(run, arg)
+        items = arg.items(run)
         if items is None:
             open_ = True
         else:

@@ -131,12 +131,12 @@ def declare_parameter(run: Run, call: ApiUse) -> Value:
 
 def declare_parameters(run: Run, call: ApiUse) -> Value:
     namespace = call.get("namespace")
-    rows = containers.iterate(run, call.get("parameters") or Unknown("no parameters"))
+    rows = (call.get("parameters") or Unknown("no parameters")).items(run)
     made: list[Value] = []
     if rows is None:
         return Unknown("the parameters that are declared are not known")
     for row in rows.values:
-        parts = containers.iterate(run, row)
+        parts = row.items(run)
         if parts is None or not parts.values:
             continue
         name = parts.values[0]

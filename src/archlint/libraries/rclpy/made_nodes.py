@@ -6,7 +6,6 @@ from typing import TYPE_CHECKING
 
 from archlint import model
 from archlint.finding import Place
-from archlint.interpreter import containers
 from archlint.interpreter.values import (
     TRUE,
     Instance,
@@ -96,14 +95,14 @@ def _set_names(run: Run, blueprint: model.Blueprint, call: ApiUse) -> None:
     _note_overrides(run, call)
     arguments = call.get("cli_args")
     if isinstance(arguments, ListValue):
-        items = containers.items_of(run, arguments)
+        items = arguments.items(run)
         blueprint.cli_arguments = tuple(item.text for item in items.values if item.text is not None)
 
 
 def _note_overrides(run: Run, call: ApiUse) -> None:
     """``parameter_overrides=[Parameter(…)]``: the constructor wins over every default and the command line."""
     given = call.get("parameter_overrides")
-    items = containers.iterate(run, given) if given is not None else None
+    items = given.items(run) if given is not None else None
     key = call.receiver.key if isinstance(call.receiver, Instance) else None
     for item in items.values if items is not None else ():
         if key is not None and isinstance(item, Instance):

@@ -62,7 +62,7 @@ def type_name(run: Run, value: Value | None) -> str | None:
         case External(path=path) if ".Type." in path:
             return _TYPE_NAMES.get(path.rpartition(".")[2])
         case ListValue():
-            items = containers.items_of(run, value)
+            items = value.items(run)
             kinds = {type_name(run, item) for item in items.values}
             kind = kinds.pop() if len(kinds) == 1 and not items.open else None
             return None if kind is None else f"{kind}_array"
@@ -83,7 +83,7 @@ def from_parameter(run: Run, value: Value, name: str) -> Value:
         case Holed():
             return Holed(value.parts, value.reason, value.via | {name}, value.origin)
         case ListValue():
-            items = containers.items_of(run, value)
+            items = value.items(run)
             # An empty default waits for somebody to fill it, unless a launch file is seen to leave it so.
             open_ = items.open or not (items.values or name in run.overrides.settled)
             filled = [from_parameter(run, item, name) for item in items.values]
@@ -114,7 +114,7 @@ def to_python(run: Run, value: Value | None) -> tuple[object, bool]:
         case Known(value=constant):
             return constant, True
         case ListValue():
-            items = containers.items_of(run, value)
+            items = value.items(run)
             rows = [to_python(run, item) for item in items.values]
             if not items.open and all(known for _, known in rows):
                 return [item for item, _ in rows], True

@@ -63,7 +63,7 @@ def get_parameter(run: Run, call: ApiUse) -> Value:
 
 
 def get_parameters(run: Run, call: ApiUse) -> Value:
-    names = containers.iterate(run, call.get("names") or Unknown("no names"))
+    names = (call.get("names") or Unknown("no names")).items(run)
     if names is None:
         return Unknown("the parameters that are read are not known")
     made: list[Value] = [new_parameter(run, name, read(run, call, name)) for name in names.values]
@@ -93,7 +93,7 @@ def get_parameters_by_prefix(run: Run, call: ApiUse) -> Value:
         text = declared.name.text
         if text is not None and text.startswith(start):
             key = Known(text[len(start) :])
-            at = containers.hashable(key)
+            at = key.entry_key()
             if at is not None:
                 entries[at] = (key, new_parameter(run, Known(text), read(run, call, Known(text))))
     made: DictValue = containers.new_dict(run, entries, True)
@@ -112,7 +112,7 @@ def has_parameter(run: Run, call: ApiUse) -> Value:
 
 
 def set_parameters(run: Run, call: ApiUse) -> Value:
-    rows = containers.iterate(run, call.get("parameter_list") or Unknown("no parameters"))
+    rows = (call.get("parameter_list") or Unknown("no parameters")).items(run)
     key = nodes.node_key(run, call.receiver)
     for row in rows.values if rows is not None else ():
         if isinstance(row, Instance):

@@ -6,7 +6,6 @@ from collections.abc import Iterable
 from typing import TYPE_CHECKING
 
 from archlint import model
-from archlint.interpreter import containers
 from archlint.interpreter.call_site import CallSite
 from archlint.interpreter.values import (
     ApiMethod,
@@ -35,7 +34,7 @@ def thread(run: Run, call: ApiUse) -> Value:
     arguments: list[Value] = []
     given = call.get("args")
     if isinstance(given, ListValue):
-        arguments = list(containers.items_of(run, given).values)
+        arguments = list(given.items(run).values)
     keywords = call.get("kwargs")
     idle = is_never_started(run, call.expression)
     for parameter, role in call.api.callbacks:
@@ -43,7 +42,7 @@ def thread(run: Run, call: ApiUse) -> Value:
         if value is None:
             continue
         if isinstance(keywords, DictValue):
-            entries = containers.entries_of(run, keywords).entries.values()
+            entries = keywords.entries(run).entries.values()
             pairs = tuple((key.text, item) for key, item in entries if key.text is not None)
             value = Partial(value, (), pairs) if pairs else value
         callback = register(run, value, role, None, None, None, call, tuple(arguments))

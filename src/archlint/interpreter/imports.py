@@ -1,0 +1,69 @@
+"""``import`` and ``from … import``."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from archlint.interpreter.values import External, Unknown, Value
+from archlint.syntax import facts
+
+if TYPE_CHECKING:
+    from archlint.interpreter.machine import Machine, Status
+    from archlint.interpreter.modules import Module
+
+
+def import_module(machine: Machine, s: facts.Import) -> Status:
+    importer = machine.activation.module
+    found = machine.index.find(importer, s.module)
+    if s.alias is not None:
+        machine.assign_name(s.alias, External(s.module) if found is None else machine.import_module(found))
+        return None
+    if found is not None:
+        machine.import_module(found)
+    top = s.module.partition(".")[0]
+    first = machine.index.find(importer, top)
+    machine.assign_name(top, External(top) if first is None else machine.import_module(first))
+    return None
+
+
+def import_from(machine: Machine, s: facts.ImportFrom) -> Status:
+    importer = machine.activation.module
+    found = machine.index.find(importer, s.module, s.level)
+    dotted = machine.index.absolute_name(importer, s.module, s.level)
+    for name, bound in s.names:
+        if name == "*":
+            _import_star(machine, found, dotted)
+            continue
+        value: Value | None = None
+        if found is not None and found is not importer:
+            value = machine.module_attribute(found, name)
+            if value is None:
+                value = (
+                    Unknown(f"'{name}' is defined later in an import cycle")
+                    if found.state == "running"
+                    else Unknown(f"{found.name} has no '{name}'")
+                )
+        else:
+            below = machine.index.find(importer, f"{s.module}.{name}" if s.module else name, s.level)
+            if below is None:
+                value = machine.library.imported(f"{dotted}.{name}", s.span)
+            else:
+                value = machine.import_module(below)
+        machine.assign_name(bound, value)
+    return None
+
+
+def _import_star(machine: Machine, found: Module | None, dotted: str) -> None:
+    if found is None:
+        machine.activation.module.star_externals.append(dotted)
+        return
+    machine.import_module(found)
+    assert found.scope is not None
+    exports = found.facts.exports
+    for name, value in machine.store.variables(found.scope.key):
+        if name in exports if exports is not None else not name.startswith("_"):
+            machine.assign_name(name, value)
+    machine.activation.module.star_externals.extend(found.star_externals)
+
+
+__all__ = ["import_from", "import_module"]
