@@ -5,7 +5,7 @@ The rule that finds something knows them; ``fixes/`` turns them into edits, wher
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 from archlint.place import Place
 
@@ -95,13 +95,18 @@ class MissingDependencies:
 
 @dataclass(frozen=True)
 class Sites:
-    """What one finding would have edited: several of a kind where it stands for several calls."""
+    """What one finding would have edited: several of a kind where it stands for several calls, or for
+    what several copies of a package show."""
 
     limits: tuple[LimitlessCall, ...] = ()
     names: tuple[NamedCall, ...] = ()
-    suppression: IdleSuppression | None = None
-    dependencies: MissingDependencies | None = None
+    suppressions: tuple[IdleSuppression, ...] = ()
+    dependencies: tuple[MissingDependencies, ...] = ()
 
     def __add__(self, other: Sites) -> Sites:
-        """Both together, for a finding that stands for several waits or names."""
-        return replace(self, limits=self.limits + other.limits, names=self.names + other.names)
+        return Sites(
+            self.limits + other.limits,
+            self.names + other.names,
+            self.suppressions + other.suppressions,
+            self.dependencies + other.dependencies,
+        )

@@ -518,6 +518,31 @@ def test_a_dependency_is_declared(tmp_path: Path, monkeypatch: pytest.MonkeyPatc
     assert stat.S_IMODE(manifest.stat().st_mode) == 0o640
 
 
+def test_the_fix_of_a_finding_in_two_copies_of_a_package_mends_both(tmp_path: Path, monkeypatch: pytest.MonkeyPatch):
+    monkeypatch.chdir(tmp_path)
+    about = "<version>0.1.0</version><description>d</description><maintainer email='a@b.c'>A</maintainer>"
+    manifest = (
+        f'<package format="3">\n  <name>talk</name>{about}\n  <license>MIT</license>\n  <depend>rclpy</depend>\n'
+        "  <export><build_type>ament_python</build_type></export>\n</package>\n"
+    )
+    node = (
+        "import rclpy\nfrom std_srvs.srv import Trigger\n\n"
+        "node = rclpy.create_node('talk')  # archlint: ignore[TMO002]\n"
+        "client = node.create_client(Trigger, 'far')\n"
+    )
+    for copy in ("one", "two"):
+        (tmp_path / copy / "talk").mkdir(parents=True)
+        (tmp_path / copy / "package.xml").write_text(manifest)
+        (tmp_path / copy / "talk" / "__init__.py").touch()
+        (tmp_path / copy / "talk" / "node.py").write_text(node)
+    main(["check", "--fix", "--select", "TMO002,LNT001,PKG001", "--no-cache"])
+    mended = node.replace("  # archlint: ignore[TMO002]", "")
+    declared = "  <depend>rclpy</depend>\n  <exec_depend>std_srvs</exec_depend>\n"
+    for copy in ("one", "two"):
+        assert (tmp_path / copy / "talk" / "node.py").read_text() == mended
+        assert (tmp_path / copy / "package.xml").read_text() == manifest.replace("  <depend>rclpy</depend>\n", declared)
+
+
 ABOUT = "<package>\n  <name>talk</name>\n  <license>MIT</license>\n"
 
 

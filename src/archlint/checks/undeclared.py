@@ -300,4 +300,4 @@ def _sites(workspace: WorkspaceIndex, package: Package, needed: Sequence[str]) -
     names = tuple(name for name in needed if name in known and name not in taken)
     if not names:
         return None
-    return Sites(dependencies=MissingDependencies(package.manifest.relative, _tag(package), names))
+    return Sites(dependencies=(MissingDependencies(package.manifest.relative, _tag(package), names),))

@@ -18,14 +18,14 @@ if TYPE_CHECKING:
 def half_ported(workspace: Workspace, files: Sequence[SourceFile], facts_of: FactsOfFiles) -> dict[str, str]:
     """The files whose import of a module of ROS 1 fails, whatever runs them, with that module."""
     own = {package.name for package in workspace.packages}
-    found: dict[str, str] = {}
+    modules_by_file: dict[str, str] = {}
     for file in files:
         read = facts_of.facts_of(file)
-        modules = [] if read is None else [top for one in read.body for top in _imported(one)]
+        modules = [] if read is None else [top for statement in read.body for top in _imported(statement)]
         first = next((module for module in modules if module in ROS1_MODULES and module not in own), None)
         if first is not None:
-            found[file.relative] = first
-    return found
+            modules_by_file[file.relative] = first
+    return modules_by_file
 
 
 def _imported(statement: facts.Stmt) -> tuple[str, ...]:
@@ -39,16 +39,16 @@ def _imported(statement: facts.Stmt) -> tuple[str, ...]:
 def as_information(findings: Iterable[Finding], modules: Mapping[str, str]) -> list[Finding]:
     """The findings, those in files that cannot run for a module of ROS 1 as no more than information."""
     return [
-        replace(one, severity=min(one.severity, Severity.INFO)) if one.place.file in modules else one
-        for one in findings
+        replace(finding, severity=min(finding.severity, Severity.INFO)) if finding.place.file in modules else finding
+        for finding in findings
     ]
 
 
 def with_reason(findings: Iterable[Finding], modules: Mapping[str, str]) -> list[Finding]:
     """The findings, with the reason why some are only information in their message."""
     return [
-        replace(one, message=f"{one.message}; this file imports '{module}' of ROS 1, so it does not run")
-        if (module := modules.get(one.place.file)) is not None and one.severity is Severity.INFO
-        else one
-        for one in findings
+        replace(finding, message=f"{finding.message}; this file imports '{module}' of ROS 1, so it does not run")
+        if (module := modules.get(finding.place.file)) is not None and finding.severity is Severity.INFO
+        else finding
+        for finding in findings
     ]

@@ -73,20 +73,20 @@ def once_for_copies(findings: Iterable[Finding], packages: Sequence[Package]) ->
     several = {name for name, count in Counter(package.name for package in packages).items() if count > 1}
     folders = {package.relative: package.name for package in packages if package.name in several}
     rows: dict[tuple[object, ...], list[Finding]] = {}
-    for number, one in enumerate(findings):
-        folder = _innermost(folders, one.place.file)
-        twin = (number,) if folder is None else (folders[folder], one.place.file[len(folder) :])
-        rows.setdefault((one.code, one.severity, one.message, *twin), []).append(one)
-    told = [one for row in rows.values() for one in _of_copies(row, folders)]
+    for number, finding in enumerate(findings):
+        folder = _innermost(folders, finding.place.file)
+        twin = (number,) if folder is None else (folders[folder], finding.place.file[len(folder) :])
+        rows.setdefault((finding.code, finding.severity, finding.message, *twin), []).append(finding)
+    told = [finding for row in rows.values() for finding in _of_copies(row, folders)]
     return sorted(told, key=lambda finding: finding.sort_key)
 
 
 def _of_copies(row: Sequence[Finding], folders: Mapping[str, str]) -> Sequence[Finding]:
     """One finding for those of several copies; what one copy says several times stays."""
     first = row[0]
-    if len({_innermost(folders, one.place.file) for one in row}) < len(row) or len(row) == 1:
+    if len({_innermost(folders, finding.place.file) for finding in row}) < len(row) or len(row) == 1:
         return row
-    copies = (Related(one.place, "the same in a copy of this package") for one in row[1:])
+    copies = (Related(finding.place, "the same in a copy of this package") for finding in row[1:])
     return [replace(first, related=(*first.related, *copies), sites=all_sites(row))]
 
 

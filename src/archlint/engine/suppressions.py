@@ -100,14 +100,13 @@ def _sites(file: str, comment: Suppression, idle: frozenset[str]) -> Sites | Non
     if comment.says_more or comment.listed is None:
         return None
     start, end = comment.listed
-    return Sites(
-        suppression=IdleSuppression(
-            Place(file, comment.line, comment.column, comment.line, comment.end_column),
-            Place(file, comment.line, start, comment.line, end),
-            needed=tuple(code for code in comment.codes if code not in idle),
-            closed=comment.closed,
-        )
+    suppression = IdleSuppression(
+        Place(file, comment.line, comment.column, comment.line, comment.end_column),
+        Place(file, comment.line, start, comment.line, end),
+        needed=tuple(code for code in comment.codes if code not in idle),
+        closed=comment.closed,
     )
+    return Sites(suppressions=(suppression,))
 
 
 def refusal(file: str, suppression: Suppression) -> str:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
@@ -14,6 +14,7 @@ from archlint.fixes.suppressions import shortened
 from archlint.fixes.surroundings import Surroundings
 
 if TYPE_CHECKING:
+    from archlint.edit_sites import Sites
     from archlint.finding import Finding, Fix
 
 
@@ -35,14 +36,21 @@ def _fix(finding: Finding, around: Surroundings, names: Names) -> Fix | None:
         return None
     if sites.names:
         return names.fix(sites.names)
-    source = around.source(finding.place.file if sites.dependencies is None else sites.dependencies.manifest)
-    if source is None:
-        return None
-    if sites.dependencies is not None:
-        return declared(sites.dependencies, source)
-    if sites.suppression is not None:
-        return shortened(sites.suppression, source)
-    return limited(sites.limits, source)
+    fixes = [fix for fix in _fixes_of_files(sites, around) if fix is not None]
+    return replace(fixes[0], edits=tuple(edit for fix in fixes for edit in fix.edits)) if fixes else None
+
+
+def _fixes_of_files(sites: Sites, around: Surroundings) -> Iterator[Fix | None]:
+    """A fix for each file that a finding would have edited."""
+    for missing in sites.dependencies:
+        manifest = around.source(missing.manifest)
+        yield None if manifest is None else declared(missing, manifest)
+    for idle in sites.suppressions:
+        source = around.source(idle.comment.file)
+        yield None if source is None else shortened(idle, source)
+    for file in dict.fromkeys(call.arguments.file for call in sites.limits):
+        source = around.source(file)
+        yield None if source is None else limited([c for c in sites.limits if c.arguments.file == file], source)
 
 
 __all__ = ["Surroundings", "attach"]
