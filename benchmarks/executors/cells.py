@@ -184,6 +184,33 @@ def program(cell: Cell) -> str:
     )
 
 
+_PARTNERS = {
+    "subscription": (
+        "self.sender = self.create_publisher(String, 'go', 10)",
+        "self.sender.publish(String(data='go'))",
+    ),
+    "execute": (
+        "self.sender = ActionClient(self, Fibonacci, 'outer_action')",
+        "self.sender.send_goal_async(Fibonacci.Goal())",
+    ),
+}
+"""What the other end of a program sends, and how it is made; ``other_end.py`` does the same."""
+
+
+def partner(cell: Cell) -> str:
+    """The source of the other end as archlint may read it; empty where it is not about how often something comes."""
+    if cell.handler not in _PARTNERS:
+        return ""
+    made, sends = _PARTNERS[cell.handler]
+    constructor = f"super().__init__('other')\n{made}\nself.create_timer({PERIOD_S}, self.send)\n"
+    return (
+        f"{IMPORTS}\n\nclass Other(Node):\n"
+        + _method("__init__(self)", constructor)
+        + _method("send(self)", sends)
+        + "\ndef main():\n    rclpy.init()\n    rclpy.spin(Other())\n\n\nif __name__ == '__main__':\n    main()\n"
+    )
+
+
 def _method(signature: str, body: str, coroutine: bool = False) -> str:
     return f"    {'async ' if coroutine else ''}def {signature}:\n{indent(dedent(body).rstrip(), ' ' * 8)}\n\n"
 

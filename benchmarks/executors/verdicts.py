@@ -13,7 +13,7 @@ from archlint.analysis import blocking
 from archlint.config.settings import Settings
 from archlint.engine.pipeline import Request, check
 from archlint.finding import Finding
-from benchmarks.executors.cells import Cell, program
+from benchmarks.executors.cells import Cell, partner, program
 from benchmarks.executors.running import HANGS, NOTHING, SOME, STOPS, STRANDS, WORKS
 
 JUDGES = ("SRV003", "EXE001", "EXE002", "EXE004", "EXE014", "CBG001")
@@ -57,6 +57,8 @@ def verdicts(cells: Sequence[Cell], distros: Sequence[str]) -> dict[str, dict[Ce
             words = re.sub(r"\W", "_", cell.name)
             (package / "package.xml").write_text(_MANIFEST.format(name=words))
             (package / "asker.py").write_text(program(cell))
+            if partner(cell):
+                (package / "other.py").write_text(partner(cell))
         return {distro: _verdicts(cells, Settings(distro=distro, cache_dir="cache")) for distro in distros}
 
 

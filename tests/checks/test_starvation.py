@@ -176,3 +176,56 @@ def test_two_timers_of_one_period_run_into_their_limits_together(run: Run):
 )
 def test_timers_that_seldom_meet_are_left_alone_where_their_waits_end(run: Run, timers: str):
     assert "EXE014" not in codes(run(source(timers.format(group=""), LIMITED, TWO), "jazzy"))
+
+
+LISTENS = """
+    group = ReentrantCallbackGroup()
+    self.client = self.create_client(Trigger, 'ask', callback_group=group)
+    self.create_subscription(Empty, 'go', self.on_go, 10, callback_group=group)
+"""
+ASKS = "def on_go(self, message):\n    print(self.client.call(Trigger.Request()))\n"
+SENDER = """
+
+class Sender(Node):
+    def __init__(self):
+        super().__init__('sender')
+        self.sender = self.create_publisher(Empty, 'go', 10)
+        self.timer = self.create_timer({period}, self.send)
+
+    def send(self):
+        {before}self.sender.publish(Empty())
+"""
+BOTH = TWO.replace("executor.add_node(Robot())", "executor.add_node(Robot())\n    executor.add_node(Sender())")
+
+
+def test_a_subscription_to_what_a_timer_publishes(run: Run):
+    [found] = run(source(LISTENS, ASKS, SENDER.format(period=0.2, before="") + BOTH))
+    assert found.code == "EXE014" and "starts again every 0.2 s while it still waits" in found.message
+    assert found.related[-1].message == "it is published here every 0.2 s"
+
+
+@pytest.mark.parametrize(
+    ("period", "before"), [("5.0", ""), ("0.2", "if self.count_subscribers('go') > 2: "), ("rate()", "")]
+)
+def test_a_subscription_to_what_comes_seldom_or_nobody_knows_when(run: Run, period: str, before: str):
+    [found] = run(source(LISTENS, ASKS, SENDER.format(period=period, before=before) + BOTH))
+    assert found.code == "TMO002"
+    assert "if messages come faster than responses, all threads wait" in found.message
+
+
+def test_goals_run_beside_each_other(run: Run):
+    serves = """
+        self.client = self.create_client(Trigger, 'ask', callback_group=ReentrantCallbackGroup())
+        self.server = ActionServer(self, Fibonacci, 'count', self.count)
+    """
+    counts = (
+        "def count(self, goal):\n    self.client.call(Trigger.Request())\n"
+        "    goal.succeed()\n    return Fibonacci.Result()\n"
+    )
+    [found] = run(source(serves, counts, TWO))
+    assert found.code == "TMO002" and "if goals come faster than responses" in found.message
+    sender = SENDER.format(period=0.2, before="").replace("create_publisher(Empty, 'go', 10)", "goals")
+    sender = sender.replace("self.goals", "ActionClient(self, Fibonacci, 'count')")
+    sender = sender.replace("publish(Empty())", "send_goal_async(Fibonacci.Goal())")
+    [found] = run(source(serves, counts, sender + BOTH))
+    assert found.code == "EXE014" and found.related[-1].message == "a goal is sent here every 0.2 s"

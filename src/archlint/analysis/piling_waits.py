@@ -1,21 +1,18 @@
-"""Waits of timers that start again while they still wait, a thread a tick."""
+"""Waits of callbacks that start again while they still wait, a thread each time."""
 
 from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
 from archlint.analysis.kept import once
-from archlint.analysis.own_timers import ENDS_TIMER
+from archlint.analysis.paces import pace_of, runs_beside_itself
 from archlint.analysis.polling import is_unguarded, notes_that_it_ran
-from archlint.analysis.reach import (
-    argument,
-    calls_of,
-)
+from archlint.analysis.reach import argument
 from archlint.analysis.sleeps import longest
 from archlint.analysis.source_code import SourceCode, source_code
 from archlint.analysis.threaded_waits import as_a_whole, threaded_waits
 from archlint.analysis.waits import DONE, Wait
-from archlint.model import ExecutorKind, GroupKind, Role
+from archlint.model import ExecutorKind
 
 if TYPE_CHECKING:
     from archlint.systems.model import System
@@ -26,18 +23,15 @@ _OFTEN_S = 1.0
 
 @once
 def piling_up(system: System) -> list[Wait]:
-    """The waits of timers in reentrant groups that a late answer multiplies, a thread a tick, until none is left."""
+    """The waits of callbacks that run beside themselves and that a late answer multiplies, until no thread is left."""
     code = source_code(system)
-    stopped = {call.context.place for _, call in calls_of(system, ENDS_TIMER)}
-    return [wait for wait in threaded_waits(system) if wait.call.context.place not in stopped and _outruns(code, wait)]
+    return [wait for wait in threaded_waits(system) if _outruns(system, code, wait)]
 
 
-def _outruns(code: SourceCode, wait: Wait) -> bool:
-    """Whether enough ticks come, for certain, while the first still waits."""
-    callback, creation = wait.call.context, wait.call.context.creation
-    reentrant = callback.group is not None and callback.group.kind == GroupKind.REENTRANT
-    period = None if creation is None else creation.period
-    if callback.role != Role.TIMER or not reentrant or period is None or not 0 < period <= _OFTEN_S:
+def _outruns(system: System, code: SourceCode, wait: Wait) -> bool:
+    """Whether the callback starts often enough, for certain, while the first still waits."""
+    pace = pace_of(system, wait.call.context) if runs_beside_itself(wait.call.context) else None
+    if pace is None or pace.period > _OFTEN_S:
         return False
     if not is_unguarded(code, as_a_whole(wait.call)) or notes_that_it_ran(code, wait.call):
         return False
@@ -45,7 +39,7 @@ def _outruns(code: SourceCode, wait: Wait) -> bool:
         return True
     limit, threads = _limit(wait), known_threads(wait)
     # The first tick has a thread at once, the last thread is taken so many periods later.
-    return limit is not None and threads is not None and limit > period * (threads - 1)
+    return limit is not None and threads is not None and limit > pace.period * (threads - 1)
 
 
 def _limit(wait: Wait) -> float | None:

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 
 from archlint.analysis.callback_roles import runs_in_executor
 from archlint.analysis.limit_sites import sites_of_call
+from archlint.analysis.paces import runs_beside_itself
 from archlint.analysis.piling_waits import piling_up
 from archlint.analysis.reach import (
     calls_of,
@@ -18,6 +19,7 @@ from archlint.analysis.reach import (
 )
 from archlint.analysis.source_code import SourceCode, source_code
 from archlint.analysis.stuck import spoken_of
+from archlint.analysis.threaded_waits import threaded_waits
 from archlint.analysis.threads import is_daemon
 from archlint.analysis.unused_results import stands_alone
 from archlint.analysis.waits import other_arm_only_sends
@@ -73,7 +75,7 @@ def _limitless_call(system: System, program: Program, call: ApiCall, distros: tu
         "TMO002",
         call.place,
         f"{function}() waits for {answer} {endpoint_words(call.creation, kind_of(call))} without a timeout: if it "
-        "is lost, this never returns",
+        f"is lost, this never returns{_if_often(system, call)}",
         help=_help(source_code(system), call, spinner, distros),
         related=way_to(call, call.creation),
         node=node_name(system, call.node or call.context.node),
@@ -83,6 +85,21 @@ def _limitless_call(system: System, program: Program, call: ApiCall, distros: tu
         found = replace(found, severity=Severity.INFO)
     # Where nobody spins meanwhile, a limit would always expire.
     return replace(found, sites=sites_of_call(system.workspace, call.place, distros)) if spinner in _SPINS else found
+
+
+_COMES = {Role.SUBSCRIPTION: "messages come", Role.EXECUTE: "goals come"}
+
+
+def _if_often(system: System, call: ApiCall) -> str:
+    """What else becomes of a callback that may run beside itself, where nothing says how often."""
+    comes = _COMES.get(call.context.role)
+    if (
+        comes is None
+        or not runs_beside_itself(call.context)
+        or not any(one.call is call for one in threaded_waits(system))
+    ):
+        return ""
+    return f"; if {comes} faster than responses, all threads wait, and none is left to process one"
 
 
 def _spinner(call: ApiCall, program: Program) -> str:

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING
 
 from archlint.analysis.callback_roles import callback_words, related_to
 from archlint.analysis.crowded_executors import crowds
+from archlint.analysis.paces import Pace, pace_of
 from archlint.analysis.piling_waits import known_threads, piling_up
 from archlint.analysis.reach import (
     endpoint_words,
@@ -34,20 +35,30 @@ def thread_starvation(system: System, options: Options) -> Iterator[Finding]:
 def _pile(system: System, wait: Wait) -> Finding:
     call, callback = wait.call, wait.call.context
     threads = known_threads(wait)
-    assert callback.creation is not None
+    pace = pace_of(system, callback)
+    assert pace is not None
     all_ = f"all {threads} threads wait" if threads is not None else "all threads wait"
     end = "every wait then times out" if wait.limited else "it then deadlocks"
     return finding(
         "EXE014",
         call.place,
-        f"{callback_words(callback)} starts again every {callback.creation.period:g} s while it still waits for "
+        f"{callback_words(callback)} starts again every {pace.period:g} s while it still waits for "
         f"{endpoint_words(wait.client)}: if responses are late, {all_}, and no thread is left to process one: "
         f"{end}",
         help="send the request with call_async() and continue in a done callback, which blocks no thread",
-        related=tuple(related_to(call, wait.program, wait.client)),
+        related=(*related_to(call, wait.program, wait.client), *_sent(pace)),
         node=node_name(system, callback.node),
         identity=(callback.name, wait.client.name.text or "", call.api),
     )
+
+
+def _sent(pace: Pace) -> Iterator[Related]:
+    """What brings a callback about that is no timer's."""
+    if pace.sends is not None:
+        goal = pace.sends.api.endswith("send_goal_async")
+        yield Related(
+            pace.sends.place, f"{'a goal is sent' if goal else 'it is published'} here every {pace.period:g} s"
+        )
 
 
 def _crowd(system: System, use: ExecutorUse, found: list[Wait]) -> Finding:
