@@ -333,6 +333,14 @@ def test_a_loop_over_more_than_is_followed_is_run_once_with_an_unknown_item():
     assert interpret(f"for number in range({UNROLL}):\n    last = number").constant("last") == UNROLL - 1
 
 
+def test_after_more_rounds_than_are_followed_what_was_counted_is_not_known():
+    interpreted = interpret(f"number = 0\nwhile number < {2 * UNROLL}:\n    number += 1\nafter = 'reached'")
+    assert not interpreted.is_known("number")
+    assert interpreted.constant("after") == "reached"
+    rounds = f"number = 0\nwhile number < {UNROLL - 1}:\n    number += 1"
+    assert interpret(rounds).constant("number") == UNROLL - 1
+
+
 def test_a_break_that_may_have_left_a_loop():
     found = interpret(
         f"{OUTSIDE}for number in [1, 2]:\n    if outside.value():\n        break\n"

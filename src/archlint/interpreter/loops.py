@@ -78,6 +78,9 @@ def while_it_holds(machine: Machine, s: facts.While) -> Status:
                 return None
             if status in ("return", "raise"):
                 return status
+        else:  # more rounds than are followed: one more stands for them
+            forget_counters(machine, s.body)
+            return _loop_once(machine, s, certain=False)
     finally:
         activation.loops.pop()
     return _otherwise(machine, s)
