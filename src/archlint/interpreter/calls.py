@@ -80,14 +80,14 @@ def _call_alternatives(machine: Machine, function: OneOf, site: CallSite) -> Val
         return call(machine, callable_[0], site)
     span = site.expression.span if site.expression is not None else (0, 0, 0, 0)
     key = ChoiceOfCallee(machine.key_of(span) + "?" if machine.activations else "?")
-    found = []
+    results = []
     layers = []
     for number, option in enumerate(callable_):
         with machine.arm(key, number) as taken:
-            found.append(call(machine, option, replace(site, args=list(site.args), keywords=dict(site.keywords))))
+            results.append(call(machine, option, replace(site, args=list(site.args), keywords=dict(site.keywords))))
         layers.append(taken[0])
     machine.store.merge(layers)
-    return one_of(found)
+    return one_of(results)
 
 
 # -------------------------------------------------------------------------------------- entering a function

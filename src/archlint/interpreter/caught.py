@@ -32,8 +32,8 @@ def may_expect_missing_attribute(handler: facts.Handler) -> bool:
 def only_goes_on(handler: facts.Handler) -> bool:
     """Whether a handler in a loop does no more than say that something went wrong, and go on to the next round."""
     return all(
-        (isinstance(one, facts.Jump) and one.kind != "break") or _is_telling_call(one, handler.name)
-        for one in handler.body
+        (isinstance(statement, facts.Jump) and statement.kind != "break") or _is_telling_call(statement, handler.name)
+        for statement in handler.body
     )
 
 

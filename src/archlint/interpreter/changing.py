@@ -29,7 +29,7 @@ def changed_attributes(cls: ClassValue) -> dict[str, tuple[Value, ...]]:
 def _assigned(key: Itself[facts.Class]) -> tuple[tuple[str, bool, Value], ...]:
     """Each attribute of its own object that a class assigns, whether the constructor is over by then, and the value
     as far as it is written there."""
-    methods = [one for one in key.fact.body if isinstance(one, facts.Function) and one.params]
+    methods = [statement for statement in key.fact.body if isinstance(statement, facts.Function) and statement.params]
     return tuple(
         (name, method.name != _CONSTRUCTOR, value)
         for method in methods

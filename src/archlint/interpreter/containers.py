@@ -27,24 +27,24 @@ ITEM_LIMIT = 4096
 def new_list(
     machine: Machine, values: Sequence[Value], kind: ListKind = "list", open_: bool = False, whole: bool = False
 ) -> ListValue:
-    made = ListValue(machine.store.new_key(), kind)
-    machine.store.set(made.key, ITEMS, Items(distinct(values) if kind == "set" else tuple(values), open_, whole))
-    return made
+    collection = ListValue(machine.store.new_key(), kind)
+    machine.store.set(collection.key, ITEMS, Items(distinct(values) if kind == "set" else tuple(values), open_, whole))
+    return collection
 
 
 def distinct(values: Iterable[Value]) -> tuple[Value, ...]:
     """The items of a set: of those that Python takes for the same, the first."""
-    found: dict[Hashable, Value] = {}
+    firsts: dict[Hashable, Value] = {}
     for value in values:
         at = value.entry_key()
-        found.setdefault(UnknownKey(len(found)) if at is None else at, value)
-    return tuple(found.values())
+        firsts.setdefault(UnknownKey(len(firsts)) if at is None else at, value)
+    return tuple(firsts.values())
 
 
 def new_dict(machine: Machine, entries: dict[Hashable, tuple[Value, Value]], open_: bool = False) -> DictValue:
-    made = DictValue(machine.store.new_key())
-    machine.store.set(made.key, ENTRIES, Entries(entries, open_))
-    return made
+    collection = DictValue(machine.store.new_key())
+    machine.store.set(collection.key, ENTRIES, Entries(entries, open_))
+    return collection
 
 
 def dict_of_names(machine: Machine, values: Mapping[str, Value], open_: bool = False) -> DictValue:

@@ -190,8 +190,8 @@ def linearize(cls: ClassValue) -> tuple[Value, ...]:
     return tuple(order)
 
 
-def _equal(one: Value, other: Value) -> bool:
-    return one is other or (isinstance(one, External) and one == other)
+def _equal(value: Value, other: Value) -> bool:
+    return value is other or (isinstance(value, External) and value == other)
 
 
 def _is_in(value: Value, row: list[Value]) -> bool:

@@ -154,8 +154,8 @@ def _subscript(machine: Machine, e: facts.Subscript) -> Value:
         bounds = _slice_bounds(machine, e.index)
         return one_of(slice_of(machine, alternative, bounds) for alternative in alternatives(value))
     index = machine.evaluate(e.index)
-    found = [get_item(machine, container, at) for container in alternatives(value) for at in alternatives(index)]
-    return one_of(found[:CARTESIAN])
+    items = [get_item(machine, container, at) for container in alternatives(value) for at in alternatives(index)]
+    return one_of(items[:CARTESIAN])
 
 
 def _binary(machine: Machine, e: facts.Binary) -> Value:
@@ -200,15 +200,15 @@ def _conditional(machine: Machine, e: facts.Conditional) -> Value:
         return machine.evaluate(e.body if verdict else e.orelse)
     key = machine.key_of(e.span)
     machine.library.undecided(key, test)
-    found = []
+    values = []
     layers = []
     for arm, expression in enumerate((e.body, e.orelse)):
         with machine.arm(key, arm) as taken:
             narrow(machine, e.test, arm == 0)
-            found.append(machine.evaluate(expression))
+            values.append(machine.evaluate(expression))
         layers.append(taken[0])
     machine.store.merge(layers)
-    return one_of(found)
+    return one_of(values)
 
 
 def _compare(machine: Machine, e: facts.Compare) -> Value:

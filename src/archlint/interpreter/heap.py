@@ -61,13 +61,13 @@ class Store:
 
     def family(self, key: int, fields: Fields[T]) -> dict[str, T]:
         """What the fields of a family hold, by name."""
-        found: dict[str, Any] = {}
+        values: dict[str, Any] = {}
         for layer in self.layers:
             for (owner, slot), value in layer.items():
                 name = key_in(fields, slot) if owner == key else None
                 if name is not None:
-                    found[name] = value
-        return found
+                    values[name] = value
+        return values
 
     def variables(self, key: int) -> list[tuple[str, Value]]:
         """The names under which the base layer has values of an object or a scope, with these values."""
@@ -168,20 +168,20 @@ class Store:
                     before = layer[at]
                     break
             first: object = MISSING
-            found: list[object] | None = None
+            different: list[object] | None = None
             for branch in branches:
                 value = branch.get(at, before)
                 if value is MISSING or value is first:
                     continue
                 if first is MISSING:
                     first = value
-                elif found is None:
-                    found = [first, value]
-                elif not any(value is other for other in found):
-                    found.append(value)
-            if found is not None:
-                self.work += sum(map(_size, found))
-            joined = first if found is None else _join(at[1], found)
+                elif different is None:
+                    different = [first, value]
+                elif not any(value is other for other in different):
+                    different.append(value)
+            if different is not None:
+                self.work += sum(map(_size, different))
+            joined = first if different is None else _join(at[1], different)
             if joined is not before:
                 top[at] = joined
                 changed = changed or before is MISSING or joined != before

@@ -51,7 +51,7 @@ def argument_key(value: Value, nested: int = 0) -> Hashable:
     if shape is not None:
         return (value.__class__.__name__, *shape(value, nested + 1))
     if isinstance(value, ForeignValue):
-        own = value.identity(lambda one: argument_key(one, nested + 1))
+        own = value.identity(lambda part: argument_key(part, nested + 1))
         if own is not None:
             return (value.__class__.__name__, *own)
     key = value.heap_key
@@ -68,11 +68,15 @@ def _of_unknown(value: Unknown, nested: int) -> Key:
 
 
 def _of_function(value: FunctionValue, nested: int) -> Key:
-    return (id(value.ir), value.scope.key, tuple((name, argument_key(one, nested)) for name, one in value.defaults))
+    return (
+        id(value.ir),
+        value.scope.key,
+        tuple((name, argument_key(default, nested)) for name, default in value.defaults),
+    )
 
 
 def _of_partial(value: Partial, nested: int) -> Key:
-    named = tuple((name, argument_key(one, nested)) for name, one in value.keywords)
+    named = tuple((name, argument_key(argument, nested)) for name, argument in value.keywords)
     return (argument_key(value.function, nested), _keys(value.args, nested), named)
 
 

@@ -14,12 +14,12 @@ if TYPE_CHECKING:
 
 def import_module(machine: Machine, s: facts.Import) -> Status:
     importer = machine.activation.module
-    found = machine.index.find(importer, s.module)
+    module = machine.index.find(importer, s.module)
     if s.alias is not None:
-        machine.assign_name(s.alias, External(s.module) if found is None else machine.import_module(found))
+        machine.assign_name(s.alias, External(s.module) if module is None else machine.import_module(module))
         return None
-    if found is not None:
-        machine.import_module(found)
+    if module is not None:
+        machine.import_module(module)
     top = s.module.partition(".")[0]
     first = machine.index.find(importer, top)
     machine.assign_name(top, External(top) if first is None else machine.import_module(first))
@@ -28,20 +28,20 @@ def import_module(machine: Machine, s: facts.Import) -> Status:
 
 def import_from(machine: Machine, s: facts.ImportFrom) -> Status:
     importer = machine.activation.module
-    found = machine.index.find(importer, s.module, s.level)
+    module = machine.index.find(importer, s.module, s.level)
     dotted = machine.index.absolute_name(importer, s.module, s.level)
     for name, bound in s.names:
         if name == "*":
-            _import_star(machine, found, dotted)
+            _import_star(machine, module, dotted)
             continue
         value: Value | None = None
-        if found is not None and found is not importer:
-            value = machine.module_attribute(found, name)
+        if module is not None and module is not importer:
+            value = machine.module_attribute(module, name)
             if value is None:
                 value = (
                     Unknown(f"'{name}' is defined later in an import cycle")
-                    if found.state == "running"
-                    else Unknown(f"{found.name} has no '{name}'")
+                    if module.state == "running"
+                    else Unknown(f"{module.name} has no '{name}'")
                 )
         else:
             below = machine.index.find(importer, f"{s.module}.{name}" if s.module else name, s.level)
@@ -53,17 +53,17 @@ def import_from(machine: Machine, s: facts.ImportFrom) -> Status:
     return None
 
 
-def _import_star(machine: Machine, found: Module | None, dotted: str) -> None:
-    if found is None:
+def _import_star(machine: Machine, module: Module | None, dotted: str) -> None:
+    if module is None:
         machine.activation.module.star_externals.append(dotted)
         return
-    machine.import_module(found)
-    assert found.scope is not None
-    exports = found.facts.exports
-    for name, value in machine.store.variables(found.scope.key):
+    machine.import_module(module)
+    assert module.scope is not None
+    exports = module.facts.exports
+    for name, value in machine.store.variables(module.scope.key):
         if name in exports if exports is not None else not name.startswith("_"):
             machine.assign_name(name, value)
-    machine.activation.module.star_externals.extend(found.star_externals)
+    machine.activation.module.star_externals.extend(module.star_externals)
 
 
 __all__ = ["import_from", "import_module"]

@@ -146,7 +146,9 @@ class Machine(ABC):
 
     def enclosing_loops(self) -> tuple[Place, ...]:
         """The loops that go round what runs now, those of the callers first."""
-        return tuple(one.place(loop.span) for one in self.activations for loop in self.loops_of(one))
+        return tuple(
+            activation.place(loop.span) for activation in self.activations for loop in self.loops_of(activation)
+        )
 
     def loops_of(self, activation: Activation) -> list[facts.While | facts.For]:
         """The loops of a function that go round its present statement: what is always followed by ``break`` or
@@ -154,14 +156,14 @@ class Machine(ABC):
         statement = activation.statement
         if not activation.loops or statement is None:
             return activation.loops
-        found = []
+        loops = []
         for loop in activation.loops:
             key = id(loop), id(statement)
             if key not in self._comes_round:
                 self._comes_round[key] = comes_round(loop, statement)
             if self._comes_round[key]:
-                found.append(loop)
-        return found
+                loops.append(loop)
+        return loops
 
     # ----------------------------------------------------------------------------------------- variables
 

@@ -91,10 +91,10 @@ class ModuleIndex:
                 continue
             path = file.path.replace("\\", "/")
             self._by_path[path] = file
-            for one in _names_of(file):
-                self._by_path.setdefault(one.path.replace("\\", "/"), file)
-                if one.module and file not in self._by_name.setdefault(one.module, []):
-                    self._by_name[one.module].append(file)
+            for named in _names_of(file):
+                self._by_path.setdefault(named.path.replace("\\", "/"), file)
+                if named.module and file not in self._by_name.setdefault(named.module, []):
+                    self._by_name[named.module].append(file)
             stem = path.removesuffix("/__init__.py").removesuffix(".py")
             self._by_tail.setdefault(stem.rpartition("/")[2], []).append(file)
 
@@ -120,7 +120,7 @@ class ModuleIndex:
     def imported_by(self, module: Module) -> frozenset[str]:
         """The shown paths of a module and of all that its imports lead to, wherever they stand in it."""
         if module.path not in self._imported:
-            self._imported[module.path] = frozenset(one.path for one in closure([module], self._imports_of))
+            self._imported[module.path] = frozenset(other.path for other in closure([module], self._imports_of))
         return self._imported[module.path]
 
     def _imports_of(self, module: Module) -> Iterator[Module]:
@@ -132,9 +132,9 @@ class ModuleIndex:
                 names = [part.module, *(f"{part.module}.{name}".lstrip(".") for name, _ in part.names)]
                 level = part.level
             for name in names:
-                found = self.find(module, name, level) if name or level else None
-                if found is not None:
-                    yield found
+                imported = self.find(module, name, level) if name or level else None
+                if imported is not None:
+                    yield imported
 
     def absolute_name(self, importer: Module, name: str, level: int) -> str:
         """The dotted name that a relative import stands for."""
@@ -145,8 +145,8 @@ class ModuleIndex:
         return ".".join((*base, *([name] if name else [])))
 
     def _relative(self, importer: Module, name: str, level: int) -> Module | None:
-        for one in _names_of(importer.file):
-            folder = one.path.replace("\\", "/").rpartition("/")[0]
+        for named in _names_of(importer.file):
+            folder = named.path.replace("\\", "/").rpartition("/")[0]
             for _ in range(level - 1):
                 folder = folder.rpartition("/")[0]
             file = self._at("/".join((folder, *name.split("."))) if name else folder)
@@ -179,13 +179,13 @@ class ModuleIndex:
         if "." not in name:
             return None
         tail = "/" + name.replace(".", "/")
-        found = [
+        candidates = [
             file
             for file in self._by_tail.get(name.rpartition(".")[2], [])
             if file.package == importer.file.package
             and file.path.replace("\\", "/").removesuffix("/__init__.py").removesuffix(".py").endswith(tail)
         ]
-        return _nearest(importer, found) if found else None
+        return _nearest(importer, candidates) if candidates else None
 
 
 def _names_of(file: SourceFile) -> tuple[SourceFile | Link, ...]:

@@ -59,11 +59,11 @@ def _is_missing(machine: Machine, function: Value, expression: facts.Call) -> bo
     return False
 
 
-def _may_set(found: facts.Facts, name: str) -> bool:
+def _may_set(code: facts.Facts, name: str) -> bool:
     """Whether code may set an attribute of this name, on whatever object."""
-    if not names_in(found.body).isdisjoint({"setattr", "__dict__", "__setattr__", "__getattribute__"}):
+    if not names_in(code.body).isdisjoint({"setattr", "__dict__", "__setattr__", "__getattribute__"}):
         return True
-    stores = (part.targets for part in everything_in(found.body) if isinstance(part, facts.Assign))
+    stores = (part.targets for part in everything_in(code.body) if isinstance(part, facts.Assign))
     return any(target.attribute == name for targets in stores for target in targets)
 
 

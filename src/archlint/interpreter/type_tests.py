@@ -187,7 +187,7 @@ def _python_class(cls: Value) -> type | None:
 def _class_at(path: str) -> type | None:
     module, _, name = path.rpartition(".")
     library = _LIBRARIES.get(module)
-    found = getattr(library, name, None) if library is not None else None
-    origin = typing.get_origin(found)
-    found = found if origin is None else origin
-    return found if isinstance(found, type) and found is not typing.Any else None
+    attribute = getattr(library, name, None) if library is not None else None
+    origin = typing.get_origin(attribute)
+    attribute = attribute if origin is None else origin
+    return attribute if isinstance(attribute, type) and attribute is not typing.Any else None

@@ -15,12 +15,12 @@ class Tree:
     """``body`` holds the statements of the module.  A fact is known by its identity, for equal ones may stand at
     several places."""
 
-    def __init__(self, found: facts.Facts) -> None:
-        self._whole = found
-        self.body = found.body
+    def __init__(self, code: facts.Facts) -> None:
+        self._whole = code
+        self.body = code.body
         self._kinds: dict[type[facts.Base], list[facts.Base]] = {}
         self._parents: dict[int, facts.Base] = {}
-        stack: list[facts.Base] = [found]
+        stack: list[facts.Base] = [code]
         while stack:
             fact = stack.pop()
             self._kinds.setdefault(type(fact), []).append(fact)

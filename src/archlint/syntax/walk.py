@@ -36,9 +36,9 @@ def called_name(call: facts.Call) -> str:
     return call.func.last_name
 
 
-def main_guard(found: facts.Facts) -> facts.If | None:
+def main_guard(code: facts.Facts) -> facts.If | None:
     """``if __name__ == '__main__':`` at the top level of a file."""
-    for statement in found.body:
+    for statement in code.body:
         match statement:
             case facts.If(facts.Compare(left, ["=="], [right])):
                 if {left.variable, right.variable} == {"__name__", ""} and "__main__" in (left.text, right.text):

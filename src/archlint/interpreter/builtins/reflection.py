@@ -105,8 +105,8 @@ def type_of(machine: Machine, site: CallSite) -> Value:
     match first(site):
         case Instance() as value:
             cls = value.cls
-        case ForeignValue() as made:
-            cls = machine.library.class_of(made)
+        case ForeignValue() as foreign:
+            cls = machine.library.class_of(foreign)
     return cls or Unknown("the type of a value")
 
 
