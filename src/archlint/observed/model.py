@@ -11,9 +11,10 @@ if TYPE_CHECKING:
     from archlint.finding import Place
     from archlint.ros.qos import Qos
 
-RECORDING = "recording"
-BAG = "bag"
-MONITOR = "monitor"
+Form = Literal["recording", "bag", "monitor"]
+RECORDING: Final = "recording"
+BAG: Final = "bag"
+MONITOR: Final = "monitor"
 
 Status = Literal["missing", "unexpected", "different"]
 MISSING: Final = "missing"
@@ -75,7 +76,7 @@ class Observed:
     """
 
     file: str
-    form: str
+    form: Form
     digest: str
     """A hash of the file's content."""
     nodes: tuple[SeenNode, ...] = ()
