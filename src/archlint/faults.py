@@ -41,6 +41,10 @@ class Faults:
         fault = Fault.of(what, error, place)
         self._found.setdefault((place, what, fault.kind), fault)
 
+    @property
+    def count(self) -> int:
+        return len(self._found)
+
     def found(self) -> list[Fault]:
         """All of them by place."""
         return [self._found[key] for key in sorted(self._found)]

@@ -32,20 +32,23 @@ if TYPE_CHECKING:
     from archlint.config.settings import Settings
     from archlint.finding import Finding
     from archlint.launch.files import LaunchFiles
+    from archlint.syntax.cache import NullStore, Store
     from archlint.syntax.files import FactsOfFiles
     from archlint.systems.model import System
     from archlint.workspace.model import SourceFile, Workspace
     from archlint.workspace.tree import SourceTree
 
 
-def judged_in_parts(request: Request, workspace: Workspace, facts: FactsOfFiles, tree: SourceTree) -> Judged:
+def judged_in_parts(
+    request: Request, workspace: Workspace, facts: FactsOfFiles, tree: SourceTree, store: Store | NullStore
+) -> Judged:
     """What is found in each of the workspaces that stand side by side."""
     refuse_nothing(request, workspace, facts)
     judged: list[Judged] = []
     refused: NothingToDo | None = None
     for part in parts_of(request, workspace):
         try:
-            judged.append(_judged(request, part, facts, tree))
+            judged.append(_judged(request, part, facts, tree, store))
         except NothingToDo as error:
             refused = refused or error
     if not judged:
@@ -68,9 +71,11 @@ def _joined(judged: Sequence[Judged], workspace: Workspace) -> Judged:
     return Judged(findings, summary, list(dict.fromkeys(notice for part in judged for notice in part.notices)))
 
 
-def _judged(request: Request, workspace: Workspace, facts: FactsOfFiles, tree: SourceTree) -> Judged:
+def _judged(
+    request: Request, workspace: Workspace, facts: FactsOfFiles, tree: SourceTree, store: Store | NullStore
+) -> Judged:
     known = known_files(request, workspace, facts)
-    systems = systems_of(request, workspace, facts, tree)
+    systems = systems_of(request, workspace, facts, tree, store)
     index = systems[0].workspace or WorkspaceIndex()
     faults, launch_files = index.faults, index.launch_files
     imported = [f for f in python_files(workspace) if f not in known and facts.was_read(f) and not facts.is_ros1(f)]

@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Sequence
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from archlint.analysis.comparison import compare
 from archlint.config.options import options_for
 from archlint.engine.inputs import is_subset
+from archlint.engine.kept_programs import ProgramCache
 from archlint.engine.request import NothingToDo, Request
 from archlint.faults import Faults
 from archlint.launch.launches import Launches
@@ -17,6 +18,7 @@ from archlint.programs.entry_points import entry_points, read_installs
 from archlint.programs.linker import Linker
 from archlint.programs.scripts import forget_names
 from archlint.ros.interfaces import InterfaceTable
+from archlint.syntax.cache import NullStore
 from archlint.systems.code import WorkspaceCode
 from archlint.systems.instances import assemble
 from archlint.systems.launches import launch_systems
@@ -24,13 +26,18 @@ from archlint.systems.model import System, WorkspaceIndex
 from archlint.systems.shown import only
 
 if TYPE_CHECKING:
+    from archlint.interpreter.modules import ModuleIndex
     from archlint.launch.files import LaunchFiles
+    from archlint.programs.kept import KeptPrograms
+    from archlint.syntax.cache import Store
     from archlint.syntax.files import FactsOfFiles
     from archlint.workspace.model import Workspace
     from archlint.workspace.tree import SourceTree
 
 
-def systems_of(request: Request, workspace: Workspace, facts: FactsOfFiles, tree: SourceTree) -> list[System]:
+def systems_of(
+    request: Request, workspace: Workspace, facts: FactsOfFiles, tree: SourceTree, store: Store | NullStore
+) -> list[System]:
     """Link and load."""
     faults = Faults()
     installs = read_installs(workspace.packages, workspace.files, facts.facts_of, tree, faults)
@@ -39,7 +46,20 @@ def systems_of(request: Request, workspace: Workspace, facts: FactsOfFiles, tree
     names = Counter(package.name for package in workspace.packages)
     without = [name for name, install in installs.items() if install.generates_nothing and names[name] == 1]
     interfaces = InterfaceTable(workspace.files, lambda file: tree.text(file.relative), words, generated, without)
-    linker = Linker(workspace.files, facts.facts_of, facts.relevant, interfaces, faults)
+    cache = ProgramCache(store, workspace, facts, tree)
+
+    def keep(index: ModuleIndex, import_now: Callable[[Iterable[str]], None]) -> KeptPrograms:
+        parts = {name: sorted(found) for name, found in generated.items()}
+        return cache.open(index, import_now, words, parts, without)
+
+    linker = Linker(
+        workspace.files,
+        facts.facts_of,
+        facts.relevant,
+        interfaces,
+        faults,
+        None if isinstance(store, NullStore) else keep,
+    )
     entries = entry_points(installs, workspace.files)
     programs = linker.run_all(entries)
     forget_names(programs, linker.started.values(), installs)
@@ -74,6 +94,7 @@ def systems_of(request: Request, workspace: Workspace, facts: FactsOfFiles, tree
         configured=request.settings.launch,
         distro=distro,
     )
+    cache.save()
     if not systems:  # only where one launch file was asked for: the open system is always there
         ros1 = launches.files.frontend(request.launch or "").ros1
         raise NothingToDo(f"{request.launch} {'is for ROS 1' if ros1 else 'starts nothing that can be read'}")

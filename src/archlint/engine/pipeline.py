@@ -42,7 +42,7 @@ def check(request: Request) -> Report:
         if judged is None:
             from archlint.engine.findings import judged_in_parts  # all the rules, and what runs the code
 
-            judged = call_with_deep_stack(lambda: judged_in_parts(request, workspace, facts, tree))
+            judged = call_with_deep_stack(lambda: judged_in_parts(request, workspace, facts, tree, store))
             if facts.lasting and not any(finding.code == "LNT003" for finding in judged.findings):
                 kept.save(judged)
     if request.fixes and not judged.mended and any(finding.sites is not None for finding in judged.findings):
@@ -84,7 +84,7 @@ def graph(request: Request, everything: bool = False) -> System:
     refuse_nothing(request, workspace, facts)
     tree = SourceTree(Path.cwd(), Path(workspace.root))
     parts = parts_of(request, workspace)
-    opened = call_with_deep_stack(lambda: [systems_of(request, part, facts, tree)[0] for part in parts])
+    opened = call_with_deep_stack(lambda: [systems_of(request, part, facts, tree, store)[0] for part in parts])
     store.close()
     system = combined([as_asked_for(request, whole, part) for whole, part in zip(opened, parts, strict=True)])
     return with_implicit(system, request.settings.distro) if everything else system

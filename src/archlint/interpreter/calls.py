@@ -146,7 +146,7 @@ def enter_function(machine: Machine, function: FunctionValue, site: CallSite, se
     self_value = self_value or _self_of(function, bound)
     on_object = isinstance(self_value, (Instance, ForeignValue))
     machine.executed.add(((self_value.heap_key or 0) if on_object and self_value is not None else 0, id(ir)))
-    machine.ran.add(id(ir))
+    machine.ran[id(ir)] = ir, function.scope.module.path
     activation = _activation(machine, function, site, self_value)
     depth = machine.store.depth
     machine.store.push()
@@ -204,7 +204,7 @@ def _leave_function(
     falls_through = status not in ("return", "raise")
     straight = any(kept is None for _, kept in activation.returns)
     if not captured:
-        machine.store.layers[-1].update(layer)
+        machine.store.apply(layer)
     else:
         machine.store.merge([*captured, layer] if falls_through or straight else captured)
     if ir.is_generator:

@@ -8,7 +8,7 @@ from archlint.syntax import facts
 
 SETTERS: Fields[FunctionValue] = Fields("setter")
 """The setters of its properties, by name."""
-SUBCLASSES: Field[tuple[ClassValue, ...]] = Field("subclasses")
+SUBCLASSES: Field[tuple[ClassValue, ...]] = Field("subclasses", is_of_all=True)
 """The classes that derive from it, in the order in which they are defined."""
 
 

@@ -16,11 +16,13 @@ def _latest(left: Sequence[T]) -> T:
 class Field(Generic[T]):
     """A slot of objects, and what it is where several branches have left something else there."""
 
-    __slots__ = ("join", "name")
+    __slots__ = ("is_of_all", "join", "name")
 
-    def __init__(self, name: str, join: Callable[[Sequence[T]], T] = _latest) -> None:
+    def __init__(self, name: str, join: Callable[[Sequence[T]], T] = _latest, *, is_of_all: bool = False) -> None:
         self.name = name
         self.join = join
+        self.is_of_all = is_of_all
+        """Whether modules add to it whatever module the object is of; who reads it asks for all of them."""
 
     def __repr__(self) -> str:
         return f"<{self.name}>"

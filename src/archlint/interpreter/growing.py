@@ -27,7 +27,7 @@ def open_up(machine: Machine) -> None:
         cls = instance.own_class
         if cls is not None and instance.key not in machine.opened:
             machine.opened.add(instance.key)
-            for name in _filled_of(cls) & machine.store.held.get(instance.key, {}).keys():
+            for name in _filled_of(cls) & machine.store.holds(instance.key).keys():
                 value = machine.store.get(instance.key, name)
                 if value is not None:
                     _open(machine, value)

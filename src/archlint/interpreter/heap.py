@@ -6,7 +6,7 @@ layers are joined afterwards, so that each slot is one of what the branches left
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from contextlib import contextmanager
 from typing import Any, TypeVar, overload
 
@@ -17,6 +17,7 @@ T = TypeVar("T")
 
 Slot = tuple[int, str | Field[Any]]
 Layer = dict[Slot, object]
+_Keys = set[int]
 """The slot of a name (a variable, an attribute) holds a value, that of a field the run's own immutable data."""
 
 
@@ -26,10 +27,15 @@ class Store:
     def __init__(self) -> None:
         self.layers: list[Layer] = [{}]
         self._next = 1
-        self.held: dict[int, dict[str, None]] = {}
-        """The attributes of objects that may lead to others, by key, whatever they hold now."""
+        self._held: dict[int, dict[str, None]] = {}
+        self._held_for_now: dict[int, dict[str, None]] = {}
         self.shared: dict[int, object] = {}
         """How the objects that a module keeps from its import on are got at, by key."""
+        self._at_base = False
+        self._oldest = 0
+        self._inner: list[range] = []
+        """The keys of what the imports have made that the import of the present module has led to."""
+        self._older: set[int] = set()
         self.work = 0
         """Slots and items that joins have looked at, until somebody counts and takes them."""
         self._reads: list[tuple[Slot, object, int]] | None = None
@@ -52,6 +58,19 @@ class Store:
             if at in layer:
                 return layer[at]
         return None
+
+    def holds(self, key: int) -> dict[str, None]:
+        """The attributes of an object that may lead to others, whatever they hold now."""
+        return {**self._held.get(key, {}), **self._held_for_now.get(key, {})}
+
+    def note_held(self, key: int, name: str) -> None:
+        """An attribute of an object may lead to others: until the program ends, or from its module's import on."""
+        rows = self._held if self._at_base else self._held_for_now
+        rows.setdefault(key, {})[name] = None
+
+    def forget_held(self) -> None:
+        """A program ends: what it has put into objects that all programs share is gone."""
+        self._held_for_now = {}
 
     def held_in(self, at: Slot) -> object:
         """What a slot holds, whatever it is; MISSING where nobody has written it."""
@@ -100,7 +119,7 @@ class Store:
             yield around
         finally:
             written = self.cut(depth)
-            self.layers[-1].update(written)
+            self.apply(written)
             self._reads = kept
         for at, value, number in reads[first:]:
             if number < depth and at[0] <= youngest:
@@ -115,7 +134,16 @@ class Store:
     def set(self, key: int, slot: Field[T], value: T) -> None: ...
     def set(self, key: int, slot: str | Field[Any], value: object) -> None:
         """Write a slot."""
+        if self._at_base and self.depth == 1:
+            self._note_older([(key, slot)])
         self.layers[-1][(key, slot)] = value
+
+    def _note_older(self, written: Iterable[Slot]) -> None:
+        for key, slot in written:
+            if isinstance(slot, Field) and slot.is_of_all:
+                continue
+            if key < self._oldest or any(key in keys for keys in self._inner):
+                self._older.add(key)
 
     @property
     def depth(self) -> int:
@@ -140,6 +168,12 @@ class Store:
         del self.layers[depth:]
         return merged
 
+    def apply(self, layer: Layer) -> None:
+        """Write all that a layer has into the top one."""
+        if self._at_base and self.depth == 1:
+            self._note_older(layer)
+        self.layers[-1].update(layer)
+
     def merge(self, branches: Sequence[Layer]) -> bool:
         """Join what alternative branches wrote into the top layer; True if a slot now holds something new.
 
@@ -149,7 +183,7 @@ class Store:
         changed = False
         if len(branches) == 1:
             # One way on: what it wrote is what holds.
-            self.layers[-1].update(branches[0])
+            self.apply(branches[0])
             return False
         slots: dict[Slot, None] = {}
         for branch in branches:
@@ -183,19 +217,24 @@ class Store:
                 self.work += sum(map(_size, different))
             joined = first if different is None else _join(at[1], different)
             if joined is not before:
+                if self._at_base and self.depth == 1:
+                    self._note_older([at])
                 top[at] = joined
                 changed = changed or before is MISSING or joined != before
         return changed
 
     @contextmanager
-    def at_base(self) -> Iterator[None]:
-        """Run on the base layer only: for modules, whose state all programs share."""
-        kept = self.layers
-        self.layers = kept[:1]
+    def at_base(self) -> Iterator[_Keys]:
+        """Run on the base layer only: for modules, whose state all programs share.  What is here already is of other
+        modules: the set has the keys of such objects that were written."""
+        first = self._next
+        kept = self.layers, self._at_base, self._oldest, self._older, self._inner
+        self.layers, self._at_base, self._oldest, self._older, self._inner = self.layers[:1], True, first, set(), []
         try:
-            yield
+            yield self._older
         finally:
-            self.layers = kept
+            self.layers, self._at_base, self._oldest, self._older, self._inner = kept
+            self._inner.append(range(first, self._next + 1))
 
 
 class _Missing:

@@ -114,8 +114,8 @@ class Machine(ABC):
         """The calls that Python refuses."""
         self.executed: set[tuple[int, int]] = set()
         """Functions that ran, as ``(instance key or 0, id of the function's facts)``."""
-        self.ran: set[int] = set()
-        """Functions that ran on anything."""
+        self.ran: dict[int, tuple[facts.Function | facts.Lambda, str]] = {}
+        """Functions that ran on anything, by the id of their facts, with the shown path of their file."""
         self._comes_round: dict[tuple[int, int], bool] = {}
         """Whether a loop may go round again after a statement in it, by their ids."""
 
@@ -212,6 +212,9 @@ class Machine(ABC):
 
     def import_module(self, module: Module) -> ModuleValue:
         """Run a module's body once for all programs, and return it."""
+        self.index.note_use(module)
+        if module.state == "new" and self.index.import_earlier is not None:
+            self.index.import_earlier(module)
         if module.state == "new":
             module.state = "running"
             module.scope = Scope(self.store.new_key(), None, module, "module", module.name)
@@ -221,7 +224,7 @@ class Machine(ABC):
             if self.late:  # what is run for all programs is not cut short for the sake of the others
                 self.steps, self.allowed_steps = 0, STEPS
             try:
-                with self.importing(module):
+                with self.importing(module), self.index.first_import(module):
                     self._run_top_level(module)
             finally:
                 self.activations, self.branch_arms = kept
@@ -234,7 +237,8 @@ class Machine(ABC):
     def _run_top_level(self, module: Module) -> None:
         assert module.scope is not None
         try:
-            with self.store.at_base():
+            with self.store.at_base() as older:
+                self.index.note_writes(module, older)
                 self.store.set(module.scope.key, "__name__", Known(module.name))
                 self.store.set(module.scope.key, "__file__", self.path_of(module))
                 self.activations.append(

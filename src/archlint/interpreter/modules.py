@@ -6,10 +6,13 @@ the folder it lies in.  Both are looked up by the dotted names that the find flo
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from bisect import bisect_right
+from collections.abc import Callable, Collection, Iterable, Iterator, Sequence
+from contextlib import contextmanager
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Literal
 
+from archlint.interpreter.reads import Reads
 from archlint.syntax.facts import Class, Facts, Function, Import, ImportFrom, Stmt
 from archlint.syntax.walk import statements_of
 from archlint.workspace.closure import closure
@@ -59,6 +62,8 @@ class Module:
     state: ModuleState = "new"
     star_externals: list[str] = field(default_factory=list)
     """Foreign packages that this module star-imports from."""
+    reads: Reads = field(default_factory=Reads)
+    """What its import has read."""
 
     @property
     def path(self) -> str:
@@ -85,7 +90,21 @@ class ModuleIndex:
         self._by_name: dict[str, list[SourceFile]] = {}
         self._by_path: dict[str, SourceFile] = {}
         self._by_tail: dict[str, list[SourceFile]] = {}
-        self._imported: dict[str, frozenset[str]] = {}
+        self._imported: dict[str, tuple[frozenset[Module], Reads]] = {}
+        self._readers: list[Reads] = []
+        """Who reads: a program, or a module whose import it has led to."""
+        self._importing: list[str] | None = None
+        """The modules that one import has led to so far."""
+        self.scopes: set[int] = set()
+        """The keys of the scopes of all modules that ran here."""
+        self._written: dict[str, set[int]] = {}
+        """The keys of objects of other modules that the import of a module has written, by its path."""
+        self.imported: set[str] = set()
+        """The paths of the modules that some program has imported."""
+        self.import_earlier: Callable[[Module], None] | None = None
+        """Imports a module that a program imported whose result was kept."""
+        self.import_all_earlier: Callable[[], None] | None = None
+        """Imports all of these."""
         for file in files:
             if file.kind not in ("python", "launch_python", "setup_py"):
                 continue
@@ -100,6 +119,8 @@ class ModuleIndex:
 
     def module(self, file: SourceFile) -> Module | None:
         """The module of a file; None where it could not be compiled."""
+        if self._readers:
+            self._readers[-1].files.add(file.path)
         if file.path not in self._modules:
             facts = self._facts_of(file)
             name = file.module or file.path.rpartition("/")[2].removesuffix(".py")
@@ -108,20 +129,138 @@ class ModuleIndex:
 
     def loaded(self) -> list[Module]:
         """The modules that some program has imported, in the order of their paths."""
-        return sorted((m for m in self._modules.values() if m is not None and m.state == "done"), key=lambda m: m.path)
+        if self._readers:
+            self._readers[-1].everything = True
+        modules = (self.module(self._by_path[path]) for path in self.imported)
+        return sorted((module for module in modules if module is not None), key=lambda module: module.path)
+
+    def in_process(self, start: Module) -> list[Module]:
+        """The modules that a program which begins with a module has in its process, in the order of their paths: those
+        that it was seen to import, and those that its imports lead to."""
+        by_imports = {module.file.path for module in self._modules_imported_by(start)}
+        reads = self._readers[-1].with_imports(self.reads_of) if self._readers else Reads()
+        modules = (self.module(self._by_path[path]) for path in by_imports | reads.used)
+        return sorted((module for module in modules if module is not None), key=lambda module: module.path)
 
     def find(self, importer: Module, name: str, level: int = 0) -> Module | None:
         """The module called ``name`` for an import in ``importer``; None for foreign ones."""
-        if level:
-            return self._relative(importer, name, level)
-        file = self._absolute(importer, name)
+        file = self.file_of(importer.file, name, level)
+        if self._readers:
+            self._readers[-1].lookups[importer.file.path, name, level] = None if file is None else file.path
         return None if file is None else self.module(file)
+
+    def file_of(self, importer: SourceFile, name: str, level: int = 0) -> SourceFile | None:
+        """The file that an import in another means; None for what is not here."""
+        return self._relative(importer, name, level) if level else self._absolute(importer, name)
+
+    def at(self, path: str) -> SourceFile | None:
+        """The file with a path."""
+        return self._by_path.get(path)
+
+    def files(self) -> list[SourceFile]:
+        """All files that can be imported, by their paths."""
+        return [file for path, file in sorted(self._by_path.items()) if path == file.path.replace("\\", "/")]
+
+    def import_all(self) -> None:
+        """Have all modules here that some program has imported."""
+        if self._readers:
+            self._readers[-1].everything = True
+        if self.import_all_earlier is not None:
+            self.import_all_earlier()
+
+    # ------------------------------------------------------------------------------------------- what is read
+
+    @contextmanager
+    def reading(self, reads: Reads) -> Iterator[Reads]:
+        """What is read inside is noted."""
+        self._readers.append(reads)
+        try:
+            yield reads
+        finally:
+            self._readers.pop()
+
+    def reads_of(self, path: str) -> Reads | None:
+        """What the import of a module has read; None where it was not imported."""
+        module = self._modules.get(path)
+        return None if module is None or module.state == "new" else module.reads
+
+    def note_writes(self, module: Module, older: set[int]) -> None:
+        """The import of a module writes objects of others: their keys come to be in ``older``."""
+        self._written[module.file.path] = older
+
+    def all_read(self, reads: Reads) -> Reads:
+        """What a program has read, with what the modules have read that it used, and those that changed their
+        objects."""
+        while True:
+            every = reads.with_imports(self.reads_of)
+            if self.writers(every.used) <= every.used:
+                return every
+            reads.used |= self.writers(every.used)
+
+    def writers(self, used: Collection[str]) -> frozenset[str]:
+        """The modules whose imports have changed objects of these modules: registered something with them, say."""
+        writing = {path: keys for path, keys in self._written.items() if keys}
+        if not writing:
+            return frozenset()
+        starts = {module.scope.key: path for path, module in self._modules.items() if module and module.scope}
+        ordered = sorted(starts)
+        found = set()
+        for path, keys in writing.items():
+            owners = {starts[ordered[at - 1]] for key in keys if (at := bisect_right(ordered, key))}
+            if not owners.isdisjoint(used):
+                found.add(path)
+        return frozenset(found)
+
+    def writes(self, path: str) -> bool:
+        """Whether the import of a module has changed objects of others."""
+        return bool(self._written.get(path))
+
+    def note_use(self, module: Module) -> None:
+        """A module is imported, perhaps not for the first time."""
+        if self._readers:
+            self._readers[-1].used.add(module.file.path)
+
+    @contextmanager
+    def first_import(self, module: Module) -> Iterator[None]:
+        """While the body of a module runs."""
+        outermost = self._importing is None
+        if self._importing is None:
+            self._importing = []
+            if self._readers:
+                self._readers[-1].imports.append(self._importing)
+        self._importing.append(module.file.path)
+        try:
+            with self.reading(module.reads):
+                yield
+        finally:
+            self.imported.add(module.file.path)
+            if module.scope is not None:
+                self.scopes.add(module.scope.key)
+            if outermost:
+                self._importing = None
+
+    @contextmanager
+    def aside(self) -> Iterator[None]:
+        """What is imported inside is nobody's."""
+        readers, importing = self._readers, self._importing
+        self._readers, self._importing = [], None
+        try:
+            yield
+        finally:
+            self._readers, self._importing = readers, importing
 
     def imported_by(self, module: Module) -> frozenset[str]:
         """The shown paths of a module and of all that its imports lead to, wherever they stand in it."""
+        return frozenset(imported.path for imported in self._modules_imported_by(module))
+
+    def _modules_imported_by(self, module: Module) -> frozenset[Module]:
         if module.path not in self._imported:
-            self._imported[module.path] = frozenset(other.path for other in closure([module], self._imports_of))
-        return self._imported[module.path]
+            with self.reading(Reads()) as reads:
+                self._imported[module.path] = closure([module], self._imports_of), reads
+        modules, reads = self._imported[module.path]
+        if self._readers:
+            self._readers[-1].add(reads)
+        return modules
 
     def _imports_of(self, module: Module) -> Iterator[Module]:
         for part in _imports(module.facts.body):
@@ -144,37 +283,37 @@ class ModuleIndex:
         base = base[: len(base) - (level - 1)] if level > 1 else base
         return ".".join((*base, *([name] if name else [])))
 
-    def _relative(self, importer: Module, name: str, level: int) -> Module | None:
-        for named in _names_of(importer.file):
+    def _relative(self, importer: SourceFile, name: str, level: int) -> SourceFile | None:
+        for named in _names_of(importer):
             folder = named.path.replace("\\", "/").rpartition("/")[0]
             for _ in range(level - 1):
                 folder = folder.rpartition("/")[0]
             file = self._at("/".join((folder, *name.split("."))) if name else folder)
             if file is not None:
-                return self.module(file)
+                return file
         return None
 
     def _at(self, stem: str) -> SourceFile | None:
         return self._by_path.get(stem + ".py") or self._by_path.get(stem + "/__init__.py")
 
-    def _absolute(self, importer: Module, name: str) -> SourceFile | None:
+    def _absolute(self, importer: SourceFile, name: str) -> SourceFile | None:
         candidates = self._by_name.get(name, [])
         top = name.partition(".")[0]
         if top in _OF_ROS:
             candidates = [file for file in candidates if file.package == top]
             return _nearest(importer, candidates) if candidates else None
-        same = [file for file in candidates if file.package == importer.file.package]
+        same = [file for file in candidates if file.package == importer.package]
         if same:
             return _nearest(importer, same)
-        folder = importer.file.path.replace("\\", "/").rpartition("/")[0]
+        folder = importer.path.replace("\\", "/").rpartition("/")[0]
         beside = self._at("/".join((folder, *name.split("."))))
-        if beside is not None and beside.path != importer.file.path:
+        if beside is not None and beside.path != importer.path:
             return beside
         if candidates:
             return _nearest(importer, candidates)
         return self._by_suffix(importer, name)
 
-    def _by_suffix(self, importer: Module, name: str) -> SourceFile | None:
+    def _by_suffix(self, importer: SourceFile, name: str) -> SourceFile | None:
         """A dotted name below some folder of the same package that is put on the path by other means."""
         if "." not in name:
             return None
@@ -182,7 +321,7 @@ class ModuleIndex:
         candidates = [
             file
             for file in self._by_tail.get(name.rpartition(".")[2], [])
-            if file.package == importer.file.package
+            if file.package == importer.package
             and file.path.replace("\\", "/").removesuffix("/__init__.py").removesuffix(".py").endswith(tail)
         ]
         return _nearest(importer, candidates) if candidates else None
@@ -202,12 +341,12 @@ def _imports(body: Sequence[Stmt]) -> Iterator[Import | ImportFrom]:
             yield from _imports(statement.body)
 
 
-def _nearest(importer: Module, files: list[SourceFile]) -> SourceFile:
+def _nearest(importer: SourceFile, files: list[SourceFile]) -> SourceFile:
     """The file that shares most of its path with the importer."""
 
     def shared(file: SourceFile) -> int:
         count = 0
-        for one, other in zip(file.path.split("/"), importer.file.path.split("/"), strict=False):
+        for one, other in zip(file.path.split("/"), importer.path.split("/"), strict=False):
             if one != other:
                 break
             count += 1

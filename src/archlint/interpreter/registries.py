@@ -66,6 +66,7 @@ def subclasses(machine: Machine, cls: ClassValue) -> Value:
     """
 
     def listed(*_: Value, **__: Value) -> Value:
+        machine.index.import_all()
         every = machine.store.get(cls.key, SUBCLASSES) or ()
         imported = machine.index.imported_by(machine.activations[0].module) if machine.activations else frozenset()
         seen = [known for known in every if known.scope.module.path in imported]

@@ -40,6 +40,8 @@ class Run(Interpreter):
         self.context = context
         self.interfaces = interfaces
         self.overrides = overrides or model.Overrides()
+        self.first_module: Module | None = None
+        """The module that the program begins with."""
         self.distro: str | None = None
         """The distribution that the workspace is for, where that was said."""
         self.argv: Value | None = None

@@ -19,7 +19,9 @@ if TYPE_CHECKING:
 def unseen_use(run: Run, root: Root) -> str | None:
     """The first function that uses what is shared and that this program is not seen to call, in words; None where
     there is none."""
-    for module in run.index.loaded():
+    # Whoever runs a class or a function that nothing here runs may be any code.
+    start = run.first_module if run.program.executable else None
+    for module in run.index.loaded() if start is None else run.index.in_process(start):
         here = module is root.module
         if not here and not _imports(Itself(module.facts), root.module.name.rpartition(".")[2]):
             continue

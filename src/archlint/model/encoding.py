@@ -7,10 +7,11 @@ after those that it is made of, and the *objects* that have an identity.  A refe
 
 from __future__ import annotations
 
+import zlib
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, fields
 from enum import Enum
-from typing import Any, Final, cast
+from typing import Any, Final
 
 import msgspec
 
@@ -52,6 +53,8 @@ _RECORD_TYPES: tuple[type, ...] = (
 )
 _RECORDS: Mapping[str, type] = {kind.__name__: kind for kind in _RECORD_TYPES}
 _FIELDS = {kind: tuple(row.name for row in fields(kind)) for kind in _RECORDS.values()}
+_LAYOUT = zlib.crc32(repr([(kind.__name__, names) for kind, names in _FIELDS.items()]).encode())
+"""Another number where a class has other fields."""
 _SMALL = range(-(2**63), 2**63)
 """What MessagePack has a number for."""
 
@@ -65,33 +68,37 @@ class NotPrograms(ValueError):
 
 
 class Payload(msgspec.Struct, array_like=True):
-    """What is written: the fields that each class has, the rows of both tables, and the numbers of the programs."""
+    """What is written: which fields the classes have, the rows of both tables, and what was asked for."""
 
-    classes: dict[str, list[str]]
+    layout: int
     values: list[list[Plain]]
     objects: list[list[Plain]]
-    programs: list[Plain]
+    items: list[Plain]
 
 
-def encode(programs: Iterable[Program]) -> bytes:
-    """Programs, with all that they refer to."""
+def encode(items: Iterable[object]) -> bytes:
+    """Programs or parts of them, in lists, with all that they refer to."""
+    return encode_noting(items)[0]
+
+
+def encode_noting(items: Iterable[object]) -> tuple[bytes, list[object]]:
+    """As :func:`encode`, with the objects that have an identity: what two payloads share is two things afterwards."""
     tables = _Tables()
-    numbers = [tables.plain(program) for program in programs]
+    rows = [tables.plain(item) for item in items]
     tables.fill()
-    classes = {kind.__name__: list(names) for kind, names in _FIELDS.items()}
-    return msgspec.msgpack.encode(Payload(classes, tables.values, tables.objects, numbers))
+    return msgspec.msgpack.encode(Payload(_LAYOUT, tables.values, tables.objects, rows)), tables.with_identity
 
 
-def decode(payload: bytes) -> list[Program]:
-    """Programs as they were encoded; raises :class:`NotPrograms`."""
+def decode(payload: bytes) -> list[Any]:
+    """What was encoded; raises :class:`NotPrograms`."""
     try:
         found = msgspec.msgpack.decode(payload, type=Payload)
     except (msgspec.MsgspecError, ValueError, RecursionError) as error:
         raise NotPrograms(str(error)) from error
-    if found.classes != {kind.__name__: list(names) for kind, names in _FIELDS.items()}:
+    if found.layout != _LAYOUT:
         raise NotPrograms("written by another version")
     try:
-        return _Rows(found).programs()
+        return _Rows(found).items()
     except (LookupError, TypeError, ValueError) as error:
         raise NotPrograms(str(error)) from error
 
@@ -102,14 +109,14 @@ class _Tables:
     objects: list[list[Plain]] = field(default_factory=list)
     _numbers: dict[int, Plain] = field(default_factory=dict)
     """References by the ``id`` of what they refer to."""
-    _waiting: list[object] = field(default_factory=list)
+    with_identity: list[object] = field(default_factory=list)
     """What has a number among the objects, in that order; it is kept alive, and with it its ``id``."""
     _kept: list[object] = field(default_factory=list)
 
     def fill(self) -> None:
         """Write the rows of all objects, and of those that they refer to."""
-        while len(self.objects) < len(self._waiting):
-            self.objects.append(self._row(self._waiting[len(self.objects)]))
+        while len(self.objects) < len(self.with_identity):
+            self.objects.append(self._row(self.with_identity[len(self.objects)]))
 
     def plain(self, item: object) -> Plain:
         kind = type(item)
@@ -134,8 +141,8 @@ class _Tables:
         known = self._numbers.get(id(item))
         if known is None:
             if type(item).__eq__ is object.__eq__:
-                known = [_OBJECT, len(self._waiting)]
-                self._waiting.append(item)
+                known = [_OBJECT, len(self.with_identity)]
+                self.with_identity.append(item)
             else:
                 row = self._row(item)
                 known = [_VALUE, len(self.values)]
@@ -156,14 +163,14 @@ class _Rows:
         kinds = [_RECORDS[row[0]] for row in payload.objects]
         self._objects: list[object] = [object.__new__(kind) for kind in kinds]
 
-    def programs(self) -> list[Program]:
+    def items(self) -> list[object]:
         for row in self._payload.values:
             item: object = object.__new__(_RECORDS[row[0]])
             self._fill(item, row)
             self._values.append(item)
         for item, row in zip(self._objects, self._payload.objects, strict=True):
             self._fill(item, row)
-        return [cast("Program", self._item(number)) for number in self._payload.programs]
+        return [self._item(row) for row in self._payload.items]
 
     def _fill(self, item: object, row: Sequence[Plain]) -> None:
         for name, part in zip(_FIELDS[type(item)], row[1:], strict=True):
@@ -189,4 +196,4 @@ class _Rows:
                 return _CONTAINERS[tag](map(self._item, parts))
 
 
-__all__ = ["NotEncodable", "NotPrograms", "decode", "encode"]
+__all__ = ["NotEncodable", "NotPrograms", "decode", "encode", "encode_noting"]

@@ -22,15 +22,28 @@ class Budget:
     def __init__(self) -> None:
         self.left = WORKSPACE_STEPS
 
+    @property
+    def is_spent(self) -> bool:
+        return self.left <= 0
+
     def grant(self, run: Run, steps: int) -> None:
         """Let a program run so many statements; few where the workspace has spent its own."""
-        run.late = self.left <= 0
+        run.late = self.is_spent
         run.granted = run.left = run.allowed_steps = min(steps, LATE_STEPS) if run.late else steps
 
-    def settle(self, run: Run) -> None:
-        """Note what a program has run, and whether it was cut short for the sake of the others."""
-        self.left -= run.granted - run.left + run.steps
-        run.program.late = run.late and run.program.exhausted
+    def spend(self, steps: int) -> None:
+        """Note what a program has run."""
+        self.left -= steps
+
+
+def steps_of(run: Run) -> int:
+    """How many statements a program has run."""
+    return run.granted - run.left + run.steps
+
+
+def settle(run: Run) -> None:
+    """Note whether a program was cut short for the sake of the others."""
+    run.program.late = run.late and run.program.exhausted
 
 
 def cut_short(programs: list[model.Program]) -> list[str]:

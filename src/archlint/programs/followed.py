@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass, field
 
 from archlint import model
@@ -10,9 +11,53 @@ from archlint.interpreter.modules import Module
 from archlint.interpreter.roots import enter_root
 from archlint.libraries.rclpy import escapes
 from archlint.libraries.run import Run
-from archlint.programs.budget import Budget
-from archlint.programs.helpers import Holders, note_holders
+from archlint.programs.budget import Budget, settle, steps_of
+from archlint.programs.helpers import Holders, holders_in
 from archlint.programs.roots import finish, run_callbacks
+from archlint.programs.top_level import place_of
+from archlint.syntax import facts
+
+
+@dataclass(frozen=True)
+class Definition:
+    """A class or function at the top level of a module."""
+
+    variable: str
+    """What the module calls it."""
+    name: str
+    """What it is called where it is defined."""
+    qualified: str
+    place: Place
+    is_class: bool
+    is_own: bool
+    """Whether it is defined in this module."""
+    is_node: bool
+    is_interesting: bool
+    bases: tuple[Place, ...]
+    """The classes of the workspace that it derives from."""
+    names: frozenset[str]
+    """The names that its code uses, where it may be run alone and is no node."""
+
+    def parts(self) -> tuple[object, ...]:
+        """All of it, as the constructor takes it."""
+        return tuple(getattr(self, name) for name in self.__dataclass_fields__)
+
+
+@dataclass(eq=False)
+class Followed:
+    """What became of one program."""
+
+    program: model.Program
+    steps: int
+    """How many statements it has run."""
+    ran: frozenset[Place]
+    """The functions that ran."""
+    made: frozenset[Place]
+    """Classes of which an object was made, and their bases."""
+    holders: list[tuple[model.ClassKey, str, model.Blueprint]]
+    """The nodes that objects of a class hold in an attribute in the end."""
+    definitions: list[Definition] = field(default_factory=list)
+    """What a module defines, where nothing but the module was run."""
 
 
 @dataclass
@@ -21,12 +66,19 @@ class Progress:
 
     programs: list[model.Program] = field(default_factory=list)
     budget: Budget = field(default_factory=Budget)
-    ran: set[int] = field(default_factory=set)
-    """The functions that ran, by the id of their facts."""
-    made: set[int] = field(default_factory=set)
-    """Classes of which an object was made, and their bases, by id."""
+    ran: set[Place] = field(default_factory=set)
+    made: set[Place] = field(default_factory=set)
     holders: Holders = field(default_factory=dict)
-    """The nodes that objects of a class were seen to hold in an attribute."""
+
+    def add(self, followed: Followed) -> None:
+        """One more program."""
+        self.budget.spend(followed.steps)
+        self.ran |= followed.ran
+        self.made |= followed.made
+        for cls, attribute, node in followed.holders:
+            self.holders.setdefault((cls, attribute), []).append(node)
+        if followed.program not in self.programs:
+            self.programs.append(followed.program)
 
 
 class FollowedProgram:
@@ -34,8 +86,7 @@ class FollowedProgram:
 
     What is raised inside is noted at ``place``, and what the program has done until then stays."""
 
-    def __init__(self, progress: Progress, run: Run, module: Module, place: Place | None = None) -> None:
-        self.progress = progress
+    def __init__(self, run: Run, module: Module, place: Place | None = None) -> None:
         self.run = run
         self.module = module
         self.place = place or run.context.place
@@ -58,7 +109,8 @@ class FollowedProgram:
             run.note_fault(self._what, raised, self.place)
         finally:
             run.activations.clear()
-            note_holders(self.progress.holders, run, run.store.cut(self.depth))
+            self._holders = holders_in(run, run.store.cut(self.depth))
+            run.store.forget_held()
         self._finish()
         return isinstance(error, Exception)
 
@@ -76,18 +128,28 @@ class FollowedProgram:
         enter_root(run, self.module)
 
     def _finish(self) -> None:
-        progress, run = self.progress, self.run
-        progress.budget.settle(run)
-        progress.ran |= run.ran
-        for instance in run.instances.values():
-            if instance.own_class is not None:
-                progress.made.update(id(base) for base in instance.own_class.mro)
+        run = self.run
+        settle(run)
         try:
             finish(run)
         except Exception as raised:
             run.note_fault(self._what, raised, self.place)
-        if run.program not in progress.programs:
-            progress.programs.append(run.program)
+
+    def result(self, definitions: Sequence[Definition] = ()) -> Followed:
+        """What became of the program, once the block has ended."""
+        run = self.run
+        classes = [instance.own_class for instance in run.instances.values()]
+        bases = {id(base): base for cls in classes if cls is not None for base in cls.mro}
+        made = frozenset(place for base in bases.values() if (place := place_of(base)) is not None)
+        return Followed(run.program, steps_of(run), _ran(run), made, self._holders, list(definitions))
 
 
-__all__ = ["FollowedProgram", "Progress"]
+def _ran(run: Run) -> frozenset[Place]:
+    """The functions that ran."""
+    return frozenset(
+        Place(path, *(fact.span if isinstance(fact, facts.Lambda) else fact.name_span))
+        for fact, path in run.ran.values()
+    )
+
+
+__all__ = ["Definition", "Followed", "FollowedProgram", "Progress"]

@@ -26,8 +26,9 @@ Holders = dict[tuple[model.ClassKey, str], list[model.Blueprint]]
 _Made = TypeVar("_Made", model.Creation, model.ParameterDeclaration)
 
 
-def note_holders(holders: Holders, run: Run, layer: Mapping[Slot, object]) -> None:
-    """Which objects of a program hold a node in the end, and in which attribute."""
+def holders_in(run: Run, layer: Mapping[Slot, object]) -> list[tuple[model.ClassKey, str, model.Blueprint]]:
+    """Which objects of a program hold a node in the end, by their classes, and in which attribute."""
+    rows: list[tuple[model.ClassKey, str, model.Blueprint]] = []
     for (key, slot), value in layer.items():
         holder = run.instances.get(key)
         if holder is None or not isinstance(slot, str) or holder.own_class is None:
@@ -35,8 +36,8 @@ def note_holders(holders: Holders, run: Run, layer: Mapping[Slot, object]) -> No
         for option in alternatives(value) if isinstance(value, Value) else ():
             node = nodes.known_node(run, option)
             if node is not None:
-                for cls in node_classes.keys(holder.own_class):
-                    holders.setdefault((cls, slot), []).append(node)
+                rows.extend((cls, slot, node) for cls in node_classes.keys(holder.own_class))
+    return rows
 
 
 def settle_helpers(programs: Sequence[model.Program], holders: Holders) -> None:
@@ -161,4 +162,4 @@ def _is_uncalled(creation: model.Creation) -> bool:
     return False
 
 
-__all__ = ["Holders", "helpers_in", "note_holders", "note_unfollowed", "prune_uncalled", "settle_helpers"]
+__all__ = ["Holders", "helpers_in", "holders_in", "note_unfollowed", "prune_uncalled", "settle_helpers"]

@@ -28,7 +28,7 @@ Written = list[tuple[int, str, object, Value]]
 
 def written(run: Run, layer: Layer) -> Written:
     """What a callback wrote into attributes of the program's objects and into variables of modules."""
-    modules = {module.scope.key for module in run.index.loaded() if module.scope is not None}
+    modules = run.index.scopes
     return [
         (key, slot, run.store.get(key, slot), value)
         for (key, slot), value in layer.items()

@@ -16,21 +16,22 @@ from archlint.faults import Faults
 from archlint.finding import Place
 from archlint.interpreter.activation import Activation
 from archlint.interpreter.attributes import get_attribute
-from archlint.interpreter.call_site import CallSite
 from archlint.interpreter.heap import Store
 from archlint.interpreter.machine import TEST_STEPS
 from archlint.interpreter.modules import Module, ModuleIndex
-from archlint.interpreter.values import ClassValue, FunctionValue, Value
+from archlint.interpreter.reads import Reads
+from archlint.interpreter.values import Value
 from archlint.launch.library import LaunchLibrary
-from archlint.libraries.interest import interesting
 from archlint.libraries.python import command_line
-from archlint.libraries.rclpy import escapes, node_classes
+from archlint.libraries.rclpy import escapes
 from archlint.libraries.run import Run
 from archlint.programs.budget import Budget, cut_short
-from archlint.programs.followed import FollowedProgram, Progress
+from archlint.programs.followed import Followed, FollowedProgram, Progress
 from archlint.programs.helpers import helpers_in, note_unfollowed, prune_uncalled, settle_helpers
-from archlint.programs.roots import flags_of, run_callbacks, run_pending
-from archlint.programs.top_level import called_alone, definitions, place_of
+from archlint.programs.kept import KeptPrograms, NothingKept, ProgramKey
+from archlint.programs.roots import run_callbacks, run_pending
+from archlint.programs.sweep import Sweep
+from archlint.programs.top_level import called_alone, place_of
 from archlint.syntax import facts
 from archlint.syntax.parts import names_in
 from archlint.syntax.python.deep_stack import call_with_deep_stack
@@ -78,8 +79,12 @@ class Linker:
         relevant: Callable[[SourceFile], bool],
         interfaces: InterfaceTable | None = None,
         faults: Faults | None = None,
+        keep: Callable[[ModuleIndex, Callable[[Iterable[str]], None]], KeptPrograms] | None = None,
     ) -> None:
         self.index = ModuleIndex(files, facts_of)
+        self.index.import_earlier = self._import_earlier
+        self.index.import_all_earlier = self._import_all_earlier
+        self.kept: KeptPrograms | NothingKept = NothingKept() if keep is None else keep(self.index, self._import_now)
         self.files = sorted(files, key=lambda file: file.relative)
         self._shown = {file.relative: file for file in self.files}
         self.relevant = relevant
@@ -108,20 +113,60 @@ class Linker:
             for module in chosen:
                 if self._is_started(module, started):
                     continue
-                if main_guard(module.facts) or module.state == "new":
+                if main_guard(module.facts) or not self._is_imported(module):
                     self.run_script(module)
-            self._sweep(chosen, test)
-        prune_uncalled(self.progress.programs)
-        settle_helpers(self.progress.programs, self.progress.holders)
-        note_unfollowed(self.progress.programs, self._names_in_file)
-        self.helpers = helpers_in(self.progress.programs)
+            Sweep(self.progress, self.follow, self.new_run, self._value).run(chosen)
+        programs = self.progress.programs
+        prune_uncalled(programs)
+        settle_helpers(programs, self.progress.holders)
+        note_unfollowed(programs, self._names_in_file)
+        self.helpers = helpers_in(programs)
         self._settled = True
         self.progress.budget = Budget()  # for what launch files run again
-        return [
-            p
-            for p in self.progress.programs
-            if p.nodes or p.calls or p.callbacks or p.unknown_interfaces or p.field_uses
-        ]
+        return [p for p in programs if p.nodes or p.calls or p.callbacks or p.unknown_interfaces or p.field_uses]
+
+    def follow(self, key: ProgramKey, act: Callable[[], Followed]) -> Followed:
+        """What becomes of a program: known from an earlier run, or what ``act`` says now."""
+        late = self.progress.budget.is_spent
+        followed = self.kept.get(key, late)
+        if followed is None:
+            faults = self.faults.count
+            with self.index.reading(Reads()) as reads:
+                followed = act()
+            if self.faults.count == faults:
+                self.kept.put(key, late, followed, self.index.all_read(reads))
+        self.progress.add(followed)
+        return followed
+
+    def _import_earlier(self, module: Module) -> None:
+        self._import_now([module.file.path])
+
+    def _import_all_earlier(self) -> None:
+        self._import_now(self.kept.all_first())
+
+    def _import_now(self, paths: Iterable[str]) -> None:
+        for path in paths:
+            first = self.kept.first_of(path)
+            if first is not None:
+                self._import_aside(first)
+
+    def _import_aside(self, path: str) -> None:
+        """Import a module for which a program answers that is not followed again: what the import does beside filling
+        the module is known."""
+        file = self.index.at(path)
+        module = None if file is None else self.index.module(file)
+        if module is not None:
+            with self.index.aside():
+                self.new_run(module.name, module).import_module(module)
+
+    def _is_imported(self, module: Module) -> bool:
+        return module.file.path in self.index.imported
+
+    def _value(self, module: Module, name: str) -> Value | None:
+        """What a variable of a module holds after its import."""
+        self.index.note_use(module)
+        self._import_earlier(module)
+        return None if module.scope is None else self.store.get(module.scope.key, name)
 
     def _is_started(self, module: Module, started: dict[str, set[str]]) -> bool:
         """Whether a console script runs this file just as its main guard would."""
@@ -169,6 +214,7 @@ class Linker:
         context = model.Callback(role, name, place, None, file=module.path)
         run = Run(LaunchLibrary, self.index, self.store, program, context, self.interfaces, overrides)
         run.at_spin = run_pending
+        run.first_module = module
         run.faults = self.faults
         self.progress.budget.grant(run, TEST_STEPS if self.index.roles.is_test(module.path) else run.left)
         return run
@@ -186,10 +232,30 @@ class Linker:
     ) -> model.Program:
         """Run one executable; also used to run it again with parameter overrides, and with the words of a command
         line (None for one that is not known)."""
+
+        def act() -> Followed:
+            return self._run_entry(entry, module, overrides, words)
+
+        changes = None if overrides is None else overrides.key
+        given = None if words is None else tuple(words)
+        key = ("entry", entry.package, entry.executable, module.path, entry.function, changes, given)
+        program = self.follow(key, act).program
+        if self._settled:
+            settle_helpers([program], {})
+            note_unfollowed([program], self._names_in_file, self.helpers)
+        return program
+
+    def _run_entry(
+        self,
+        entry: EntryPoint,
+        module: Module,
+        overrides: model.Overrides | None,
+        words: Sequence[str | None] | None,
+    ) -> Followed:
         run = self.new_run(entry.executable, module, overrides=overrides)
         run.program.package = entry.package
-        ran_before = module.state != "new"
-        with FollowedProgram(self.progress, run, module) as root:
+        ran_before = self._is_imported(module)
+        with FollowedProgram(run, module) as root:
             if words is not None:
                 command_line.give_words(run, words)
             run.import_module(module)
@@ -204,10 +270,7 @@ class Linker:
             elif ran_before:
                 _run_block(run, module, module.facts)
             _make_handed_out(run)
-        if self._settled:
-            settle_helpers([run.program], {})
-            note_unfollowed([run.program], self._names_in_file, self.helpers)
-        return run.program
+        return root.result()
 
     def _names_in_file(self, file: str) -> frozenset[str]:
         """All names that a file, by its shown path, uses."""
@@ -223,84 +286,18 @@ class Linker:
 
     def run_script(self, module: Module) -> model.Program:
         """Run a file as ``python file``: its top level, then what the main guard holds."""
+        return self.follow(("script", module.path), lambda: self._run_script(module)).program
+
+    def _run_script(self, module: Module) -> Followed:
         name = module.path.rpartition("/")[2]
         run = self.new_run(name.removesuffix(".py"), module)
         guard = main_guard(module.facts)
         run.program.executable = guard is not None
-        with FollowedProgram(self.progress, run, module, None if guard is None else Place(module.path, *guard.span)):
+        with FollowedProgram(run, module, None if guard is None else Place(module.path, *guard.span)) as root:
             run.import_module(module)
             _run_block(run, module, guard)
             _make_handed_out(run)
-        return run.program
-
-    # ------------------------------------------------------------------------------------------- the rest
-
-    def _sweep(self, modules: list[Module], test: bool) -> None:
-        """Run the classes and functions that no program has run, callers before what they call."""
-        classes: list[tuple[Module, ClassValue]] = []
-        for module in modules:
-            classes.extend((module, cls) for cls in self._classes(module))
-        self._run_classes([row for row in classes if node_classes.is_node(row[1])])
-        self._run_rest(modules, [row for row in classes if not node_classes.is_node(row[1])], test)
-
-    def _scope_values(self, module: Module) -> list[Value]:
-        run = self.new_run(module.name, module, model.Role.MODULE)
-        with FollowedProgram(self.progress, run, module):
-            run.import_module(module)
-        assert module.scope is not None
-        names = [s.name for s in definitions(module.facts.body)]
-        found = [self.store.get(module.scope.key, name) for name in dict.fromkeys(names)]
-        return [value for value in found if value is not None]
-
-    def _classes(self, module: Module) -> list[ClassValue]:
-        return [
-            value
-            for value in self._scope_values(module)
-            if isinstance(value, ClassValue) and value.scope.module is module
-        ]
-
-    def _run_classes(self, classes: list[tuple[Module, ClassValue]]) -> None:
-        """Node classes that nothing makes: once, with the constructor's defaults, flags either way.  A class that
-        others here derive from is covered by them."""
-        bases = {id(base) for _, cls in classes for base in cls.mro[1:]}
-        for last in (False, True):
-            for module, cls in classes:
-                if (id(cls) in bases) is last and id(cls) not in self.progress.made:
-                    self._run_class(module, cls)
-
-    def _run_class(self, module: Module, cls: ClassValue) -> None:
-        run = self.new_run(cls.qualified, module, model.Role.INIT)
-        run.program.executable = False
-        with FollowedProgram(self.progress, run, module, place_of(cls)):
-            init, _ = cls.lookup(run, "__init__")
-            run.call(cls, CallSite(keywords=flags_of(init)))
-
-    def _run_rest(self, modules: list[Module], classes: list[tuple[Module, ClassValue]], test: bool) -> None:
-        candidates: list[tuple[Module, ClassValue | FunctionValue]] = [
-            (module, cls) for module, cls in classes if interesting(cls.ir) and id(cls) not in self.progress.made
-        ]
-        for module in modules:
-            for value in self._scope_values(module):
-                if isinstance(value, FunctionValue) and interesting(value.ir) and id(value.ir) not in self.progress.ran:
-                    candidates.append((module, value))
-        mentioned: dict[str, int] = {}
-        for _, value in candidates:
-            for name in names_in(value.ir):
-                mentioned[name] = mentioned.get(name, 0) + 1
-        for last in (False, True):
-            for module, value in candidates:
-                name = value.ir.name
-                own = 1 if name in names_in(value.ir) else 0
-                if (mentioned.get(name, 0) > own) is not last:
-                    continue
-                if isinstance(value, ClassValue) and id(value) not in self.progress.made:
-                    self._run_class(module, value)
-                elif isinstance(value, FunctionValue) and id(value.ir) not in self.progress.ran:
-                    run = self.new_run(value.qualified, module, model.Role.METHOD)
-                    run.program.executable = False
-                    with FollowedProgram(self.progress, run, module, place_of(value)):
-                        made = run.call(value, CallSite(keywords=flags_of(value)))
-                        escapes.escape(run, [made], f"{value.qualified}() returns it, and nothing here calls that")
+        return root.result()
 
 
 def _run_block(run: Run, module: Module, block: facts.If | facts.Facts | None) -> None:

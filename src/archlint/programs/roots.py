@@ -193,7 +193,7 @@ def _hands_on(run: Run, instance: Instance, ir: facts.Function) -> bool:
     """Whether a method of a node, or of what holds one, does more with the node than use it."""
     if instance.key in run.nodes.by_object and ir.params and bare(ir, frozenset({ir.params[0].name})):
         return True
-    held = names_in(ir).intersection(slot for slot in run.store.held.get(instance.key, ()) if isinstance(slot, str))
+    held = names_in(ir).intersection(run.store.holds(instance.key))
     # What an attribute leads to takes far longer to find out than what the method does with it.
     return bool(held) and bare(ir, held) and bare(ir, escapes.holders(run, instance, held))
 

@@ -30,6 +30,8 @@ KEPT_DAYS = 30
 """How long an entry that no run asks for is kept."""
 KEPT_RUNS = 50
 """How many results of runs are kept."""
+KEPT_WORKSPACES = 10
+"""Of how many workspaces the programs are kept."""
 MAX_BYTES = 256_000_000
 
 Stamp = tuple[int, int, int, int]
@@ -64,7 +66,7 @@ class Store:
         self.folder = os.path.join(root, f"{version}-{sys.version_info[0]}.{sys.version_info[1]}")
         self._opened = time.time_ns()
         self._today = self._opened // (_DAY * 10**9)
-        inner = (os.path.join(self.folder, kind) for kind in ("facts", "runs"))
+        inner = (os.path.join(self.folder, kind) for kind in ("facts", "runs", "programs"))
         self._usable = not any(map(os.path.islink, (root, self.folder, *inner)))
         self._made: set[str] = set()
         self._index, self._swept = _read_index(self._read(INDEX))
@@ -100,6 +102,12 @@ class Store:
 
     def put_run(self, key: str, payload: bytes) -> None:
         self._write_entry("runs", key, payload)
+
+    def get_programs(self, key: str) -> bytes | None:
+        return self._read_entry("programs", key)
+
+    def put_programs(self, key: str, payload: bytes) -> None:
+        self._write_entry("programs", key, payload)
 
     def close(self) -> None:
         """Write what changed of the index, and once a day throw old entries away."""
@@ -176,6 +184,7 @@ class Store:
             named = {digest for _, digest, _ in self._index.values()} if is_own else set()
             _expire(folder.path, set())
             _expire(os.path.join(folder.path, "runs"), set(), KEPT_RUNS)
+            _expire(os.path.join(folder.path, "programs"), set(), KEPT_WORKSPACES)
             for shard in _entries(os.path.join(folder.path, "facts")):
                 _expire(shard.path, named)
 
@@ -259,6 +268,12 @@ class NullStore:
         return None
 
     def put_run(self, key: str, payload: bytes) -> None:
+        return None
+
+    def get_programs(self, key: str) -> bytes | None:
+        return None
+
+    def put_programs(self, key: str, payload: bytes) -> None:
         return None
 
     def close(self) -> None:

@@ -55,6 +55,7 @@ class FactsOfFiles:
         """How many files had to be parsed in this run."""
         self._fresh_imports: set[str] = set()
         self._ahead: dict[str, bytes] = {}
+        self._seen: set[str] = set()
         self.lasting = True
         """False where a file failed for a passing reason: nothing may be concluded for the next run."""
 
@@ -154,7 +155,11 @@ class FactsOfFiles:
 
     def was_read(self, file: SourceFile) -> bool:
         """Whether somebody asked for the facts of a file: it matters, or what matters imports it."""
-        return file.path in self._facts
+        return file.path in self._facts or file.path in self._seen
+
+    def note_read(self, paths: Iterable[str]) -> None:
+        """The result of an earlier run stands for reading these files."""
+        self._seen.update(paths)
 
     def facts_of(self, file: SourceFile) -> Facts | None:
         """The facts of a file; one that the screen left out is compiled now.  None for what is no Python."""

@@ -215,7 +215,7 @@ def _inside(run: Run, value: Value, key: int) -> Iterator[Value]:
             for name, held in entries.entries.values():
                 yield from carries((name, held))
         return
-    for slot in run.store.held.get(key, ()):
+    for slot in run.store.holds(key):
         yield from carries((run.store.get(key, slot),))
 
 
@@ -228,7 +228,7 @@ def kept(run: Run, key: int, values: Iterable[Value], name: str | None = None) -
     if not given:
         return
     if name is not None:
-        run.store.held.setdefault(key, {})[name] = None
+        run.store.note_held(key, name)
     how = run.escapes.objects.get(key)
     if how is not None:
         _spread(run, given, how)
@@ -242,7 +242,7 @@ def assigned(run: Run, target: Value, name: str, value: Value) -> None:
     if not carries((value,)):
         return
     if isinstance(target, ClassValue):
-        run.store.held.setdefault(target.key, {})[name] = None
+        run.store.note_held(target.key, name)
         root = Root(target.scope.module, name, target.ir.name)
         run.escapes.shared.append(Shared(root, (value,), _place(run, None)))
         return

@@ -1,0 +1,82 @@
+"""The programs of a workspace, kept from one run to the next."""
+
+from __future__ import annotations
+
+import hashlib
+import os
+from collections.abc import Callable, Collection, Iterable, Mapping
+from dataclasses import astuple, dataclass
+from typing import TYPE_CHECKING
+
+from archlint.engine.result_cache import own_code
+from archlint.programs.kept import KeptPrograms
+from archlint.workspace.test_code import FileRoles
+
+if TYPE_CHECKING:
+    from archlint.interpreter.modules import ModuleIndex
+    from archlint.syntax.cache import NullStore, Store
+    from archlint.syntax.files import FactsOfFiles
+    from archlint.workspace.model import SourceFile, Workspace
+    from archlint.workspace.tree import SourceTree
+
+_MAKES_INTERFACES = "rosidl_generate_interfaces"
+
+
+@dataclass
+class ProgramCache:
+    """Opens and saves what is known of the programs of one workspace."""
+
+    store: Store | NullStore
+    workspace: Workspace
+    facts: FactsOfFiles
+    tree: SourceTree
+
+    def __post_init__(self) -> None:
+        self._by_path = {file.path: file for file in self.workspace.files}
+        self._roles = FileRoles.of(file.relative for file in self.workspace.files)
+        name = [os.getcwd(), self.workspace.root, self.workspace.whole]
+        self._key = hashlib.sha256(repr(name).encode()).hexdigest()
+        self._opened: KeptPrograms | None = None
+
+    def open(
+        self,
+        index: ModuleIndex,
+        import_now: Callable[[Iterable[str]], None],
+        words: Mapping[str, Collection[str]],
+        *generated: object,
+    ) -> KeptPrograms:
+        """What is known so far.  ``words`` are those of each package's CMakeLists.txt, ``generated`` what is known
+        beside of the interfaces that packages make."""
+        making = {name: sorted(found) for name, found in sorted(words.items()) if _MAKES_INTERFACES in found}
+        decisive = [own_code(), making, generated, self._interfaces()]
+        surroundings = hashlib.sha256(repr(decisive).encode()).hexdigest()
+        self._opened = KeptPrograms(
+            index, self._fingerprint, surroundings, import_now, self.store.get_programs(self._key)
+        )
+        return self._opened
+
+    def save(self) -> None:
+        """Keep what is known now for the next run."""
+        if self._opened is None:
+            return
+        self.facts.note_read(self._opened.read_by())
+        if self._opened.changed and self.facts.lasting:
+            self.store.put_programs(self._key, self._opened.dump())
+
+    def _interfaces(self) -> list[tuple[str, str | None, str | None]]:
+        files = (file for file in self.workspace.files if file.kind == "interface")
+        return [(file.relative, file.package, self.tree.text(file.relative)) for file in files]
+
+    def _fingerprint(self, path: str) -> str | None:
+        file = self._by_path.get(path)
+        digest = None if file is None else self.facts.digest(file)
+        return None if file is None or digest is None else self._print(file, digest)
+
+    def _print(self, file: SourceFile, digest: str) -> str:
+        links = [astuple(link) for link in file.links]
+        decisive: list[object] = [digest, file.relative, file.kind, file.package, file.module, links]
+        decisive.append(self._roles.is_test(file.relative))
+        return hashlib.sha256(repr(decisive).encode()).hexdigest()[:24]
+
+
+__all__ = ["ProgramCache"]

@@ -1,0 +1,54 @@
+"""What a run has read of the workspace: the code that it saw, and what it asked for in vain.
+
+Whatever a run gives is decided by that.  Where all of it is as before, the run would give the same again.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable
+from dataclasses import dataclass, field
+
+from archlint.workspace.closure import closure
+
+Lookup = tuple[str, str, int]
+"""An import: the path of the file that it stands in, the name, and how many dots it begins with."""
+
+
+@dataclass(eq=False)
+class Reads:
+    """What one run, or the import of one module, has read; files by their paths."""
+
+    files: set[str] = field(default_factory=set)
+    """The files whose code was looked at."""
+    used: set[str] = field(default_factory=set)
+    """The modules that were imported, or had been before."""
+    lookups: dict[Lookup, str | None] = field(default_factory=dict)
+    """The file that each import means; None where it means none of the workspace."""
+    imports: list[list[str]] = field(default_factory=list)
+    """The modules that ran for the first time: each that was imported first, and those that its import led to."""
+    everything: bool = False
+    """Whether it depends on all that has been imported so far, by whatever program."""
+
+    def with_imports(self, of_module: Callable[[str], Reads | None]) -> Reads:
+        """This, and what the imports of the modules that were used have read in their turn."""
+
+        def used_by(path: str) -> Iterable[str]:
+            reads = of_module(path)
+            return () if reads is None else reads.used
+
+        used = closure(self.used, used_by)
+        parts = [self, *(reads for path in sorted(used) if (reads := of_module(path)) is not None)]
+        files = set(used).union(*(reads.files for reads in parts))
+        lookups = {lookup: file for reads in parts for lookup, file in reads.lookups.items()}
+        everything = any(reads.everything for reads in parts)
+        return Reads(files, set(used), lookups, self.imports, everything)
+
+    def add(self, other: Reads) -> None:
+        """Note what somebody else has read for this one."""
+        self.files |= other.files
+        self.used |= other.used
+        self.lookups.update(other.lookups)
+        self.everything |= other.everything
+
+
+__all__ = ["Lookup", "Reads"]

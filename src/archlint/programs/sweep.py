@@ -1,0 +1,133 @@
+"""The classes and functions that no program has run: each is run alone, callers before what they call."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from archlint import model
+from archlint.interpreter.call_site import CallSite
+from archlint.interpreter.modules import Module
+from archlint.interpreter.values import ClassValue, FunctionValue, Value
+from archlint.libraries.interest import interesting
+from archlint.libraries.rclpy import escapes, node_classes
+from archlint.programs.followed import Definition, Followed, FollowedProgram, Progress
+from archlint.programs.kept import ProgramKey
+from archlint.programs.roots import flags_of
+from archlint.programs.top_level import definitions, place_of
+from archlint.syntax.parts import names_in
+
+if TYPE_CHECKING:
+    from archlint.libraries.run import Run
+
+Row = tuple[Module, Definition]
+
+
+@dataclass
+class Sweep:
+    """Runs what no program has run so far.
+
+    ``follow`` gives what becomes of a program, ``new_run`` begins the run of one, ``value_of`` gives what a module's
+    variable holds.
+    """
+
+    progress: Progress
+    follow: Callable[[ProgramKey, Callable[[], Followed]], Followed]
+    new_run: Callable[[str, Module, model.Role], Run]
+    value_of: Callable[[Module, str], Value | None]
+
+    def run(self, modules: Sequence[Module]) -> None:
+        defined = [(module, self._definitions(module)) for module in modules]
+        classes = [(module, row) for module, rows in defined for row in rows if row.is_class and row.is_own]
+        functions = [(module, row) for module, rows in defined for row in rows if not row.is_class]
+        self._run_classes([(module, cls) for module, cls in classes if cls.is_node])
+        self._run_rest([(module, cls) for module, cls in classes if not cls.is_node], functions)
+
+    def _definitions(self, module: Module) -> list[Definition]:
+        """What a module defines, once it has been imported."""
+
+        def act() -> Followed:
+            run = self.new_run(module.name, module, model.Role.MODULE)
+            with FollowedProgram(run, module) as root:
+                run.import_module(module)
+            names = dict.fromkeys(statement.name for statement in definitions(module.facts.body))
+            rows = (_definition(module, name, self.value_of(module, name)) for name in names)
+            return root.result([row for row in rows if row is not None])
+
+        return self.follow(("module", module.path), act).definitions
+
+    def _run_classes(self, classes: Sequence[Row]) -> None:
+        """Node classes that nothing makes: once, with the constructor's defaults, flags either way.  A class that
+        others here derive from is covered by them."""
+        bases = {base for _, cls in classes for base in cls.bases}
+        for last in (False, True):
+            for module, cls in classes:
+                if (cls.place in bases) is last and cls.place not in self.progress.made:
+                    self._run_alone(module, cls)
+
+    def _run_rest(self, classes: Sequence[Row], functions: Sequence[Row]) -> None:
+        candidates = [row for row in classes if row[1].is_interesting and row[1].place not in self.progress.made]
+        candidates += [row for row in functions if row[1].is_interesting and row[1].place not in self.progress.ran]
+        mentioned: dict[str, int] = {}
+        for _, definition in candidates:
+            for name in definition.names:
+                mentioned[name] = mentioned.get(name, 0) + 1
+        for last in (False, True):
+            for module, definition in candidates:
+                own = 1 if definition.name in definition.names else 0
+                if (mentioned.get(definition.name, 0) > own) is not last:
+                    continue
+                seen = self.progress.made if definition.is_class else self.progress.ran
+                if definition.place not in seen:
+                    self._run_alone(module, definition)
+
+    def _run_alone(self, module: Module, definition: Definition) -> None:
+        def act() -> Followed:
+            value = self.value_of(module, definition.variable)
+            return self._run_class(module, value) if definition.is_class else self._run_function(module, value)
+
+        self.follow(("alone", module.path, definition.variable), act)
+
+    def _run_class(self, module: Module, cls: Value | None) -> Followed:
+        assert isinstance(cls, ClassValue)
+        run = self.new_run(cls.qualified, module, model.Role.INIT)
+        run.program.executable = False
+        with FollowedProgram(run, module, place_of(cls)) as root:
+            init, _ = cls.lookup(run, "__init__")
+            run.call(cls, CallSite(keywords=flags_of(init)))
+        return root.result()
+
+    def _run_function(self, module: Module, function: Value | None) -> Followed:
+        assert isinstance(function, FunctionValue)
+        run = self.new_run(function.qualified, module, model.Role.METHOD)
+        run.program.executable = False
+        with FollowedProgram(run, module, place_of(function)) as root:
+            given = run.call(function, CallSite(keywords=flags_of(function)))
+            escapes.escape(run, [given], f"{function.qualified}() returns it, and nothing here calls that")
+        return root.result()
+
+
+def _definition(module: Module, variable: str, value: Value | None) -> Definition | None:
+    """A class or function that a module's variable holds; None for anything else."""
+    place = None if value is None else place_of(value)
+    if place is None or not isinstance(value, (ClassValue, FunctionValue)):
+        return None
+    mro = value.mro if isinstance(value, ClassValue) else ()
+    is_node = isinstance(value, ClassValue) and node_classes.is_node(value)
+    is_interesting = interesting(value.ir)
+    return Definition(
+        variable,
+        getattr(value.ir, "name", ""),
+        value.qualified,
+        place,
+        isinstance(value, ClassValue),
+        value.scope.module is module,
+        is_node,
+        is_interesting,
+        tuple(base for cls in mro[1:] if (base := place_of(cls)) is not None),
+        names_in(value.ir) if is_interesting and not is_node else frozenset(),
+    )
+
+
+__all__ = ["Sweep"]

@@ -1,0 +1,306 @@
+"""Programs are kept from run to run: what a run gives after any edit is what it gives without a cache."""
+
+from __future__ import annotations
+
+import random
+import re
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+
+from archlint.cli import main
+from archlint.programs.linker import Linker
+
+FILES = {
+    "interfaces/package.xml": """\
+        <package format="3"><name>interfaces</name><version>1.0.0</version><description>d</description>
+        <maintainer email="a@b.c">m</maintainer><license>MIT</license>
+        <buildtool_depend>ament_cmake</buildtool_depend><buildtool_depend>rosidl_default_generators</buildtool_depend>
+        <exec_depend>rosidl_default_runtime</exec_depend>
+        <member_of_group>rosidl_interface_packages</member_of_group>
+        <export><build_type>ament_cmake</build_type></export></package>
+        """,
+    "interfaces/CMakeLists.txt": 'rosidl_generate_interfaces(${PROJECT_NAME} "msg/Speed.msg")\n',
+    "interfaces/msg/Speed.msg": "float32 metres_per_second\n",
+    "robot/package.xml": """\
+        <package format="3"><name>robot</name><version>1.0.0</version><description>d</description>
+        <maintainer email="a@b.c">m</maintainer><license>MIT</license>
+        <exec_depend>rclpy</exec_depend><exec_depend>std_msgs</exec_depend><exec_depend>interfaces</exec_depend>
+        <export><build_type>ament_python</build_type></export></package>
+        """,
+    "robot/resource/robot": "",
+    "robot/setup.cfg": "[develop]\nscript_dir=$base/lib/robot\n[install]\ninstall_scripts=$base/lib/robot\n",
+    "robot/setup.py": """\
+        from setuptools import find_packages, setup
+        from glob import glob
+
+        setup(
+            name='robot',
+            packages=find_packages(),
+            data_files=[
+                ('share/ament_index/resource_index/packages', ['resource/robot']),
+                ('share/robot', ['package.xml']),
+                ('share/robot/launch', glob('launch/*')),
+            ],
+            entry_points={'console_scripts': ['talker = robot.talker:main', 'listener = robot.listener:main']},
+        )
+        """,
+    "robot/robot/__init__.py": "",
+    "robot/robot/names.py": "from robot.prefix import PREFIX\n\nSPEED = PREFIX + 'speed'\n",
+    "robot/robot/prefix.py": "PREFIX = 'drive/'\n",
+    "robot/robot/registry.py": """\
+        NODES = {}
+
+
+        def register(cls):
+            NODES[cls.__name__] = cls
+            return cls
+        """,
+    "robot/robot/base.py": """\
+        from rclpy.node import Node
+
+
+        class Base(Node):
+            def __init__(self, name):
+                super().__init__(name)
+                self.declare_parameter('rate', 10.0)
+
+            def wait_for(self, client):
+                client.wait_for_service()
+        """,
+    "robot/robot/talker.py": """\
+        import rclpy
+        from interfaces.msg import Speed
+        from robot.base import Base
+        from robot.names import SPEED
+
+
+        class Talker(Base):
+            def __init__(self):
+                super().__init__('talker')
+                self.publisher = self.create_publisher(Speed, SPEED, 10)
+                self.create_timer(0.1, self.tick)
+
+            def tick(self):
+                self.publisher.publish(Speed(metres_per_second=1.0))
+
+
+        def main():
+            rclpy.init()
+            rclpy.spin(Talker())
+
+
+        if __name__ == '__main__':
+            main()
+        """,
+    "robot/robot/listener.py": """\
+        import rclpy
+        from interfaces.msg import Speed
+        from std_srvs.srv import Trigger
+        from robot import extra
+        from robot.base import Base
+        from robot.names import SPEED
+        from robot.registry import NODES, register
+
+
+        @register
+        class Listener(Base):
+            def __init__(self):
+                super().__init__('listener')
+                self.create_subscription(Speed, SPEED, self.on_speed, 10)
+                self.client = self.create_client(Trigger, '/stop')
+                self.wait_for(self.client)
+
+            def on_speed(self, message):
+                self.get_logger().info(str(message.metres_per_second))
+
+
+        def main():
+            rclpy.init()
+            node = NODES['Listener']()
+            for cls in Base.__subclasses__():
+                print(cls)
+            rclpy.spin(node)
+        """,
+    "robot/robot/extra.py": """\
+        from rclpy.node import Node
+        from std_msgs.msg import String
+        from robot.registry import register
+
+
+        @register
+        class Extra(Node):
+            def __init__(self):
+                super().__init__('extra')
+                self.publisher = self.create_publisher(String, 'extra', 10)
+
+
+        def publish_on(node, name='alone'):
+            node.create_publisher(String, name, 10)
+        """,
+    "robot/robot/watcher.py": """\
+        import rclpy
+        from std_msgs.msg import String
+        from robot.extra import publish_on
+        from robot.registry import NODES
+
+
+        class Watcher(rclpy.node.Node):
+            def __init__(self):
+                super().__init__('watcher')
+                self.create_subscription(String, 'extra', print, 10)
+                publish_on(self, 'watched')
+
+
+        def main():
+            rclpy.init()
+            node = Watcher()
+            for cls in NODES.values():
+                cls()
+            rclpy.spin(node)
+
+
+        if __name__ == '__main__':
+            main()
+        """,
+    "robot/launch/robot.launch.py": """\
+        from launch import LaunchDescription
+        from launch.actions import DeclareLaunchArgument
+        from launch.substitutions import LaunchConfiguration
+        from launch_ros.actions import Node
+
+
+        def generate_launch_description():
+            return LaunchDescription([
+                DeclareLaunchArgument('rate', default_value='5.0'),
+                Node(package='robot', executable='talker', parameters=[{'rate': LaunchConfiguration('rate')}]),
+                Node(package='robot', executable='listener', remappings=[('drive/speed', 'speed')]),
+            ])
+        """,
+}
+
+Edit = Callable[[Path], object]
+
+
+def replaced(name: str, old: str, new: str) -> Edit:
+    def edit(folder: Path) -> None:
+        path = folder / name
+        if path.exists():
+            path.write_text(path.read_text("utf-8").replace(old, new), "utf-8")
+
+    return edit
+
+
+def written(name: str, text: str) -> Edit:
+    def edit(folder: Path) -> None:
+        (folder / name).parent.mkdir(parents=True, exist_ok=True)
+        (folder / name).write_text(text, "utf-8")
+
+    return edit
+
+
+def removed(name: str) -> Edit:
+    return lambda folder: (folder / name).unlink(missing_ok=True)
+
+
+def restored(name: str) -> Edit:
+    return written(name, FILES[name])
+
+
+EDITS = {
+    "a constant three modules away": replaced("robot/robot/prefix.py", "drive/", "wheels/"),
+    "that constant again": replaced("robot/robot/prefix.py", "wheels/", "/absolute/"),
+    "a comment": replaced("robot/robot/talker.py", "rclpy.spin(", "rclpy.spin(  # until Ctrl-C\n        "),
+    "a module that nothing found before": written("robot/std_srvs/srv.py", "class Trigger:\n    pass\n"),
+    "and its package": written("robot/std_srvs/__init__.py", ""),
+    "a module disappears": removed("robot/robot/names.py"),
+    "it comes back": restored("robot/robot/names.py"),
+    "a package loses its __init__.py": removed("robot/robot/__init__.py"),
+    "it gets one": restored("robot/robot/__init__.py"),
+    "a class registers no more": replaced("robot/robot/extra.py", "@register\n", ""),
+    "a class registers": replaced("robot/robot/extra.py", "class Extra", "@register\nclass Extra"),
+    "a module is not imported": replaced("robot/robot/listener.py", "from robot import extra\n", ""),
+    "a module is imported": replaced(
+        "robot/robot/watcher.py", "import rclpy\n", "import rclpy\nimport robot.listener\n"
+    ),
+    "a field has another name": replaced("interfaces/msg/Speed.msg", "metres_per_second", "speed"),
+    "another interface": replaced("interfaces/CMakeLists.txt", "msg/Speed.msg", "msg/Pace.msg"),
+    "an executable less": replaced("robot/setup.py", ", 'listener = robot.listener:main'", ""),
+    "an executable of another name": replaced("robot/setup.py", "talker =", "speaker ="),
+    "a launch argument": replaced("robot/launch/robot.launch.py", "'5.0'", "'fast'"),
+    "a remapping": replaced("robot/launch/robot.launch.py", "('drive/speed', 'speed')", "('extra', 'speed')"),
+    "another base": replaced("robot/robot/base.py", "'rate', 10.0", "'rates', 10"),
+    "a file that is no Python": written("robot/robot/prefix.py", "PREFIX = (\n"),
+    "a test": written("robot/test/test_talker.py", "from robot.talker import Talker\n\n\ndef test():\n    Talker()\n"),
+    "a name that starts with another case": replaced("robot/robot/talker.py", "'talker'", "'Talker'"),
+}
+
+
+@pytest.fixture
+def workspace(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    folder = tmp_path / "ws"
+    for name, text in FILES.items():
+        lines = text.split("\n")
+        indent = len(lines[0]) - len(lines[0].lstrip())
+        written(name, "\n".join(line[indent:] if line[:indent].isspace() else line for line in lines))(folder)
+    monkeypatch.chdir(folder)
+    return folder
+
+
+@pytest.fixture
+def outputs(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> Callable[..., list[str]]:
+    """What `check` and `graph` print, with a cache or without one."""
+
+    def run(cached: bool) -> list[str]:
+        cache = ["--cache-dir", str(tmp_path / "cache")] if cached else ["--no-cache"]
+        printed = []
+        for command in (["check", "--exit-zero"], ["graph"]):
+            main([*command, ".", "--format", "json", "--jobs", "1", "--isolated", *cache])
+            printed.append(re.sub(r'"elapsed_s": [\d.e-]+', "", capsys.readouterr().out))
+        return printed
+
+    return run
+
+
+@pytest.fixture
+def followed(monkeypatch: pytest.MonkeyPatch) -> list[object]:
+    """The programs that are followed, and not known from an earlier run."""
+    keys: list[object] = []
+    follow = Linker.follow
+
+    def noting(self, key, act):
+        return follow(self, key, lambda: [keys.append(key), act()][1])
+
+    monkeypatch.setattr(Linker, "follow", noting)
+    return keys
+
+
+def test_only_what_an_edit_can_change_is_followed_again(workspace, outputs, followed):
+    replaced("robot/robot/listener.py", "Base.__subclasses__()", "[]")(workspace)  # this asks for all modules
+    outputs(cached=True)
+    followed.clear()
+    replaced("robot/robot/talker.py", "0.1", "0.2")(workspace)
+    outputs(cached=True)
+    assert {key[3] for key in followed if key[0] == "entry"} == {"robot/robot/talker.py"}
+    followed.clear()
+    replaced("robot/robot/prefix.py", "drive", "wheels")(workspace)
+    outputs(cached=True)
+    files = {key[3] for key in followed if key[0] == "entry"}
+    assert files == {"robot/robot/talker.py", "robot/robot/listener.py"}
+
+
+@pytest.mark.parametrize("name", EDITS)
+def test_an_edit_gives_what_a_run_without_a_cache_gives(workspace, outputs, name):
+    assert outputs(cached=True) == outputs(cached=False)
+    EDITS[name](workspace)
+    assert outputs(cached=True) == outputs(cached=False)
+
+
+@pytest.mark.parametrize("seed", range(3))
+def test_one_edit_after_another_gives_what_runs_without_a_cache_give(workspace, outputs, seed):
+    chance = random.Random(seed)
+    outputs(cached=True)
+    for name in chance.sample(sorted(EDITS), 8):
+        EDITS[name](workspace)
+        assert outputs(cached=True) == outputs(cached=False), name
