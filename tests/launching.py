@@ -6,7 +6,8 @@ from collections.abc import Callable
 from pathlib import Path
 
 from archlint.launch.launches import Launches as WorkspaceLaunches
-from archlint.launch.model import Launched, Started
+from archlint.launch.model import Launched
+from archlint.launch.started import Started
 from archlint.programs.entry_points import read_installs
 from archlint.syntax.compile import compile_python
 from archlint.syntax.python.deep_stack import call_with_deep_stack

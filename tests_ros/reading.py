@@ -15,7 +15,8 @@ import yaml
 from archlint.config.settings import load
 from archlint.engine.pipeline import Request
 from archlint.engine.pipeline import graph as system_of
-from archlint.launch.model import ParameterFileUse, ParameterSetting, Started
+from archlint.launch.parameter_sources import ParameterFileUse, ParameterSetting
+from archlint.launch.started import Started
 from archlint.render.json import render
 from archlint.syntax.parameter_files import NotKnown
 

@@ -15,7 +15,9 @@ from archlint.engine.inputs import find_files, parts_of
 from archlint.engine.pipeline import store_of
 from archlint.engine.request import Request
 from archlint.launch.launches import Launches
-from archlint.launch.model import Launched, OpenParameters, ParameterFileUse, ParameterSetting, Started
+from archlint.launch.model import Launched
+from archlint.launch.parameter_sources import OpenParameters, ParameterFileUse, ParameterSetting
+from archlint.launch.started import Started
 from archlint.model import Text
 from archlint.programs.entry_points import read_installs
 from archlint.ros import names

@@ -18,7 +18,8 @@ from .defect import Defect
 from .python_source import Edit, Lines
 
 if TYPE_CHECKING:
-    from archlint.systems.model import Connection, Endpoint, System
+    from archlint.systems.model import System
+    from archlint.systems.nodes import Connection, Endpoint
 
 RULES = {"topic": ("TOP002", "TOP003", "TOP004"), "service": ("SRV001",), "action": ("ACT001",)}
 

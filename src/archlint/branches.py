@@ -30,3 +30,12 @@ def exclusive(one: BranchArms, other: BranchArms) -> bool:
     """Whether two sets name different arms of one branch."""
     arms = dict(one)
     return any(branch in arms and arms[branch] != arm for branch, arm in other)
+
+
+def runs_along(arms: BranchArms, other: BranchArms) -> bool:
+    """Whether, of two nodes in these branches, one runs whenever the other does, and the other may.
+
+    A condition that is not followed may never hold: a node under it is held only against one under the same.
+    """
+    few, more = sorted((arms, other), key=len)
+    return few <= more and not any(isinstance(branch, UnfollowedCondition) for branch, _ in more - few)

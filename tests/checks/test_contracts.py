@@ -16,7 +16,8 @@ from archlint.config.settings import ConfigurationError, load
 from archlint.engine.judging import judge
 from archlint.finding import Finding
 from archlint.ros.qos import Qos
-from archlint.systems.model import Node, System, WorkspaceIndex
+from archlint.systems.model import System, WorkspaceIndex
+from archlint.systems.nodes import Node
 from systems.builders import client, node, publisher, service, subscriber, system, unknown
 
 

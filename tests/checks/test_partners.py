@@ -10,9 +10,12 @@ from archlint.config.settings import Settings
 from archlint.engine.judging import judge
 from archlint.finding import Finding, Place
 from archlint.launch.kinds import FileKind, FileStatus, StartedKind
-from archlint.launch.model import FileReference, Gap, Included, Launched, Started
+from archlint.launch.model import Gap, Included, Launched
+from archlint.launch.named_files import FileReference
+from archlint.launch.started import Started
 from archlint.ros.qos import Qos
-from archlint.systems.model import Node, System
+from archlint.systems.model import System
+from archlint.systems.nodes import Node
 from systems.builders import (
     action_client,
     action_server,

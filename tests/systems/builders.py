@@ -19,7 +19,8 @@ from archlint.finding import Place
 from archlint.model import Blueprint, Callback, Creation, Group, ParameterDeclaration, Program, Text
 from archlint.ros.qos import Qos
 from archlint.systems.instances import instantiate
-from archlint.systems.model import Node, System
+from archlint.systems.model import System
+from archlint.systems.nodes import Node
 
 KNOWN = Qos()
 """Keep last 10, reliable, volatile: what ``10`` means to rclpy."""

@@ -4,7 +4,7 @@ from archlint.ros import qos
 from archlint.ros.remapping import RemapRule
 from archlint.systems.implicit import implicit_endpoints, implicit_names, with_implicit
 from archlint.systems.instances import instantiate
-from archlint.systems.model import Endpoint, Node
+from archlint.systems.nodes import Endpoint, Node
 from systems.builders import action_client, action_server, blueprint, exact, node, system, unknown
 
 

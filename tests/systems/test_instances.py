@@ -7,7 +7,8 @@ import pytest
 from archlint.model import Blueprint, Program, Text
 from archlint.ros.remapping import RemapRule
 from archlint.systems.instances import assemble, dependencies_within, instantiate
-from archlint.systems.model import Endpoint, Node, System
+from archlint.systems.model import System
+from archlint.systems.nodes import Endpoint, Node
 from archlint.workspace.model import Dependency, Package, SourceFile, Workspace
 from systems.builders import (
     action_server,

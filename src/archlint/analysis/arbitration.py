@@ -22,7 +22,8 @@ from archlint.syntax.walk import called_name, calls_in, parts_of, statements_of
 if TYPE_CHECKING:
     from archlint.finding import Place
     from archlint.model import ApiCall
-    from archlint.systems.model import Endpoint, Node, System
+    from archlint.systems.model import System
+    from archlint.systems.nodes import Endpoint, Node
 
 _PUBLISH = "rclpy.publisher.Publisher.publish"
 _WORD = frozenset({"Bool", "String", "Int8", "Int16", "Int32", "Int64", "UInt8", "UInt16", "UInt32", "UInt64"})

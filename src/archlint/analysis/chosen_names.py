@@ -10,10 +10,11 @@ import re
 from typing import TYPE_CHECKING
 
 from archlint.launch.kinds import FileStatus
-from archlint.launch.model import files_among
+from archlint.launch.parameter_sources import files_among
 
 if TYPE_CHECKING:
-    from archlint.launch.model import Launched, Started
+    from archlint.launch.model import Launched
+    from archlint.launch.started import Started
 
 _BETWEEN = re.compile(r"[,;\s]+")
 

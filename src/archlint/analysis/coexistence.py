@@ -11,18 +11,16 @@ from itertools import combinations
 from typing import TYPE_CHECKING
 
 from archlint.analysis.completeness import called_names
-from archlint.branches import exclusive
+from archlint.branches import exclusive, runs_along
 from archlint.model import (
     EntityKind,
     Role,
 )
-from archlint.systems.model import (
-    key_of,
-    runs_along,
-)
+from archlint.systems.nodes import key_of
 
 if TYPE_CHECKING:
-    from archlint.systems.model import Connection, Endpoint, Node, System
+    from archlint.systems.model import System
+    from archlint.systems.nodes import Connection, Endpoint, Node
 
 _NEVER_REACHED = frozenset({Role.METHOD})
 """Roles of code that nothing in the workspace is seen to run."""

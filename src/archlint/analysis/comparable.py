@@ -9,7 +9,8 @@ from archlint.analysis.completeness import in_sight as followed
 
 if TYPE_CHECKING:
     from archlint.finding import Place
-    from archlint.systems.model import Node, System
+    from archlint.systems.model import System
+    from archlint.systems.nodes import Node
 
 
 def what_is_compared(system: System) -> str:

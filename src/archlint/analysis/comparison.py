@@ -22,7 +22,8 @@ from archlint.suggestions import did_you_mean
 
 if TYPE_CHECKING:
     from archlint.finding import Place
-    from archlint.systems.model import Node, System
+    from archlint.systems.model import System
+    from archlint.systems.nodes import Node
 
 _OF_TOOLS = re.compile(r"/(launch_ros_\d+|rosbag2_recorder|(.*/)?transform_listener_impl_[0-9a-f]+)")
 """Nodes that launch and tf2 start for themselves, under a name that is new each time, and what records a bag."""

@@ -17,7 +17,8 @@ if TYPE_CHECKING:
     from archlint.model import EntityKind
     from archlint.observed.model import Status
     from archlint.ros.qos import Qos
-    from archlint.systems.model import Endpoint, Node, System
+    from archlint.systems.model import System
+    from archlint.systems.nodes import Endpoint, Node
 
 VERBS = {
     program.EntityKind.PUBLISHER: ("publishes", "publisher"),

@@ -21,7 +21,8 @@ from archlint.systems.implicit import implicit_names
 
 if TYPE_CHECKING:
     from archlint.ros.qos import Qos
-    from archlint.systems.model import Connection, Endpoint, System
+    from archlint.systems.model import System
+    from archlint.systems.nodes import Connection, Endpoint
 
 
 _OF_THE_RECORDER = "rosbag2_interfaces/"

@@ -11,7 +11,8 @@ from archlint.syntax.parts import everything_in
 
 if TYPE_CHECKING:
     from archlint.model import Blueprint
-    from archlint.systems.model import Node, WorkspaceIndex
+    from archlint.systems.model import WorkspaceIndex
+    from archlint.systems.nodes import Node
 
 _NODE_BASES = frozenset({"Node", "LifecycleNode", "object", "ABC", "Generic", "Protocol"})
 

@@ -8,7 +8,7 @@ from archlint.analysis.completeness import in_sight
 
 if TYPE_CHECKING:
     from archlint.model import ParameterDeclaration
-    from archlint.systems.model import Node
+    from archlint.systems.nodes import Node
 
 _ALWAYS = frozenset({"use_sim_time", "start_type_description_service"})
 """Parameters that rclpy declares for every node."""

@@ -10,7 +10,8 @@ from archlint.analysis.coexistence import are_alternatives, certain, coexist, in
 from archlint.ros.qos import Verdict, compatible
 
 if TYPE_CHECKING:
-    from archlint.systems.model import Connection, Endpoint, Node, System
+    from archlint.systems.model import System
+    from archlint.systems.nodes import Connection, Endpoint, Node
 
 
 @dataclass(frozen=True)

@@ -14,7 +14,8 @@ from archlint.syntax.parts import everything_in
 from archlint.syntax.walk import called_name, calls_in, parts_of, statements_of
 
 if TYPE_CHECKING:
-    from archlint.systems.model import Endpoint, WorkspaceIndex
+    from archlint.systems.model import WorkspaceIndex
+    from archlint.systems.nodes import Endpoint
 
 _MODELS = (".sdf", ".world", ".urdf", ".xacro")
 _TOPIC = re.compile(r"<(?:topic|topic_name|odom_topic|service)>\s*(/[^<\s/]+/[^<\s]+)\s*</")

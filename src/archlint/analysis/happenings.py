@@ -13,7 +13,8 @@ from archlint.syntax.walk import statements_of
 if TYPE_CHECKING:
     from archlint.finding import Place
     from archlint.model import ApiCall
-    from archlint.systems.model import Connection, Endpoint, System
+    from archlint.systems.model import System
+    from archlint.systems.nodes import Connection, Endpoint
 
 _PUBLISH = "rclpy.publisher.Publisher.publish"
 _BOOL = "std_msgs/msg/Bool"

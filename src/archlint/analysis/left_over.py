@@ -17,7 +17,8 @@ from archlint.syntax.parts import everything_in
 if TYPE_CHECKING:
     from archlint.finding import Place
     from archlint.model import ApiCall, Program
-    from archlint.systems.model import Endpoint, WorkspaceIndex
+    from archlint.systems.model import WorkspaceIndex
+    from archlint.systems.nodes import Endpoint
 
 _BY_NAME = frozenset({"getattr", "vars", "__dict__"})
 """With one of these an attribute may be used that is not written out, unless ``getattr`` is given a literal."""

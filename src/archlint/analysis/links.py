@@ -11,7 +11,8 @@ from archlint.architecture import ACTION, SERVICE, TOPIC, Contract, Globs, match
 from archlint.branches import exclusive
 
 if TYPE_CHECKING:
-    from archlint.systems.model import Connection, Endpoint, Node, System
+    from archlint.systems.model import System
+    from archlint.systems.nodes import Connection, Endpoint, Node
 
 _DOES = {
     TOPIC: ("publishes", "subscribes to it"),

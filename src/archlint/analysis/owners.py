@@ -19,7 +19,8 @@ from archlint.analysis.left_over import is_left_over
 from archlint.model import EntityKind
 
 if TYPE_CHECKING:
-    from archlint.systems.model import Connection, Endpoint, Node, System
+    from archlint.systems.model import System
+    from archlint.systems.nodes import Connection, Endpoint, Node
 
 
 def several_owners(system: System, connection: Connection) -> Iterator[list[Endpoint]]:

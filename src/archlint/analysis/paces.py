@@ -17,7 +17,8 @@ from archlint.model import GroupKind, Role
 if TYPE_CHECKING:
     from archlint.finding import Place
     from archlint.model import ApiCall, Callback, Creation
-    from archlint.systems.model import Endpoint, System
+    from archlint.systems.model import System
+    from archlint.systems.nodes import Endpoint
 
 _PUBLISH = "rclpy.publisher.Publisher.publish"
 _SEND_GOAL = "rclpy.action.client.ActionClient.send_goal_async"

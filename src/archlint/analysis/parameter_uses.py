@@ -14,7 +14,8 @@ from archlint.syntax.parts import everything_in
 
 if TYPE_CHECKING:
     from archlint.model import ApiCall, ParameterDeclaration
-    from archlint.systems.model import Node, System, WorkspaceIndex
+    from archlint.systems.model import System, WorkspaceIndex
+    from archlint.systems.nodes import Node
 
 _BY_NAME_UNSEEN = frozenset({"get_parameters_by_prefix", "get_parameters"})
 """Methods that may read any parameter."""

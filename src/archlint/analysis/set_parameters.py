@@ -5,11 +5,13 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
-from archlint.launch.model import ParameterFileUse, Started
+from archlint.launch.parameter_sources import ParameterFileUse
+from archlint.launch.started import Started
 from archlint.systems.overrides import Setting, applied
 
 if TYPE_CHECKING:
-    from archlint.systems.model import Node, System, WorkspaceIndex
+    from archlint.systems.model import System, WorkspaceIndex
+    from archlint.systems.nodes import Node
 
 
 def called(node: Node) -> str:

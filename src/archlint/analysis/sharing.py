@@ -6,7 +6,8 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
-    from archlint.systems.model import Connection, Endpoint, WorkspaceIndex
+    from archlint.systems.model import WorkspaceIndex
+    from archlint.systems.nodes import Connection, Endpoint
 
 _COMMANDS = frozenset(
     {

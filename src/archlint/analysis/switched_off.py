@@ -15,7 +15,8 @@ from archlint.syntax.walk import called_name, calls_in
 if TYPE_CHECKING:
     from archlint.finding import Place
     from archlint.model import ApiCall
-    from archlint.systems.model import Endpoint, System
+    from archlint.systems.model import System
+    from archlint.systems.nodes import Endpoint
 
 _READS = frozenset({"get_parameter", "declare_parameter"})
 

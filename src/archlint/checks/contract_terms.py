@@ -17,7 +17,8 @@ from archlint.model import (
 from archlint.ros.qos import allowed
 
 if TYPE_CHECKING:
-    from archlint.systems.model import Connection, Endpoint, System
+    from archlint.systems.model import System
+    from archlint.systems.nodes import Connection, Endpoint
 
 
 def other_types(system: System, contract: Contract) -> Iterator[Finding]:

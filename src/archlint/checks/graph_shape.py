@@ -16,7 +16,8 @@ from archlint.systems.rates import rates
 from archlint.systems.shape import connected, splits
 
 if TYPE_CHECKING:
-    from archlint.systems.model import Endpoint, Node, System
+    from archlint.systems.model import System
+    from archlint.systems.nodes import Endpoint, Node
 
 
 @rule("GRF001", scope=Scope.SYSTEM)

@@ -19,13 +19,12 @@ from archlint.checks.scope import Scope
 from archlint.finding import Finding, Related, Severity
 from archlint.model import NAMED
 from archlint.ros.well_known import ABSOLUTE
-from archlint.systems.model import (
-    key_of,
-)
+from archlint.systems.nodes import key_of
 
 if TYPE_CHECKING:
     from archlint.finding import Place
-    from archlint.systems.model import Endpoint, Node, System, WorkspaceIndex
+    from archlint.systems.model import System, WorkspaceIndex
+    from archlint.systems.nodes import Endpoint, Node
 
 FIXED_BY_OTHERS = {
     "/fmu/": "PX4",

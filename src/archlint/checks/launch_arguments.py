@@ -13,12 +13,13 @@ from archlint.checks.folding import folds
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.finding import Finding, Related, Severity
-from archlint.launch.model import ParameterFileUse
+from archlint.launch.parameter_sources import ParameterFileUse
 from archlint.suggestions import did_you_mean, listed
 
 if TYPE_CHECKING:
     from archlint.finding import Place
-    from archlint.launch.model import Included, Launched, UndeclaredUse
+    from archlint.launch.mistakes import UndeclaredUse
+    from archlint.launch.model import Included, Launched
     from archlint.systems.model import System, WorkspaceIndex
 
 

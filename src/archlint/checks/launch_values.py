@@ -12,7 +12,7 @@ from archlint.checks.scope import Scope
 from archlint.finding import Finding, Related
 
 if TYPE_CHECKING:
-    from archlint.launch.model import WithoutContext
+    from archlint.launch.mistakes import WithoutContext
     from archlint.systems.model import System
 
 

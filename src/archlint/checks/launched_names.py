@@ -10,13 +10,15 @@ from archlint.finding import Finding, Related
 from archlint.launch.kinds import StartedKind
 from archlint.ros import names
 from archlint.ros.remapping import RemapRule
-from archlint.systems.model import key_of
+from archlint.systems.nodes import key_of
 
 if TYPE_CHECKING:
     from archlint.finding import Place
-    from archlint.launch.model import Launched, Remap, Started
+    from archlint.launch.model import Launched
+    from archlint.launch.started import Remap, Started
     from archlint.model import Text
-    from archlint.systems.model import Node, System
+    from archlint.systems.model import System
+    from archlint.systems.nodes import Node
 
 
 def names_given_by_launch(system: System) -> Iterator[Finding]:

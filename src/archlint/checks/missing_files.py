@@ -20,7 +20,7 @@ from archlint.suggestions import common_words, did_you_mean, distance, have_same
 
 if TYPE_CHECKING:
     from archlint.finding import Place
-    from archlint.launch.model import FileReference
+    from archlint.launch.named_files import FileReference
     from archlint.systems.model import System, WorkspaceIndex
 
 _WHAT = {

@@ -18,7 +18,8 @@ from archlint.systems.overrides import Setting, applied
 
 if TYPE_CHECKING:
     from archlint.finding import Place
-    from archlint.systems.model import Endpoint, Node, System
+    from archlint.systems.model import System
+    from archlint.systems.nodes import Endpoint, Node
 
 
 def _written_elsewhere(endpoints: list[Endpoint]) -> list[Related]:

@@ -15,7 +15,8 @@ from archlint.systems.externals import may_use
 
 if TYPE_CHECKING:
     from archlint.finding import Place
-    from archlint.systems.model import Connection, Endpoint, System
+    from archlint.systems.model import System
+    from archlint.systems.nodes import Connection, Endpoint
 
 _LONG_WORD = 7
 """From this length on, two edits are a slip; below, one is."""

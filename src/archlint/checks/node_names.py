@@ -7,18 +7,16 @@ from collections.abc import Iterator
 from itertools import combinations, groupby
 from typing import TYPE_CHECKING
 
-from archlint.branches import exclusive
+from archlint.branches import exclusive, runs_along
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.finding import Finding, Related
-from archlint.systems.model import (
-    runs_along,
-)
 
 if TYPE_CHECKING:
     from archlint.finding import Place
-    from archlint.launch.model import Started
-    from archlint.systems.model import Node, System
+    from archlint.launch.started import Started
+    from archlint.systems.model import System
+    from archlint.systems.nodes import Node
 
 Twins = tuple["Node", "Node"]
 

@@ -11,7 +11,8 @@ from archlint.checks.scope import Scope
 from archlint.finding import Finding
 
 if TYPE_CHECKING:
-    from archlint.systems.model import Node, System
+    from archlint.systems.model import System
+    from archlint.systems.nodes import Node
 
 
 @rule("GRF002", scope=Scope.CODE)

@@ -11,7 +11,8 @@ from archlint.checks.registry import finding
 from archlint.finding import Finding, Related, Severity
 
 if TYPE_CHECKING:
-    from archlint.systems.model import Endpoint, System
+    from archlint.systems.model import System
+    from archlint.systems.nodes import Endpoint
 
 
 def finding_for_owners(

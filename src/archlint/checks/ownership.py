@@ -24,7 +24,8 @@ from archlint.finding import Finding, Related, Severity
 from archlint.ros.well_known import OF_MANY_PUBLISHERS, TYPES_OF_MANY_PUBLISHERS
 
 if TYPE_CHECKING:
-    from archlint.systems.model import Connection, Endpoint, System
+    from archlint.systems.model import System
+    from archlint.systems.nodes import Connection, Endpoint
 
 
 @rule("OWN001", scope=Scope.SYSTEM)

@@ -14,13 +14,14 @@ from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.finding import Finding, Place, Related
 from archlint.suggestions import did_you_mean, listed
-from archlint.systems.model import key_of
+from archlint.systems.nodes import key_of
 from archlint.systems.overrides import Setting, applied, key_matches
 
 if TYPE_CHECKING:
-    from archlint.launch.model import Started
+    from archlint.launch.started import Started
     from archlint.model import Blueprint, ParameterDeclaration
-    from archlint.systems.model import Node, System, WorkspaceIndex
+    from archlint.systems.model import System, WorkspaceIndex
+    from archlint.systems.nodes import Node
 
 
 @rule("PRM004", scope=Scope.SYSTEM)

@@ -16,7 +16,8 @@ from archlint.suggestions import did_you_mean
 
 if TYPE_CHECKING:
     from archlint.model import ApiCall, ParameterDeclaration
-    from archlint.systems.model import Node, System
+    from archlint.systems.model import System
+    from archlint.systems.nodes import Node
 
 
 @rule("PRM003", scope=Scope.CODE)

@@ -16,14 +16,15 @@ from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.finding import Finding, Place, Related
 from archlint.launch.kinds import FileStatus
-from archlint.launch.model import ParameterFileUse
+from archlint.launch.parameter_sources import ParameterFileUse
 from archlint.suggestions import did_you_mean, listed
-from archlint.systems.model import key_of
+from archlint.systems.nodes import key_of
 from archlint.systems.overrides import key_matches
 
 if TYPE_CHECKING:
     from archlint.launch.model import Included
-    from archlint.systems.model import Node, System, WorkspaceIndex
+    from archlint.systems.model import System, WorkspaceIndex
+    from archlint.systems.nodes import Node
 
 
 @dataclass(frozen=True)

@@ -12,7 +12,8 @@ from archlint.finding import Finding, Related
 
 if TYPE_CHECKING:
     from archlint.model import Blueprint, ParameterDeclaration
-    from archlint.systems.model import Node, System, WorkspaceIndex
+    from archlint.systems.model import System, WorkspaceIndex
+    from archlint.systems.nodes import Node
 
 
 @rule("PRM008", scope=Scope.CODE)

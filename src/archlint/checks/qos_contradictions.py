@@ -13,7 +13,8 @@ from archlint.model import EntityKind
 if TYPE_CHECKING:
     from archlint.finding import Place
     from archlint.ros.qos import Qos
-    from archlint.systems.model import Endpoint, System
+    from archlint.systems.model import System
+    from archlint.systems.nodes import Endpoint
 
 
 @rule("QOS004", scope=Scope.SYSTEM)

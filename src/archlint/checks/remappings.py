@@ -17,8 +17,9 @@ from archlint.suggestions import did_you_mean, listed
 from archlint.systems.instances import instantiate
 
 if TYPE_CHECKING:
-    from archlint.launch.model import Remap, Started
-    from archlint.systems.model import Node, System
+    from archlint.launch.started import Remap, Started
+    from archlint.systems.model import System
+    from archlint.systems.nodes import Node
 
 
 @rule("LCH002", scope=Scope.AS_LAUNCHED)

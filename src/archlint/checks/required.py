@@ -16,7 +16,8 @@ from archlint.model import (
 )
 
 if TYPE_CHECKING:
-    from archlint.systems.model import Connection, Endpoint, Node, System
+    from archlint.systems.model import System
+    from archlint.systems.nodes import Connection, Endpoint, Node
 
 _ENDS = {
     "topic": ((EntityKind.PUBLISHER, "publish"), (EntityKind.SUBSCRIBER, "subscribe to")),

@@ -18,7 +18,8 @@ from archlint.model import (
 )
 
 if TYPE_CHECKING:
-    from archlint.systems.model import Endpoint, Node, System
+    from archlint.systems.model import System
+    from archlint.systems.nodes import Endpoint, Node
 
 _SERVER_OF = {EntityKind.CLIENT: EntityKind.SERVICE, EntityKind.ACTION_CLIENT: EntityKind.ACTION_SERVER}
 _HANDLES = {Role.SERVICE: EntityKind.SERVICE, Role.EXECUTE: EntityKind.ACTION_SERVER}

@@ -15,7 +15,8 @@ from archlint.model import (
 )
 
 if TYPE_CHECKING:
-    from archlint.systems.model import Connection, Endpoint, System
+    from archlint.systems.model import System
+    from archlint.systems.nodes import Connection, Endpoint
 
 _DOES = {
     EntityKind.PUBLISHER: "publishes",

@@ -24,7 +24,7 @@ from archlint.workspace.closure import closure
 from archlint.workspace.manifest import condition_holds
 
 if TYPE_CHECKING:
-    from archlint.launch.model import Started
+    from archlint.launch.started import Started
     from archlint.systems.model import System, WorkspaceIndex
     from archlint.workspace.model import Package
 

@@ -21,7 +21,8 @@ from archlint.ros.well_known import FOR_TOOLS, TYPES_OF_MANY_PUBLISHERS
 from archlint.systems.implicit import implicit_names
 
 if TYPE_CHECKING:
-    from archlint.systems.model import Connection, Endpoint, Node, System, WorkspaceIndex
+    from archlint.systems.model import System, WorkspaceIndex
+    from archlint.systems.nodes import Connection, Endpoint, Node
 
 _PARTNER = {
     EntityKind.PUBLISHER: EntityKind.SUBSCRIBER,

@@ -17,6 +17,7 @@ from archlint.interpreter.values import (
     Value,
     alternatives,
 )
+from archlint.launch.functions import ask
 from archlint.launch.objects import LaunchObject, argument, kind_of, known_text, made_by_base, own_method
 from archlint.launch.shape import Shape
 from archlint.launch.shapes import shape_of
@@ -73,7 +74,7 @@ def _asked(run: LaunchRun, condition: Value) -> bool | None:
     predicate = _own_predicate(run, condition) or argument(made, "predicate")
     if predicate is None:
         return None
-    return run.ask(predicate).truth(run)
+    return ask(run, predicate).truth(run)
 
 
 def _own_predicate(run: LaunchRun, condition: Value) -> Value | None:

@@ -5,8 +5,9 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 
 from archlint.interpreter.values import Holed, Known, Unknown, Value, alternatives, join_texts, one_of
-from archlint.launch.model import OpenParameters, ParameterFileUse, ParameterSetting, Remap
 from archlint.launch.objects import known_text
+from archlint.launch.parameter_sources import OpenParameters, ParameterFileUse, ParameterSetting
+from archlint.launch.started import Remap
 
 Global = list["ParameterSetting | ParameterFileUse | OpenParameters"]
 

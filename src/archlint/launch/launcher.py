@@ -12,14 +12,15 @@ from archlint.launch.files import GENERATE
 from archlint.launch.frontends.elements import actions_of
 from archlint.launch.kinds import FileStatus, GapKind
 from archlint.launch.library import LaunchFileLibrary
-from archlint.launch.model import why_unknown
+from archlint.launch.named_files import why_unknown
 from archlint.launch.run import LaunchRun
 from archlint.launch.substitutions import performing
 from archlint.launch.undefined import undefined_name
 
 if TYPE_CHECKING:
     from archlint.interpreter.values import Value
-    from archlint.launch.model import FileReference, Launched
+    from archlint.launch.model import Launched
+    from archlint.launch.named_files import FileReference
     from archlint.launch.run import Surroundings
     from archlint.launch.verdict import Verdict
 

@@ -18,8 +18,8 @@ from archlint.interpreter.values import (
     reason,
 )
 from archlint.launch.kinds import FileKind
-from archlint.launch.model import OpenParameters, ParameterFileUse, ParameterSetting
 from archlint.launch.objects import LaunchObject, kind_of, known_text, place_of
+from archlint.launch.parameter_sources import OpenParameters, ParameterFileUse, ParameterSetting
 from archlint.launch.tables import SUBSTITUTIONS
 from archlint.syntax.parameter_files import NotKnown, ParameterData
 from archlint.syntax.safe_yaml import YamlError, YamlReader, plain_scalar

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 
 from archlint.interpreter.values import Known, Unknown, Value, reason
 from archlint.launch.kinds import FileKind, FileStatus
-from archlint.launch.model import FileReference
+from archlint.launch.named_files import FileReference
 
 if TYPE_CHECKING:
     from archlint.finding import Place

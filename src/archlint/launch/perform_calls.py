@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 from archlint.interpreter.refusals import is_certain
 from archlint.interpreter.values import DictValue, Known, ListValue, Unknown, Value
-from archlint.launch.model import WithoutContext
+from archlint.launch.mistakes import WithoutContext
 from archlint.launch.objects import argument, kind_of, made_by_base
 from archlint.syntax import facts
 

@@ -8,37 +8,27 @@ from __future__ import annotations
 
 import posixpath
 from abc import abstractmethod
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, TypeVar
 
 from archlint import model
 from archlint.branches import BranchArms
 from archlint.finding import Place
 from archlint.interpreter import containers, values
-from archlint.interpreter.call_site import CallSite
 from archlint.interpreter.machine import FEW_STEPS, PROGRAM_STEPS
-from archlint.interpreter.roots import enter_root, module_of
-from archlint.interpreter.values import DictValue, Known, OneOf, Unknown, Value
+from archlint.interpreter.roots import enter_root
+from archlint.interpreter.values import DictValue, Known, OneOf, Value
 from archlint.launch.argument_names import AGAIN, ArgumentNames
 from archlint.launch.context import Context
 from archlint.launch.given_arguments import GivenArguments
 from archlint.launch.kinds import FileKind, GapKind
-from archlint.launch.model import (
-    FileReference,
-    Gap,
-    Launched,
-    MadeFile,
-    NotACondition,
-    Started,
-    UndeclaredUse,
-    UnknownAttribute,
-    WithoutContext,
-    merge,
-    once_more,
-)
-from archlint.launch.objects import known_text, launch_object
+from archlint.launch.mistakes import NotACondition, UndeclaredUse, UnknownAttribute, WithoutContext
+from archlint.launch.model import Gap, Launched
+from archlint.launch.named_files import FileReference, MadeFile
+from archlint.launch.objects import known_text
+from archlint.launch.started import Started, StartedProcesses
 from archlint.libraries.run import Run
 
 if TYPE_CHECKING:
@@ -50,6 +40,8 @@ if TYPE_CHECKING:
     from archlint.launch.paths import LaunchPaths
     from archlint.launch.verdict import Verdict
 
+
+_Noted = TypeVar("_Noted")
 
 LAUNCH_STEPS = 400_000
 """How many statements all functions of one launch may run: each OpaqueFunction is a run of its own."""
@@ -109,9 +101,7 @@ class LaunchRun(Run):
         """The argument whose default value is performed now."""
         self._values: dict[str, list[str]] = {}
         self._seen: set[object] = set()
-        self._started: dict[object, bool] = {}
-        """What has been started, and whether an event handler does that."""
-        self._by_place: dict[Place, list[Started]] = {}
+        self._processes = StartedProcesses(result.started)
         self.in_handler = False
         self.asked_files: set[str] = set()
         """The paths of which the code asks whether a file exists."""
@@ -163,43 +153,26 @@ class LaunchRun(Run):
         return self.dormant > 0 or self.undecided > 0 or bool(self.branch_arms)
 
     def gap(self, reason: str, kind: GapKind = GapKind.LAUNCH, place: Place | None = None) -> None:
-        gap = Gap(reason, place or self.place_now, kind, self.is_dormant)
-        if gap not in self._seen:
-            self._seen.add(gap)
-            self.result.gaps.append(gap)
+        self._note(Gap(reason, place or self.place_now, kind, self.is_dormant), self.result.gaps)
+
+    def _note(self, item: _Noted, items: list[_Noted]) -> None:
+        """Add what has not been noted before."""
+        if item not in self._seen:
+            self._seen.add(item)
+            items.append(item)
 
     def note_fault(self, what: str, error: Exception, place: Place) -> None:
         super().note_fault(what, error, place)
         self.gap("archlint failed here", place=place)
 
     def start(self, started: Started) -> None:
-        """Note a process.  What an event handler starts at a place that starts it otherwise, too, is the same
-        process, started again; and an action that is met again is started once."""
-        process = (
-            *(started.place, started.kind, started.package, started.executable, started.name, started.namespace),
-            tuple(started.arguments),
-        )
-        known = process in self._started
-        self._started[process] = self._started.get(process, False) or self.in_handler
-        if known and self._started[process]:
-            return
-        started.includes, started.visited = tuple(self.includes), tuple(self.visiting)
-        again = [one for one in self._by_place.setdefault(started.place, []) if once_more(one, started)]
-        if any(merge(one, started) for one in again):
-            return
-        for one in again:
-            branch = f"one visit of {len(self.result.started)}"
-            one.branch_arms, started.branch_arms = one.branch_arms | {(branch, 0)}, started.branch_arms | {(branch, 1)}
-        self._by_place[started.place].append(started)
-        self.result.started.append(started)
+        """Note a process."""
+        self._processes.start(started, self.in_handler, tuple(self.includes), tuple(self.visiting))
 
     def note_undeclared(self, name: str, place: Place, conditional: bool) -> None:
         own = self.place_now if self.declaring == name else None
-        unseen = next((one.place for one in self.result.included if one.is_missing), None)
-        use = UndeclaredUse(name, place, self.file, conditional, own, unseen)
-        if use not in self._seen:
-            self._seen.add(use)
-            self.result.undeclared.append(use)
+        unseen = next((include.place for include in self.result.included if include.is_missing), None)
+        self._note(UndeclaredUse(name, place, self.file, conditional, own, unseen), self.result.undeclared)
 
     def note_read(self, name: str) -> None:
         """A launch configuration is read, perhaps one that an include in front has set."""
@@ -207,26 +180,18 @@ class LaunchRun(Run):
         self.given.note_read(name, self.launch.configurations.get(name), self.file, self.place_now)
 
     def note_unknown_attribute(self, wrong: UnknownAttribute) -> None:
-        if wrong not in self._seen:
-            self._seen.add(wrong)
-            self.result.unknown_attributes.append(wrong)
+        self._note(wrong, self.result.unknown_attributes)
 
     def note_mistake(self, mistake: NotACondition) -> None:
-        if mistake not in self._seen:
-            self._seen.add(mistake)
-            self.result.mistakes.append(mistake)
+        self._note(mistake, self.result.mistakes)
 
     def note_without_context(self, mistake: WithoutContext) -> None:
-        if mistake not in self._seen:
-            self._seen.add(mistake)
-            self.result.without_context.append(mistake)
+        self._note(mistake, self.result.without_context)
 
     def reference(self, kind: FileKind, path: Value, place: Place) -> FileReference:
-        found = self.resolve(kind, path, place)
-        if found not in self._seen:
-            self._seen.add(found)
-            self.result.references.append(found)
-        return found
+        reference = self.resolve(kind, path, place)
+        self._note(reference, self.result.references)
+        return reference
 
     def resolve(self, kind: FileKind, path: Value, place: Place) -> FileReference:
         """Which file of the workspace a path means."""
@@ -358,43 +323,3 @@ class LaunchRun(Run):
             self.store.merge([layer])
             self.activations, self.branch_arms = kept, kept_arms
             self.left -= self.steps
-
-    def call_handler(self, function: Value) -> Value:
-        """Call the function of an event handler with an event and the launch context."""
-        unknown = Unknown("the argument of an event handler")
-        return self.call_opaque(function, [], None, before=[unknown])
-
-    def call_opaque(
-        self, function: Value, args: list[Value], kwargs: Value | None, before: Sequence[Value] = ()
-    ) -> Value:
-        """Call the function of an OpaqueFunction with a launch context; what it sets there stays set."""
-        context, known = self._context()
-        result = self._call(function, [*before, context, *args], self._by_name(kwargs))
-        self.launch.configurations.update(self._by_name(known))
-        return result
-
-    def _by_name(self, entries: Value | None) -> dict[str, Value]:
-        """The entries of a dict whose keys are known."""
-        rows = ((known_text(key), value) for key, value in self.entries(entries))
-        return {name: value for name, value in rows if name is not None}
-
-    def ask(self, function: Value) -> Value:
-        """What a predicate or a ``perform`` of the workspace says of the launch context."""
-        return self._call(function, [self._context()[0]], {})
-
-    def _context(self) -> tuple[Value, DictValue]:
-        """The launch context as code sees it, and the dict of its configurations."""
-        context = launch_object(self.store.new_key(), "LaunchContext", None, {})
-        entries = {Known(n).entry_key(): (Known(n), v) for n, v in self.launch.configurations.items()}
-        known = containers.new_dict(self, {key: row for key, row in entries.items() if key is not None})
-        self.store.set(context.key, "launch_configurations", known)
-        return context, known
-
-    def _call(self, function: Value, args: list[Value], keywords: dict[str, Value]) -> Value:
-        module = module_of(function)
-        if module is None:
-            return Unknown("a function that launch calls, and that is not followed")
-        if self.activations:
-            return self.call(function, CallSite(args, keywords))
-        with self.root(module):
-            return self.call(function, CallSite(args, keywords))

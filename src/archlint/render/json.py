@@ -16,7 +16,8 @@ from archlint.analysis.delivery import undelivered_on
 from archlint.model import Creation, ParameterDeclaration
 from archlint.ros.qos import Qos
 from archlint.syntax.parameter_files import NotKnown
-from archlint.systems.model import Connection, Endpoint, Node, System
+from archlint.systems.model import System
+from archlint.systems.nodes import Connection, Endpoint, Node
 
 if TYPE_CHECKING:
     from archlint.observed.model import Comparison, Difference

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 from archlint.model import EntityKind
 from archlint.ros.qos import Qos
 from archlint.systems.graph import NODE
-from archlint.systems.model import Endpoint, Node
+from archlint.systems.nodes import Endpoint, Node
 from archlint.visible import visible
 
 if TYPE_CHECKING:

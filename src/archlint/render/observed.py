@@ -14,7 +14,7 @@ from archlint.observed.model import DIFFERENT, MISSING, UNEXPECTED, Comparison, 
 from archlint.ros.names import is_hidden
 from archlint.systems.graph import INTERFACE_OF, NODE, TOPIC, Key, interface_key
 from archlint.systems.implicit import implicit_names
-from archlint.systems.model import Endpoint, Node
+from archlint.systems.nodes import Endpoint, Node
 
 if TYPE_CHECKING:
     import networkx

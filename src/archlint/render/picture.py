@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 
     import networkx
 
-    from archlint.systems.model import Endpoint
+    from archlint.systems.nodes import Endpoint
 
 
 def graph_of(system: System) -> networkx.MultiDiGraph:

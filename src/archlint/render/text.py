@@ -15,7 +15,8 @@ from archlint.render import json, look
 from archlint.syntax.parameter_files import NotKnown
 from archlint.systems import pattern
 from archlint.systems.externals import connections_of_externals, remapped_names
-from archlint.systems.model import Connection, Endpoint, Node, System
+from archlint.systems.model import System
+from archlint.systems.nodes import Connection, Endpoint, Node
 from archlint.systems.overrides import Setting
 from archlint.visible import visible
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from archlint.launch.model import Started
+from archlint.launch.started import Started
 from archlint.model import Text
 
 Word = str | None

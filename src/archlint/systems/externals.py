@@ -11,7 +11,8 @@ from archlint.ros.names import InvalidName
 
 if TYPE_CHECKING:
     from archlint.model import Text
-    from archlint.systems.model import Node, System
+    from archlint.systems.model import System
+    from archlint.systems.nodes import Node
 
 
 def remapped_names(node: Node) -> Iterator[tuple[str, str]]:

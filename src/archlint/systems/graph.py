@@ -7,7 +7,8 @@ from typing import TYPE_CHECKING
 from archlint import model as program
 from archlint.systems.externals import connections_of_externals
 from archlint.systems.implicit import implicit_names
-from archlint.systems.model import Endpoint, Node, System
+from archlint.systems.model import System
+from archlint.systems.nodes import Endpoint, Node
 
 if TYPE_CHECKING:
     import networkx

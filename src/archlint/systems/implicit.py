@@ -13,7 +13,8 @@ from archlint import model as program
 from archlint.model import Blueprint, Creation, Text
 from archlint.ros import names, qos
 from archlint.ros.qos import Qos
-from archlint.systems.model import Endpoint, Node, System
+from archlint.systems.model import System
+from archlint.systems.nodes import Endpoint, Node
 from archlint.systems.resolution import FinalName, endpoint_name
 
 IMPLICIT = "implicit"

@@ -14,7 +14,8 @@ from archlint.model import (
     Text,
 )
 from archlint.ros.remapping import RemapRule, rules_of_arguments
-from archlint.systems.model import Endpoint, Node, System
+from archlint.systems.model import System
+from archlint.systems.nodes import Endpoint, Node
 from archlint.systems.resolution import NodeName, endpoint_name, node_init
 from archlint.workspace.closure import closure
 

@@ -8,13 +8,15 @@ from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from archlint.launch.kinds import StartedKind
-from archlint.launch.model import Launched, Started
+from archlint.launch.model import Launched
+from archlint.launch.started import Started
 from archlint.model import Blueprint, ExecutorKind, Overrides, Program, Text
 from archlint.ros import names
 from archlint.ros.remapping import RemapRule, rules_of_arguments
 from archlint.systems.command_line import Word, words_of
 from archlint.systems.instances import instantiate
-from archlint.systems.model import Endpoint, Node, System, key_of
+from archlint.systems.model import System
+from archlint.systems.nodes import Endpoint, Node, key_of
 from archlint.systems.overrides import applied, overrides_of
 from archlint.systems.parameter_overrides import is_undecided, known_name, parameter_overrides
 from archlint.systems.understood import doubt

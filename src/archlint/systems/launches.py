@@ -10,7 +10,8 @@ from typing import TYPE_CHECKING
 from archlint.finding import Place
 from archlint.launch.kinds import FileStatus
 from archlint.launch.launches import Launches
-from archlint.launch.model import FileReference, Launched
+from archlint.launch.model import Launched
+from archlint.launch.named_files import FileReference
 from archlint.model import Blueprint, Program
 from archlint.systems.launched import LaunchSystems, started_pairs
 from archlint.systems.model import System, WorkspaceIndex

@@ -4,178 +4,36 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 from functools import cached_property, partial
-from typing import TYPE_CHECKING, TypeVar
+from typing import TYPE_CHECKING
 
-from archlint import model as program
-from archlint.branches import UnfollowedCondition, exclusive
+from archlint.branches import exclusive
 from archlint.faults import Faults
 from archlint.launch.files import LaunchFiles
+from archlint.model import EntityKind
 from archlint.systems.code import WorkspaceCode
+from archlint.systems.nodes import Connection, key_of
 from archlint.workspace.owners import FileOwners
 from archlint.workspace.test_code import FileRoles
 from archlint.workspace.tree import NO_FILES, Tree
 
 if TYPE_CHECKING:
-    from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+    from collections.abc import Callable, Iterator, Mapping, Sequence
 
     from archlint.architecture import ConnectionKind
-    from archlint.branches import BranchArms
     from archlint.finding import Place
-    from archlint.launch.model import Launched, Started
+    from archlint.launch.model import Launched
     from archlint.model import (
         ApiCall,
-        Blueprint,
         Callback,
-        Creation,
-        EntityKind,
-        ExecutorKind,
-        ParameterDeclaration,
         Program,
-        Resolution,
     )
     from archlint.observed.model import Comparison
     from archlint.ros.interfaces import InterfaceTable
-    from archlint.ros.qos import Qos
-    from archlint.ros.remapping import RemapRule
     from archlint.syntax.facts import Facts
     from archlint.syntax.parameter_files import ParameterFacts
-    from archlint.systems.overrides import Setting
-    from archlint.systems.resolution import NodeName
+    from archlint.systems.nodes import Endpoint, Node
     from archlint.workspace.installed import Installs
     from archlint.workspace.model import Package
-
-
-@dataclass(frozen=True, eq=False)
-class Endpoint:
-    """A creation of one node under its final name.
-
-    ``name`` is the fully qualified name (a pattern with ``*`` for partial ones), or None where the name, the
-    node's name or its namespace is unknown.  ``error`` is set where rcl rejects the name, in rcl's words.
-    """
-
-    creation: Creation
-    node: Node
-    name: str | None
-    error: str | None = None
-    resolution: Resolution = "exact"
-    parameter: str | None = None
-    reason: str | None = None
-
-    @property
-    def kind(self) -> EntityKind:
-        return self.creation.kind
-
-    @property
-    def type(self) -> str | None:
-        return self.creation.type
-
-    @property
-    def qos(self) -> Qos | None:
-        return self.creation.qos
-
-    @property
-    def place(self) -> Place:
-        return self.creation.place
-
-    @property
-    def conditional(self) -> bool:
-        return self.creation.conditional
-
-    @property
-    def written(self) -> str | None:
-        return self.creation.name.text
-
-    @property
-    def resolved(self) -> bool:
-        """True for one known name, be it a parameter's default."""
-        return self.name is not None and self.resolution in ("exact", "parameter")
-
-
-@dataclass(eq=False)
-class Node:
-    """A node of a system.  ``name`` is its fully qualified name, None where unknown.
-
-    Of ``external`` nodes only the launch file that starts them is known: their source is not in this workspace, or
-    ``unfollowed`` says why it was of no use.
-    """
-
-    name: str | None
-    blueprint: Blueprint | None
-    package: str | None
-    executable: str | None
-    executor: ExecutorKind
-    launched_by: str | None = None
-    external: bool = False
-    unfollowed: str | None = None
-    doubt: str | None = None
-    """Why what was found of its code is perhaps not all: the launch file names much that is not in it."""
-    endpoints: list[Endpoint] = field(default_factory=list)
-    alternatives: BranchArms = frozenset()
-    """Branches of launch files that this node depends on (as ``Creation.branch_arms``)."""
-    condition: str | None = None
-    """What the launch file says of when it starts this node (``use_sim:=true``), where no argument decides that;
-    None for always."""
-    program: Program | None = None
-    launch_place: Place | None = None
-    overrides: dict[str, object] = field(default_factory=dict)
-    settings: list[Setting] = field(default_factory=list)
-    """The parameters that a launch file sets on an external node: what it declares is not known."""
-    resolution: Resolution = "exact"
-    """How far ``name`` is known, as for endpoints; a ``partial`` name has holes."""
-    error: str | None = None
-    """Set where ROS rejects the node's name or namespace, in rmw's words."""
-    executables: tuple[str, ...] = ()
-    """All executables that start this node; ``executable`` is the first of them."""
-    started: Started | None = None
-    """What the launch file says of it."""
-    own: NodeName | None = None
-    """Its name and namespace apart, as far as they are known; None for a node whose source is not here."""
-    rules: Sequence[RemapRule] = ()
-    """The remap rules that its names meet, in rcl's order."""
-    merged: list[Blueprint] = field(default_factory=list)
-    """The same node as other executables make it; ``endpoints`` hold what these add."""
-
-    @property
-    def test(self) -> bool:
-        return self.blueprint is not None and self.blueprint.test
-
-    @property
-    def is_node(self) -> bool:
-        """False for what only stands for a node that is not known: a helper that nothing here hands one."""
-        return self.blueprint is None or not all(blueprint.caller_unknown for blueprint in self.blueprints)
-
-    def of_kind(self, *kinds: EntityKind) -> Iterator[Endpoint]:
-        return (endpoint for endpoint in self.endpoints if endpoint.kind in kinds)
-
-    @property
-    def blueprints(self) -> list[Blueprint]:
-        return [] if self.blueprint is None else [self.blueprint, *self.merged]
-
-    @property
-    def timers(self) -> list[Creation]:
-        """Each create call once, in source order."""
-        timers = (c for b in self.blueprints for c in b.creations if c.kind == program.EntityKind.TIMER)
-        return _once_for_each_place(timers)
-
-    @property
-    def parameters(self) -> list[ParameterDeclaration]:
-        """Each declaration once, in source order; one call may declare several names."""
-        return _once_for_each_place(p for b in self.blueprints for p in b.parameters)
-
-
-@dataclass(frozen=True, eq=False)
-class Connection:
-    """All endpoints of one resolved topic, service or action name: ``providers`` are publishers or servers,
-    ``users`` subscriptions or clients."""
-
-    kind: ConnectionKind
-    name: str
-    providers: tuple[Endpoint, ...]
-    users: tuple[Endpoint, ...]
-
-    @property
-    def types(self) -> list[str]:
-        return sorted({e.type for e in (*self.providers, *self.users) if e.type is not None})
 
 
 @dataclass(frozen=True, eq=False)
@@ -248,15 +106,15 @@ class System:
 
     @cached_property
     def topics(self) -> dict[str, Connection]:
-        return self._connections("topic", program.EntityKind.PUBLISHER, program.EntityKind.SUBSCRIBER)
+        return self._connections("topic", EntityKind.PUBLISHER, EntityKind.SUBSCRIBER)
 
     @cached_property
     def services(self) -> dict[str, Connection]:
-        return self._connections("service", program.EntityKind.SERVICE, program.EntityKind.CLIENT)
+        return self._connections("service", EntityKind.SERVICE, EntityKind.CLIENT)
 
     @cached_property
     def actions(self) -> dict[str, Connection]:
-        return self._connections("action", program.EntityKind.ACTION_SERVER, program.EntityKind.ACTION_CLIENT)
+        return self._connections("action", EntityKind.ACTION_SERVER, EntityKind.ACTION_CLIENT)
 
     def _connections(self, kind: ConnectionKind, provider: EntityKind, user: EntityKind) -> dict[str, Connection]:
         providers: dict[str, list[Endpoint]] = {}
@@ -379,26 +237,3 @@ class WorkspaceIndex:
                 known = [node.name.rpartition("/")[0]] if node.name is not None else ["", "?"]
                 namespaces.setdefault(key_of(node.blueprint), set()).update(known)
         return {key: frozenset(names) for key, names in namespaces.items()}
-
-
-def key_of(blueprint: Blueprint) -> object:
-    return (blueprint.place, blueprint.class_name)
-
-
-_Placed = TypeVar("_Placed", "Creation", "ParameterDeclaration")
-
-
-def _once_for_each_place(items: Iterable[_Placed]) -> list[_Placed]:
-    first: dict[tuple[Place, str, float], _Placed] = {}
-    for item in items:
-        first.setdefault((item.place, item.name.text or "", getattr(item, "period", None) or 0.0), item)
-    return [first[key] for key in sorted(first)]
-
-
-def runs_along(arms: BranchArms, other: BranchArms) -> bool:
-    """Whether, of two nodes in these branches, one runs whenever the other does, and the other may.
-
-    A condition that is not followed may never hold: a node under it is held only against one under the same.
-    """
-    few, more = sorted((arms, other), key=len)
-    return few <= more and not any(isinstance(branch, UnfollowedCondition) for branch, _ in more - few)

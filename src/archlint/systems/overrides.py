@@ -10,7 +10,9 @@ from typing import Any
 
 from archlint.finding import Place
 from archlint.launch.kinds import StartedKind
-from archlint.launch.model import FileReference, OpenParameters, ParameterFileUse, ParameterSetting, Started
+from archlint.launch.named_files import FileReference
+from archlint.launch.parameter_sources import OpenParameters, ParameterFileUse, ParameterSetting
+from archlint.launch.started import Started
 from archlint.ros import names
 from archlint.syntax.parameter_files import NotKnown, ParameterFacts, ParameterSection, first_not_known
 from archlint.syntax.safe_yaml import plain_scalar

@@ -10,10 +10,10 @@ from archlint.systems.instances import instantiate
 from archlint.systems.overrides import overrides_of
 
 if TYPE_CHECKING:
-    from archlint.launch.model import Started
+    from archlint.launch.started import Started
     from archlint.ros.remapping import RemapRule
     from archlint.syntax.parameter_files import ParameterFacts
-    from archlint.systems.model import Node
+    from archlint.systems.nodes import Node
 
 _NO_DEFAULT = object()
 

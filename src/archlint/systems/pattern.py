@@ -17,7 +17,8 @@ from archlint.systems.shape import connections, plain_graph, splits
 if TYPE_CHECKING:
     import networkx
 
-    from archlint.systems.model import Connection, Node, System
+    from archlint.systems.model import System
+    from archlint.systems.nodes import Connection, Node
 
 HUB = "hub and spoke"
 MANY = "many-to-many"

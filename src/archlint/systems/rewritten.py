@@ -10,7 +10,7 @@ from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import replace
 from typing import Any
 
-from archlint.launch.model import Replacing, Rewriting
+from archlint.launch.named_files import Replacing, Rewriting
 from archlint.launch.parameters import from_yaml
 from archlint.syntax.parameter_files import ROOT, NotKnown, ParameterEntry, ParameterSection, first_not_known, node_key
 from archlint.syntax.safe_yaml import plain_scalar, written_and_read

@@ -7,7 +7,8 @@ from typing import TYPE_CHECKING
 if TYPE_CHECKING:
     import networkx
 
-    from archlint.systems.model import Connection, Node, System
+    from archlint.systems.model import System
+    from archlint.systems.nodes import Connection, Node
 
 
 def connections(system: System) -> list[Connection]:

@@ -6,7 +6,8 @@ from collections.abc import Set
 from dataclasses import replace
 
 from archlint.systems.graph import INTERFACE_OF
-from archlint.systems.model import Endpoint, Node, System
+from archlint.systems.model import System
+from archlint.systems.nodes import Endpoint, Node
 
 
 def only(system: System, context: Set[str]) -> System:

@@ -13,8 +13,8 @@ from typing import TYPE_CHECKING
 from archlint.systems.instances import instantiate
 
 if TYPE_CHECKING:
-    from archlint.launch.model import Started
-    from archlint.systems.model import Node
+    from archlint.launch.started import Started
+    from archlint.systems.nodes import Node
     from archlint.systems.overrides import Setting
 
 SEVERAL = 2

@@ -18,7 +18,7 @@ from archlint.interpreter.values import (
     alternatives,
 )
 from archlint.launch import conditions
-from archlint.launch.model import NotACondition
+from archlint.launch.mistakes import NotACondition
 from archlint.launch.objects import LaunchObject, argument, kind_of, made_by_base
 from archlint.launch.verdict import ALWAYS, Verdict
 

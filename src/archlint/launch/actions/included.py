@@ -11,9 +11,11 @@ from archlint.interpreter.values import Items, Known, Value, alternatives
 from archlint.launch.actions.branches import callable_value, each_alternative, visit_items
 from archlint.launch.actions.pairs import pairs_of
 from archlint.launch.context import Context
+from archlint.launch.functions import call_handler, call_opaque
 from archlint.launch.kinds import FileKind
-from archlint.launch.model import Included, files_among
+from archlint.launch.model import Included
 from archlint.launch.objects import LaunchObject, argument, entities_of, kind_of, place_of
+from archlint.launch.parameter_sources import files_among
 from archlint.launch.substitutions.texts import written_at
 
 if TYPE_CHECKING:
@@ -103,7 +105,7 @@ def opaque(run: LaunchRun, entity: LaunchObject) -> None:
     if function is None:
         run.gap("an OpaqueFunction without a function")
         return
-    result = run.call_opaque(function, run.items(entity.argument("args")), entity.argument("kwargs"))
+    result = call_opaque(run, function, run.items(entity.argument("args")), entity.argument("kwargs"))
     run.visit(result)
 
 
@@ -113,5 +115,5 @@ def event_handler(run: LaunchRun, entity: LaunchObject) -> None:
         value = argument(handler, name)
         if value is not None:
             before, run.in_handler = run.in_handler, True
-            run.visit(run.call_handler(value) if callable_value(value) else value)
+            run.visit(call_handler(run, value) if callable_value(value) else value)
             run.in_handler = before

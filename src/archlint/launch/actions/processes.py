@@ -15,9 +15,11 @@ from archlint.launch.actions.pairs import pairs_of
 from archlint.launch.actions.scopes import remap
 from archlint.launch.context import absolute, prefix_namespace
 from archlint.launch.kinds import FileKind, StartedKind
-from archlint.launch.model import OpenParameters, Remap, Started, UnknownAttribute
+from archlint.launch.mistakes import UnknownAttribute
 from archlint.launch.objects import LaunchObject, argument, kind_of, known_text
+from archlint.launch.parameter_sources import OpenParameters
 from archlint.launch.parameters import Parameter, file_use, parameters_of
+from archlint.launch.started import Remap, Started
 from archlint.launch.tables import SIGNATURES
 from archlint.libraries.texts import text_of_value
 from archlint.model import Text

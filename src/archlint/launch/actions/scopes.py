@@ -9,9 +9,10 @@ from archlint.finding import Place
 from archlint.interpreter.values import Known, Unknown, Value, reason
 from archlint.launch.actions.branches import callable_value
 from archlint.launch.context import absolute, prefix_namespace
-from archlint.launch.model import DeclaredArgument, Remap
+from archlint.launch.model import DeclaredArgument
 from archlint.launch.objects import LaunchObject, known_text
 from archlint.launch.parameters import file_use, setting
+from archlint.launch.started import Remap
 from archlint.launch.substitutions.texts import written_at
 from archlint.libraries.texts import text_of_value
 

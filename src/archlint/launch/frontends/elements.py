@@ -11,7 +11,7 @@ from archlint.launch.frontends.objects import Frontend
 from archlint.launch.frontends.parameters import read_parameter, set_parameter
 from archlint.launch.frontends.tables import ATTRIBUTES, HARMLESS
 from archlint.launch.frontends.texts import shell_words
-from archlint.launch.model import UnknownAttribute
+from archlint.launch.mistakes import UnknownAttribute
 from archlint.launch.objects import PAIR_PLACE, LaunchObject
 
 if TYPE_CHECKING:

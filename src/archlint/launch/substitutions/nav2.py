@@ -18,7 +18,7 @@ from archlint.interpreter.values import (
     reason,
 )
 from archlint.launch.kinds import FileKind
-from archlint.launch.model import MadeFile, Replacing, Rewriting
+from archlint.launch.named_files import MadeFile, Replacing, Rewriting
 from archlint.launch.objects import LaunchObject, known_text, launch_object
 from archlint.launch.substitutions.texts import each_text
 from archlint.syntax.parameter_files import NotKnown

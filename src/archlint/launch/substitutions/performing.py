@@ -17,6 +17,7 @@ from archlint.interpreter.values import (
     one_of,
     reason,
 )
+from archlint.launch.functions import ask
 from archlint.launch.objects import LaunchObject, made_by_base, own_method
 from archlint.launch.substitutions import logic, nav2, paths, texts
 
@@ -33,7 +34,7 @@ def _own_text(run: LaunchRun, value: Instance) -> Value:
     """The text of a substitution class of the workspace: what its ``perform`` returns."""
     method = own_method(run, value, "perform")
     if method is not None:
-        found = run.ask(method)
+        found = ask(run, method)
         return found if isinstance(found, Unknown) else run.perform(found)
     base = made_by_base(run, value)
     return Unknown(reason(value)) if base is None else run.perform(base)

@@ -1,0 +1,55 @@
+"""What a launch file says that launch refuses, ignores or cannot know."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from archlint.finding import Place
+
+
+@dataclass(frozen=True)
+class UndeclaredUse:
+    """A launch configuration that is read and that nothing has declared or set.
+
+    ``own_default`` is the declaration whose default value reads the argument that it declares; ``unseen`` is an include
+    in front of the read whose file is not there: nobody can say what that one would have declared.
+    """
+
+    name: str
+    place: Place
+    file: str
+    conditional: bool = False
+    own_default: Place | None = None
+    unseen: Place | None = None
+
+
+@dataclass(frozen=True)
+class UnknownAttribute:
+    """A keyword or attribute that an action does not have; ``known`` are those that it does."""
+
+    action: str
+    name: str
+    known: tuple[str, ...]
+    place: Place
+    of_element: bool = False
+    """Whether the action is an element of XML or YAML."""
+
+
+@dataclass(frozen=True)
+class NotACondition:
+    """What an action is given as its ``condition=`` that launch cannot ask: ``what`` names it."""
+
+    action: str
+    what: str
+    callable: bool
+    place: Place
+
+
+@dataclass(frozen=True)
+class WithoutContext:
+    """A ``perform()`` that fails: a ``substitution`` is ``given`` what is no launch context, or (empty) a new one, in
+    which no launch argument has a value."""
+
+    substitution: str
+    given: str
+    place: Place

@@ -1,0 +1,135 @@
+"""The processes that a launch file starts, and which of them are one that is met twice."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+
+from archlint.branches import BranchArms
+from archlint.finding import Place
+from archlint.launch.kinds import StartedKind
+from archlint.launch.parameter_sources import Parameters
+from archlint.model import Text
+
+
+@dataclass(frozen=True)
+class Remap:
+    """``source:=target`` of one node, or of a group (``SetRemap``)."""
+
+    source: Text
+    target: Text
+    place: Place
+    group: bool = False
+
+
+@dataclass(eq=False)
+class Started:
+    """A process (or a component of one) that a launch file starts.
+
+    ``name`` and ``namespace`` are what the
+    launch file gives; None leaves the code's own.  A ``dormant`` one is started under other arguments only.
+    ``arguments`` is its command line, None for a word that is not known; of one that is not ``whole_arguments`` not
+    even the number of words is.  A ``bare`` one is started by that command line alone.
+    """
+
+    kind: StartedKind
+    package: Text
+    executable: Text
+    place: Place
+    file: str
+    name: Text | None = None
+    namespace: Text | None = None
+    remaps: list[Remap] = field(default_factory=list)
+    parameters: Parameters = field(default_factory=list)
+    arguments: list[str | None] = field(default_factory=list)
+    ros_arguments: list[str | None] = field(default_factory=list)
+    whole_arguments: bool = True
+    bare: bool = False
+    branch_arms: BranchArms = frozenset()
+    dormant: bool = False
+    lifecycle: bool = False
+    places: dict[str, Place] = field(default_factory=dict)
+    container: Text | None = None
+    includes: tuple[Place, ...] = ()
+    """The includes that lead to the file it is in, outermost first."""
+    visited: tuple[tuple[int, int], ...] = ()
+    """The actions that lead to it, itself included, each with the number of its visit."""
+
+
+class StartedProcesses:
+    """The processes that a launch has started so far, in ``processes``."""
+
+    def __init__(self, processes: list[Started]) -> None:
+        self._processes = processes
+        self._in_handler: dict[object, bool] = {}
+        """What has been started, and whether an event handler does that."""
+        self._by_place: dict[Place, list[Started]] = {}
+
+    def start(
+        self, started: Started, in_handler: bool, includes: tuple[Place, ...], visiting: tuple[tuple[int, int], ...]
+    ) -> None:
+        """Note a process.  What an event handler starts at a place that starts it otherwise, too, is the same
+        process, started again; and an action that is met again is started once."""
+        process = (
+            *(started.place, started.kind, started.package, started.executable, started.name, started.namespace),
+            tuple(started.arguments),
+        )
+        known = process in self._in_handler
+        self._in_handler[process] = self._in_handler.get(process, False) or in_handler
+        if known and self._in_handler[process]:
+            return
+        started.includes, started.visited = includes, visiting
+        again = [other for other in self._by_place.setdefault(started.place, []) if _met_again(other, started)]
+        if any(_merge(other, started) for other in again):
+            return
+        for other in again:
+            branch = f"one visit of {len(self._processes)}"
+            other.branch_arms |= {(branch, 0)}
+            started.branch_arms |= {(branch, 1)}
+        self._by_place[started.place].append(started)
+        self._processes.append(started)
+
+
+def _met_again(process: Started, other: Started) -> bool:
+    """Whether two processes come from one action that was met twice, as in both arms of an ``if`` that nothing
+    decides.  Launch refuses to execute such an action a second time: one of them is started.
+
+    Source: launch 3.x, ``ExecuteLocal.execute`` raises RuntimeError ("executed more than once").
+    """
+    visits = dict(process.visited)
+    return any(visits.get(action, visit) != visit for action, visit in other.visited)
+
+
+def _merge(process: Started, other: Started) -> bool:
+    """Make one process of what is met twice and started alike, under what both visits have in common; False where
+    it is not alike, or where no visit covers the other and they do not exclude each other."""
+    if (
+        not process.branch_arms <= other.branch_arms
+        and not other.branch_arms <= process.branch_arms
+        and not _opposite(process.branch_arms, other.branch_arms)
+    ):
+        return False
+    if any(getattr(process, name) != getattr(other, name) for name in _ALIKE):
+        return False
+    process.branch_arms &= other.branch_arms
+    process.dormant = process.dormant and other.dormant
+    return True
+
+
+_ALIKE = (
+    "kind",
+    "package",
+    "executable",
+    "name",
+    "namespace",
+    "remaps",
+    "parameters",
+    "arguments",
+    "ros_arguments",
+    "container",
+    "includes",
+)
+
+
+def _opposite(arms: BranchArms, other: BranchArms) -> bool:
+    """Whether two sets of branches are the two sides of one condition, and otherwise the same."""
+    return [branch for branch, _ in arms - other] == [branch for branch, _ in other - arms] != []

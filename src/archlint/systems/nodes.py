@@ -1,0 +1,168 @@
+"""A node of a system under its final name, what it has there, and who is connected."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING, TypeVar
+
+from archlint.model import EntityKind
+
+if TYPE_CHECKING:
+    from collections.abc import Iterable, Iterator, Sequence
+
+    from archlint.architecture import ConnectionKind
+    from archlint.branches import BranchArms
+    from archlint.finding import Place
+    from archlint.launch.started import Started
+    from archlint.model import Blueprint, Creation, ExecutorKind, ParameterDeclaration, Program, Resolution
+    from archlint.ros.qos import Qos
+    from archlint.ros.remapping import RemapRule
+    from archlint.systems.overrides import Setting
+    from archlint.systems.resolution import NodeName
+
+
+@dataclass(frozen=True, eq=False)
+class Endpoint:
+    """A creation of one node under its final name.
+
+    ``name`` is the fully qualified name (a pattern with ``*`` for partial ones), or None where the name, the
+    node's name or its namespace is unknown.  ``error`` is set where rcl rejects the name, in rcl's words.
+    """
+
+    creation: Creation
+    node: Node
+    name: str | None
+    error: str | None = None
+    resolution: Resolution = "exact"
+    parameter: str | None = None
+    reason: str | None = None
+
+    @property
+    def kind(self) -> EntityKind:
+        return self.creation.kind
+
+    @property
+    def type(self) -> str | None:
+        return self.creation.type
+
+    @property
+    def qos(self) -> Qos | None:
+        return self.creation.qos
+
+    @property
+    def place(self) -> Place:
+        return self.creation.place
+
+    @property
+    def conditional(self) -> bool:
+        return self.creation.conditional
+
+    @property
+    def written(self) -> str | None:
+        return self.creation.name.text
+
+    @property
+    def resolved(self) -> bool:
+        """True for one known name, be it a parameter's default."""
+        return self.name is not None and self.resolution in ("exact", "parameter")
+
+
+@dataclass(eq=False)
+class Node:
+    """A node of a system.  ``name`` is its fully qualified name, None where unknown.
+
+    Of ``external`` nodes only the launch file that starts them is known: their source is not in this workspace, or
+    ``unfollowed`` says why it was of no use.
+    """
+
+    name: str | None
+    blueprint: Blueprint | None
+    package: str | None
+    executable: str | None
+    executor: ExecutorKind
+    launched_by: str | None = None
+    external: bool = False
+    unfollowed: str | None = None
+    doubt: str | None = None
+    """Why what was found of its code is perhaps not all: the launch file names much that is not in it."""
+    endpoints: list[Endpoint] = field(default_factory=list)
+    alternatives: BranchArms = frozenset()
+    """Branches of launch files that this node depends on (as ``Creation.branch_arms``)."""
+    condition: str | None = None
+    """What the launch file says of when it starts this node (``use_sim:=true``), where no argument decides that;
+    None for always."""
+    program: Program | None = None
+    launch_place: Place | None = None
+    overrides: dict[str, object] = field(default_factory=dict)
+    settings: list[Setting] = field(default_factory=list)
+    """The parameters that a launch file sets on an external node: what it declares is not known."""
+    resolution: Resolution = "exact"
+    """How far ``name`` is known, as for endpoints; a ``partial`` name has holes."""
+    error: str | None = None
+    """Set where ROS rejects the node's name or namespace, in rmw's words."""
+    executables: tuple[str, ...] = ()
+    """All executables that start this node; ``executable`` is the first of them."""
+    started: Started | None = None
+    """What the launch file says of it."""
+    own: NodeName | None = None
+    """Its name and namespace apart, as far as they are known; None for a node whose source is not here."""
+    rules: Sequence[RemapRule] = ()
+    """The remap rules that its names meet, in rcl's order."""
+    merged: list[Blueprint] = field(default_factory=list)
+    """The same node as other executables make it; ``endpoints`` hold what these add."""
+
+    @property
+    def test(self) -> bool:
+        return self.blueprint is not None and self.blueprint.test
+
+    @property
+    def is_node(self) -> bool:
+        """False for what only stands for a node that is not known: a helper that nothing here hands one."""
+        return self.blueprint is None or not all(blueprint.caller_unknown for blueprint in self.blueprints)
+
+    def of_kind(self, *kinds: EntityKind) -> Iterator[Endpoint]:
+        return (endpoint for endpoint in self.endpoints if endpoint.kind in kinds)
+
+    @property
+    def blueprints(self) -> list[Blueprint]:
+        return [] if self.blueprint is None else [self.blueprint, *self.merged]
+
+    @property
+    def timers(self) -> list[Creation]:
+        """Each create call once, in source order."""
+        timers = (c for b in self.blueprints for c in b.creations if c.kind == EntityKind.TIMER)
+        return _once_for_each_place(timers)
+
+    @property
+    def parameters(self) -> list[ParameterDeclaration]:
+        """Each declaration once, in source order; one call may declare several names."""
+        return _once_for_each_place(p for b in self.blueprints for p in b.parameters)
+
+
+@dataclass(frozen=True, eq=False)
+class Connection:
+    """All endpoints of one resolved topic, service or action name: ``providers`` are publishers or servers,
+    ``users`` subscriptions or clients."""
+
+    kind: ConnectionKind
+    name: str
+    providers: tuple[Endpoint, ...]
+    users: tuple[Endpoint, ...]
+
+    @property
+    def types(self) -> list[str]:
+        return sorted({e.type for e in (*self.providers, *self.users) if e.type is not None})
+
+
+def key_of(blueprint: Blueprint) -> object:
+    return (blueprint.place, blueprint.class_name)
+
+
+_Placed = TypeVar("_Placed", "Creation", "ParameterDeclaration")
+
+
+def _once_for_each_place(items: Iterable[_Placed]) -> list[_Placed]:
+    first: dict[tuple[Place, str, float], _Placed] = {}
+    for item in items:
+        first.setdefault((item.place, item.name.text or "", getattr(item, "period", None) or 0.0), item)
+    return [first[key] for key in sorted(first)]
