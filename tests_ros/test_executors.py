@@ -63,7 +63,7 @@ def said(environment: Environment) -> dict[Cell, str]:
 
 @pytest.mark.parametrize("cell", CELLS, ids=lambda cell: cell.name)
 def test_a_wait_ends_as_archlint_says(cell: Cell, seen: dict[Cell, str], said: dict[Cell, str]):
-    assert agrees(said[cell], seen[cell]), f"archlint: {said[cell]}; seen: {seen[cell]}"
+    assert agrees(said[cell], seen[cell], cell), f"archlint: {said[cell]}; seen: {seen[cell]}"
 
 
 @pytest.mark.parametrize("cell", CELLS, ids=lambda cell: cell.name)

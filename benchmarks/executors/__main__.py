@@ -55,7 +55,7 @@ def compare(cells: list[Cell], names: bool) -> None:
             said[distro].update(words)
     for distro, column in observed.items():
         here = [cell for cell in cells if cell in column]
-        wrong = [cell for cell in here if not agrees_with(said[distro][cell], column[cell])]
+        wrong = [cell for cell in here if not agrees_with(said[distro][cell], column[cell], cell)]
         print(f"{distro}: {len(here)} cells tried, {len(here) - len(wrong)} as archlint says, {len(wrong)} not")
         kinds = Counter((said[distro][cell], column[cell], cell.handler) for cell in wrong)
         for (word, seen, handler), count in sorted(kinds.items()):
@@ -70,8 +70,8 @@ def compare(cells: list[Cell], names: bool) -> None:
         print(f"  {count:4} " + "; ".join(f"{one}: {seen}" for one, seen in zip(table.DISTROS, outcomes, strict=True)))
 
 
-def agrees_with(said: str, seen: str) -> bool:
-    return all(agrees(said, one) for one in table.outcomes_of(seen))
+def agrees_with(said: str, seen: str, cell: Cell) -> bool:
+    return all(agrees(said, outcome, cell) for outcome in table.outcomes_of(seen))
 
 
 if __name__ == "__main__":

@@ -102,6 +102,35 @@ def test_the_first_releases_let_a_nested_spin_in():
     assert "before" not in look_up(SPIN, ONE, SAME, "", ["humble"]).words
 
 
+SPIN_HERE = """
+future = self.client.call_async(Trigger.Request())
+rclpy.spin_until_future_complete(self, future, executor=self.executor)
+"""
+
+
+@pytest.mark.parametrize(
+    ("executor", "before", "with_a_limit"),
+    [
+        ("SingleThreadedExecutor()", "works", "works"),
+        ("MultiThreadedExecutor(num_threads=4)", "sometimes deadlocks", "sometimes times out"),
+        ("MultiThreadedExecutor()", "sometimes deadlocks", "sometimes times out"),
+        ("MultiThreadedExecutor(num_threads=1)", "deadlocks", "always times out"),
+    ],
+)
+def test_a_nested_spin_of_an_executor_with_several_threads(run: Run, executor: str, before: str, with_a_limit: str):
+    made = """
+        self.client = self.create_client(Trigger, 'check', callback_group=MutuallyExclusiveCallbackGroup())
+        self.create_subscription(Empty, 'go', self.on_go, 10)
+    """
+    main = OWN_EXECUTOR.replace("SingleThreadedExecutor()", executor)
+    (found,) = run(source(made, method("on_go(self, message)", SPIN_HERE), main), "jazzy")
+    assert found.code == "EXE001"
+    assert found.message.endswith(f"this raises 'Executor is already spinning' ({before} before rclpy 7.1.9)")
+    limited = SPIN_HERE.replace("executor=", "timeout_sec=1.0, executor=")
+    (found,) = run(source(made, method("on_go(self, message)", limited), main), "humble")
+    assert found.message.endswith(f"this {with_a_limit}")
+
+
 def test_a_rate_may_also_not_sleep_at_all(run: Run):
     made = "self.rate = self.create_rate(10.0)\nself.create_subscription(Empty, 'go', self.on_go, 10)"
     (once,) = run(source(made, method("on_go(self, message)", "self.rate.sleep()")))

@@ -35,6 +35,8 @@ RESULT: Final = "result at once"
 """``future.result()`` straight after ``call_async()``."""
 
 ONE: Final = "one thread"
+POOL_OF_ONE: Final = "a pool of one thread"
+"""``MultiThreadedExecutor(num_threads=1)``: whoever spins it, that one thread runs the callbacks."""
 SEVERAL: Final = "several threads"
 NOBODY: Final = "nobody seen to spin it"
 ANY: Final = "executor not known"
@@ -57,7 +59,9 @@ Form = Literal[
     "result at once",
 ]
 """How a callback waits."""
-Threads = Literal["one thread", "several threads", "nobody seen to spin it", "executor not known"]
+Threads = Literal[
+    "one thread", "a pool of one thread", "several threads", "nobody seen to spin it", "executor not known"
+]
 """How many threads run a node's callbacks."""
 Relation = Literal["same group", "other group", "reentrant group", "group not known"]
 """How the group of the client is to that of the callback which waits."""
@@ -65,6 +69,8 @@ Relation = Literal["same group", "other group", "reentrant group", "group not kn
 FINE = "works"
 HANGS = "deadlocks"
 TIMES_OUT = "always times out"
+SOMETIMES_HANGS = "sometimes deadlocks"
+SOMETIMES_TIMES_OUT = "sometimes times out"
 NO_SUCH_ARGUMENT = "raises TypeError (call() has no timeout_sec)"
 GIVES_NONE = "always times out and returns None"
 RAISES_TIMEOUT = "always times out and raises TimeoutError"
@@ -109,6 +115,22 @@ def _stuck(form: Form, outcomes: Outcomes, fine: Outcomes) -> dict[_Cell, Outcom
     }
 
 
+def _nested(form: Form, stuck: str, sometimes: str) -> dict[_Cell, Outcomes]:
+    """The rows of a spin of the running executor: humble lets it in, and one thread works where the group is free.
+
+    Several threads then spin one executor at a time.  One of them takes the wake-up that was meant for the other, or
+    too few threads of the pool are left.
+    """
+    by_group = {SAME: stuck, **dict.fromkeys(_APART, FINE), UNCLEAR: UNKNOWN}
+    threaded = {**by_group, **dict.fromkeys(_APART, sometimes)}
+    of_threads = {**dict.fromkeys(_THREADS, by_group), SEVERAL: threaded, POOL_OF_ONE: dict.fromkeys(_GROUPS, stuck)}
+    return {
+        (form, threads, group): _humble_and_later(outcome, RAISES_NESTED)
+        for threads, outcomes in of_threads.items()
+        for group, outcome in outcomes.items()
+    }
+
+
 MATRIX: dict[_Cell, Outcomes] = {
     **_stuck(CALL, _everywhere(HANGS), _everywhere(FINE)),
     **_stuck(LIMITED_CALL, _everywhere(TIMES_OUT), _everywhere(FINE)),
@@ -116,13 +138,8 @@ MATRIX: dict[_Cell, Outcomes] = {
     **{(AWAIT, threads, SAME): _everywhere(HANGS) for threads in _THREADS},
     **{(AWAIT, threads, group): _everywhere(FINE) for threads in _THREADS for group in _APART},
     **{(AWAIT, threads, UNCLEAR): _everywhere(UNKNOWN) for threads in _THREADS},
-    # A nested spin of the running executor: humble lets it in, and it works where the group is free.
-    **{(SPIN, threads, SAME): _humble_and_later(HANGS, RAISES_NESTED) for threads in _THREADS},
-    **{(SPIN, threads, g): _humble_and_later(FINE, RAISES_NESTED) for threads in _THREADS for g in _APART},
-    **{(SPIN, threads, UNCLEAR): _humble_and_later(UNKNOWN, RAISES_NESTED) for threads in _THREADS},
-    **{(LIMITED_SPIN, threads, SAME): _humble_and_later(TIMES_OUT, RAISES_NESTED) for threads in _THREADS},
-    **{(LIMITED_SPIN, t, g): _humble_and_later(FINE, RAISES_NESTED) for t in _THREADS for g in _APART},
-    **{(LIMITED_SPIN, threads, UNCLEAR): _humble_and_later(UNKNOWN, RAISES_NESTED) for threads in _THREADS},
+    **_nested(SPIN, HANGS, SOMETIMES_HANGS),
+    **_nested(LIMITED_SPIN, TIMES_OUT, SOMETIMES_TIMES_OUT),
     # Another executor takes the node along, and serves it while the callback spins; afterwards nobody does.
     **{(STEAL, threads, SAME): _everywhere(HANGS) for threads in _THREADS},
     **{(STEAL, threads, group): _everywhere(STRANDS) for threads in _THREADS for group in (*_APART, UNCLEAR)},

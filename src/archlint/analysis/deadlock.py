@@ -19,6 +19,7 @@ from archlint.analysis.blocking import (
     NOBODY,
     ONE,
     OTHER,
+    POOL_OF_ONE,
     REENTRANT,
     SAME,
     SEVERAL,
@@ -200,8 +201,9 @@ def judge_spin(
     form: Form = LIMITED_SPIN if limited else SPIN
     # A spin without a future ends as soon as there is any work.
     steal: Form = LIMITED_STEAL if limited or "future" not in call.arguments else STEAL
+    threads = _pool_of(node, program)
     if globally and any(use.place is None for use in running):
-        return look_up(form, ANY, relation, _NESTED, distros)
+        return look_up(form, threads, relation, _NESTED, distros)
     if spun is None or node is None:
         return Verdict(dict.fromkeys(distros, UNKNOWN), "it is not known which node is spun")
     if spun is not node:
@@ -212,7 +214,14 @@ def judge_spin(
         return Verdict(dict.fromkeys(distros, FINE), _OWN_SPIN)
     if (globally and running) or _on_one_of_its_own(call, node, running):
         return look_up(steal, ANY, relation, _STOLEN, distros)
-    return look_up(form, ANY, relation, _NESTED, distros)
+    return look_up(form, threads, relation, _NESTED, distros)
+
+
+def _pool_of(node: Blueprint | None, program: Program) -> Threads:
+    """The threads that run what a spin inside a callback finds to do."""
+    threads = threads_of(node, program)
+    pooled = node is not None and node.executor == ExecutorKind.MULTI_THREADED
+    return POOL_OF_ONE if threads == ONE and pooled else threads
 
 
 def _relation_of_spin(call: ApiCall, spun: Blueprint | None, client: Creation | None) -> Relation:
