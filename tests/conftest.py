@@ -40,7 +40,7 @@ def compiled_once() -> Iterator[None]:
     What tests the compiler and its processes undoes it (tests/syntax/conftest.py).
     """
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(workers, "can_fork", lambda: False)
+        patch.setattr(workers, "can_fork", lambda waiting=0: False)
         patch.setattr(compiler, "_encoded", lru_cache(maxsize=20_000)(compiler._encoded))
         yield
 

@@ -10,11 +10,12 @@ from typing import TYPE_CHECKING
 
 from archlint.engine.result_cache import own_code
 from archlint.programs.kept import KeptPrograms
+from archlint.syntax.cache import NullStore
 from archlint.workspace.test_code import FileRoles
 
 if TYPE_CHECKING:
     from archlint.interpreter.modules import ModuleIndex
-    from archlint.syntax.cache import NullStore, Store
+    from archlint.syntax.cache import Store
     from archlint.syntax.files import FactsOfFiles
     from archlint.workspace.model import SourceFile, Workspace
     from archlint.workspace.tree import SourceTree
@@ -37,6 +38,7 @@ class ProgramCache:
         name = [os.getcwd(), self.workspace.root, self.workspace.whole]
         self._key = hashlib.sha256(repr(name).encode()).hexdigest()
         self._opened: KeptPrograms | None = None
+        self.lasts = not isinstance(self.store, NullStore)
 
     def open(
         self,
@@ -51,7 +53,7 @@ class ProgramCache:
         decisive = [own_code(), making, generated, self._interfaces()]
         surroundings = hashlib.sha256(repr(decisive).encode()).hexdigest()
         self._opened = KeptPrograms(
-            index, self._fingerprint, surroundings, import_now, self.store.get_programs(self._key)
+            index, self._fingerprint, surroundings, import_now, self.store.get_programs(self._key), self.lasts
         )
         return self._opened
 
@@ -60,7 +62,7 @@ class ProgramCache:
         if self._opened is None:
             return
         self.facts.note_read(self._opened.read_by())
-        if self._opened.changed and self.facts.lasting:
+        if self.lasts and self._opened.changed and self.facts.lasting:
             self.store.put_programs(self._key, self._opened.dump())
 
     def _interfaces(self) -> list[tuple[str, str | None, str | None]]:

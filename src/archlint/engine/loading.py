@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from collections import Counter
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import replace
@@ -52,14 +53,9 @@ def systems_of(
         parts = {name: sorted(found) for name, found in generated.items()}
         return cache.open(index, import_now, words, parts, without)
 
-    linker = Linker(
-        workspace.files,
-        facts.facts_of,
-        facts.relevant,
-        interfaces,
-        faults,
-        None if isinstance(store, NullStore) else keep,
-    )
+    jobs = request.jobs or os.cpu_count() or 1
+    keeps = jobs > 1 or not isinstance(store, NullStore)
+    linker = Linker(workspace.files, facts.facts_of, facts.relevant, interfaces, faults, keep if keeps else None, jobs)
     entries = entry_points(installs, workspace.files)
     programs = linker.run_all(entries)
     forget_names(programs, linker.started.values(), installs)

@@ -8,14 +8,14 @@ any of this, and so is what they give.
 from __future__ import annotations
 
 import hashlib
-from collections.abc import Callable, Collection, Iterable, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
+from functools import cached_property
 from typing import TYPE_CHECKING, Any
-
-import msgspec
 
 from archlint.model.encoding import NotEncodable, NotPrograms, decode, encode_noting
 from archlint.programs.followed import Definition, Followed
+from archlint.programs.kept_table import Row, Table, write
 
 if TYPE_CHECKING:
     from archlint.interpreter.modules import ModuleIndex
@@ -25,48 +25,7 @@ ProgramKey = tuple[object, ...]
 """What is followed: an entry point with what it is started with, a script, a class, a function, a module."""
 
 
-class _Entry(msgspec.Struct, array_like=True):
-    """One program: its numbers are rows of the tables."""
-
-    key: str
-    late: bool
-    everything: bool
-    files: list[int]
-    used: list[int]
-    lookups: list[int]
-    imports: list[list[int]]
-    writers: list[int]
-    writes: bool
-    result: bytes
-
-
-class _Kept(msgspec.Struct, array_like=True):
-    surroundings: str
-    """What all programs depend on."""
-    everything: str
-    """What the few depend on that ask for all modules."""
-    files: list[tuple[str, str]]
-    """Path and fingerprint."""
-    lookups: list[tuple[int, str, int, int]]
-    """File, name, dots, and the file that it means; -1 for none."""
-    entries: list[_Entry]
-
-
-@dataclass
-class _Row:
-    """A program of this run: of its entry, or as it was followed."""
-
-    late: bool
-    everything: bool
-    files: Collection[str]
-    used: Collection[str]
-    lookups: dict[Lookup, str | None]
-    imports: list[list[str]]
-    writers: Collection[str]
-    """The modules that had changed objects of those that it uses; none of ``imports``."""
-    writes: bool
-    """Whether its imports have changed objects of other modules."""
-    result: bytes
+_MOSTLY = 0.9
 
 
 @dataclass
@@ -83,9 +42,15 @@ class KeptPrograms:
     import_now: Callable[[Iterable[str]], None]
     """Imports modules for which a program answers that is not followed again."""
     payload: bytes | None = None
+    lasts: bool = True
+    """Whether anybody will ask for what this run adds."""
     changed: bool = False
     """Whether there is something new to keep."""
-    _rows: dict[str, _Row] = field(default_factory=dict)
+    is_part: bool = False
+    """Whether only a part of the programs is followed here, so that nothing can be said of what depends on all."""
+    _rows: dict[str, Row] = field(default_factory=dict)
+    _new: list[str] = field(default_factory=list)
+    """The keys of the programs that were followed since somebody took them."""
     _fingerprints: dict[str, str | None] = field(default_factory=dict)
     _lookups: dict[Lookup, str | None] = field(default_factory=dict)
     _first: dict[str, str] = field(default_factory=dict)
@@ -95,38 +60,45 @@ class KeptPrograms:
     """Which program has an object, by the id of the object, which stays alive here."""
 
     def __post_init__(self) -> None:
-        self._known = {entry.key: entry for entry in self._loaded()}
+        self._tables = [Table(self.payload, self.surroundings)]
 
-    def _loaded(self) -> list[_Entry]:
-        try:
-            kept = None if self.payload is None else msgspec.msgpack.decode(self.payload, type=_Kept)
-        except (msgspec.MsgspecError, ValueError, RecursionError):
-            kept = None
-        self._kept = kept or _Kept("", "", [], [], [])
-        return self._kept.entries if self._kept.surroundings == self.surroundings else []
+    def add(self, payload: bytes) -> None:
+        """Programs that another process has followed."""
+        self._tables.insert(0, Table(payload, self.surroundings))
+        self.changed = True
+
+    def is_mostly_known(self) -> bool:
+        """Whether of the files that programs had read few have changed since."""
+        before = self._tables[-1].fingerprints
+        same = sum(self._print_of(path) == fingerprint for path, fingerprint in before.items())
+        return bool(before) and same > _MOSTLY * len(before)
 
     # ------------------------------------------------------------------------------------------- what is known
 
     def get(self, key: ProgramKey, late: bool) -> Followed | None:
         """What became of a program, if it would be the same again."""
-        entry = self._known.get(repr(key))
-        if entry is None or entry.late is not late:
-            return None
-        try:
-            row = self._row(entry)
-            if row is None or not self._fits(row):
-                return None
-            [parts] = decode(entry.result)
-            result = _followed(parts)
-        except (LookupError, TypeError, ValueError):
-            return None
-        self._rows[entry.key] = row
+        name = repr(key)
+        for table in self._tables:
+            try:
+                row = self._valid(table, name)
+                if row is None or row.late is not late or not self._fits(row):
+                    continue
+                [parts] = decode(row.result)
+                result = _followed(parts)
+            except (LookupError, TypeError, ValueError):
+                continue
+            self._take(name, row)
+            return result
+        return None
+
+    def _take(self, name: str, row: Row) -> None:
+        """A program is as it was: what it has imported counts as imported."""
+        self._rows[name] = row
         for group in row.imports:
             self._first.update(dict.fromkeys(group, group[0]))
             self.index.imported.update(group)
         if row.writes:  # what they have changed has to be here
             self.import_now(path for group in row.imports for path in group)
-        return result
 
     def read_by(self) -> Iterable[str]:
         """The files whose code the programs have seen, followed again or not."""
@@ -144,39 +116,22 @@ class KeptPrograms:
         """All modules that :meth:`first_of` may name, in the order in which they were imported."""
         return list(dict.fromkeys(self._first.values()))
 
-    def _row(self, entry: _Entry) -> _Row | None:
-        """What an entry depends on; None where some of it is not as it was."""
-        if not all(self._same_file(number) for number in entry.files):
+    def _valid(self, table: Table, key: str) -> Row | None:
+        """A program, if nothing that it depends on has changed but, perhaps, what ran before it."""
+        if key not in table.keys or any(self._print_of(path) != known for path, known in table.files_of(key)):
             return None
-        if entry.everything and self._kept.everything != self._everything():
+        row = table.row(key)
+        if row is None or (row.everything and table.everything != self._everything):
             return None
-        lookups = {}
-        for number in entry.lookups:
-            file, name, dots, found = self._kept.lookups[number]
-            lookup = self._path(file), name, dots
-            lookups[lookup] = None if found < 0 else self._path(found)
-            if self._means(lookup) != lookups[lookup]:
-                return None
-        files, used = [[self._path(number) for number in numbers] for numbers in (entry.files, entry.used)]
-        imports = [[self._path(number) for number in group] for group in entry.imports]
-        writers = [self._path(number) for number in entry.writers]
-        rest = entry.writes, entry.result
-        return _Row(entry.late, entry.everything, files, used, lookups, imports, writers, *rest)
+        return row if all(self._means(lookup) == target for lookup, target in row.lookups.items()) else None
 
-    def _fits(self, row: _Row) -> bool:
+    def _fits(self, row: Row) -> bool:
         """Whether the modules that ran before the program are those that ran before it then."""
         own = {path for group in row.imports for path in group}
         before = self.index.imported
         if not own.isdisjoint(before) or any(path not in own and path not in before for path in row.used):
             return False
         return self.index.writers(row.used) - own == set(row.writers)
-
-    def _path(self, number: int) -> str:
-        return self._kept.files[number][0]
-
-    def _same_file(self, number: int) -> bool:
-        path, fingerprint = self._kept.files[number]
-        return self._print_of(path) == fingerprint
 
     def _print_of(self, path: str) -> str | None:
         if path not in self._fingerprints:
@@ -191,6 +146,7 @@ class KeptPrograms:
             self._lookups[lookup] = None if found is None else found.path
         return self._lookups[lookup]
 
+    @cached_property
     def _everything(self) -> str:
         prints = [(file.path, self._print_of(file.path)) for file in self.index.files()]
         return hashlib.sha256(repr(prints).encode()).hexdigest()
@@ -199,7 +155,9 @@ class KeptPrograms:
 
     def put(self, key: ProgramKey, late: bool, result: Followed, reads: Reads) -> None:
         """Keep what became of a program, if it can stand alone."""
-        if any(self._print_of(path) is None for path in reads.files):
+        if any(self._print_of(path) is None for path in reads.files) or (self.is_part and reads.everything):
+            return
+        if not (self.lasts or self.is_part):
             return
         self.changed = True
         try:
@@ -213,7 +171,8 @@ class KeptPrograms:
                 self._rows.pop(other, None)
             return
         own = {path for group in reads.imports for path in group}
-        self._rows[name] = _Row(
+        self._new.append(name)
+        self._rows[name] = Row(
             late,
             reads.everything,
             sorted(reads.files),
@@ -230,46 +189,23 @@ class KeptPrograms:
 
     def dump(self) -> bytes:
         """All that is known, for the next run."""
-        rows = self._rows | {key: row for key, row in self._others() if key not in self._rows}
-        files: dict[str, int] = {}
-        lookups: dict[Lookup, tuple[int, int, str | None]] = {}
+        return self._written(self._rows | dict(self._others()))
 
-        def number(path: str) -> int:
-            return files.setdefault(path, len(files))
+    def take_new(self) -> bytes:
+        """The programs that were followed since the last time."""
+        rows = {key: self._rows[key] for key in self._new if key in self._rows}
+        self._new = []
+        return self._written(rows)
 
-        def look_up(lookup: Lookup, found: str | None) -> int:
-            if lookup not in lookups:
-                lookups[lookup] = (len(lookups), number(lookup[0]), found)
-                if found is not None:
-                    number(found)
-            return lookups[lookup][0]
+    def _written(self, rows: Mapping[str, Row]) -> bytes:
+        fingerprints = {path: known for path, known in self._fingerprints.items() if known is not None}
+        return write(rows, fingerprints, self.surroundings, self._everything)
 
-        entries = [
-            _Entry(
-                key,
-                row.late,
-                row.everything,
-                [number(path) for path in row.files],
-                [number(path) for path in row.used],
-                [look_up(lookup, found) for lookup, found in row.lookups.items()],
-                [[number(path) for path in group] for group in row.imports],
-                [number(path) for path in row.writers],
-                row.writes,
-                row.result,
-            )
-            for key, row in sorted(rows.items())
-        ]
-        table = [
-            (at, name, dots, -1 if found is None else files[found])
-            for (_, name, dots), (_, at, found) in lookups.items()
-        ]
-        prints = [(path, self._print_of(path) or "") for path in files]
-        return msgspec.msgpack.encode(_Kept(self.surroundings, self._everything(), prints, table, entries))
-
-    def _others(self) -> Iterable[tuple[str, _Row]]:
+    def _others(self) -> Iterable[tuple[str, Row]]:
         """The programs that nobody asked for this time, and that are as they were."""
-        for key, entry in self._known.items():
-            row = self._row(entry) if key not in self._rows else None
+        table = self._tables[-1]
+        for key in table.keys:
+            row = self._valid(table, key) if key not in self._rows else None
             if row is not None:
                 yield key, row
 

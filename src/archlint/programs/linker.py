@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
+from functools import partial
 from typing import TYPE_CHECKING
 
 from archlint import model
@@ -25,6 +26,7 @@ from archlint.launch.library import LaunchLibrary
 from archlint.libraries.python import command_line
 from archlint.libraries.rclpy import escapes
 from archlint.libraries.run import Run
+from archlint.programs.ahead import WORTH_IT, apart, follow_ahead
 from archlint.programs.budget import Budget, cut_short
 from archlint.programs.followed import Followed, FollowedProgram, Progress
 from archlint.programs.helpers import helpers_in, note_unfollowed, prune_uncalled, settle_helpers
@@ -54,6 +56,10 @@ class EntryPoint:
     file: SourceFile | None = None
 
 
+Entry = tuple[EntryPoint, Module]
+"""An entry point, and the module that it starts."""
+
+
 def link_files(
     files: Sequence[SourceFile],
     facts_of: Callable[[SourceFile], facts.Facts | None],
@@ -80,6 +86,7 @@ class Linker:
         interfaces: InterfaceTable | None = None,
         faults: Faults | None = None,
         keep: Callable[[ModuleIndex, Callable[[Iterable[str]], None]], KeptPrograms] | None = None,
+        jobs: int = 1,
     ) -> None:
         self.index = ModuleIndex(files, facts_of)
         self.index.import_earlier = self._import_earlier
@@ -89,6 +96,7 @@ class Linker:
         self._shown = {file.relative: file for file in self.files}
         self.relevant = relevant
         self.interfaces = interfaces
+        self.jobs = jobs
         self.store = Store()
         self.faults = faults or Faults()
         self.progress = Progress()
@@ -101,21 +109,13 @@ class Linker:
     # ----------------------------------------------------------------------------------------- programs
 
     def run_all(self, entry_points: list[EntryPoint]) -> list[model.Program]:
-        started: dict[str, set[str]] = {}
-        for entry in sorted(entry_points, key=lambda e: (e.package or "", e.executable)):
-            module = self.module_of(entry)
-            if module is not None:
-                started.setdefault(module.file.path, set()).add(entry.function or "")
-                self.started[entry.package, entry.executable] = self.run_entry(entry, module)
+        ordered = sorted(entry_points, key=lambda e: (e.package or "", e.executable))
+        entries = [(entry, module) for entry in ordered if (module := self.module_of(entry)) is not None]
         modules = [m for m in (self._relevant_module(file) for file in self.files) if m is not None]
-        for test in (False, True):
-            chosen = [m for m in modules if self.index.roles.is_test(m.path) is test]
-            for module in chosen:
-                if self._is_started(module, started):
-                    continue
-                if main_guard(module.facts) or not self._is_imported(module):
-                    self.run_script(module)
-            Sweep(self.progress, self.follow, self.new_run, self._value).run(chosen)
+        if sum(module.file.size for module in modules) > WORTH_IT:
+            every = {module.file.path: module for module in (*modules, *(module for _, module in entries))}
+            self.ahead(lambda: [self._part(group, entries, modules) for group in apart(every.values(), self.index)])
+        self._run_in_order(entries, modules)
         programs = self.progress.programs
         prune_uncalled(programs)
         settle_helpers(programs, self.progress.holders)
@@ -124,6 +124,30 @@ class Linker:
         self._settled = True
         self.progress.budget = Budget()  # for what launch files run again
         return [p for p in programs if p.nodes or p.calls or p.callbacks or p.unknown_interfaces or p.field_uses]
+
+    def ahead(self, parts: Callable[[], Sequence[Callable[[], object]]]) -> None:
+        """Do parts of the work that follow programs in processes of their own, where that is worth it."""
+        if self.jobs > 1 and isinstance(self.kept, KeptPrograms) and not self.kept.is_mostly_known():
+            follow_ahead(parts(), self.kept, self.jobs)
+
+    def _part(self, group: Sequence[Module], entries: Sequence[Entry], modules: Sequence[Module]) -> Callable[[], None]:
+        paths = {module.file.path for module in group}
+        own = [(entry, module) for entry, module in entries if module.file.path in paths]
+        return partial(self._run_in_order, own, [module for module in modules if module.file.path in paths])
+
+    def _run_in_order(self, entries: Sequence[Entry], modules: Sequence[Module]) -> None:
+        started: dict[str, set[str]] = {}
+        for entry, module in entries:
+            started.setdefault(module.file.path, set()).add(entry.function or "")
+            self.started[entry.package, entry.executable] = self.run_entry(entry, module)
+        for test in (False, True):
+            chosen = [m for m in modules if self.index.roles.is_test(m.path) is test]
+            for module in chosen:
+                if self._is_started(module, started):
+                    continue
+                if main_guard(module.facts) or not self._is_imported(module):
+                    self.run_script(module)
+            Sweep(self.progress, self.follow, self.new_run, self._value).run(chosen)
 
     def follow(self, key: ProgramKey, act: Callable[[], Followed]) -> Followed:
         """What becomes of a program: known from an earlier run, or what ``act`` says now."""

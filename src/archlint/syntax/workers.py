@@ -43,10 +43,11 @@ class TimedOut:
 Answer = bytes | Crashed | TimedOut
 
 
-def can_fork() -> bool:
-    """Whether this process may fork: only POSIX can, and only while no other thread runs."""
+def can_fork(waiting: int = 0) -> bool:
+    """Whether this process may fork: only POSIX can, and only while no other thread runs.  ``waiting`` is how many
+    others do nothing but wait for this one."""
     threading = sys.modules.get("threading")
-    alone = threading is None or threading.active_count() == 1
+    alone = threading is None or threading.active_count() == 1 + waiting
     return hasattr(os, "fork") and alone
 
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import replace
 from functools import partial
 from typing import TYPE_CHECKING
@@ -41,36 +41,55 @@ def launch_systems(
     All of them share ``workspace``, which is filled here.
     """
 
-    def work() -> list[System]:
-        launched = _launched(launches, chosen, arguments)
-        workspace.launched = launched
-        workspace.explicit = chosen is not None
-        dependencies = opened.package_dependencies
-        maker = LaunchSystems(linker, entries, launches, workspace, dependencies, distro)
-        parts = _parts(launched)
-        systems = []
-        for launch in launched:
-            with launches.faults.contained("making the system of this launch file", Place(launch.file, 1, 1, 1, 1)):
-                named = chosen is not None or any(glob.matches(launch.file) for glob in configured)
-                if launch.ros1 or not launch.is_launch_file or (configured and not named):
-                    continue
-                system = maker.system(launch)
-                is_included = launch.file in parts
-                # The nodes of a part may have their partners beside it.
-                is_closed = (closed and not is_included) or (named and _whole(launch, system))
-                settled = partial(replace, closed=is_closed, is_included=is_included)
-                alternatives = [
-                    (values, settled(maker.system(launches.run(launch.file, {**launch.arguments, **values}))))
-                    for values in (undecided_arguments(launch) if _differs(system) else ())
-                ]
-                systems.append(settled(system, alternatives=alternatives))
-        pairs = frozenset(started_pairs(launched, _by_executable(opened.programs)))
-        beside = [] if chosen is not None else [replace(opened, launched_pairs=pairs, workspace=workspace)]
-        return [*beside, *systems]
+    launched = _launched(launches, chosen, arguments)
+    workspace.launched = launched
+    workspace.explicit = chosen is not None
+    maker = LaunchSystems(linker, entries, launches, workspace, opened.package_dependencies, distro)
+    parts = _parts(launched)
 
-    workspace.systems = work()
+    def system_of(launch: Launched) -> System | None:
+        named = chosen is not None or any(glob.matches(launch.file) for glob in configured)
+        if launch.ros1 or not launch.is_launch_file or (configured and not named):
+            return None
+        system = maker.system(launch)
+        is_included = launch.file in parts
+        # The nodes of a part may have their partners beside it.
+        is_closed = (closed and not is_included) or (named and _whole(launch, system))
+        settled = partial(replace, closed=is_closed, is_included=is_included)
+        alternatives = [
+            (values, settled(maker.system(launches.run(launch.file, {**launch.arguments, **values}))))
+            for values in (undecided_arguments(launch) if _differs(system) else ())
+        ]
+        return settled(system, alternatives=alternatives)
+
+    def systems_of(group: Iterable[Launched]) -> list[System]:
+        systems = []
+        for launch in group:
+            with launches.faults.contained("making the system of this launch file", Place(launch.file, 1, 1, 1, 1)):
+                systems.append(system_of(launch))
+        return [system for system in systems if system is not None]
+
+    linker.ahead(lambda: [partial(systems_of, group) for group in _together(launched)])
+    systems = systems_of(launched)
+    pairs = frozenset(started_pairs(launched, _by_executable(opened.programs)))
+    beside = [] if chosen is not None else [replace(opened, launched_pairs=pairs, workspace=workspace)]
+    workspace.systems = [*beside, *systems]
     workspace.launched_alone = {path: launches.with_defaults(path) for path in _given_arguments(workspace.systems)}
     return workspace.systems
+
+
+_FILES = 4
+"""How many launch files of one folder are one part of the work."""
+
+
+def _together(launches_: Sequence[Launched]) -> list[list[Launched]]:
+    """Launch files that may start the same programs with the same parameters: neighbours; those that start most
+    first."""
+    folders: dict[str, list[Launched]] = {}
+    for launch in launches_:
+        folders.setdefault(launch.file.rpartition("/")[0], []).append(launch)
+    groups = [rows[at : at + _FILES] for rows in folders.values() for at in range(0, len(rows), _FILES)]
+    return sorted(groups, key=lambda group: -sum(len(launch.started) for launch in group))
 
 
 def _parts(launches_: Sequence[Launched]) -> set[str | None]:

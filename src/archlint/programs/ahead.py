@@ -1,0 +1,69 @@
+"""Following programs ahead in processes of their own.
+
+What a process finds is offered to the run as if an earlier run had kept it.  The run asks for its programs in the same
+order as ever, and follows those again that nobody has followed under the same conditions: the number of processes
+changes nothing but the time.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Sequence
+from typing import TYPE_CHECKING, TypeVar
+
+from archlint.syntax import workers
+
+if TYPE_CHECKING:
+    from archlint.interpreter.modules import Module, ModuleIndex
+    from archlint.programs.kept import KeptPrograms
+
+WORTH_IT = 200_000
+"""From how many bytes of source on a process more is worth its start."""
+DEADLINE = 900.0
+"""How many seconds of processor time one part of the work may take before the run does it itself."""
+
+_Item = TypeVar("_Item")
+
+
+def follow_ahead(parts: Sequence[Callable[[], object]], kept: KeptPrograms, jobs: int) -> None:
+    """Do the parts of some work in up to ``jobs`` processes, the first ones first, and take what programs they have
+    followed.  A part whose process fails is left to the run."""
+    if jobs < 2 or len(parts) < 2 or not workers.can_fork(waiting=1):
+        return
+
+    def job(number: bytes) -> bytes:
+        kept.is_part = True
+        parts[int(number)]()
+        return kept.take_new()
+
+    numbers = [b"%06d" % number for number in range(len(parts))]
+    try:
+        answers = workers.run_in_workers(job, numbers, min(jobs, len(parts)), DEADLINE)
+    except OSError:  # no process to be had
+        return
+    for answer in answers:
+        if isinstance(answer, bytes):
+            kept.add(answer)
+
+
+def apart(modules: Iterable[Module], index: ModuleIndex) -> list[list[Module]]:
+    """Modules in groups of which none imports anything that another imports, too; the largest group first."""
+    groups: dict[str, list[Module]] = {}
+    group_of: dict[str, str] = {}
+    for module in modules:
+        paths = index.imported_by(module)
+        names = sorted({group_of[path] for path in paths if path in group_of})
+        members = [module, *(member for name in names for member in groups.pop(name))]
+        name = module.path
+        groups[name] = members
+        joined = set(names)
+        group_of = {path: name if of in joined else of for path, of in group_of.items()} if joined else group_of
+        group_of.update(dict.fromkeys(paths, name))
+    return by_weight(groups.values(), lambda module: module.file.size)
+
+
+def by_weight(groups: Iterable[list[_Item]], weight: Callable[[_Item], int]) -> list[list[_Item]]:
+    """Groups, the heaviest first."""
+    return sorted(groups, key=lambda group: -sum(map(weight, group)))
+
+
+__all__ = ["WORTH_IT", "apart", "by_weight", "follow_ahead"]

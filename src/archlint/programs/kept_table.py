@@ -1,0 +1,163 @@
+"""The form in which programs are kept: what each depends on, as rows of tables that all of them share."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Mapping
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import msgspec
+
+if TYPE_CHECKING:
+    from archlint.interpreter.reads import Lookup
+
+
+@dataclass
+class Row:
+    """One program: what it depends on, and what became of it."""
+
+    late: bool
+    """Whether the workspace had spent its statements when the program was followed."""
+    everything: bool
+    """Whether it depends on all modules."""
+    files: Collection[str]
+    """The files whose code it has seen."""
+    used: Collection[str]
+    """The modules that were imported for it, or had been before."""
+    lookups: dict[Lookup, str | None]
+    """The file that each import means; None where it means none of the workspace."""
+    imports: list[list[str]]
+    """The modules that ran for the first time: each that was imported first, and those that its import led to."""
+    writers: Collection[str]
+    """The modules that had changed objects of those that it uses; none of ``imports``."""
+    writes: bool
+    """Whether its imports have changed objects of other modules."""
+    result: bytes
+
+
+class _Entry(msgspec.Struct, array_like=True):
+    """One program: its numbers are rows of the tables."""
+
+    key: str
+    late: bool
+    everything: bool
+    files: list[int]
+    used: list[int]
+    lookups: list[int]
+    imports: list[list[int]]
+    writers: list[int]
+    writes: bool
+    result: bytes
+
+
+class _Kept(msgspec.Struct, array_like=True):
+    surroundings: str
+    everything: str
+    files: list[tuple[str, str]]
+    """Path and fingerprint."""
+    lookups: list[tuple[int, str, int, int]]
+    """File, name, dots, and the file that it means; -1 for none."""
+    entries: list[_Entry]
+
+
+class Table:
+    """Programs as they were written.  One that is damaged, or of other surroundings, has none."""
+
+    def __init__(self, payload: bytes | None, surroundings: str) -> None:
+        try:
+            kept = None if payload is None else msgspec.msgpack.decode(payload, type=_Kept)
+        except (msgspec.MsgspecError, ValueError, RecursionError):
+            kept = None
+        if kept is None or kept.surroundings != surroundings:
+            kept = _Kept(surroundings, "", [], [], [])
+        self._kept = kept
+        self._entries = {entry.key: entry for entry in kept.entries}
+
+    @property
+    def everything(self) -> str:
+        """The fingerprint of all files together."""
+        return self._kept.everything
+
+    @property
+    def keys(self) -> Collection[str]:
+        return self._entries.keys()
+
+    @property
+    def fingerprints(self) -> Mapping[str, str]:
+        """Those of the files, by their paths, that the programs have read."""
+        return dict(self._kept.files)
+
+    def files_of(self, key: str) -> list[tuple[str, str]]:
+        """The files that a program has read, with their fingerprints then."""
+        return [self._kept.files[number] for number in self._entries[key].files]
+
+    def row(self, key: str) -> Row | None:
+        """A program; raises ``LookupError`` where the table is damaged."""
+        entry = self._entries.get(key)
+        if entry is None:
+            return None
+        paths, lookups = self._paths, {}
+        for number in entry.lookups:
+            file, name, dots, target = self._kept.lookups[number]
+            [lookup_file] = paths([file])
+            lookups[lookup_file, name, dots] = None if target < 0 else paths([target])[0]
+        return Row(
+            entry.late,
+            entry.everything,
+            paths(entry.files),
+            paths(entry.used),
+            lookups,
+            [paths(group) for group in entry.imports],
+            paths(entry.writers),
+            entry.writes,
+            entry.result,
+        )
+
+    def _paths(self, numbers: list[int]) -> list[str]:
+        return [self._kept.files[number][0] for number in numbers]
+
+
+class _Numbers:
+    """The rows of the tables, as they come up."""
+
+    def __init__(self) -> None:
+        self.files: dict[str, int] = {}
+        self.lookups: dict[Lookup, tuple[int, str | None]] = {}
+
+    def of(self, paths: Collection[str]) -> list[int]:
+        return [self.files.setdefault(path, len(self.files)) for path in paths]
+
+    def of_lookup(self, lookup: Lookup, target: str | None) -> int:
+        if lookup not in self.lookups:
+            self.of([lookup[0], *([] if target is None else [target])])
+            self.lookups[lookup] = len(self.lookups), target
+        return self.lookups[lookup][0]
+
+
+def write(rows: Mapping[str, Row], fingerprints: Mapping[str, str], surroundings: str, everything: str) -> bytes:
+    """Programs by their keys, as a :class:`Table` reads them."""
+    numbers = _Numbers()
+    entries = [
+        _Entry(
+            key,
+            row.late,
+            row.everything,
+            numbers.of(row.files),
+            numbers.of(row.used),
+            [numbers.of_lookup(lookup, target) for lookup, target in row.lookups.items()],
+            [numbers.of(group) for group in row.imports],
+            numbers.of(row.writers),
+            row.writes,
+            row.result,
+        )
+        for key, row in sorted(rows.items())
+    ]
+    lookups = [
+        (numbers.files[file], name, dots, -1 if target is None else numbers.files[target])
+        for (file, name, dots), (_, target) in numbers.lookups.items()
+    ]
+    files = [(path, fingerprints.get(path, "")) for path in numbers.files]
+    return msgspec.msgpack.encode(_Kept(surroundings, everything, files, lookups, entries))
+
+
+__all__ = ["Row", "Table", "write"]
