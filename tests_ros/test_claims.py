@@ -42,5 +42,5 @@ def test_the_table_has_what_is_seen(claim: Claim, seen: dict[Claim, str], enviro
 
 def test_archlint_says_what_is_seen(seen: dict[Claim, str], environment: Environment):
     found = findings(CLAIMS, environment.distro)
-    wrong = [claim.name for claim in CLAIMS if not RULES[claim.rule].bears_out(said(found[claim]), seen[claim])]
+    wrong = [claim.name for claim in CLAIMS if not RULES[claim.rule].bears_out(claim, said(found[claim]), seen[claim])]
     assert wrong == []

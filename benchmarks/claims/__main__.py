@@ -59,7 +59,7 @@ def compare(claims: list[Claim], distros: list[str]) -> None:
             for claim, found in findings(here[start : start + _BATCH], distro).items():
                 tried[claim.rule] += 1
                 seen = observed[distro][claim]
-                if not RULES[claim.rule].bears_out(said(found), seen):
+                if not RULES[claim.rule].bears_out(claim, said(found), seen):
                     wrong[claim.rule] += 1
                     print(f"  {distro} {claim.name}: {seen}; {said(found)} {' '.join(one.message for one in found)}")
         for rule, count in sorted(tried.items()):

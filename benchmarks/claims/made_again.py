@@ -81,4 +81,10 @@ def outcome(claim: Claim, said: Said) -> str:
     return GROWS if numbers[-1] - numbers[0] >= len(numbers) - 1 else STAYS
 
 
-JUDGED = Judged("EXE005", claims, source, outcome, frozenset({GROWS, "raised InvalidHandle"}), needs, seconds=1.5)
+def left_alone(claim: Claim) -> bool:
+    """Names that data decides are other endpoints; of a cancelled timer only its entry in a list stays."""
+    return claim.form in ("by_number", "cancelled")
+
+
+_HARMFUL = frozenset({GROWS, "raised InvalidHandle"})
+JUDGED = Judged("EXE005", claims, source, outcome, _HARMFUL, needs, seconds=1.5, left_alone=left_alone)

@@ -41,10 +41,12 @@ class Judged:
     needs: Callable[[Claim], list[str]] = lambda claim: []
     seconds: float = 2.5
     judges: tuple[str, ...] = ()
+    left_alone: Callable[[Claim], bool] = lambda claim: False
+    """The programs of which the rule's page says that they are not reported, whatever they do."""
 
-    def bears_out(self, said: str, seen: str) -> bool:
+    def bears_out(self, claim: Claim, said: str, seen: str) -> bool:
         """Whether what was seen is what archlint says: ``reported`` where it does harm, ``silent`` where not."""
-        return (said == REPORTED) == (seen in self.harmful)
+        return (said == REPORTED) == (seen in self.harmful and not self.left_alone(claim))
 
 
 def method(signature: str, body: str, *, coroutine: bool = False) -> str:

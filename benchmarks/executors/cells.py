@@ -185,6 +185,7 @@ def program(cell: Cell) -> str:
 
 
 _PARTNERS = {
+    "service": ("self.sender = self.create_client(Trigger, 'outer')", "self.sender.call_async(Trigger.Request())"),
     "subscription": (
         "self.sender = self.create_publisher(String, 'go', 10)",
         "self.sender.publish(String(data='go'))",

@@ -229,3 +229,68 @@ def test_goals_run_beside_each_other(run: Run):
     sender = sender.replace("publish(Empty())", "send_goal_async(Fibonacci.Goal())")
     [found] = run(source(serves, counts, sender + BOTH))
     assert found.code == "EXE014" and found.related[-1].message == "a goal is sent here every 0.2 s"
+
+
+HEARS = """
+    self.came = threading.Event()
+    group = ReentrantCallbackGroup()
+    self.create_subscription(Empty, 'news', self.on_news, 10, callback_group=group)
+    self.timer = self.create_timer({period}, self.tick, callback_group={group})
+"""
+WAITS_FOR_NEWS = """
+def tick(self):
+    self.came.clear()
+    {before}self.came.wait({limit})
+
+def on_news(self, message):
+    self.came.set()
+"""
+
+
+def news(period: str = "0.2", group: str = "group", before: str = "", limit: str = "") -> str:
+    return source(HEARS.format(period=period, group=group), WAITS_FOR_NEWS.format(before=before, limit=limit), TWO)
+
+
+def test_a_timer_that_waits_beside_itself_for_an_event(run: Run):
+    text = news()
+    (found,) = [one for one in run(text) if one.code == "EXE014"]
+    assert text.splitlines()[found.place.line - 1].strip() == "self.came.wait()"
+    assert "starts again every 0.2 s while it still waits for an event that Robot.on_news sets" in found.message
+    assert found.message.endswith("all 2 threads wait, and no thread is left to run Robot.on_news: it then deadlocks")
+    assert (found.help or "").startswith("give Robot.tick a MutuallyExclusiveCallbackGroup() of its own")
+    (found,) = [one for one in run(news(limit="timeout=0.5")) if one.code == "EXE014"]
+    assert found.message.endswith("every wait then times out")
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        news(group="MutuallyExclusiveCallbackGroup()"),  # as the help says
+        news(limit="timeout=0.1"),  # ends before the second thread is taken
+        news(period="5.0"),
+        news(before="if self.count_publishers('news'):\n        "),
+        news()
+        .replace("self.on_news, 10, callback_group=group", "print, 10")
+        .replace("def on_news(self, message)", "def on(self)"),
+    ],
+)
+def test_an_event_that_leaves_a_thread(run: Run, text: str):
+    assert "EXE014" not in codes(run(text))
+
+
+def test_requests_that_come_while_a_handler_waits_for_an_event(run: Run):
+    made = """
+        self.came = threading.Event()
+        group = ReentrantCallbackGroup()
+        self.create_subscription(Empty, 'news', self.on_news, 10, callback_group=group)
+        self.create_service(Trigger, 'look', self.look, callback_group=group)
+    """
+    methods = WAITS_FOR_NEWS.format(before="", limit="").replace("def tick(self)", "def look(self, request, response)")
+    methods = methods.replace("self.came.wait()", "self.came.wait()\n    return response")
+    asks = SENDER.format(period="0.2", before="")
+    asks = asks.replace("self.create_publisher(Empty, 'go', 10)", "self.create_client(Trigger, 'look')")
+    asks = asks.replace("self.sender.publish(Empty())", "self.sender.call_async(Trigger.Request())")
+    (found,) = [one for one in run(source(made, methods, asks + BOTH)) if one.code == "EXE014"]
+    assert "starts again every 0.2 s" in found.message
+    assert [one.message for one in found.related if "every" in one.message] == ["it is called here every 0.2 s"]
+    assert "EXE014" not in codes(run(source(made, methods, TWO)))  # nothing says how often

@@ -38,6 +38,17 @@ class EventWait:
 @once
 def event_waits(system: System) -> list[EventWait]:
     """The waits for events that nothing but a callback kept out meanwhile sets."""
+    found = []
+    for program, call, setters in waits_for_events(system):
+        reasons = [_kept_out(call.context, setter, program) for setter in setters]
+        if all(reasons):
+            found.append(EventWait(call, setters[0], program, has_limit(call, "timeout"), reasons[0] or ""))
+    return found
+
+
+@once
+def waits_for_events(system: System) -> list[tuple[Program, ApiCall, list[Callback]]]:
+    """The waits of callbacks for events that something sets, with what sets them, each time later."""
     setters: dict[ObjectIdentity, list[ApiCall]] = {}
     for _, call in judged_calls(system):
         if call.api == _SET and isinstance(call.receiver, Object):
@@ -47,12 +58,8 @@ def event_waits(system: System) -> list[EventWait]:
         if call.api != _WAIT or not isinstance(call.receiver, Object) or not runs_in_executor(call.context):
             continue
         setting = setters.get(call.receiver.identity, [])
-        if is_behind_its_setter(source_code(system), call, setting):
-            continue
-        by = [one.context for one in setting]
-        reasons = [_kept_out(call.context, setter, program) for setter in by]
-        if by and all(reasons):
-            found.append(EventWait(call, by[0], program, has_limit(call, "timeout"), reasons[0] or ""))
+        if setting and not is_behind_its_setter(source_code(system), call, setting):
+            found.append((program, call, [setter.context for setter in setting]))
     return found
 
 

@@ -22,6 +22,7 @@ if TYPE_CHECKING:
 
 _PUBLISH = "rclpy.publisher.Publisher.publish"
 _SEND_GOAL = "rclpy.action.client.ActionClient.send_goal_async"
+_SEND_REQUEST = "rclpy.client.Client.call_async"
 
 
 @dataclass(frozen=True)
@@ -53,6 +54,8 @@ def pace_of(system: System, callback: Callback) -> Pace | None:
             senders = _others(system, callback.creation, _PUBLISH)
         case Role.EXECUTE:
             senders = _others(system, callback.creation, _SEND_GOAL)
+        case Role.SERVICE:
+            senders = _others(system, callback.creation, _SEND_REQUEST)
         case _:
             return None
     return min(senders, key=lambda pace: pace.period, default=None)
@@ -92,7 +95,7 @@ def _ends(system: System) -> dict[int, Endpoint]:
 @once
 def _regular_sends(system: System) -> list[tuple[ApiCall, float]]:
     """The calls that a timer comes to at each tick, with its period in seconds."""
-    return list(_sends(system, (_PUBLISH, _SEND_GOAL)))
+    return list(_sends(system, (_PUBLISH, _SEND_GOAL, _SEND_REQUEST)))
 
 
 def _sends(system: System, apis: Iterable[str]) -> Iterator[tuple[ApiCall, float]]:

@@ -5,16 +5,17 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from archlint.analysis.kept import once
-from archlint.analysis.paces import pace_of, runs_beside_itself
+from archlint.analysis.paces import Pace, pace_of, runs_beside_itself
 from archlint.analysis.polling import is_unguarded, notes_that_it_ran
 from archlint.analysis.reach import argument
 from archlint.analysis.sleeps import longest
-from archlint.analysis.source_code import SourceCode, source_code
+from archlint.analysis.source_code import source_code
 from archlint.analysis.threaded_waits import as_a_whole, threaded_waits
 from archlint.analysis.waits import DONE, Wait
-from archlint.model import ExecutorKind
+from archlint.model import ExecutorKind, Role
 
 if TYPE_CHECKING:
+    from archlint.model import ApiCall, Blueprint, Program
     from archlint.systems.model import System
 
 _OFTEN_S = 1.0
@@ -23,21 +24,38 @@ _OFTEN_S = 1.0
 
 @once
 def piling_up(system: System) -> list[Wait]:
-    """The waits of callbacks that run beside themselves and that a late answer multiplies, until no thread is left."""
-    code = source_code(system)
-    return [wait for wait in threaded_waits(system) if _outruns(system, code, wait)]
+    """The waits of callbacks that run beside themselves and that a late answer multiplies, until no thread is left.
+
+    Those of service handlers are left to what SRV003 says of them.
+    """
+    return [wait for wait in threaded_waits(system) if _outruns(system, wait)]
 
 
-def _outruns(system: System, code: SourceCode, wait: Wait) -> bool:
+def _outruns(system: System, wait: Wait) -> bool:
     """Whether the callback starts often enough, for certain, while the first still waits."""
-    pace = pace_of(system, wait.call.context) if runs_beside_itself(wait.call.context) else None
-    if pace is None or pace.period > _OFTEN_S:
+    callback = wait.call.context
+    if callback.role == Role.SERVICE or not runs_beside_itself(callback):
         return False
-    if not is_unguarded(code, as_a_whole(wait.call)) or notes_that_it_ran(code, wait.call):
+    pace = pace_of(system, callback)
+    return (
+        pace is not None
+        and comes_each_time(system, wait.call)
+        and outlasts(pace, wait.limited, _limit(wait), known_threads(wait))
+    )
+
+
+def comes_each_time(system: System, call: ApiCall) -> bool:
+    """Whether a callback comes to a wait each time it runs, for all that is seen."""
+    code = source_code(system)
+    return not call.conditional and is_unguarded(code, as_a_whole(call)) and not notes_that_it_ran(code, call)
+
+
+def outlasts(pace: Pace, limited: bool, limit: float | None, threads: int | None) -> bool:
+    """Whether a wait of ``limit`` seconds (None: not known) is long enough for the callback to take all threads."""
+    if pace.period > _OFTEN_S:
         return False
-    if not wait.limited:
+    if not limited:
         return True
-    limit, threads = _limit(wait), known_threads(wait)
     # The first tick has a thread at once, the last thread is taken so many periods later.
     return limit is not None and threads is not None and limit > pace.period * (threads - 1)
 
@@ -51,8 +69,12 @@ def _limit(wait: Wait) -> float | None:
 
 def known_threads(wait: Wait) -> int | None:
     """How many threads there are, at least by what is written; None where the machine decides."""
-    node = wait.call.context.node
-    uses = [] if node is None else wait.program.executors_of(node)
+    return threads_written_for(wait.call.context.node, wait.program)
+
+
+def threads_written_for(node: Blueprint | None, program: Program) -> int | None:
+    """``num_threads`` of the executors of a node; None where the machine decides."""
+    uses = [] if node is None else program.executors_of(node)
     numbers = [use.threads for use in uses if use.kind == ExecutorKind.MULTI_THREADED]
     known = [number for number in numbers if number is not None]
     return max(known) if known and len(known) == len(numbers) else None

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 from archlint.analysis.callback_roles import callback_words, related_to
 from archlint.analysis.crowded_executors import crowds
 from archlint.analysis.paces import Pace, pace_of
+from archlint.analysis.piling_events import PilingEvent, piling_events
 from archlint.analysis.piling_waits import known_threads, piling_up
 from archlint.analysis.reach import (
     endpoint_words,
@@ -29,6 +30,7 @@ if TYPE_CHECKING:
 def thread_starvation(system: System, options: Options) -> Iterator[Finding]:
     """Timers that wait beside themselves, and executors with no more threads than callbacks that wait."""
     yield from one_for_each_place(_pile(system, wait) for wait in piling_up(system))
+    yield from one_for_each_place(_pile_of_events(system, wait) for wait in piling_events(system))
     yield from one_for_each_place(_crowd(system, use, here) for use, here in crowds(system))
 
 
@@ -52,13 +54,28 @@ def _pile(system: System, wait: Wait) -> Finding:
     )
 
 
+def _pile_of_events(system: System, wait: PilingEvent) -> Finding:
+    call, callback, setter = wait.call, wait.call.context, wait.setter
+    all_ = f"all {wait.threads} threads wait" if wait.threads is not None else "all threads wait"
+    end = "every wait then times out" if wait.limited else "it then deadlocks"
+    return finding(
+        "EXE014",
+        call.place,
+        f"{callback_words(callback)} starts again every {wait.pace.period:g} s while it still waits for an event that "
+        f"{setter.name} sets: if the event is late, {all_}, and no thread is left to run {setter.name}: {end}",
+        help=f"give {callback.name} a MutuallyExclusiveCallbackGroup() of its own: it then takes one thread at most",
+        related=(*related_to(call, wait.program), *_sent(wait.pace)),
+        node=node_name(system, callback.node),
+        identity=(callback.name, setter.name, "event"),
+    )
+
+
 def _sent(pace: Pace) -> Iterator[Related]:
     """What brings a callback about that is no timer's."""
     if pace.sends is not None:
-        goal = pace.sends.api.endswith("send_goal_async")
-        yield Related(
-            pace.sends.place, f"{'a goal is sent' if goal else 'it is published'} here every {pace.period:g} s"
-        )
+        words = {"send_goal_async": "a goal is sent", "call_async": "it is called"}
+        sent = words.get(pace.sends.api.rpartition(".")[2], "it is published")
+        yield Related(pace.sends.place, f"{sent} here every {pace.period:g} s")
 
 
 def _crowd(system: System, use: ExecutorUse, found: list[Wait]) -> Finding:
