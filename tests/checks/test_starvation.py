@@ -58,10 +58,18 @@ def test_how_many_threads_the_default_has_is_not_known(run: Run):
         ("call(SetBool.Request(data=self.on))", "5.0", ""),  # seldom
         ("call(SetBool.Request(data=self.on))", "0.1", "    if self.on:\n        return\n"),  # not each time
         ("call(SetBool.Request(data=self.on))", "0.1", "    self.timer.cancel()\n"),  # once
+        ("call(SetBool.Request(data=self.on))", "0.1", "    self.asked = True\n"),  # somebody may ask for that
     ],
 )
 def test_what_does_not_come_often_is_not_reported(run: Run, wait: str, period: str, before: str):
     assert "EXE014" not in codes(run(source(*reentrant(wait, period, before), FOUR)))
+
+
+def test_a_variable_that_ends_with_the_callback_keeps_nobody_from_the_next_wait(run: Run):
+    local = reentrant("call(SetBool.Request(data=self.on))", before="    asked = True\n")
+    assert "EXE014" in codes(run(source(*local, FOUR)))
+    shared = reentrant("call(SetBool.Request(data=self.on))", before="    global asked\n    asked = True\n")
+    assert "EXE014" not in codes(run(source(*shared, FOUR)))
 
 
 def test_a_done_callback_and_an_await_keep_no_thread(run: Run):

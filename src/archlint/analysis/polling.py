@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 from typing import TYPE_CHECKING
 
 from archlint.analysis.reach import argument
@@ -84,11 +84,20 @@ def _names_a_future(test: facts.Expr) -> bool:
 
 
 def notes_that_it_ran(code: SourceCode, call: ApiCall) -> bool:
-    """Whether a callback sets a flag: it may be asked before the next request, here or elsewhere."""
+    """Whether a callback sets a flag that outlives it: it may be asked before the next request, here or elsewhere."""
+    body = code.body(call)
+    shared = {name for statement in statements_of(body, facts.Global) for name in statement.names}
     return any(
-        _is_flag(statement.value) and not all(target.attribute == "data" for target in statement.targets)
-        for statement in statements_of(code.body(call), facts.Assign)
+        _is_flag(statement.value) and any(_outlives(target, shared) for target in statement.targets)
+        for statement in statements_of(body, facts.Assign)
     )
+
+
+def _outlives(target: facts.Expr, shared: Collection[str]) -> bool:
+    """Whether what is assigned is there when the callback has ended; ``data`` is a message's field."""
+    if target.variable:
+        return target.variable in shared
+    return target.attribute != "data"
 
 
 def _is_flag(value: facts.Expr) -> bool:
