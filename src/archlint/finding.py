@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 from enum import IntEnum
+from typing import Literal
 
 from archlint.edit_sites import Sites
 from archlint.place import Place
@@ -48,9 +49,9 @@ class Edit:
 
 @dataclass(frozen=True)
 class Fix:
-    """Edits that mend a finding; ``safety`` is ``safe`` or ``unsafe``."""
+    """Edits that mend a finding."""
 
-    safety: str
+    safety: Literal["safe", "unsafe"]
     edits: tuple[Edit, ...]
     title: str = ""
 

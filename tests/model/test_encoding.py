@@ -138,7 +138,16 @@ def test_every_class_of_the_model_is_known():
     """Each class that a field of a program names, and each kind of what a call is given."""
     annotations = " ".join(str(row.type) for kind in encoding._RECORDS.values() for row in fields(kind))
     named = set(re.findall(r"\b[A-Z]\w+\b", annotations)) - {"None", "Literal"}
-    aliases = {"BranchArm", "BranchArms", "ClassKey", "GuardKind", "OriginKind", "Resolution", "Access"}
+    aliases = {
+        "BranchArm",
+        "BranchArms",
+        "ClassKey",
+        "GuardKind",
+        "InterfaceKind",
+        "OriginKind",
+        "Resolution",
+        "Access",
+    }
     assert named - aliases <= encoding._RECORDS.keys() | encoding._WORDS.keys()
     assert {kind.__name__ for kind in given.Given.__subclasses__()} <= encoding._RECORDS.keys()
 

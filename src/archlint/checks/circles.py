@@ -16,9 +16,11 @@ from archlint.workspace.manifest import condition_verdict
 
 if TYPE_CHECKING:
     from archlint.systems.model import System, WorkspaceIndex
-    from archlint.workspace.model import Package
+    from archlint.workspace.model import DependencyKind, Package
 
-_BUILD = frozenset({"depend", "build", "build_export", "buildtool", "buildtool_export", "exec", "run"})
+_BUILD: frozenset[DependencyKind] = frozenset(
+    {"depend", "build", "build_export", "buildtool", "buildtool_export", "exec", "run"}
+)
 
 Needs = Mapping[str, Mapping[str, Place]]
 """The packages of this workspace that each one needs, with the place that says so."""

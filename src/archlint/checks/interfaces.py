@@ -30,21 +30,22 @@ def unknown_interface(system: System, options: Options) -> Iterator[Finding]:
         yield _unknown_interface(found[key])
 
 
-def _unknown_interface(one: UnknownInterface) -> Finding:
-    moved = [other for other in one.others if "/" in other]
-    names = [other for other in one.others if "/" not in other]
-    meant = moved[0] if moved else "" if _part(one) else nearest(one.name, names) or ""
+def _unknown_interface(interface: UnknownInterface) -> Finding:
+    moved = [other for other in interface.others if "/" in other]
+    names = [other for other in interface.others if "/" not in other]
+    meant = moved[0] if moved else "" if _part(interface) else nearest(interface.name, names) or ""
     hint = _instead(meant)
-    what = {"msg": "message", "srv": "service", "action": "action"}[one.kind]
-    if one.left_out:
-        hint = f": {_file(one)} is not listed in rosidl_generate_interfaces() of its CMakeLists.txt"
+    place = interface.place
+    what = {"msg": "message", "srv": "service", "action": "action"}[interface.kind]
+    if interface.left_out:
+        hint = f": {_file(interface)} is not listed in rosidl_generate_interfaces() of its CMakeLists.txt"
     return finding(
         "MSG002",
-        one.place,
-        f"{one.package} defines no {what} '{one.name}'{hint}",
-        help=_cure(one, names),
-        identity=(one.package, one.kind, one.name),
-        group=() if one.left_out else (one.place.file, str(one.place.line), one.package, one.kind),
+        place,
+        f"{interface.package} defines no {what} '{interface.name}'{hint}",
+        help=_cure(interface, names),
+        identity=(interface.package, interface.kind, interface.name),
+        group=() if interface.left_out else (place.file, str(place.line), interface.package, interface.kind),
         meant=meant,
     )
 
@@ -75,28 +76,29 @@ def _instead(meant: str, name: str = "") -> str:
     return f"; did you mean '{meant}'{by}?"
 
 
-def _part(one: UnknownInterface) -> tuple[str, str] | None:
+def _part(interface: UnknownInterface) -> tuple[str, str] | None:
     """The service and its part that ROS 1 gave a class of its own: ``Empty`` and ``Request`` of ``EmptyRequest``."""
     for part in ("Request", "Response"):
-        service = one.name.removesuffix(part)
-        if one.kind == "srv" and service != one.name and service in one.others:
+        service = interface.name.removesuffix(part)
+        if interface.kind == "srv" and service != interface.name and service in interface.others:
             return service, part
     return None
 
 
-def _file(one: UnknownInterface) -> str:
-    return f"{one.kind}/{one.name}.{one.kind}"
+def _file(interface: UnknownInterface) -> str:
+    return f"{interface.kind}/{interface.name}.{interface.kind}"
 
 
-def _cure(one: UnknownInterface, names: Sequence[str]) -> str:
+def _cure(interface: UnknownInterface, names: Sequence[str]) -> str:
     """The import line to write where the interface is found elsewhere, what the build lacks, or what there is."""
-    if one.left_out:
-        return f'add "{_file(one)}" to rosidl_generate_interfaces() in the CMakeLists.txt of {one.package}'
-    if (part := _part(one)) is not None:
+    if interface.left_out:
+        return f'add "{_file(interface)}" to rosidl_generate_interfaces() in the CMakeLists.txt of {interface.package}'
+    if (part := _part(interface)) is not None:
         return f"in ROS 2 it belongs to the service: import {part[0]} and write {part[0]}.{part[1]}()"
-    if len(one.elsewhere) == 1 and len(names) == len(one.others):
-        return f"write `from {one.elsewhere[0]}.{one.kind} import {one.name}`: that package defines it"
-    if one.elsewhere and len(names) == len(one.others):
-        return f"import it from a package that defines it: {listed(one.elsewhere, shown=_SHOWN)}"
-    when = "that function runs" if one.in_function else "the node starts"
-    return f"the import fails when {when}; {one.package}.{one.kind} has {listed(names, shown=_SHOWN)}"
+    elsewhere = interface.elsewhere if len(names) == len(interface.others) else ()
+    if len(elsewhere) == 1:
+        return f"write `from {elsewhere[0]}.{interface.kind} import {interface.name}`: that package defines it"
+    if elsewhere:
+        return f"import it from a package that defines it: {listed(elsewhere, shown=_SHOWN)}"
+    when = "that function runs" if interface.in_function else "the node starts"
+    return f"the import fails when {when}; {interface.package}.{interface.kind} has {listed(names, shown=_SHOWN)}"

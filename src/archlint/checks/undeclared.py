@@ -26,7 +26,7 @@ from archlint.workspace.manifest import condition_holds
 if TYPE_CHECKING:
     from archlint.launch.started import Started
     from archlint.systems.model import System, WorkspaceIndex
-    from archlint.workspace.model import Package
+    from archlint.workspace.model import DependencyKind, Package
 
 
 @dataclass(frozen=True, order=True)
@@ -137,8 +137,8 @@ class _Known:
 
 # ------------------------------------------------------------------------------------------- what is declared
 
-_AT_RUN_TIME = frozenset({"depend", "exec", "run", "build_export", "buildtool_export"})
-_FOR_OTHERS = frozenset({"test", "doc"})
+_AT_RUN_TIME: frozenset[DependencyKind] = frozenset({"depend", "exec", "run", "build_export", "buildtool_export"})
+_FOR_OTHERS: frozenset[DependencyKind] = frozenset({"test", "doc"})
 """What these declare is not installed where nodes run."""
 
 _ALSO = {"tf2_ros": "tf2_ros_py", "tf2_ros_py": "tf2_ros", "launch": "launch_ros"}

@@ -7,13 +7,18 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from archlint.engine.request import NothingToDo, Request
-from archlint.engine.sources import PYTHON
 from archlint.workspace.discovery import find
+from archlint.workspace.model import CODE_KINDS, LAUNCH_TEXT_KINDS, PYTHON_KINDS, SourceKind
 from archlint.workspace.parts import parts
 
 if TYPE_CHECKING:
     from archlint.syntax.files import FactsOfFiles
     from archlint.workspace.model import SourceFile, Workspace
+
+
+_INPUTS: tuple[SourceKind, ...] = (*CODE_KINDS, *LAUNCH_TEXT_KINDS)
+_OF_PACKAGES: tuple[SourceKind, ...] = ("package_xml", "interface")
+_FOR_ROS: tuple[SourceKind, ...] = (*_OF_PACKAGES, "launch_python", *LAUNCH_TEXT_KINDS)
 
 
 def find_files(request: Request) -> Workspace:
@@ -28,23 +33,22 @@ def find_files(request: Request) -> Workspace:
 
 def is_input(file: SourceFile) -> bool:
     """Whether a file was asked for, and starts or holds code."""
-    return not file.context and file.kind in ("python", "launch_python", "launch_xml", "launch_yaml")
+    return not file.context and file.kind in _INPUTS
 
 
 def is_of_package(file: SourceFile) -> bool:
     """Whether a file can be judged without any Python: a manifest, an interface."""
-    return not file.context and file.kind in ("package_xml", "interface")
+    return not file.context and file.kind in _OF_PACKAGES
 
 
 def _is_for_ros(workspace: Workspace) -> bool:
     """Whether files say by their kind that this is ROS."""
-    kinds = ("package_xml", "interface", "launch_python", "launch_xml", "launch_yaml")
-    return any(file.kind in kinds for file in workspace.files)
+    return any(file.kind in _FOR_ROS for file in workspace.files)
 
 
 def python_files(workspace: Workspace) -> list[SourceFile]:
     """The files of Python, launch files among them."""
-    return [file for file in workspace.files if file.kind in PYTHON]
+    return [file for file in workspace.files if file.kind in PYTHON_KINDS]
 
 
 def is_subset(request: Request, workspace: Workspace) -> bool:

@@ -15,9 +15,9 @@ from typing import TYPE_CHECKING
 
 import msgspec
 
-from archlint.engine.sources import PYTHON
 from archlint.report.model import Judged
 from archlint.rulebook import pages_folder
+from archlint.workspace.model import PYTHON_KINDS
 
 if TYPE_CHECKING:
     from archlint.engine.request import Request
@@ -60,7 +60,7 @@ class RunCache:
         if not self._request.cached or self._key is not None:
             return None
         files = self._workspace.files
-        digests = [facts.digest(file) if file.kind in PYTHON else self._known(file) for file in files]
+        digests = [facts.digest(file) if file.kind in PYTHON_KINDS else self._known(file) for file in files]
         self._key = self._key_of(digests)
         return self._read()
 
@@ -105,7 +105,7 @@ class RunCache:
     def _known(self, file: SourceFile) -> str | None:
         """The digest of a file's content; of Python only a known one, for compiling hashes it anyway."""
         digest = self._store.lookup(file.path, file.stamp)
-        if digest is None and file.kind not in PYTHON:
+        if digest is None and file.kind not in PYTHON_KINDS:
             digest = _digest(Path(file.path))
             if digest is not None:
                 self._store.remember(file.path, file.stamp, digest)

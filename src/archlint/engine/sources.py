@@ -7,9 +7,6 @@ import re
 import stat
 from pathlib import Path
 
-PYTHON = ("python", "launch_python", "setup_py")
-"""Kinds of files that are Python."""
-
 MAX_BYTES = 1_000_000
 """Larger files are not shown."""
 

@@ -15,6 +15,7 @@ from archlint.syntax.launch_templates import has_placeholders
 from archlint.syntax.launch_xml import read_launch_xml
 from archlint.syntax.launch_yaml import read_launch_yaml
 from archlint.syntax.parameter_files import ParameterFacts, read_parameters
+from archlint.workspace.model import LAUNCH_TEXT_KINDS
 from archlint.workspace.owners import FileOwners
 from archlint.workspace.test_code import FileRoles
 from archlint.workspace.tree import NO_FILES, Tree
@@ -77,7 +78,7 @@ class LaunchFiles:
             if file.kind == "launch_python" or (file.kind == "python" and "launch" in file.relative):
                 if self._defines_launch(file):
                     found.append(file.relative)
-            elif file.kind in ("launch_xml", "launch_yaml") and self.frontend(file.relative).root is not None:
+            elif file.kind in LAUNCH_TEXT_KINDS and self.frontend(file.relative).root is not None:
                 found.append(file.relative)
         return sorted(found)
 
@@ -149,7 +150,7 @@ class LaunchFiles:
         """What is wrong with each launch file and ``setup.py`` that is broken, and with each parameter file that a
         launch file loads."""
         for file in self._files:
-            if file.kind in ("launch_xml", "launch_yaml") and not file.context:
+            if file.kind in LAUNCH_TEXT_KINDS and not file.context:
                 self.frontend(file.relative)
         rows = [(path, one.problems) for path, one in self._frontend_facts.items()]
         rows += [(path, one.problems) for path, one in self._parameter_facts.items()]

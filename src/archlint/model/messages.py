@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Literal
 if TYPE_CHECKING:
     from archlint.finding import Place
     from archlint.model.nodes import Blueprint, Creation
+    from archlint.ros.interfaces import InterfaceKind
 
 
 Access = Literal["read", "write", "keyword", "constant"]
@@ -58,7 +59,7 @@ class UnknownInterface:
 
     place: Place
     package: str
-    kind: str
+    kind: InterfaceKind
     name: str
     others: tuple[str, ...] = ()
     left_out: bool = False

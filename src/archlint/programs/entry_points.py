@@ -26,9 +26,10 @@ from archlint.programs.linker import EntryPoint
 from archlint.syntax import facts
 from archlint.syntax.entry_point_tables import ScriptEntry, entries_of_pyproject, entries_of_setup_cfg, parse_entry
 from archlint.workspace.installed import Executable, InstalledFiles, Installs
+from archlint.workspace.model import CODE_KINDS
 
 if TYPE_CHECKING:
-    from archlint.workspace.model import SourceFile
+    from archlint.workspace.model import BuildType, SourceFile
 
 FactsOf = Callable[["SourceFile"], "facts.Facts | None"]
 
@@ -43,7 +44,7 @@ class PackageFolder(Protocol):
     def relative(self) -> str: ...
 
     @property
-    def build_type(self) -> str: ...
+    def build_type(self) -> BuildType: ...
 
 
 class Tree(Protocol):
@@ -154,7 +155,7 @@ def entry_points(installs: dict[str, Installs], files: Sequence[SourceFile]) -> 
                 found.append(EntryPoint(executable.name, package, executable.module, executable.function))
             elif executable.script in by_path:
                 file = by_path[executable.script]
-                if file.kind in ("python", "launch_python"):
+                if file.kind in CODE_KINDS:
                     found.append(EntryPoint(executable.name, package, file.module or "", None, file))
     return found
 

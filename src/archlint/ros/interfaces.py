@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Collection, Iterable, Mapping
 from types import MappingProxyType
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Literal
 
 from archlint.ros import standard_interfaces
 from archlint.syntax.interfaces import FieldType, Interface, InterfaceField, Section, parse_interface
@@ -12,7 +12,10 @@ from archlint.syntax.interfaces import FieldType, Interface, InterfaceField, Sec
 if TYPE_CHECKING:
     from archlint.workspace.model import SourceFile
 
-_KINDS = ("msg", "srv", "action")
+InterfaceKind = Literal["msg", "srv", "action"]
+"""The folder and the suffix of an interface's file."""
+INTERFACE_KINDS: tuple[InterfaceKind, ...] = ("msg", "srv", "action")
+_BY_WORD: Mapping[str, InterfaceKind] = {kind: kind for kind in INTERFACE_KINDS}
 _SECTIONS = {
     "": "message",
     "Request": "request",
@@ -37,11 +40,17 @@ _WRAPPERS = {
 """What rclpy wraps the feedback and the result of every action in, on their way to the client."""
 
 
+def parts_of_type(interface: str) -> tuple[str, InterfaceKind, str]:
+    """Package, kind and name of ``package/msg/Name``; raises KeyError for another kind."""
+    package, kind, name = interface.split("/")
+    return package, _BY_WORD[kind], name
+
+
 def type_of_file(file: SourceFile) -> str | None:
     """``package/msg/Name`` of an interface file; None where it lies in no package."""
     path = file.path.replace("\\", "/")
     stem, _, kind = path.rpartition("/")[2].rpartition(".")
-    if file.package is None or kind not in _KINDS or not stem:
+    if file.package is None or kind not in _BY_WORD or not stem:
         return None
     return f"{file.package}/{kind}/{stem}"
 
@@ -107,18 +116,20 @@ class InterfaceTable:
         for word in words:
             stem, _, suffix = word.rpartition(".")
             folder, _, name = stem.rpartition("/")
-            if name and suffix in _KINDS:
+            if name and suffix in _BY_WORD:
                 self._listed.add((package, suffix, name))
             elif name and suffix == "idl":
                 kind = folder.rpartition("/")[2]
-                self._listed.update((package, one, name) for one in ([kind] if kind in _KINDS else _KINDS))
+                self._listed.update(
+                    (package, other, name) for other in ([kind] if kind in _BY_WORD else INTERFACE_KINDS)
+                )
 
     def _lists(self, package: str) -> bool:
         return any(one == package for one, _, _ in self._listed)
 
     def _add_listed(self, package: str, words: Collection[str]) -> None:
         self._add_names(package, words)
-        globbed = any(f".{suffix}" in words for suffix in _KINDS)
+        globbed = any(f".{suffix}" in words for suffix in _BY_WORD)
         if not globbed and self._lists(package) and "GLOB" not in words:
             self._complete.add(package)
         if ".idl" in words or not _MADE_BY_CMAKE.isdisjoint(words):
@@ -132,7 +143,7 @@ class InterfaceTable:
     def file(self, name: str) -> SourceFile | None:
         return self._files.get(name)
 
-    def defines(self, package: str, kind: str, name: str) -> bool | None:
+    def defines(self, package: str, kind: InterfaceKind, name: str) -> bool | None:
         """Whether a package defines an interface of that kind (``msg``, ``srv``, ``action``); None where the
         package is not known, or only in part."""
         if f"{package}/{kind}/{name}" in self._files:
@@ -146,7 +157,7 @@ class InterfaceTable:
             return None
         return f"{package}/{kind}/{name}" in standard.interfaces
 
-    def is_left_out(self, package: str, kind: str, name: str) -> bool:
+    def is_left_out(self, package: str, kind: InterfaceKind, name: str) -> bool:
         """Whether the file of an interface is there, and the CMakeLists.txt, which lists others by name, does not
         have it: then it is not generated."""
         return (
@@ -158,10 +169,13 @@ class InterfaceTable:
     def is_built(self, file: SourceFile) -> bool:
         """Whether the build may read an interface file: False only where its package evidently generates others, or
         none."""
-        package, kind, name = (type_of_file(file) or "//").split("/")
-        return not package or not (package in self._nothing or self.is_left_out(package, kind, name))
+        interface = type_of_file(file)
+        if interface is None:
+            return True
+        package, kind, name = parts_of_type(interface)
+        return not (package in self._nothing or self.is_left_out(package, kind, name))
 
-    def of_package(self, package: str, kind: str) -> list[str]:
+    def of_package(self, package: str, kind: InterfaceKind) -> list[str]:
         """The names of the interfaces that a package generates of one kind, sorted."""
         start = f"{package}/{kind}/"
         if package in self._without:
@@ -171,7 +185,7 @@ class InterfaceTable:
             return sorted(name for name in here if not self.is_left_out(package, kind, name))
         return sorted(standard_interfaces.table().names(package, kind))
 
-    def packages_with(self, kind: str, name: str) -> tuple[str, ...]:
+    def packages_with(self, kind: InterfaceKind, name: str) -> tuple[str, ...]:
         """The packages of the workspace that define an interface of that kind and name, sorted."""
         end = f"/{kind}/{name}"
         found = sorted(file.removesuffix(end) for file in self._files if file.endswith(end))

@@ -8,7 +8,7 @@ from functools import cached_property
 from typing import TYPE_CHECKING
 
 from archlint.interpreter.modules import Module, ModuleIndex
-from archlint.workspace.model import PYTHON_KINDS
+from archlint.workspace.model import CODE_KINDS, PYTHON_KINDS
 from archlint.workspace.tree import NO_FILES
 
 if TYPE_CHECKING:
@@ -63,7 +63,7 @@ class WorkspaceCode:
         return {
             file.module: file.relative
             for file in self._files
-            if file.package == package and file.module and file.kind in ("python", "launch_python")
+            if file.package == package and file.module and file.kind in CODE_KINDS
         }
 
     def files_of(self, package: str) -> list[str]:

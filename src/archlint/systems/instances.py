@@ -20,7 +20,7 @@ from archlint.systems.resolution import NodeName, endpoint_name, node_init
 from archlint.workspace.closure import closure
 
 if TYPE_CHECKING:
-    from archlint.workspace.model import Package, Workspace
+    from archlint.workspace.model import DependencyKind, Package, Workspace
 
 
 class Settings(Protocol):
@@ -198,8 +198,8 @@ def _node_order(node: Node) -> tuple[object, ...]:
     return (node.name is None, node.name or "", *where, node.blueprint.class_name if node.blueprint else "")
 
 
-_TOGETHER = ("depend", "exec", "run", "build", "build_export")
-"""Kinds of dependency, less ``_depend``; a package that another needs for its tests alone runs without it."""
+_TOGETHER: tuple[DependencyKind, ...] = ("depend", "exec", "run", "build", "build_export")
+"""Kinds of dependency; a package that another needs for its tests alone runs without it."""
 
 
 def dependencies_within(packages: Iterable[Package]) -> dict[str, frozenset[str]]:
@@ -211,4 +211,4 @@ def dependencies_within(packages: Iterable[Package]) -> dict[str, frozenset[str]
 
 def _needs(package: Package) -> list[str]:
     entries = package.dependencies
-    return sorted({entry.name for entry in entries if entry.kind.removesuffix("_depend") in _TOGETHER})
+    return sorted({entry.name for entry in entries if entry.kind in _TOGETHER})

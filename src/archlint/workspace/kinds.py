@@ -6,7 +6,9 @@ import os
 import re
 import stat
 
-_BY_NAME = {
+from archlint.workspace.model import SourceKind
+
+_BY_NAME: dict[str, SourceKind] = {
     "package.xml": "package_xml",
     "setup.py": "setup_py",
     "setup.cfg": "setup_cfg",
@@ -22,7 +24,7 @@ _PYTHON_SHEBANG = re.compile(rb"#!.*\bpython[0-9.]*\b")
 _SHEBANG_BYTES = 64
 
 
-def kind_of(name: str, folder: str, folder_is_module: bool = False) -> str | None:
+def kind_of(name: str, folder: str, folder_is_module: bool = False) -> SourceKind | None:
     """The kind of a file with a suffix; None for what no floor reads.
 
     ``folder`` is the name of the folder it lies in; ``folder_is_module`` says whether that is a Python

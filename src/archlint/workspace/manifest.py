@@ -7,9 +7,17 @@ import re
 from collections.abc import Callable
 from xml.parsers import expat
 
-from archlint.workspace.model import Dependency, Package, Problem, SourceFile
+from archlint.workspace.model import BuildType, Dependency, DependencyKind, Package, Problem, SourceFile
 
-_DEPENDENCIES = {
+_BUILD_TYPES: dict[str, BuildType] = {
+    "": "catkin",
+    "ament_cmake": "ament_cmake",
+    "ament_python": "ament_python",
+    "catkin": "catkin",
+    "cmake": "cmake",
+}
+
+_DEPENDENCIES: dict[str, DependencyKind] = {
     "depend": "depend",
     "build_depend": "build",
     "build_export_depend": "build_export",
@@ -110,7 +118,7 @@ def read_manifest(file: SourceFile, data: bytes, root: str, relative: str) -> Pa
         reader.name,
         root,
         relative,
-        reader.build_type or "catkin",
+        _BUILD_TYPES.get(reader.build_type, "other"),
         "rosidl_interface_packages" in reader.groups,
         tuple(reader.dependencies),
         file,

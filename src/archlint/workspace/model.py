@@ -3,8 +3,34 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
+from typing import Literal
 
-PYTHON_KINDS = ("python", "launch_python", "setup_py")
+SourceKind = Literal[
+    "python",
+    "launch_python",
+    "launch_xml",
+    "launch_yaml",
+    "parameters",
+    "interface",
+    "package_xml",
+    "setup_py",
+    "setup_cfg",
+    "pyproject",
+    "cmake",
+]
+"""What a file is taken for."""
+PYTHON_KINDS: tuple[SourceKind, ...] = ("python", "launch_python", "setup_py")
+CODE_KINDS: tuple[SourceKind, ...] = ("python", "launch_python")
+"""Python that nodes and launches run."""
+LAUNCH_TEXT_KINDS: tuple[SourceKind, ...] = ("launch_xml", "launch_yaml")
+
+DependencyKind = Literal[
+    "depend", "build", "build_export", "buildtool", "buildtool_export", "exec", "run", "test", "doc"
+]
+"""The tag of a dependency without ``_depend``; ``depend`` itself stays."""
+
+BuildType = Literal["ament_cmake", "ament_python", "catkin", "cmake", "other"]
+"""The ``<build_type>`` of a manifest; ``other`` is one that none of the rules knows."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -32,16 +58,14 @@ class Link:
 class SourceFile:
     """A file that matters.
 
-    ``kind`` is ``python``, ``launch_python``, ``launch_xml``, ``launch_yaml``, ``parameters``, ``interface``,
-    ``package_xml``, ``setup_py``, ``setup_cfg``, ``pyproject`` or ``cmake``.  ``relative`` is the path from the
-    working directory with ``/``; ``module`` the dotted name under which Python imports the file, None where no
-    import statement can.  A ``context`` file was not asked for: it is read so that imports resolve, and nothing
-    is reported for it.
+    ``relative`` is the path from the working directory with ``/``; ``module`` the dotted name under which Python
+    imports the file, None where no import statement can.  A ``context`` file was not asked for: it is read so that
+    imports resolve, and nothing is reported for it.
     """
 
     path: str
     relative: str
-    kind: str
+    kind: SourceKind
     package: str | None
     module: str | None
     size: int = 0
@@ -63,12 +87,17 @@ class SourceFile:
 
 @dataclass(frozen=True, slots=True)
 class Dependency:
-    """One dependency of a package: ``kind`` is the tag without ``_depend`` (``depend`` itself stays)."""
+    """One dependency of a package."""
 
     name: str
-    kind: str
+    kind: DependencyKind
     condition: str | None = None
     line: int = 1
+
+
+_AT_RUN_TIME: frozenset[DependencyKind] = frozenset(
+    {"depend", "exec", "build_export", "buildtool_export", "run", "build"}
+)
 
 
 @dataclass(frozen=True, slots=True)
@@ -79,7 +108,7 @@ class Package:
     name: str
     root: str
     relative: str
-    build_type: str
+    build_type: BuildType
     is_interface_package: bool
     dependencies: tuple[Dependency, ...]
     manifest: SourceFile
@@ -92,8 +121,7 @@ class Package:
 
     def runtime_dependencies(self) -> frozenset[str]:
         """Names this package needs to run, or to build and run (``depend``)."""
-        kinds = ("depend", "exec", "build_export", "buildtool_export", "run", "build")
-        return frozenset(d.name for d in self.dependencies if d.kind in kinds)
+        return frozenset(d.name for d in self.dependencies if d.kind in _AT_RUN_TIME)
 
 
 @dataclass(frozen=True, slots=True)
@@ -111,7 +139,7 @@ class Workspace:
     idle_exclusions: tuple[str, ...] = ()
     """Patterns to leave out files by that left out none."""
 
-    def of_kind(self, *kinds: str) -> list[SourceFile]:
+    def of_kind(self, *kinds: SourceKind) -> list[SourceFile]:
         return [file for file in self.files if file.kind in kinds]
 
     def package(self, name: str | None) -> Package | None:

@@ -10,7 +10,7 @@ from dataclasses import dataclass, replace
 
 from archlint.workspace.ignore import Ignores, clones_in, ignores_above
 from archlint.workspace.kinds import has_python_shebang, kind_of, may_be_script
-from archlint.workspace.model import PYTHON_KINDS, Link, Problem, SourceFile
+from archlint.workspace.model import PYTHON_KINDS, Link, Problem, SourceFile, SourceKind
 from archlint.workspace.pruning import is_pruned_by_content, is_pruned_by_name
 from archlint.workspace.submodules import submodule_of
 
@@ -133,7 +133,7 @@ class Walk:
                 for clone in clones_in(entry.path, _clones_depth(name, folder_name)):
                     yield here.inner(clone, ignores, names)
 
-    def _entry(self, entry: os.DirEntry[str], folder: _Folder, kind: str | None) -> None:
+    def _entry(self, entry: os.DirEntry[str], folder: _Folder, kind: SourceKind | None) -> None:
         """Keep a file if it is of use and not left out."""
         name = entry.name
         if name.startswith(".") or (kind is None and "." in name):
@@ -178,7 +178,7 @@ class Walk:
         if not folder.ignores.ignored(link.path):
             yield _Folder(link.path, shown, real, folder.ignores, folder.context, frozenset())
 
-    def _keep(self, real: str, path: str, shown: str, kind: str, status: os.stat_result, context: bool) -> None:
+    def _keep(self, real: str, path: str, shown: str, kind: SourceKind, status: os.stat_result, context: bool) -> None:
         known = self.files.get(real)
         if known is not None:
             linked = path != known.path and os.path.islink(path) and not os.path.islink(known.path)

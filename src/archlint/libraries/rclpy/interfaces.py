@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 from archlint.interpreter.values import Unknown, Value
 from archlint.libraries.rclpy import names
 from archlint.model import UnknownInterface
+from archlint.ros.interfaces import INTERFACE_KINDS, parts_of_type
 
 if TYPE_CHECKING:
     from archlint.libraries.run import Run
@@ -19,13 +20,11 @@ def note_interface(run: Run, path: str, span: Span) -> None:
     interface, section_name = names.interface_and_section(path)
     if run.interfaces is None or interface is None or section_name or not _imported_for_sure(run) or run.branch_arms:
         return
-    package, kind, name = interface.split("/")
+    package, kind, name = parts_of_type(interface)
     if not is_missing(run, path):
         return
     others = tuple(
-        f"{package}/{other}/{name}"
-        for other in ("msg", "srv", "action")
-        if run.interfaces.defines(package, other, name)
+        f"{package}/{other}/{name}" for other in INTERFACE_KINDS if run.interfaces.defines(package, other, name)
     )
     run.program.unknown_interfaces.append(
         UnknownInterface(
@@ -46,7 +45,7 @@ def is_missing(run: Run, path: str) -> bool:
     interface, section_name = names.interface_and_section(path)
     if run.interfaces is None or interface is None or section_name:
         return False
-    package, kind, name = interface.split("/")
+    package, kind, name = parts_of_type(interface)
     return not names.is_part_of_interface(name) and run.interfaces.defines(package, kind, name) is False
 
 
@@ -68,7 +67,7 @@ def star_sources(run: Run, packages: Sequence[str], name: str) -> Sequence[str]:
     candidates = [p for p in packages if p in interfaces] if name[:1].isupper() and interfaces else list(packages)
     if len(candidates) > 1 and run.interfaces is not None:
         defines = run.interfaces.defines
-        verdicts = {p: defines(p.partition(".")[0], p.partition(".")[2], name) for p in interfaces}
+        verdicts = {p: defines(*parts_of_type("/".join([*p.rsplit(".", 1), name]))) for p in interfaces}
         sure = [p for p in candidates if verdicts.get(p)]
         candidates = sure or [p for p in candidates if verdicts.get(p) is not False]
     return candidates
