@@ -73,21 +73,21 @@ def test_a_second_run_is_answered_with_the_same_findings(findings, kept):
 def test_what_a_record_says_is_what_is_shown(findings, kept):
     findings()
     _, changes = kept
-    changes.append(lambda record: record["judged"]["findings"][0].update(message="from the record"))
+    changes.append(lambda record: record["result"]["findings"][0].update(message="from the record"))
     assert "from the record" in [one.message for one in findings()]
 
 
 @pytest.mark.parametrize(
     "change",
     [
-        lambda record: record.pop("judged"),
-        lambda record: record["judged"].pop("summary"),
-        lambda record: record["judged"]["findings"][0].pop("place"),
-        lambda record: record["judged"]["findings"][0].update(severity=9),
-        lambda record: record["judged"]["findings"][0].update(message=["a list"]),
-        lambda record: record["judged"]["findings"][0]["place"].update(line="1"),
-        lambda record: record["judged"]["findings"][0].update(fix={"safety": "safe", "edits": [{}]}),
-        lambda record: record["judged"]["summary"].update(files="many"),
+        lambda record: record.pop("result"),
+        lambda record: record["result"].pop("summary"),
+        lambda record: record["result"]["findings"][0].pop("place"),
+        lambda record: record["result"]["findings"][0].update(severity=9),
+        lambda record: record["result"]["findings"][0].update(message=["a list"]),
+        lambda record: record["result"]["findings"][0]["place"].update(line="1"),
+        lambda record: record["result"]["findings"][0].update(fix={"safety": "safe", "edits": [{}]}),
+        lambda record: record["result"]["summary"].update(files="many"),
         lambda record: record.update(asked=[["content", "a.yaml"]]),
         lambda record: record.update(asked=[["content", "node.py", "another digest"]]),
     ],
@@ -96,7 +96,7 @@ def test_a_record_with_anything_wrong_is_a_miss(findings, kept, change):
     first = findings()
     seen, changes = kept
     changes.append(change)
-    changes.append(lambda record: record.get("judged", {}).update(remarks=["never shown"]))
+    changes.append(lambda record: record.get("result", {}).update(remarks=["never shown"]))
     assert findings() == first
     assert seen
 

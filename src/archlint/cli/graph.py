@@ -4,10 +4,8 @@ from __future__ import annotations
 
 import argparse
 import sys
-from typing import TYPE_CHECKING
 
 from archlint import render
-from archlint.checks.launch_notices import argument_notices
 from archlint.cli import console, exits
 from archlint.cli.exits import UsageError
 from archlint.cli.options import (
@@ -23,12 +21,8 @@ from archlint.cli.options import (
     paths_of,
     settings_of,
 )
-from archlint.engine.pipeline import NothingToDo, Request, graph
-from archlint.observed.words import comparison_notices, comparison_words
-
-if TYPE_CHECKING:
-    from archlint.observed.model import Comparison
-    from archlint.systems.model import System
+from archlint.engine.pipeline import NothingToDo, Request, draw
+from archlint.render.errors import CannotDraw
 
 
 def parser() -> argparse.ArgumentParser:
@@ -52,8 +46,6 @@ def parser() -> argparse.ArgumentParser:
 
 
 def run(arguments: argparse.Namespace) -> int:
-    from archlint.render.drawing import CannotDraw  # `graph --help` does without what draws
-
     format = _format(arguments.format, arguments.file)
     launch, launch_arguments = launch_of(arguments)
     paths = paths_of(arguments)
@@ -70,35 +62,22 @@ def run(arguments: argparse.Namespace) -> int:
     to_terminal = arguments.file in (None, "-")
     color = to_terminal and console.wants_color(arguments.color, sys.stdout)
     try:
-        system = graph(request, everything=arguments.all)
-        drawn = render.render(format, system, color)
+        drawn = draw(request, format, color, arguments.all)
     except (NothingToDo, CannotDraw) as error:
         raise UsageError(str(error)) from None
-    console.write(drawn, arguments.file)
+    console.write(drawn.output, arguments.file)
     if not arguments.quiet:
-        for notice in argument_notices(system):
+        for notice in drawn.notices:
             console.note(f"archlint: warning: {notice}")
-        if system.compared is not None and format != "text":  # which says so itself
-            _tell_comparison(system.compared)
-    return _told_faults(system)
-
-
-def _tell_comparison(compared: Comparison) -> None:
-    for sentence in comparison_words(compared):
-        console.note(sentence)
-    for notice in comparison_notices(compared):
-        console.note(f"archlint: warning: {notice}")
-
-
-def _told_faults(system: System) -> int:
-    """The exit status, after a line for each part of the drawing that is missing by a fault of archlint's."""
-    faults = system.workspace.faults.found() if system.workspace is not None else []
-    for fault in faults:
-        place = fault.place
-        console.note(f"archlint: {place.file}:{place.line}:{place.column}: {fault.what} failed with {fault.message}")
-    if faults:
+        for sentence in drawn.compared:
+            console.note(sentence)
+        for notice in drawn.compared_notices:
+            console.note(f"archlint: warning: {notice}")
+    for fault in drawn.faults:
+        console.note(f"archlint: {fault}")
+    if drawn.faults:
         console.note("This is a fault of archlint, not of your code; everything else was followed.")
-    return exits.FAILED if faults else exits.CLEAN
+    return exits.FAILED if drawn.faults else exits.CLEAN
 
 
 def _format(format: str | None, file: str | None) -> str:

@@ -9,11 +9,13 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from archlint import __version__
+from archlint.engine.drawn import Drawn
 from archlint.engine.inputs import find_files, is_subset, parts_of, refuse_nothing
 from archlint.engine.looked_at import idle_patterns, without_node
 from archlint.engine.request import NothingToDo, Request
 from archlint.engine.result_cache import RunCache
 from archlint.engine.sources import Sources
+from archlint.render import FORMATS
 from archlint.report.model import Judged, Report, Summary
 from archlint.syntax.cache import NullStore, Store
 from archlint.syntax.python.deep_stack import call_with_deep_stack
@@ -21,9 +23,10 @@ from archlint.syntax.secret import user_key
 from archlint.workspace.tree import SourceTree
 
 if TYPE_CHECKING:
+    from archlint.syntax.files import FactsOfFiles
     from archlint.systems.model import System
     from archlint.workspace.model import Workspace
-__all__ = ["NothingToDo", "Request", "check", "graph"]
+__all__ = ["NothingToDo", "Request", "check", "draw", "graph"]
 
 
 def check(request: Request) -> Report:
@@ -32,7 +35,7 @@ def check(request: Request) -> Report:
     workspace = call_with_deep_stack(lambda: find_files(request))
     store = store_of(request)
     tree = SourceTree(Path.cwd(), Path(workspace.root))
-    kept = RunCache(store, request, workspace, tree)
+    kept = RunCache(store, request, workspace, tree, Judged)
     judged = kept.load()
     if judged is None:
         from archlint.engine.compiling import compiled  # a check with a known result needs none of it
@@ -54,7 +57,7 @@ def check(request: Request) -> Report:
     return Report(judged.findings, summary, Sources().line, notices, remarks=judged.remarks)
 
 
-def _mended(judged: Judged, request: Request, workspace: Workspace, kept: RunCache) -> Judged:
+def _mended(judged: Judged, request: Request, workspace: Workspace, kept: RunCache[Judged]) -> Judged:
     from archlint.engine.mending import mended  # most checks ask for no fixes, or know them
 
     result = mended(judged, request, workspace)
@@ -75,17 +78,55 @@ def graph(request: Request, everything: bool = False) -> System:
     Raises :class:`NothingToDo`.
     """
     from archlint.engine.compiling import compiled  # as above: `check` does without them where it can
-    from archlint.engine.loading import as_asked_for, combined, systems_of
-    from archlint.systems.implicit import with_implicit
 
     workspace = find_files(request)
     store = store_of(request)
     facts = compiled(request, workspace, store)
-    refuse_nothing(request, workspace, facts)
     tree = SourceTree(Path.cwd(), Path(workspace.root))
+    system = _graph(request, workspace, store, facts, tree, everything)
+    store.close()
+    return system
+
+
+def draw(request: Request, format: str, color: bool, everything: bool) -> Drawn:
+    """The system of all nodes in one of :data:`archlint.render.FORMATS`.
+
+    Raises :class:`NothingToDo`, and :class:`archlint.render.drawing.CannotDraw`.
+    """
+    workspace = find_files(request)
+    store = store_of(request)
+    tree = SourceTree(Path.cwd(), Path(workspace.root))
+    kept = RunCache(store, request, workspace, tree, Drawn, format, color, everything)
+    lasts = not FORMATS[format].drawn  # a picture depends on the Graphviz that is installed
+    result = kept.load() if lasts else None
+    if result is None:
+        from archlint.engine.compiling import compiled
+        from archlint.engine.drawing import drawn
+
+        facts = compiled(request, workspace, store)
+        result = kept.load_again(facts) if lasts else None
+        if result is None:
+            result = drawn(_graph(request, workspace, store, facts, tree, everything), format, color)
+            if lasts and facts.lasting and not result.faults:
+                kept.save(result)
+    store.close()
+    return result
+
+
+def _graph(
+    request: Request,
+    workspace: Workspace,
+    store: Store | NullStore,
+    facts: FactsOfFiles,
+    tree: SourceTree,
+    everything: bool,
+) -> System:
+    from archlint.engine.loading import as_asked_for, combined, systems_of
+    from archlint.systems.implicit import with_implicit
+
+    refuse_nothing(request, workspace, facts)
     parts = parts_of(request, workspace)
     opened = call_with_deep_stack(lambda: [systems_of(request, part, facts, tree, store)[0] for part in parts])
-    store.close()
     system = combined([as_asked_for(request, whole, part) for whole, part in zip(opened, parts, strict=True)])
     return with_implicit(system, request.settings.distro) if everything else system
 

@@ -11,11 +11,10 @@ import json
 import os
 from dataclasses import astuple, dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Generic, TypeVar
 
 import msgspec
 
-from archlint.report.model import Judged
 from archlint.rulebook import pages_folder
 from archlint.workspace.model import PYTHON_KINDS
 
@@ -29,33 +28,49 @@ if TYPE_CHECKING:
 
 _PIECE = 1_000_000
 
+Result = TypeVar("Result")
+
 
 @dataclass(frozen=True)
-class _Record:
-    judged: Judged
-    asked: list[tuple[str, str, str | None]]
-    """See :meth:`RunCache._asked`."""
+class _Asked:
+    """What was asked of the disk, see :meth:`RunCache._asked`."""
+
+    rows: list[tuple[str, str, str | None]]
 
 
-class RunCache:
-    """The record of one request over one state of a workspace."""
+class RunCache(Generic[Result]):
+    """The record of one request over one state of a workspace.
 
-    def __init__(self, store: Store | NullStore, request: Request, workspace: Workspace, tree: SourceTree) -> None:
+    ``kind`` is the type of what is kept, a dataclass; ``beside`` tells apart what one request may ask for.
+    """
+
+    def __init__(
+        self,
+        store: Store | NullStore,
+        request: Request,
+        workspace: Workspace,
+        tree: SourceTree,
+        kind: type[Result],
+        *beside: object,
+    ) -> None:
         self._store = store
         self._request = request
         self._workspace = workspace
         self._tree = tree
+        self._kind = kind
+        self._beside = beside
         self._key: str | None = None
-        self._record: _Record | None = None
+        self._known_asked: _Asked | None = None
+        """What the record that was read or written last depends on."""
 
-    def load(self) -> Judged | None:
+    def load(self) -> Result | None:
         """The result of an equal run.  Of files that are unchanged nothing but the status is read."""
         if not self._request.cached:
             return None
         self._key = self._key_of([self._known(file) for file in self._workspace.files])
         return self._read()
 
-    def load_again(self, facts: FactsOfFiles) -> Judged | None:
+    def load_again(self, facts: FactsOfFiles) -> Result | None:
         """As :meth:`load`, once the files that had changed have been read."""
         if not self._request.cached or self._key is not None:
             return None
@@ -64,36 +79,37 @@ class RunCache:
         self._key = self._key_of(digests)
         return self._read()
 
-    def save(self, judged: Judged) -> None:
+    def save(self, result: Result) -> None:
         """Keep a result, unless some input could not be read."""
-        if self._key is None:
-            return
-        self._put(_Record(judged, self._asked()))
+        if self._key is not None:
+            self._put(result, _Asked(self._asked()))
 
-    def save_again(self, judged: Judged) -> None:
+    def save_again(self, result: Result) -> None:
         """Keep what has been added to a result that was loaded or saved."""
-        if self._record is not None:
-            self._put(_Record(judged, self._record.asked))
+        if self._known_asked is not None:
+            self._put(result, self._known_asked)
 
-    def _put(self, record: _Record) -> None:
+    def _put(self, result: Result, asked: _Asked) -> None:
         assert self._key is not None
-        self._record = record
-        self._store.put_run(self._key, json.dumps(msgspec.to_builtins(record)).encode())
+        self._known_asked = asked
+        record = {"result": msgspec.to_builtins(result), "asked": msgspec.to_builtins(asked.rows)}
+        self._store.put_run(self._key, json.dumps(record).encode())
 
-    def _read(self) -> Judged | None:
+    def _read(self) -> Result | None:
         payload = None if self._key is None else self._store.get_run(self._key)
         if payload is None:
             return None
         try:
             # Not with msgspec's own reader: the name of a file may hold what is no UTF-8.
-            record = msgspec.convert(json.loads(payload), _Record)
-        except (ValueError, RecursionError):
+            record = json.loads(payload)
+            result = msgspec.convert(record["result"], self._kind)
+            asked = msgspec.convert({"rows": record["asked"]}, _Asked)
+        except (ValueError, RecursionError, LookupError, TypeError):
             return None
-        stale = any(self._tree.answer(question, path) != answer for question, path, answer in record.asked)
-        if stale:
+        if any(self._tree.answer(question, path) != answer for question, path, answer in asked.rows):
             return None
-        self._record = record
-        return record.judged
+        self._known_asked = asked
+        return result
 
     def _asked(self) -> list[tuple[str, str, str | None]]:
         """What was asked of the disk beside the files that the key is made of: a parameter file that git ignores,
@@ -123,7 +139,8 @@ class RunCache:
         request = self._request
         asked = [repr(request.paths), repr(request.settings), request.launch, request.launch_arguments]
         observed = None if request.observed is None else (request.observed.file, request.observed.digest)
-        decisive: list[object] = [own_code(), asked, observed, inputs, problems]
+        beside = [self._kind.__name__, *map(repr, self._beside)]
+        decisive: list[object] = [own_code(), asked, observed, inputs, problems, beside]
         return hashlib.sha256(json.dumps(decisive).encode()).hexdigest()
 
 

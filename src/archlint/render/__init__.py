@@ -22,17 +22,19 @@ class Format:
     suffixes: tuple[str, ...] = ()
     binary: bool = False
     """Whether it gives bytes."""
+    drawn: bool = False
+    """Whether Graphviz draws it."""
 
 
 FORMATS: dict[str, Format] = {
     "text": Format("text", suffixes=("txt",)),
     "json": Format("json", suffixes=("json",)),
     "dot": Format("dot", suffixes=("dot", "gv")),
-    "svg": Format("drawing", "svg", ("svg",)),
-    "png": Format("drawing", "png", ("png",), binary=True),
-    "pdf": Format("drawing", "pdf", ("pdf",), binary=True),
+    "svg": Format("drawing", "svg", ("svg",), drawn=True),
+    "png": Format("drawing", "png", ("png",), binary=True, drawn=True),
+    "pdf": Format("drawing", "pdf", ("pdf",), binary=True, drawn=True),
     "mermaid": Format("mermaid", suffixes=("mmd", "mermaid")),
-    "html": Format("html", suffixes=("html", "htm")),
+    "html": Format("html", suffixes=("html", "htm"), drawn=True),
 }
 """A new format is a new row."""
 

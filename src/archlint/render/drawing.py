@@ -13,6 +13,7 @@ import sys
 from importlib.util import find_spec
 
 from archlint.render import dot, look
+from archlint.render.errors import CannotDraw
 from archlint.render.picture import graph_of
 from archlint.systems.model import System
 
@@ -34,10 +35,6 @@ graph = pygraphviz.AGraph(string=sys.stdin.buffer.read().decode())
 sys.stdout.buffer.write(graph.draw(format=format, prog="dot"))
 """
 """Runs isolated: the folder that is linted must not provide any module of it."""
-
-
-class CannotDraw(Exception):
-    """There is no Graphviz, or it failed; the message is for the user."""
 
 
 def svg(system: System) -> str:

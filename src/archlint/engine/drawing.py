@@ -1,0 +1,40 @@
+"""Drawing a system, with what there is to say of it."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from archlint.checks.launch_notices import argument_notices
+from archlint.engine.drawn import Drawn
+from archlint.observed.words import comparison_notices, comparison_words
+from archlint.render import render
+
+if TYPE_CHECKING:
+    from archlint.systems.model import System
+
+
+def drawn(system: System, format: str, color: bool) -> Drawn:
+    """Raises :class:`archlint.render.drawing.CannotDraw`."""
+    output = render(format, system, color)
+    data, text = (output, "") if isinstance(output, bytes) else (b"", output)
+    says_so_itself = format == "text"
+    compared = None if says_so_itself else system.compared
+    return Drawn(
+        text,
+        data,
+        [*argument_notices(system)],
+        [*comparison_words(compared)],
+        [*comparison_notices(compared)],
+        _faults(system),
+    )
+
+
+def _faults(system: System) -> list[str]:
+    faults = system.workspace.faults.found() if system.workspace is not None else []
+    return [
+        f"{fault.place.file}:{fault.place.line}:{fault.place.column}: {fault.what} failed with {fault.message}"
+        for fault in faults
+    ]
+
+
+__all__ = ["drawn"]

@@ -1,0 +1,7 @@
+"""What can be wrong with drawing."""
+
+from __future__ import annotations
+
+
+class CannotDraw(Exception):
+    """There is no Graphviz, or it failed; the message is for the user."""
