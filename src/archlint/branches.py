@@ -2,34 +2,83 @@
 
 from __future__ import annotations
 
-
-class UnfollowedCondition(str):
-    """A condition of a launch file of which it is not known how the arguments decide it: it may never hold."""
-
-    __slots__ = ()
+from dataclasses import dataclass
 
 
-class ChoiceOfCallee(str):
+@dataclass(frozen=True, slots=True)
+class Branch:
+    """What nothing decides.  Branches are the same where their class and their fields are."""
+
+
+@dataclass(frozen=True, slots=True)
+class CodeBranch(Branch):
+    """A branch of code, by the place of what decides it; lines start at 1, columns as in the file's facts."""
+
+    file: str
+    line: int
+    column: int
+    part: int | None = None
+    """Which operand of a test, or item of a loop; None for the whole statement."""
+
+
+@dataclass(frozen=True, slots=True)
+class ChoiceOfCallee(CodeBranch):
     """Which of several functions is called."""
 
-    __slots__ = ()
 
-
-class ChoiceOfArgument(str):
+@dataclass(frozen=True, slots=True)
+class ChoiceOfArgument(CodeBranch):
     """Which of several values an argument has."""
 
-    __slots__ = ()
+
+@dataclass(frozen=True, slots=True)
+class AttributeBranch(Branch):
+    """What asks an attribute of ``self`` that only constructors set, wherever in a file."""
+
+    file: str
+    attribute: str
 
 
-BranchArm = tuple[str, int]
+@dataclass(frozen=True, slots=True)
+class ArgumentBranch(Branch):
+    """What asks a launch argument for its truth or its value, or whether it is another than ``other_than``."""
+
+    argument: str
+    other_than: str | None = None
+
+
+@dataclass(frozen=True, slots=True)
+class UnfollowedCondition(Branch):
+    """A condition of a launch file of which it is not known how the arguments decide it: it may never hold."""
+
+    shape: str
+
+
+@dataclass(frozen=True, slots=True)
+class ChoiceOfValue(Branch):
+    """Which of several values an object of a launch is, by its number; ``holding`` are those that have the same
+    part, where these are several."""
+
+    number: int
+    holding: tuple[int, ...] = ()
+
+
+@dataclass(frozen=True, slots=True)
+class ChoiceOfVisit(Branch):
+    """Which of several visits of one action starts a process, the first of those in a launch with that number."""
+
+    number: int
+
+
+BranchArm = tuple[Branch, int]
 """An undecided branch, and the number of one of its arms: two arms of one branch exclude each other."""
 BranchArms = frozenset[BranchArm]
 
 
-def exclusive(one: BranchArms, other: BranchArms) -> bool:
+def exclusive(these: BranchArms, those: BranchArms) -> bool:
     """Whether two sets name different arms of one branch."""
-    arms = dict(one)
-    return any(branch in arms and arms[branch] != arm for branch, arm in other)
+    arms = dict(these)
+    return any(branch in arms and arms[branch] != arm for branch, arm in those)
 
 
 def runs_along(arms: BranchArms, other: BranchArms) -> bool:

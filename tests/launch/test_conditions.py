@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import pytest
 
+from archlint.branches import ArgumentBranch
 from launching import names, node
 
 
@@ -27,7 +28,8 @@ def test_an_undecided_condition_gives_two_arms_that_exclude_each_other(launches)
         before="sim = 'sim'",
     )
     yes, no = launched.started
-    assert (yes.branch_arms, no.branch_arms) == ({("sim", 1)}, {("sim", 0)})
+    sim = ArgumentBranch("sim")
+    assert (yes.branch_arms, no.branch_arms) == ({(sim, 1)}, {(sim, 0)})
     assert (launched.condition(yes.branch_arms), launched.condition(no.branch_arms)) == ("sim:=true", "sim:=false")
 
 
@@ -44,7 +46,7 @@ def test_values_of_one_argument_exclude_each_other(launches):
         before='q = "\'"',
     )
     one, other = (dict(started.branch_arms) for started in launched.started)
-    assert one.keys() == other.keys() == {"mode"} and one != other
+    assert one.keys() == other.keys() == {ArgumentBranch("mode")} and one != other
 
 
 @pytest.mark.parametrize(

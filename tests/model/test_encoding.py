@@ -9,7 +9,7 @@ from pathlib import Path
 import msgspec
 import pytest
 
-from archlint.branches import ChoiceOfCallee
+from archlint.branches import ChoiceOfCallee, CodeBranch
 from archlint.cli import main
 from archlint.finding import Place
 from archlint.model import (
@@ -43,7 +43,7 @@ def program() -> Program:
     node = Blueprint("Robot", name, unknown, PLACE, "robot", executables=("robot",))
     callback = Callback(Role.TIMER, "Robot.tick", PLACE, None, node)
     timer = Creation(EntityKind.TIMER, "an.api", node, PLACE, name, None, callbacks={"timer": callback})
-    timer.branch_arms = frozenset({(ChoiceOfCallee("a branch"), 1)})
+    timer.branch_arms = frozenset({(ChoiceOfCallee(PLACE.file, 3, 5), 1)})
     callback.creation = timer
     node.creations.append(timer)
     spell = Spell(PLACE, SpinDuration.A_WHILE, False, False, 1)
@@ -80,7 +80,7 @@ def test_values_keep_their_types():
         assert said[name] == counted[name]
         assert repr(getattr(said[name], "value", None)) == repr(getattr(counted[name], "value", None))
     [(branch, _)] = after.nodes[0].creations[0].branch_arms
-    assert type(branch) is ChoiceOfCallee
+    assert type(branch) is ChoiceOfCallee and branch == ChoiceOfCallee(PLACE.file, 3, 5)
     assert type(after.nodes[0].namespace.reason) is NotPassed
 
 
@@ -150,6 +150,7 @@ def test_every_class_of_the_model_is_known():
     }
     assert named - aliases <= encoding._RECORDS.keys() | encoding._WORDS.keys()
     assert {kind.__name__ for kind in given.Given.__subclasses__()} <= encoding._RECORDS.keys()
+    assert {kind.__name__ for kind in (CodeBranch, *CodeBranch.__subclasses__())} <= encoding._RECORDS.keys()
 
 
 # ------------------------------------------------------------------------------------------------ fixtures

@@ -270,12 +270,12 @@ class TestOneSystemOfAllNodes:
 
 def test_dependencies_are_transitive_and_stay_in_the_workspace() -> None:
     packages = [
-        package("bringup", "driver", "rclpy", kind="exec_depend"),
+        package("bringup", "driver", "rclpy", kind="exec"),
         package("driver", "interfaces"),
         package("interfaces", "rosidl_default_generators"),
         package("loop", "loop", "loop_too"),
         package("loop_too", "loop"),
-        package("tested", "driver", kind="test_depend"),
+        package("tested", "driver", kind="test"),
     ]
     assert dependencies_within(packages) == {
         "bringup": {"driver", "interfaces"},

@@ -7,6 +7,7 @@ from collections import Counter
 from typing import TYPE_CHECKING
 
 from archlint.analysis.kept import once_for_each_file
+from archlint.branches import AttributeBranch, CodeBranch
 from archlint.syntax import facts
 from archlint.syntax.parts import everything_in
 
@@ -23,14 +24,15 @@ def conditions(workspace: WorkspaceIndex | None, arms: Iterable[BranchArm]) -> B
 
 
 def _condition(workspace: WorkspaceIndex | None, arm: BranchArm) -> BranchArm:
-    key, number = arm
-    file, line, column = [*key.rsplit(":", 2), "", ""][:3]
-    asked = None if workspace is None or not (line.isdecimal() and column.isdecimal()) else _asked(workspace, file)
-    found = None if asked is None else asked.get((int(line), int(column)))
-    if found is None:
+    branch, number = arm
+    if workspace is None or type(branch) is not CodeBranch or branch.part is not None:
         return arm
-    attribute, turned = found
-    return f"{file}:self.{attribute}", 1 - number if turned else number
+    asked = _asked(workspace, branch.file)
+    test = None if asked is None else asked.get((branch.line, branch.column))
+    if test is None:
+        return arm
+    attribute, turned = test
+    return AttributeBranch(branch.file, attribute), 1 - number if turned else number
 
 
 @once_for_each_file

@@ -78,8 +78,8 @@ def _call_alternatives(machine: Machine, function: OneOf, site: CallSite) -> Val
     callable_ = [option for option in function.values if not option.is_none]
     if len(callable_) == 1:
         return call(machine, callable_[0], site)
-    span = site.expression.span if site.expression is not None else (0, 0, 0, 0)
-    key = ChoiceOfCallee(machine.key_of(span) + "?" if machine.activations else "?")
+    line, column = site.expression.span[:2] if site.expression is not None else (0, 0)
+    key = ChoiceOfCallee(machine.activation.module.path if machine.activations else "", line, column)
     results = []
     layers = []
     for number, option in enumerate(callable_):

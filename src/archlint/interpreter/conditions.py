@@ -33,7 +33,6 @@ def operands(machine: Machine, e: facts.Boolean) -> tuple[Value, bool | None]:
     holds: bool | None = None
     stop = e.op == "or"
     pushed = 0
-    key = machine.key_of(e.span)
     depth = machine.store.depth
     asked: frozenset[str] = NO_PARAMETERS
     try:
@@ -52,8 +51,9 @@ def operands(machine: Machine, e: facts.Boolean) -> tuple[Value, bool | None]:
                 asked |= via(*alternatives(value))
                 # What follows runs only if this operand did not decide.
                 machine.store.push()
-                machine.library.undecided(f"{key}#{number}", value)
-                machine.branch_arms.append((f"{key}#{number}", 0))
+                branch = machine.branch_at(e.span, number)
+                machine.library.undecided(branch, value)
+                machine.branch_arms.append((branch, 0))
                 narrow(machine, operand, not stop)
                 pushed += 1
     finally:

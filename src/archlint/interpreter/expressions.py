@@ -198,7 +198,7 @@ def _conditional(machine: Machine, e: facts.Conditional) -> Value:
     test, verdict = evaluate_test(machine, e.test)
     if verdict is not None:
         return machine.evaluate(e.body if verdict else e.orelse)
-    key = machine.key_of(e.span)
+    key = machine.branch_at(e.span)
     machine.library.undecided(key, test)
     values = []
     layers = []

@@ -15,6 +15,7 @@ from archlint.interpreter.values import ApiMethod, External, ForeignValue, Insta
 if TYPE_CHECKING:
     from collections.abc import Collection, Iterable
 
+    from archlint.branches import Branch
     from archlint.interpreter.activation import Activation
     from archlint.interpreter.call_site import CallSite
     from archlint.interpreter.modules import Module
@@ -166,7 +167,7 @@ class Library:
     def written(self, value: Value, name: str, span: facts.Span) -> None:
         """The code writes ``value.name = …``."""
 
-    def undecided(self, key: str, test: Value) -> None:
+    def undecided(self, branch: Branch, test: Value) -> None:
         """Nothing decides the test of a branch."""
 
     def asked_for_file(self, path: str) -> None:

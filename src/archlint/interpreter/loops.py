@@ -37,16 +37,15 @@ def for_each(machine: Machine, s: facts.For) -> Status:
 
 
 def _loop_of_unknown(machine: Machine, s: facts.For, iterable: Value, items: Items | None) -> Status:
-    key = machine.key_of(s.span)
     if items is not None and len(items.values) <= UNROLL:
         for number, item in enumerate(items.values):
-            with machine.arm(key + f"#{number}", 0) as taken:
+            with machine.arm(machine.branch_at(s.span, number), 0) as taken:
                 assign(machine, s.target, item)
                 machine.execute(s.body)
             machine.store.merge([taken[0], {}])
         if items.whole or any(isinstance(item, Unknown) for item in items.values):
             return None
-    with machine.arm(key, 0) as taken:
+    with machine.arm(machine.branch_at(s.span), 0) as taken:
         forget_counters(machine, s.body)
         why = reason(iterable)
         if why is NOT_A_CONSTANT:
@@ -91,7 +90,7 @@ def _loop_once(machine: Machine, s: facts.While, certain: bool) -> Status:
         forget_counters(machine, s.body)
         status = machine.execute(s.body)
         return status if status in ("return", "raise") else None
-    with machine.arm(machine.key_of(s.span), 0) as taken:
+    with machine.arm(machine.branch_at(s.span), 0) as taken:
         narrow(machine, s.test, True)
         forget_counters(machine, s.body)
         status = machine.execute(s.body)
@@ -104,7 +103,7 @@ def _otherwise(machine: Machine, s: facts.For | facts.While) -> Status:
     if not s.orelse or id(s) not in machine.activation.left:
         return machine.execute(s.orelse)
     machine.activation.left.discard(id(s))
-    return machine.join([machine.branch(machine.key_of(s.span), 0, s.orelse), (None, {})])
+    return machine.join([machine.branch(machine.branch_at(s.span), 0, s.orelse), (None, {})])
 
 
 __all__ = ["for_each", "while_it_holds"]

@@ -14,7 +14,7 @@ from dataclasses import dataclass
 from enum import Enum
 from typing import Literal
 
-from archlint.branches import BranchArm
+from archlint.branches import Branch, BranchArm, CodeBranch
 from archlint.faults import Faults
 from archlint.finding import Place
 from archlint.interpreter.activation import Activation
@@ -324,14 +324,14 @@ class Machine(ABC):
         self.faults.note(what, error, place)
         self.give_up()
 
-    def branch(self, key: str, arm: int, block: list[facts.Stmt]) -> tuple[Status, Layer]:
+    def branch(self, key: Branch, arm: int, block: list[facts.Stmt]) -> tuple[Status, Layer]:
         """Run a block as one arm of an undecided branch; its writes are returned, not applied."""
         with self.arm(key, arm) as taken:
             status = self.execute(block)
         return status, taken[0]
 
     @contextmanager
-    def arm(self, key: str, arm: int) -> Iterator[list[Layer]]:
+    def arm(self, key: Branch, arm: int) -> Iterator[list[Layer]]:
         """What runs inside belongs to one arm of a branch; the list then holds what it wrote."""
         depth = self.store.depth
         self.store.push()
@@ -355,8 +355,9 @@ class Machine(ABC):
         statuses = [status for status, _ in results]
         return "return" if "return" in statuses else statuses[0]
 
-    def key_of(self, span: facts.Span) -> str:
-        return f"{self.activation.module.path}:{span[0]}:{span[1]}"
+    def branch_at(self, span: facts.Span, part: int | None = None) -> CodeBranch:
+        """The branch that something in the current file decides."""
+        return CodeBranch(self.activation.module.path, span[0], span[1], part)
 
     # ------------------------------------------------------------------------------ what the rooms implement
 

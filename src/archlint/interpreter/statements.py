@@ -64,7 +64,7 @@ def _if(machine: Machine, s: facts.If) -> Status:
     test, truth = evaluate_test(machine, s.test)
     if truth is not None:
         return machine.execute(s.body if truth else s.orelse)
-    key = machine.key_of(s.span)
+    key = machine.branch_at(s.span)
     machine.library.undecided(key, test)
     results = []
     for arm, block in enumerate((s.body, s.orelse)):
@@ -114,7 +114,7 @@ def _try(machine: Machine, s: facts.Try) -> Status:
     if status is None and s.orelse:
         status = machine.execute(s.orelse)
     results: list[tuple[Status, Layer]] = [(status, {})]
-    key = machine.key_of(s.span)
+    key = machine.branch_at(s.span)
     # What ends in `break` is the first of several attempts: the others are for the case that it fails.
     attempt = status == "break" and all(caught.only_goes_on(handler) for handler in s.handlers)
     for arm, handler in enumerate([] if attempt else s.handlers, start=1):
@@ -146,7 +146,7 @@ def _binds_constant(statement: facts.Stmt) -> bool:
 
 def _match(machine: Machine, s: facts.Match) -> Status:
     subject = machine.evaluate(s.subject)
-    key = machine.key_of(s.span)
+    key = machine.branch_at(s.span)
     results: list[tuple[Status, Layer]] = []
     for arm, case in enumerate(s.cases):
         verdict = matches(machine, case.pattern, subject)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from archlint.branches import UnfollowedCondition
+from archlint.branches import ArgumentBranch, BranchArm, UnfollowedCondition
 from archlint.interpreter.values import (
     BoundMethod,
     ClassValue,
@@ -107,23 +107,23 @@ def _equality(run: LaunchRun, condition: LaunchObject, wanted: bool) -> Verdict:
     return Verdict(None, arm)
 
 
-def _arm_of_value(run: LaunchRun, name: str, text: str, wanted: bool) -> tuple[str, int]:
+def _arm_of_value(run: LaunchRun, name: str, text: str, wanted: bool) -> BranchArm:
     """One branch an argument, one arm a value: ``mode:=a`` and ``mode:=b`` exclude each other."""
     if text.lower() in ("true", "false"):
         return _arm_of_truth(run, name, (text.lower() == "true") is wanted)
     run.note_undecided(name, text)
     shown = run.shown(name)
     if wanted:
-        return run.label((name, 2 + run.number_of_value(name, text)), f"{shown}:={text}")
-    return run.label((f"{name}!={text}", 1), f"{shown} other than {text}")
+        return run.label((ArgumentBranch(name), 2 + run.number_of_value(name, text)), f"{shown}:={text}")
+    return run.label((ArgumentBranch(name, text), 1), f"{shown} other than {text}")
 
 
-def _arm_of_truth(run: LaunchRun, name: str, truth: bool) -> tuple[str, int]:
+def _arm_of_truth(run: LaunchRun, name: str, truth: bool) -> BranchArm:
     run.note_undecided(name, "true", "false")
-    return run.label((name, int(truth)), f"{run.shown(name)}:={str(truth).lower()}")
+    return run.label((ArgumentBranch(name), int(truth)), f"{run.shown(name)}:={str(truth).lower()}")
 
 
-def _branch(run: LaunchRun, expression: Value | None, expected: bool) -> tuple[str, int]:
+def _branch(run: LaunchRun, expression: Value | None, expected: bool) -> BranchArm:
     """The arm of an undecided test.  The same test elsewhere has the same branch."""
     arm = _arm(run, expression, expected)
     if expression is not None:
@@ -131,7 +131,7 @@ def _branch(run: LaunchRun, expression: Value | None, expected: bool) -> tuple[s
     return arm
 
 
-def _arm(run: LaunchRun, expression: Value | None, expected: bool) -> tuple[str, int]:
+def _arm(run: LaunchRun, expression: Value | None, expected: bool) -> BranchArm:
     shape = Shape() if expression is None else shape_of(run, expression)
     if all(map(run.is_open_argument, shape.arguments)):
         known = _known_form(run, shape, expected)
@@ -140,13 +140,13 @@ def _arm(run: LaunchRun, expression: Value | None, expected: bool) -> tuple[str,
         if shape.is_about_truth:
             for name in shape.arguments:
                 run.note_undecided(name, "true", "false")
-    arm = (UnfollowedCondition(f"({shape.key})"), int(expected))
+    arm = (UnfollowedCondition(shape.key), int(expected))
     if not shape.is_known:
         return arm
     return run.label(arm, f"{'' if expected else 'not '}({shape.written(run.shown)})")
 
 
-def _known_form(run: LaunchRun, shape: Shape, expected: bool) -> tuple[str, int] | None:
+def _known_form(run: LaunchRun, shape: Shape, expected: bool) -> BranchArm | None:
     """The arm of a test of one argument: for its truth, or against one value."""
     if shape.truth is not None:
         name, wanted = shape.truth

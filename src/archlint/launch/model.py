@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 
-from archlint.branches import BranchArms
+from archlint.branches import Branch, BranchArm, BranchArms
 from archlint.finding import Place
 from archlint.launch.kinds import FileStatus, GapKind
 from archlint.launch.mistakes import NotACondition, UndeclaredUse, UnknownAttribute, WithoutContext
@@ -91,9 +91,9 @@ class Launched:
     """Where the run came past a node action, whether it is then started or not."""
     written: dict[tuple[str, str], Place] = field(default_factory=dict)
     """Where the run came past the declaration of an argument, by file and name, whether it is then used or not."""
-    labels: dict[tuple[str, int], str] = field(default_factory=dict)
+    labels: dict[BranchArm, str] = field(default_factory=dict)
     """What a branch means to a user: ``use_sim:=true``."""
-    why_open: dict[str, str] = field(default_factory=dict)
+    why_open: dict[Branch, str] = field(default_factory=dict)
     """Why nothing decides a branch."""
     undecided: dict[str, list[str]] = field(default_factory=dict)
     """Arguments that conditions ask for and that nothing decides, with the values that make a difference."""

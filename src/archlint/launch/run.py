@@ -14,7 +14,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, TypeVar
 
 from archlint import model
-from archlint.branches import BranchArms
+from archlint.branches import Branch, BranchArm, BranchArms
 from archlint.finding import Place
 from archlint.interpreter import containers, values
 from archlint.interpreter.machine import FEW_STEPS, PROGRAM_STEPS
@@ -230,13 +230,13 @@ class LaunchRun(Run):
 
     # ----------------------------------------------------------------------------------------- branches
 
-    def note_open_test(self, key: str, test: Value) -> None:
-        self.result.why_open.setdefault(key, values.reason(test))
+    def note_open_test(self, branch: Branch, test: Value) -> None:
+        self.result.why_open.setdefault(branch, values.reason(test))
 
     def note_asked_file(self, path: str) -> None:
         self.asked_files.add(posixpath.normpath(path))
 
-    def label(self, arm: tuple[str, int], text: str) -> tuple[str, int]:
+    def label(self, arm: BranchArm, text: str) -> BranchArm:
         self.result.labels.setdefault(arm, text)
         return arm
 
@@ -300,9 +300,9 @@ class LaunchRun(Run):
         finally:
             self.undecided -= 1
 
-    def _excluded(self, branch: tuple[str, int]) -> bool:
+    def _excluded(self, branch: BranchArm) -> bool:
         """Whether an outer branch already says the opposite."""
-        return any(name == branch[0] and arm != branch[1] for name, arm in self.current_arms)
+        return any(other == branch[0] and arm != branch[1] for other, arm in self.current_arms)
 
     # --------------------------------------------------------------------------------------------- code
 
@@ -312,7 +312,7 @@ class LaunchRun(Run):
         kept, kept_arms = self.activations, self.branch_arms
         self.steps, self.repeats, self.runs = 0, {}, {}
         self.allowed_steps = max(FEW_STEPS, min(PROGRAM_STEPS, self.left))
-        self.activations, self.branch_arms = [], sorted(self.code_arms)
+        self.activations, self.branch_arms = [], sorted(self.code_arms, key=repr)
         enter_root(self, module)
         depth = self.store.depth
         self.store.push()

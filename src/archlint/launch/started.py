@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 
-from archlint.branches import BranchArms
+from archlint.branches import BranchArms, ChoiceOfVisit
 from archlint.finding import Place
 from archlint.launch.kinds import StartedKind
 from archlint.launch.parameter_sources import Parameters
@@ -82,7 +82,7 @@ class StartedProcesses:
         if any(_merge(other, started) for other in again):
             return
         for other in again:
-            branch = f"one visit of {len(self._processes)}"
+            branch = ChoiceOfVisit(len(self._processes))
             other.branch_arms |= {(branch, 0)}
             started.branch_arms |= {(branch, 1)}
         self._by_place[started.place].append(started)

@@ -29,6 +29,7 @@ from archlint.libraries.values import FutureValue, MessageValue
 from archlint.model import Role
 
 if TYPE_CHECKING:
+    from archlint.branches import Branch
     from archlint.interpreter.activation import Activation
     from archlint.interpreter.call_site import CallSite
     from archlint.interpreter.modules import Module
@@ -164,8 +165,8 @@ class RosLibrary(Library):
     def written(self, value: Value, name: str, span: facts.Span) -> None:
         message_uses.note_use(self.run, value, name, span, "write")
 
-    def undecided(self, key: str, test: Value) -> None:
-        self.run.note_open_test(key, test)
+    def undecided(self, branch: Branch, test: Value) -> None:
+        self.run.note_open_test(branch, test)
 
     def asked_for_file(self, path: str) -> None:
         self.run.note_asked_file(path)

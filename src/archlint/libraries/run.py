@@ -13,6 +13,7 @@ from archlint.interpreter.machine import Phase
 from archlint.libraries.state import Callbacks, Calls, Escapes, Messages, Nodes
 
 if TYPE_CHECKING:
+    from archlint.branches import Branch
     from archlint.interpreter.heap import Store
     from archlint.interpreter.library import Library
     from archlint.interpreter.modules import Module, ModuleIndex
@@ -70,7 +71,7 @@ class Run(Interpreter):
         finally:
             self.context = kept
 
-    def note_open_test(self, key: str, test: Value) -> None:
+    def note_open_test(self, branch: Branch, test: Value) -> None:
         """Nothing decides the test of a branch; a launch notes why."""
 
     def note_asked_file(self, path: str) -> None:

@@ -15,7 +15,7 @@ from typing import Any, Final
 
 import msgspec
 
-from archlint.branches import ChoiceOfArgument, ChoiceOfCallee, UnfollowedCondition
+from archlint import branches
 from archlint.finding import Place
 from archlint.model import given
 from archlint.model.calls import ApiCall
@@ -40,7 +40,7 @@ _DICT: Final = "dict"
 _CONTAINERS: Mapping[str, type] = {"list": list, "tuple": tuple, "set": set, "frozenset": frozenset}
 _WORD_TYPES: tuple[type, ...] = (
     *(EntityKind, ExecutorKind, GroupKind, Role, SpinDuration),
-    *(ChoiceOfArgument, ChoiceOfCallee, UnfollowedCondition, NotPassed, Uninformative),
+    *(NotPassed, Uninformative),
 )
 _WORDS: Mapping[str, type] = {kind.__name__: kind for kind in _WORD_TYPES}
 """Words and numbers with a type of their own."""
@@ -50,6 +50,7 @@ _RECORD_TYPES: tuple[type, ...] = (
     *(given.Given, given.Constant, given.OneOf, given.Entity, given.Future, given.Node, given.Executor),
     *(given.Message, given.Process, given.Object, given.GoalHandle, given.Duration),
     *(given.ForeignClass, given.Collection),
+    *(branches.CodeBranch, branches.ChoiceOfArgument, branches.ChoiceOfCallee),
 )
 _RECORDS: Mapping[str, type] = {kind.__name__: kind for kind in _RECORD_TYPES}
 _FIELDS = {kind: tuple(row.name for row in fields(kind)) for kind in _RECORDS.values()}

@@ -6,7 +6,7 @@ from collections.abc import Iterator, Sequence
 from itertools import combinations
 from typing import TYPE_CHECKING
 
-from archlint.branches import BranchArms
+from archlint.branches import BranchArms, ChoiceOfValue
 from archlint.interpreter.values import (
     BoundMethod,
     FunctionValue,
@@ -44,7 +44,7 @@ def _exclude_each_other(run: LaunchRun, options: Sequence[Value]) -> bool:
 
 def version(run: LaunchRun, entity: Value, number: int) -> BranchArms:
     """The branch in which a value is one of its alternatives."""
-    return frozenset({(f"one of {run.names.number(entity)}", number)})
+    return frozenset({(ChoiceOfValue(run.names.number(entity)), number)})
 
 
 def arms_of(run: LaunchRun, value: Value) -> BranchArms:

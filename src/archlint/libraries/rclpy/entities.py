@@ -85,7 +85,7 @@ def create(
     place = run.place(call.expression.span) if call.expression is not None else Place("", 1, 1, 1, 1)
     arms = frozenset(run.branch_arms)
     if alternative is not None:
-        arms |= {(ChoiceOfArgument(f"{place.file}:{place.line}:{place.column}|"), alternative)}
+        arms |= {(ChoiceOfArgument(place.file, place.line, place.column), alternative)}
     policies = (qos.history, qos.depth, qos.reliability, qos.durability)
     kind = call.api.kind
     assert kind is not None, "a row that makes an endpoint says of which kind"
