@@ -161,3 +161,40 @@ def test_ros2_launch_is_an_include_with_a_process_of_its_own(launches):
     ]
     plain = launches.xml('<include file="$(find-pkg-share robot)/launch/inner.launch.xml"/>')
     assert [one.own_process for one in plain.included] == [False]
+
+
+PARTS = """\
+from launch_ros.actions import Node
+
+
+def talker(name):
+    return Node(package='robot', executable='talker', name=name)
+"""
+
+
+@pytest.mark.parametrize("path", ["Path(__file__).with_name('parts.py')", "str(Path(__file__).parent / 'parts.py')"])
+def test_a_file_that_run_path_runs_gives_its_functions(launches, path):
+    launches.file("robot/launch/parts.py", PARTS)
+    before = f"import runpy\nfrom pathlib import Path\nparts = runpy.run_path({path})"
+    launched = launches.python("[parts['talker']('left')]", before)
+    assert names(launched) == ["left"]
+    assert launched.gaps == []
+
+
+@pytest.mark.parametrize(
+    "call", ["run_path('/opt/parts.py')", "run_path(Path(__file__).with_name('parts.py'), {'x': 1})"]
+)
+def test_what_run_path_makes_is_unknown_for_other_files_and_with_variables(launches, call):
+    launches.file("robot/launch/parts.py", PARTS)
+    before = f"import runpy\nfrom pathlib import Path\nparts = runpy.{call}"
+    launched = launches.python("[parts['talker']('left')]", before)
+    assert names(launched) == []
+    assert launched.gaps != []
+
+
+def test_a_launch_file_that_runs_itself_ends(launches):
+    before = "import runpy\nparts = runpy.run_path(__file__)"
+    assert launches.python("[parts['node']]", before).gaps != []
+    outside = "import runpy\nME = runpy.run_path(__file__)\ndef generate_launch_description():\n    return ME['ld']\n"
+    launches.file("robot/launch/round.launch.py", outside)
+    assert launches.run("robot/launch/round.launch.py").gaps != []

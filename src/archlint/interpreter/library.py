@@ -19,7 +19,7 @@ if TYPE_CHECKING:
     from archlint.interpreter.activation import Activation
     from archlint.interpreter.call_site import CallSite
     from archlint.interpreter.modules import Module
-    from archlint.interpreter.values import Builtin, ClassValue
+    from archlint.interpreter.values import Builtin, ClassValue, Known
     from archlint.syntax import facts
 
 
@@ -172,6 +172,10 @@ class Library:
 
     def asked_for_file(self, path: str) -> None:
         """The code asks whether a file exists."""
+
+    def opened(self, path: Known) -> Value:
+        """The file that ``path.open()`` of a pathlib.Path gives."""
+        return Unknown("a file")
 
     # ----------------------------------------------------------------------- events: what gets out of sight
 

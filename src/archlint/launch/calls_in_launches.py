@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import posixpath
 from collections.abc import Callable
 from dataclasses import replace
@@ -116,23 +117,45 @@ def _same_path(run: LaunchRun, args: list[Value], keywords: dict[str, Value], e:
 def _open(run: LaunchRun, args: list[Value], keywords: dict[str, Value], e: facts.Call | None) -> Value:
     """``open(path)`` in a launch file: the file, for whoever loads YAML from it."""
     if args and isinstance(args[0], Known):
-        return Instance(External("io.TextIOWrapper"), run.store.new_key(), None, {"path": args[0]})
+        return opened(run, args[0])
     return Unknown(reason(*args) if args else "a file")
+
+
+def opened(run: LaunchRun, path: Known) -> Instance:
+    """A file that is open for reading."""
+    return Instance(External("io.TextIOWrapper"), run.store.new_key(), None, {"path": path})
 
 
 def _load_yaml(run: LaunchRun, args: list[Value], keywords: dict[str, Value], e: facts.Call | None) -> Value:
     """``yaml.safe_load(file)``: what a YAML file of this workspace holds."""
-    path = argument(args[0], "path") if args else None
-    if path is None:
-        return Unknown("the content of a YAML file")
-    text = run.paths.text(run.resolve(FileKind.PARAMETERS, path, run.place_now))
-    if text is None:
-        return Unknown("the content of a file that is not in this workspace")
+    text = _text_in(run, args)
+    if isinstance(text, Unknown):
+        return text
     try:
         reader = YamlReader(text)
         return _value_of(run, None if reader.root is None else reader.value(reader.root))
     except (YamlError, RecursionError):
         return Unknown("the content of a YAML file that is broken")
+
+
+def _load_json(run: LaunchRun, args: list[Value], keywords: dict[str, Value], e: facts.Call | None) -> Value:
+    """``json.load(file)``: what a JSON file of this workspace holds."""
+    text = Unknown("the content of a file that is read in a way of its own") if keywords else _text_in(run, args)
+    if isinstance(text, Unknown):
+        return text
+    try:
+        return _value_of(run, json.loads(text))
+    except (ValueError, RecursionError):
+        return Unknown("the content of a JSON file that is broken")
+
+
+def _text_in(run: LaunchRun, args: list[Value]) -> str | Unknown:
+    """The text of the file that a loader is given."""
+    path = argument(args[0], "path") if args else None
+    if path is None:
+        return Unknown("the content of a file")
+    text = run.paths.text(run.resolve(FileKind.PARAMETERS, path, run.place_now))
+    return Unknown("the content of a file that is not in this workspace") if text is None else text
 
 
 def _value_of(run: LaunchRun, value: object) -> Value:
@@ -147,8 +170,25 @@ def _value_of(run: LaunchRun, value: object) -> Value:
     raise AssertionError(value)
 
 
+def _run_path(run: LaunchRun, args: list[Value], keywords: dict[str, Value], e: facts.Call | None) -> Value:
+    """``runpy.run_path(path)``: the variables of a file of this workspace, once it has run."""
+    if len(args) != 1 or keywords:
+        return Unknown("what a file makes of the variables that it is given")
+    source = run.resolve(FileKind.LAUNCH, run.perform(args[0]), run.place_now).source
+    file = None if source is None else run.files.source_file(source)
+    module = None if file is None else run.index.module(file)
+    if module is None or module.state == "running":
+        return Unknown("what a file makes that is not followed")
+    run.import_module(module)
+    assert module.scope is not None
+    variables = dict(run.store.variables(module.scope.key))
+    return containers.dict_of_names(run, variables, open_=bool(module.star_externals))
+
+
 PLAIN = {
+    "runpy.run_path": _run_path,
     "open": _open,
+    "json.load": _load_json,
     "yaml.safe_load": _load_yaml,
     "yaml.load": _load_yaml,
     "yaml.full_load": _load_yaml,

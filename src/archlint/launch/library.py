@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import TYPE_CHECKING, Concatenate, ParamSpec
 
-from archlint.interpreter.values import External, Instance, Value
+from archlint.interpreter.values import External, Instance, Known, Value
 from archlint.launch import calls, calls_in_launches, tables
 from archlint.libraries.api_use import Offers
 from archlint.libraries.library import RosLibrary
@@ -70,6 +70,10 @@ class LaunchFileLibrary(LaunchLibrary):
             {**known.plain, **{name: _of(run, act) for name, act in calls_in_launches.PLAIN.items()}},
             known.bases,
         )
+        self._launch = run
+
+    def opened(self, path: Known) -> Value:
+        return calls_in_launches.opened(self._launch, path)
 
 
 def _of(launch: LaunchRun, act: Callable[Concatenate[LaunchRun, _P], Value]) -> Callable[Concatenate[Run, _P], Value]:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import posixpath
 import string
 from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING
@@ -145,11 +146,25 @@ def _join_path(machine: Machine, target: Known, name: str, site: CallSite) -> Va
     return constant(joined, target.via, "path", file_origin(target, *site.args))
 
 
+def _with_other_name(machine: Machine, target: Known, name: str, site: CallSite) -> Value | None:
+    """``path.with_name('other.py')`` and ``path.with_suffix('.yaml')`` of a pathlib.Path."""
+    given = constants_of(site.args)
+    if target.kind != "path" or given is None or len(given) != 1:
+        return None
+    folder, last = posixpath.split(str(target.value))
+    other = str(given[0]) if name == "with_name" else posixpath.splitext(last)[0] + str(given[0])
+    return constant(posixpath.join(folder, other), target.via, "path", file_origin(target, *site.args))
+
+
 def _exists(machine: Machine, target: Known, name: str, site: CallSite) -> Value | None:
     if target.kind != "path":
         return None
     machine.library.asked_for_file(str(target.value))
     return Unknown("whether a file exists")
+
+
+def _open(machine: Machine, target: Known, name: str, site: CallSite) -> Value | None:
+    return machine.library.opened(target) if target.kind == "path" else None
 
 
 # --------------------------------------------------------------------------------------------------- format
@@ -211,12 +226,15 @@ _METHODS: dict[str, Method] = {
     "is_file": _exists,
     "join": _join,
     "joinpath": _join_path,
+    "open": _open,
     "partition": _split,
     "resolve": _same_path,
     "rpartition": _split,
     "rsplit": _split,
     "split": _split,
     "splitlines": _split,
+    "with_name": _with_other_name,
+    "with_suffix": _with_other_name,
 }
 
 __all__ = ["call", "call_holed"]
