@@ -81,11 +81,14 @@ def _passed(run: Run, message: MessageValue) -> tuple[Passed, ...]:
     return tuple(hops)
 
 
-def _is_given(run: Run, one: Activation, keys: set[int]) -> bool:
-    assert one.function is not None
-    given = (run.store.get(one.scope.key, param.name) for param in one.function.ir.params)
-    messages = (of_value(value) for value in given if isinstance(value, Value))
-    return any(message is not None and message.key in keys for message in messages)
+def _is_given(run: Run, activation: Activation, keys: set[int]) -> bool:
+    assert activation.function is not None
+    for param in activation.function.ir.params:
+        value = run.store.get(activation.scope.key, param.name)
+        message = of_value(value) if isinstance(value, Value) else None
+        if message is not None and message.key in keys:
+            return True
+    return False
 
 
 def delivered_by(run: Run, message: MessageValue) -> model.Creation | None:
