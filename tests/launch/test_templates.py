@@ -37,6 +37,11 @@ def test_what_a_shell_replaces_is_no_placeholder(tmp_path, monkeypatch):
     assert ("NME002", "launch/it.launch.xml") in told(tmp_path, monkeypatch, PUSHED.format("left") + command)
 
 
+def test_what_a_variable_of_the_environment_is_set_to_is_no_placeholder(tmp_path, monkeypatch):
+    variable = '<set_env name="ROSCONSOLE_FORMAT" value="[${severity}] ${message}"/>'
+    assert ("NME002", "launch/it.launch.xml") in told(tmp_path, monkeypatch, PUSHED.format("left") + variable)
+
+
 def test_what_a_template_includes_is_not_judged_with_its_placeholders(tmp_path, monkeypatch):
     inner = '<launch><arg name="space" default="left"/><push_ros_namespace namespace="$(var space)"/></launch>'
     outer = '<include file="$(dirname)/inner.launch.xml"><arg name="space" value="{}"/></include>'

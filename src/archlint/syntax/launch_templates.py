@@ -14,6 +14,9 @@ parentheses only: to it these are letters."""
 _COMMANDS = frozenset({"cmd", "args", "ros_args", "launch-prefix", "launch_prefix"})
 """Attributes that may go to a shell, which replaces them itself."""
 
+_VARIABLES = frozenset({"env", "set_env"})
+"""Elements whose values go to the processes as they are: rosconsole, for one, has ``${severity}`` in its formats."""
+
 _ENVIRONMENT = frozenset({"HOME", "USER", "LOGNAME", "PWD", "PATH", "SHELL", "DISPLAY", "HOSTNAME"})
 """Whoever writes one of these takes the attribute for the text of a shell."""
 
@@ -32,6 +35,8 @@ def has_placeholders(root: Element) -> bool:
 
 def _texts(element: Element) -> Iterator[str]:
     """The attributes that launch takes for more than letters, or that name something: no substitution is in them."""
+    if element.tag in _VARIABLES:
+        return
     for name, attribute in element.attributes.items():
         values = attribute.value if isinstance(attribute.value, list) else [attribute.value]
         for value in values if name not in _COMMANDS else ():
