@@ -82,6 +82,57 @@ def test_name_renames_all_nodes_of_an_executable(findings):
     assert findings("NME004", node(), **{"robot/talker.py": two}) == []  # the advice works
 
 
+TEXT_MODE = """\
+import os
+import sys
+import rclpy
+
+def main():
+    rclpy.init()
+{before}
+    rclpy.spin(rclpy.create_node('window'))
+"""
+SPINS = "rclpy.spin(rclpy.create_node('text'))"
+
+
+@pytest.mark.parametrize(
+    ("before", "several"),
+    [
+        (["if '--text' in sys.argv:", f"    {SPINS}", "    return"], False),
+        (["if '--text' in sys.argv:", f"    {SPINS}", "    sys.exit(0)"], False),
+        (["try:", "    open(os.environ['DISPLAY'])", "except OSError:", f"    {SPINS}", "    return"], False),
+        (["match open('mode').read():", "    case 'text':", f"        {SPINS}", "        return"], False),
+        (["for word in sys.argv:", "    if word == '--text':", f"        {SPINS}", "        return"], False),
+        (["if '--text' in sys.argv:", f"    {SPINS}"], True),
+        (["if '--text' in sys.argv:", f"    {SPINS}", "    if len(sys.argv) > 3:", "        return"], True),
+        (["def text():", "    if '--text' in sys.argv:", f"        {SPINS}", "        return", "text()"], True),
+        (["try:", f"    {SPINS}", "    sys.exit(0)", "except SystemExit:", "    pass"], True),
+        (
+            [
+                "try:",
+                "    if '--text' in sys.argv:",
+                f"        {SPINS}",
+                "        sys.exit(0)",
+                "except SystemExit: pass",
+            ],
+            True,
+        ),
+    ],
+)
+def test_a_branch_that_ends_the_function_makes_its_node_alone(findings, before, several):
+    code = TEXT_MODE.replace("{before}", "\n".join(f"    {line}" for line in before))
+    found = findings("NME004", node(name="it"), **{"robot/talker.py": code})
+    assert bool(found) is several
+
+
+def test_what_a_finally_makes_stands_beside_what_its_try_returned_from(findings):
+    before = ["try:", "    if '--text' in sys.argv:", f"        {SPINS}", "        return", "finally:"]
+    before.append("    rclpy.spin_once(rclpy.create_node('farewell'))")
+    code = TEXT_MODE.replace("{before}", "\n".join(f"    {line}" for line in before))
+    (found,) = findings("NME004", node(name="it"), **{"robot/talker.py": code})
+    assert {"'text' is made here", "'farewell' is made here"} == {one.message for one in found.related}
+
+
 def test_an_executable_that_makes_two_nodes_of_one_name(findings):
     two = TALKER.replace("Talker())", "Talker())\n    rclpy.spin(rclpy.create_node('talker'))")
     (found,) = findings("NME004", node(), **{"robot/talker.py": two})

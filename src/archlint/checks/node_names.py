@@ -87,7 +87,11 @@ def _ends_by_itself(node: Node) -> bool:
 def _in_other_branches(one: Node, other: Node) -> bool:
     """Whether a process makes one of two nodes, and never both."""
     first, second = one.blueprint, other.blueprint
-    return first is not None and second is not None and exclusive(first.branch_arms, second.branch_arms)
+    if first is None or second is None:
+        return False
+    if first.branch_arms & second.ended_arms or second.branch_arms & first.ended_arms:
+        return True
+    return exclusive(first.branch_arms, second.branch_arms)
 
 
 def _gone_before(one: Node, other: Node) -> bool:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
 
+from archlint.branches import BranchArm
 from archlint.finding import Place
 
 if TYPE_CHECKING:
@@ -31,6 +32,8 @@ class Activation:
     loops: list[facts.While | facts.For] = field(default_factory=list)
     left: set[int] = field(default_factory=set)
     """Loops (by identity) that an undecided ``break`` may have left."""
+    ended_arms: frozenset[BranchArm] = frozenset()
+    """Arms of undecided branches that have left the function: what runs now does so only where none was taken."""
     tries: int = 0
     """How many ``try`` blocks of the function are around what runs now."""
     forgiving: int = 0

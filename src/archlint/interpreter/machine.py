@@ -343,6 +343,16 @@ class Machine(ABC):
             self.branch_arms.pop()
             taken.append(self.store.cut(depth))
 
+    def end_arm(self, key: Branch, arm: int, status: Status) -> None:
+        """Note of an arm that it leaves the function, where it does: what follows never runs beside it."""
+        activation = self.activation
+        if status == "return" or (status == "raise" and not activation.tries):
+            activation.ended_arms |= {(key, arm)}
+
+    def ended_arms(self) -> frozenset[BranchArm]:
+        """The arms that have left one of the running functions."""
+        return frozenset().union(*(activation.ended_arms for activation in self.activations))
+
     def join(self, results: list[tuple[Status, Layer]]) -> Status:
         """Go on after alternative blocks: with the joined state of those that do not leave the function."""
         live = [layer for status, layer in results if status not in ("return", "raise")]

@@ -71,6 +71,7 @@ def _if(machine: Machine, s: facts.If) -> Status:
         with machine.arm(key, arm) as taken:
             narrow(machine, s.test, arm == 0)
             status = machine.execute(block)
+        machine.end_arm(key, arm, status)
         results.append((status, taken[0]))
     joined = machine.join(results)
     ended = [status for status, _ in results]
@@ -104,6 +105,7 @@ def _entered(machine: Machine, value: Value) -> Value:
 def _try(machine: Machine, s: facts.Try) -> Status:
     activation = machine.activation
     forgiving = any(caught.may_expect_missing_attribute(handler) for handler in s.handlers)
+    before = activation.ended_arms
     activation.tries += 1
     activation.forgiving += forgiving
     try:
@@ -124,10 +126,13 @@ def _try(machine: Machine, s: facts.Try) -> Status:
             if handler.name is not None:
                 machine.assign_name(handler.name, Unknown("an exception"))
             handled = machine.execute(handler.body)
+        machine.end_arm(key, arm, handled)
         results.append((handled, taken[0]))
     status = machine.join(results) if len(results) > 1 else status
     if s.final:
+        ended, activation.ended_arms = activation.ended_arms, before
         final = machine.execute(s.final)
+        activation.ended_arms |= ended
         return final or status
     return status
 
@@ -161,6 +166,7 @@ def _match(machine: Machine, s: facts.Match) -> Status:
             if certain and not results:
                 break
             status = machine.execute(case.body)
+        machine.end_arm(key, arm, status)
         results.append((status, taken[0]))
         if certain:
             return machine.join(results)

@@ -200,6 +200,8 @@ class Blueprint:
     """The call that makes it, where one does."""
     branch_arms: BranchArms = frozenset()
     """The branches that make it, as ``Creation.branch_arms``."""
+    ended_arms: BranchArms = frozenset()
+    """Branches that end the function before it is made: it is never there beside what they make."""
     instead_of: Blueprint | None = None
     """The node of the same class and name that it took the place of in a variable."""
     has_own_executor: bool = False

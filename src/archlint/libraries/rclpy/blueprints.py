@@ -23,6 +23,7 @@ def new_blueprint(run: Run, class_name: str, place: Place, key: str, package: st
         test=run.index.roles.is_test(place.file),
         number=len(run.nodes.by_key),
         branch_arms=frozenset(run.branch_arms),
+        ended_arms=run.ended_arms(),
         made_by=run.context,
     )
     run.nodes.by_key[key] = blueprint

@@ -39,8 +39,10 @@ def create_node(run: Run, call: ApiUse) -> Value:
         holder = short_lived.holder(run.activations, call.expression)
         if holder is not None:
             run.nodes.short_lived.setdefault(holder, []).append(known)
-    elif known.until is not None and known.until < len(run.nodes.by_key):
-        known.until = None  # made again, beside nodes that came later
+    else:
+        known.ended_arms &= run.ended_arms()
+        if known.until is not None and known.until < len(run.nodes.by_key):
+            known.until = None  # made again, beside nodes that came later
     known.destroyed_at = None
     return NodeValue(known, run.store.new_key())
 
