@@ -9,6 +9,7 @@ from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
 
+from archlint.branches import ChoiceOfVisit
 from archlint.config.settings import Settings
 from archlint.engine.compiling import compiled
 from archlint.engine.inputs import find_files, parts_of
@@ -110,8 +111,8 @@ class Checkout:
         if any(isinstance(one, ParameterSetting) and one.name is None for one in started.parameters):
             why.append("a parameter whose name is not known")
         # Of an action that is met twice, the branches that lead to each visit say why.
-        branches = sorted({branch for branch, _ in started.branch_arms if not branch.startswith("one visit of ")})
-        by = [launched.why_open.get(branch, "") for branch in branches]
+        branches = {branch for branch, _ in started.branch_arms if not isinstance(branch, ChoiceOfVisit)}
+        by = sorted(launched.why_open.get(branch, "") for branch in branches)
         return Row(
             started.kind, fields, f"{started.place.file}:{started.place.line}", bool(started.branch_arms), why, by
         )

@@ -595,6 +595,15 @@ def test_substitutions_in_a_parameter_file(robot):
     assert not [code for code, _ in findings() if code == "PRM005"]
 
 
+def test_a_parameter_file_asks_for_the_share_of_a_package(robot):
+    robot(
+        '<node pkg="lidar" exec="driver" name="lidar">'
+        '<param from="$(find-pkg-share robot)/config/p.yaml" allow_substs="true"/></node>',
+        **{"config/p.yaml": "/**:\n  ros__parameters:\n    map: $(find-pkg-share robot)/maps/hall.yaml\n"},
+    )
+    assert "string = '$(find-pkg-share robot)/maps/hall.yaml'" in render(system())
+
+
 def test_remappings_and_parameters_of_a_node_that_is_not_here_are_rows_of_one_table(robot):
     robot(
         '<node pkg="lidar" exec="driver" name="lidar"><param name="rate" value="10.5"/>'

@@ -143,8 +143,8 @@ def file_value(value: Any, use: ParameterFileUse, quoted: bool = False) -> objec
             text = None
     if text is None or not _WORDS.fullmatch(text):
         return _not_substituted(value, use)
-    if quoted:
-        return text
+    if quoted or (text != (path := _SHARE.sub("/share", text)) and _WORD.fullmatch(path)):
+        return text  # a path of an installed package is no number
     return plain_scalar(text) if _WORD.fullmatch(text) else NotKnown("a text that YAML may read in several ways")
 
 
@@ -169,18 +169,22 @@ def _not_substituted(value: object, use: ParameterFileUse) -> NotKnown:
 
 
 _SUBSTITUTION = re.compile(r"\$\(([\w-]+)(?: ([^()\s]+))?[^()]*\)?")
+_SHARE = re.compile(r"\$\(find-pkg-share [\w-]+\)")
 _WORD = re.compile(r"[\w/.~+-]+")
 _WORDS = re.compile(r"""[^'"\\\n]*""")
 _VARIABLE = re.compile(r"\$\(var ([^()\s]+)(?: [^()]*)?\)")
 
 
 def substituted(text: str, use: ParameterFileUse) -> str | None:
-    """A text of a parameter file with its launch configurations put in; None where one is not known."""
+    """A text of a parameter file with its launch configurations put in; None where one is not known.
+
+    The share of a package stays as it is written: so do those that launch files ask for.
+    """
     if not use.substitutions or "$(" not in text:
         return text
     known = dict(use.configurations)
     filled = _VARIABLE.sub(lambda match: known.get(match[1], match[0]), text)
-    return None if "$(" in filled else filled
+    return None if "$(" in _SHARE.sub("", filled) else filled
 
 
 def command_line_parameters(words: Sequence[str | None]) -> Iterator[tuple[str, object]]:
