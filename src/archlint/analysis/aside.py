@@ -150,13 +150,19 @@ def _is_named(workspace: WorkspaceIndex, installs: Installs, file: str) -> bool:
     if any(workspace.code.mentions(path, stem) for path in built):
         return True
     # A launch file starts executables by their names, and this file is none: only as a file or a module can it run.
-    return any(_mentions_file(workspace, path, stem) for path in workspace.launch_files.all())
+    return any(_mentions_file(text, stem) for text in _launch_texts(workspace))
 
 
-def _mentions_file(workspace: WorkspaceIndex, path: str, stem: str) -> bool:
+@once
+def _launch_texts(workspace: WorkspaceIndex) -> list[str]:
+    """What stands in each launch file."""
+    return [workspace.tree.text(path) or "" for path in workspace.launch_files.all()]
+
+
+def _mentions_file(text: str, stem: str) -> bool:
     """Whether ``stem.py``, or a module of that name in a package (``robot.stem``), stands anywhere in a file."""
-    text, name = workspace.tree.text(path), re.escape(stem)
-    return text is not None and re.search(rf"(?<!\w){name}\.py(?!\w)|\w\.{name}(?![\w(])", text) is not None
+    name = re.escape(stem)
+    return stem in text and re.search(rf"(?<!\w){name}\.py(?!\w)|\w\.{name}(?![\w(])", text) is not None
 
 
 @once

@@ -87,8 +87,7 @@ def called_names(found: facts.Facts) -> frozenset[str]:
 
 def enclosing_function(workspace: WorkspaceIndex, place: Place) -> facts.Function | None:
     """The innermost function that a place is in."""
-    found = workspace.facts_at(place.file)
-    functions = everything_in([] if found is None else found.body, facts.Function)
+    functions = _every_function(workspace, place.file) or ()
     around = [function for function in functions if function.span[0] <= place.line <= function.span[2]]
     return max(around, key=lambda one: one.span[0], default=None)
 
@@ -103,6 +102,11 @@ def enclosing_class(workspace: WorkspaceIndex | None, place: Place) -> str | Non
 @once_for_each_file
 def _every_class(found: facts.Facts) -> tuple[facts.Class, ...]:
     return tuple(everything_in(found.body, facts.Class))
+
+
+@once_for_each_file
+def _every_function(found: facts.Facts) -> tuple[facts.Function, ...]:
+    return tuple(everything_in(found.body, facts.Function))
 
 
 __all__ = [

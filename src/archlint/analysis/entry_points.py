@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import partial
 from typing import TYPE_CHECKING
 
 from archlint.suggestions import nearest
@@ -60,6 +61,8 @@ def broken_target(workspace: WorkspaceIndex, executable: Executable) -> NoModule
     if function is None:
         return None if any(map(_does_something, found.body)) else NoFunctionNamed(module)
     head = function.partition(".")[0]
+    if any(map(partial(_defines, head), found.body)):
+        return None  # as nearly always
     names = _bound_names(found.body)
     return None if head in names or _binds_more(found.body) else NoFunction(module, head, names)
 
@@ -81,10 +84,17 @@ def _does_something(statement: facts.Stmt) -> bool:
     return False
 
 
+def _defines(name: str, statement: facts.Stmt) -> bool:
+    match statement:
+        case facts.Function(name=defined) | facts.Class(name=defined):
+            return defined == name
+    return False
+
+
 def _bound_names(body: Sequence[facts.Stmt]) -> frozenset[str]:
     """The names that a module binds, wherever in it."""
     names: set[str] = set()
-    for part in everything_in(body):
+    for part in everything_in(body, facts.Statement):
         match part:
             case facts.Function(name=name) | facts.Class(name=name):
                 names.add(name)

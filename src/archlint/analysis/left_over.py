@@ -55,8 +55,7 @@ def is_dead(workspace: WorkspaceIndex | None, program: Program, call: ApiCall) -
     if uses is None or package is None or function is None:
         return False
     name = function.name
-    others = [other for one in workspace.packages for other in code.files_of(one) if other != file]
-    return not uses.by_name and name in uses.idle and not any(code.mentions(other, name) for other in others)
+    return not uses.by_name and name in uses.idle and all(other == file for other in code.files_that_mention(name))
 
 
 def is_never_made(workspace: WorkspaceIndex | None, call: ApiCall) -> bool:
@@ -73,8 +72,7 @@ def is_never_made(workspace: WorkspaceIndex | None, call: ApiCall) -> bool:
         return False
     if uses.by_name or name in uses.names or name in uses.count or not _defines(found, name):
         return False
-    others = [other for one in workspace.packages for other in code.files_of(one) if other != file]
-    return not any(code.mentions(other, name) for other in others)
+    return all(other == file for other in code.files_that_mention(name))
 
 
 def _defines(found: facts.Facts, name: str) -> bool:

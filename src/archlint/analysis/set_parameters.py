@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
+from archlint.analysis.kept import once
 from archlint.launch.parameter_sources import ParameterFileUse
 from archlint.launch.started import Started
 from archlint.systems.overrides import Setting, applied
@@ -35,11 +36,35 @@ def others_are_not_run(workspace: WorkspaceIndex) -> bool:
     return workspace.explicit and len(workspace.launch_files.all()) > 1
 
 
+@once
 def files_of(system: System) -> list[str]:
+    """The parameter files that a launched system loads."""
     files: dict[str, None] = {}
     for started in system.launched.started if system.launched is not None else ():
         files.update(dict.fromkeys(files_of_process(started)))
     return list(files)
+
+
+@once
+def systems_that_load(workspace: WorkspaceIndex) -> dict[str, list[System]]:
+    """The launched systems that load each parameter file."""
+    systems: dict[str, list[System]] = {}
+    for system in workspace.systems:
+        for file in files_of(system):
+            systems.setdefault(file, []).append(system)
+    return systems
+
+
+@once
+def rewritten_files(workspace: WorkspaceIndex) -> frozenset[str | None]:
+    """The parameter files of which a launch makes another one."""
+    return frozenset(
+        use.reference.source
+        for system in workspace.systems
+        for started in (system.launched.started if system.launched is not None else ())
+        for use in started.parameters
+        if isinstance(use, ParameterFileUse) and use.changes
+    )
 
 
 def files_of_process(started: Started) -> list[str]:

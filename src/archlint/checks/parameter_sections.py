@@ -10,13 +10,18 @@ from typing import TYPE_CHECKING
 from archlint.analysis.chosen_names import may_get_any_file, name_is_chosen, namespace_is_chosen
 from archlint.analysis.cpp_nodes import names_cpp_node
 from archlint.analysis.declared_parameters import followed
-from archlint.analysis.set_parameters import files_of, files_of_process, others_are_not_run
+from archlint.analysis.set_parameters import (
+    files_of,
+    files_of_process,
+    others_are_not_run,
+    rewritten_files,
+    systems_that_load,
+)
 from archlint.checks.folding import folds
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.finding import Finding, Place, Related
 from archlint.launch.kinds import FileStatus
-from archlint.launch.parameter_sources import ParameterFileUse
 from archlint.suggestions import did_you_mean, listed
 from archlint.systems.nodes import key_of
 from archlint.systems.overrides import key_matches
@@ -50,8 +55,8 @@ def parameters_for_unknown_node(system: System, options: Options) -> Iterator[Fi
         return
     for file in files_of(system):
         started = _nodes_beside(workspace, file)
-        if not started or _is_rewritten(workspace, file):
-            continue
+        if not started or file in rewritten_files(workspace):
+            continue  # in the file that a launch makes of this one the keys may be others
         keys = [section.key for section in workspace.parameters_of(file).sections if "*" not in section.key]
         unmet = [node for node in started if not any(key_matches(key, node.name) for key in keys)]
         for section in workspace.parameters_of(file).sections:
@@ -120,16 +125,6 @@ def _one_for_a_namespace(several: Sequence[Finding]) -> Finding:
     )
 
 
-def _is_rewritten(workspace: WorkspaceIndex, file: str) -> bool:
-    """Whether a launch makes another file of this one, in which the keys may be others."""
-    return any(
-        isinstance(use, ParameterFileUse) and use.changes and use.reference.source == file
-        for system in workspace.systems
-        for started in (system.launched.started if system.launched is not None else ())
-        for use in started.parameters
-    )
-
-
 def _may_come_otherwise(workspace: WorkspaceIndex, key: str) -> bool:
     """Whether some launch file starts a node with this name and lets an argument choose its parameter file."""
     return any(
@@ -182,10 +177,9 @@ def _is_folder(text: str) -> bool:
 def _nodes_beside(workspace: WorkspaceIndex, file: str) -> list[_Loader]:
     """All nodes of the launches that load a file; none where the name of one is not known."""
     loaders: list[_Loader] = []
-    for system in workspace.systems:
+    for system in systems_that_load(workspace).get(file, ()):
         launched = system.launched
-        if launched is None or file not in files_of(system):
-            continue
+        assert launched is not None
         if launched.gaps or any(started.dormant for started in launched.started):
             return []
         if any(i.reference.source is None and _may_read(i, file) for i in launched.included):

@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from archlint.analysis.completeness import is_whole
+from archlint.analysis.kept import once
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.finding import Finding
@@ -17,8 +18,9 @@ from archlint.suggestions import did_you_mean, listed
 from archlint.systems.instances import instantiate
 
 if TYPE_CHECKING:
+    from archlint.finding import Place
     from archlint.launch.started import Remap, Started
-    from archlint.systems.model import System
+    from archlint.systems.model import System, WorkspaceIndex
     from archlint.systems.nodes import Node
 
 
@@ -46,17 +48,24 @@ def _by_started(system: System) -> list[tuple[Started, list[Node]]]:
 
 def _live_elsewhere(system: System, remap: Remap) -> bool:
     """Whether the same line may do something where another launch file includes this one, say in a namespace."""
-    others = system.workspace.systems if system.workspace is not None else []
-    for other in others:
-        if other is system or other.launched is None:
+    rows = [] if system.workspace is None else _by_place(system.workspace).get(remap.place, [])
+    for other, one, started, nodes in rows:
+        if other is system:
             continue
-        for started, nodes in _by_started(other):
-            same = [one for one in started.remaps if one.place == remap.place]
-            if not all(is_whole(system.workspace, node) for node in nodes) and same:
-                return True
-            if any(not list(_dead(one, nodes, started)) for one in same):
-                return True
+        if not all(is_whole(system.workspace, node) for node in nodes) or not list(_dead(one, nodes, started)):
+            return True
     return False
+
+
+@once
+def _by_place(workspace: WorkspaceIndex) -> dict[Place, list[tuple[System, Remap, Started, list[Node]]]]:
+    """The remappings of all launch files by the line that says them, each with the process that it is for."""
+    rows: dict[Place, list[tuple[System, Remap, Started, list[Node]]]] = {}
+    for system in workspace.systems:
+        for started, nodes in _by_started(system) if system.launched is not None else ():
+            for remap in started.remaps:
+                rows.setdefault(remap.place, []).append((system, remap, started, nodes))
+    return rows
 
 
 _PLAIN_SOURCE = re.compile(r"~?/?[A-Za-z_][\w/]*")

@@ -253,6 +253,10 @@ class ModuleIndex:
         """The shown paths of a module and of all that its imports lead to, wherever they stand in it."""
         return frozenset(imported.path for imported in self._modules_imported_by(module))
 
+    def imported_by_any(self, modules: Iterable[Module]) -> frozenset[str]:
+        """As :meth:`imported_by`, of several modules: what they share is followed once."""
+        return frozenset(imported.path for imported in closure(modules, self._imports_of))
+
     def _modules_imported_by(self, module: Module) -> frozenset[Module]:
         if module.path not in self._imported:
             with self.reading(Reads()) as reads:

@@ -54,6 +54,11 @@ class Base(msgspec.Struct, frozen=True, array_like=True, gc=False):
         return found
 
     @property
+    def statements(self) -> list[Base]:
+        """The statements that stand directly in it, in the order of the source."""
+        return []
+
+    @property
     def dotted(self) -> str:
         """A name or attribute as it is written, such as ``self.node.client``; empty for anything else."""
         return ""

@@ -58,12 +58,13 @@ def parts_of(fact: Source, kind: type[facts.Base] = facts.Base) -> Iterator[fact
 
 def _walk(fact: Source, kind: type[facts.Base], into_scopes: bool) -> Iterator[facts.Base]:
     stack = [fact] if isinstance(fact, facts.Base) else list(reversed(fact or ()))
+    of_statements = issubclass(kind, facts.Statement)  # none of them is in an expression
     while stack:
         item = stack.pop()
         if isinstance(item, kind):
             yield item
         if into_scopes or item is fact or not item.is_scope:
-            stack.extend(reversed(item.children()))
+            stack.extend(reversed(item.statements if of_statements else item.children()))
 
 
 def names_in(ir: Source) -> frozenset[str]:

@@ -21,6 +21,10 @@ class Statement(Base, frozen=True):
         """The blocks that it holds."""
         return []
 
+    @property
+    def statements(self) -> list[Base]:
+        return [statement for block in self.blocks for statement in block]
+
 
 class Assign(Statement, frozen=True, tag="="):
     """``targets[0] = targets[1] = value``; targets are Name, Attribute, Subscript, Sequence or Starred."""
@@ -168,6 +172,10 @@ class Handler(Base, frozen=True):
     body: list[Stmt]
     span: Span
 
+    @property
+    def statements(self) -> list[Base]:
+        return [*self.body]
+
 
 class Try(Statement, frozen=True, tag="try"):
     body: list[Stmt]
@@ -197,6 +205,10 @@ class Case(Base, frozen=True):
     pattern: Pattern
     guard: Expr | None
     body: list[Stmt]
+
+    @property
+    def statements(self) -> list[Base]:
+        return [*self.body]
 
 
 class Match(Statement, frozen=True, tag="match"):
@@ -265,6 +277,10 @@ class Function(Statement, frozen=True, tag="def"):
     span: Span
     name_span: Span
 
+    @property
+    def statements(self) -> list[Base]:
+        return [*self.body]
+
 
 class Class(Statement, frozen=True, tag="class"):
     is_scope: ClassVar[bool] = True
@@ -275,6 +291,10 @@ class Class(Statement, frozen=True, tag="class"):
     decorators: list[Expr]
     span: Span
     name_span: Span
+
+    @property
+    def statements(self) -> list[Base]:
+        return [*self.body]
 
 
 Stmt = Union[

@@ -17,6 +17,8 @@ if TYPE_CHECKING:
     from archlint.workspace.model import SourceFile
     from archlint.workspace.tree import Tree
 
+_WORD = re.compile(r"\w+")
+
 
 class WorkspaceCode:
     """Plain look-ups; a file is named by its shown path."""
@@ -37,6 +39,7 @@ class WorkspaceCode:
         self._installs = installs or {}
         self._relevant = relevant
         self._by_path = {file.relative: file for file in files}
+        self._words: dict[str, frozenset[str]] = {}
 
     def facts_at(self, path: str) -> Facts | None:
         """The facts of a file; None where it was not read, or is no Python."""
@@ -53,28 +56,58 @@ class WorkspaceCode:
 
     def mentions(self, path: str, word: str) -> bool:
         """Whether a word stands anywhere in a file, be it of Python or not."""
+        if _WORD.fullmatch(word):
+            return word in self._words_of(path)
         text = self._tree.text(path)
         return text is not None and re.search(rf"(?<!\w){re.escape(word)}(?!\w)", text) is not None
 
+    def files_that_mention(self, name: str) -> Sequence[str]:
+        """The Python files of packages, but for launch files, in which a name stands anywhere."""
+        return self._by_word.get(name, ())
+
+    @cached_property
+    def _by_word(self) -> Mapping[str, Sequence[str]]:
+        """The files by the words that stand in them: what is asked of all files costs the same in large workspaces."""
+        found: dict[str, list[str]] = {}
+        for path in (path for package in self._packages for path in self.files_of(package)):
+            for word in self._words_of(path):
+                found.setdefault(word, []).append(path)
+        return found
+
+    def _words_of(self, path: str) -> frozenset[str]:
+        words = self._words.get(path)
+        if words is None:
+            words = self._words[path] = frozenset(_WORD.findall(self._tree.text(path) or ""))
+        return words
+
     # ------------------------------------------------------------------------------------------ by package
+
+    @cached_property
+    def _packages(self) -> Mapping[str, Sequence[SourceFile]]:
+        """The files of each package."""
+        found: dict[str, list[SourceFile]] = {}
+        for file in self._files:
+            if file.package is not None:
+                found.setdefault(file.package, []).append(file)
+        return found
 
     def modules_of(self, package: str) -> dict[str, str]:
         """The modules of a package by name, with their paths."""
         return {
             file.module: file.relative
-            for file in self._files
-            if file.package == package and file.module and file.kind in CODE_KINDS
+            for file in self._packages.get(package, ())
+            if file.module and file.kind in CODE_KINDS
         }
 
     def files_of(self, package: str) -> list[str]:
         """The Python files of a package that are no launch files, whether they are modules or scripts."""
-        return [file.relative for file in self._files if file.package == package and file.kind == "python"]
+        return [file.relative for file in self._packages.get(package, ()) if file.kind == "python"]
 
     def files_named(self, package: str, module: str) -> list[str]:
         """Files of a package whose path below the package's folder ends like a module's name."""
         tail, installs = "/" + module.replace(".", "/"), self._installs.get(package)
         ends, folder = (f"{tail}.py", f"{tail}/__init__.py"), "" if installs is None else f"{installs.folder}/"
-        own = [file for file in self._files if file.package == package]
+        own = self._packages.get(package, ())
         ending = (file for file in own if f"/{file.relative.removeprefix(folder)}".endswith(ends))
         return [file.relative for file in own if file.module == module] or [file.relative for file in ending]
 
@@ -121,4 +154,4 @@ class WorkspaceCode:
     def reached_from(self, starts: Iterable[str]) -> frozenset[str]:
         """Some files, and all that these import."""
         modules = (self._index.module(self._by_path[path]) for path in sorted(starts) if path in self._by_path)
-        return frozenset[str]().union(*(self._index.imported_by(module) for module in modules if module is not None))
+        return self._index.imported_by_any(module for module in modules if module is not None)

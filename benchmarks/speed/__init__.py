@@ -1,0 +1,1 @@
+"""How long runs take, beside other runs and other programs."""
