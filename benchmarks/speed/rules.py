@@ -32,9 +32,9 @@ def shares(sizes: Sequence[int]) -> dict[str, list[float]]:
 
 def _seconds(folder: Path) -> Counter[str]:
     seconds: Counter[str] = Counter()
-    with _watched(seconds), contextlib.chdir(folder), contextlib.redirect_stdout(io.StringIO()):
+    with _watched(seconds), contextlib.redirect_stdout(io.StringIO()), contextlib.redirect_stderr(io.StringIO()):
         gc.disable()
-        main(["check", ".", "--exit-zero", "--no-cache", "--jobs", "1"])
+        main(["check", str(folder), "--exit-zero", "--no-cache", "--jobs", "1"])
         gc.enable()
         gc.collect()
     return seconds
