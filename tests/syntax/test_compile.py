@@ -154,9 +154,9 @@ class TestManySources:
         counts = []
         real = workers.run_in_workers
 
-        def counted(job, sources, count, deadline):
+        def counted(job, sources, count, deadline, told):
             counts.append(count)
-            return real(job, sources, count, deadline)
+            return real(job, sources, count, deadline, told)
 
         monkeypatch.setattr(workers, "run_in_workers", counted)
         compile_sources(SOURCES, jobs=4)

@@ -24,6 +24,7 @@ from archlint.cli.options import (
     paths_of,
     settings_of,
 )
+from archlint.cli.watch import Watch
 from archlint.engine.pipeline import NothingToDo, Request, check, graph
 from archlint.finding import Severity
 from archlint.report.model import Report, statistics, summary_line
@@ -96,8 +97,10 @@ def run(arguments: argparse.Namespace) -> int:
         observed=observed_of(arguments),
         fixes=_asks_for_fixes(arguments),
     )
+    watch = Watch(sys.stderr, arguments.quiet, arguments.verbose)
     try:
-        report = check(request)
+        with watch as monitor:
+            report = check(replace(request, monitor=monitor))
     except NothingToDo as error:
         raise UsageError(str(error)) from None
     failing = Severity.parse(arguments.severity)
@@ -114,6 +117,7 @@ def run(arguments: argparse.Namespace) -> int:
     if fixed and not arguments.quiet:
         console.note(f"Fixed {fixed} finding{'s' if fixed > 1 else ''}.")
     _tell(report, request, arguments)
+    watch.tell()
     return exit_status(report, failing, arguments.exit_zero)
 
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import argparse
 import sys
+from dataclasses import replace
 
 from archlint import render
 from archlint.cli import console, exits
@@ -21,6 +22,7 @@ from archlint.cli.options import (
     paths_of,
     settings_of,
 )
+from archlint.cli.watch import Watch
 from archlint.engine.pipeline import NothingToDo, Request, draw
 from archlint.render.errors import CannotDraw
 
@@ -61,8 +63,10 @@ def run(arguments: argparse.Namespace) -> int:
     )
     to_terminal = arguments.file in (None, "-")
     color = to_terminal and console.wants_color(arguments.color, sys.stdout)
+    watch = Watch(sys.stderr, arguments.quiet, arguments.verbose)
     try:
-        drawn = draw(request, format, color, arguments.all)
+        with watch as monitor:
+            drawn = draw(replace(request, monitor=monitor), format, color, arguments.all)
     except (NothingToDo, CannotDraw) as error:
         raise UsageError(str(error)) from None
     console.write(drawn.output, arguments.file)
@@ -73,6 +77,7 @@ def run(arguments: argparse.Namespace) -> int:
             console.note(sentence)
         for notice in drawn.compared_notices:
             console.note(f"archlint: warning: {notice}")
+    watch.tell()
     for fault in drawn.faults:
         console.note(f"archlint: {fault}")
     if drawn.faults:

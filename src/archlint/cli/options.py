@@ -103,8 +103,13 @@ def launch_of(arguments: argparse.Namespace) -> tuple[str | None, tuple[tuple[st
 
 def add_talking(parser: argparse.ArgumentParser) -> None:
     group = parser.add_argument_group("messages")
-    group.add_argument("-q", "--quiet", action="store_true", help="print findings only, no summary")
-    group.add_argument("-v", "--verbose", action="store_true", help="print more, with tracebacks of internal errors")
+    group.add_argument("-q", "--quiet", action="store_true", help="print the result only: no progress, no summary")
+    group.add_argument(
+        "-v",
+        "--verbose",
+        action="store_true",
+        help="tell the slowest files and programs, and tracebacks of internal errors",
+    )
     group.add_argument("--color", metavar="WHEN", choices=("auto", "always", "never"), default="auto",
                        help="auto (default), always or never; NO_COLOR is honoured")  # fmt: skip
 

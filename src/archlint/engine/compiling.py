@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 
 def compiled(request: Request, workspace: Workspace, store: Store | NullStore) -> FactsOfFiles:
     """The facts of the Python files."""
-    facts = FactsOfFiles(store, _screen_words, request.jobs)
+    facts = FactsOfFiles(store, _screen_words, request.jobs, request.monitor)
     facts.prepare(python_files(workspace), {package.name for package in workspace.packages if package.catkin_code})
     return facts
 

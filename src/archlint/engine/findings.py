@@ -79,7 +79,7 @@ def _judged(
     index = systems[0].workspace or WorkspaceIndex()
     faults, launch_files = index.faults, index.launch_files
     imported = [f for f in python_files(workspace) if f not in known and facts.was_read(f) and not facts.is_ros1(f)]
-    candidates = [*_problems(workspace, [*known, *imported], facts), *merged(_rules(request.settings, systems))]
+    candidates = [*_problems(workspace, [*known, *imported], facts), *merged(_rules(request, systems))]
     candidates.extend(_of_interfaces(workspace, systems, faults))
     by_file = {file.relative: read.suppressions for file in known if (read := facts.facts_of(file)) is not None}
     candidates.extend(unreadable(*problem) for problem in launch_files.problems())
@@ -124,13 +124,16 @@ def _passed_over(
     yield from for_ros1(python, launch)
 
 
-def _rules(settings: Settings, systems: Sequence[System]) -> Iterator[Finding]:
-    selection, checks = settings.selection, registered()
+def _rules(request: Request, systems: Sequence[System]) -> Iterator[Finding]:
+    settings, checks = request.settings, registered()
+    selection = settings.selection
+    request.monitor.judging(len(systems))
     for system in systems:
         codes = [code for code in selection.codes if selection.runs(code, system.closed)]
         if system.launched is not None and len(systems) > 1:
             codes = [code for code in codes if code in checks and checks[code].scope.of_each_system]
         yield from judge_alternatives(system, options_for(settings, codes))
+        request.monitor.judged()
 
 
 def _idle(settings: Settings, systems: Sequence[System]) -> list[str]:

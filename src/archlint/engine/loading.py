@@ -55,7 +55,8 @@ def systems_of(
 
     jobs = request.jobs or os.cpu_count() or 1
     keeps = jobs > 1 or not isinstance(store, NullStore)
-    linker = Linker(workspace.files, facts.facts_of, facts.relevant, interfaces, faults, keep if keeps else None, jobs)
+    kept = keep if keeps else None
+    linker = Linker(workspace.files, facts.facts_of, facts.relevant, interfaces, faults, kept, jobs, request.monitor)
     entries = entry_points(installs, workspace.files)
     programs = linker.run_all(entries)
     forget_names(programs, linker.started.values(), installs)

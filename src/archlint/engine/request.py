@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
+
+from archlint.monitor import Monitor
 
 if TYPE_CHECKING:
     from archlint.config.settings import Settings
@@ -30,3 +32,5 @@ class Request:
     """What a running system said of itself, to hold the system against."""
     fixes: bool = True
     """Whether the findings are to have their fixes."""
+    monitor: Monitor = field(default_factory=Monitor, compare=False, repr=False)
+    """Who is told how far the run is; it changes nothing of what comes of it."""

@@ -7,9 +7,11 @@ changes nothing but the time.
 
 from __future__ import annotations
 
+import struct
 from collections.abc import Callable, Iterable, Sequence
 from typing import TYPE_CHECKING, TypeVar
 
+from archlint.monitor import Monitor
 from archlint.syntax import workers
 
 if TYPE_CHECKING:
@@ -21,28 +23,42 @@ WORTH_IT = 200_000
 DEADLINE = 900.0
 """How many seconds of processor time one part of the work may take before the run does it itself."""
 
+_SIZE = struct.Struct("=Q")
 _Item = TypeVar("_Item")
 
 
-def follow_ahead(parts: Sequence[Callable[[], object]], kept: KeptPrograms, jobs: int) -> None:
+def follow_ahead(
+    parts: Sequence[Callable[[], object]], kept: KeptPrograms, jobs: int, monitor: Monitor | None = None
+) -> None:
     """Do the parts of some work in up to ``jobs`` processes, the first ones first, and take what programs they have
     followed.  A part whose process fails is left to the run."""
     if jobs < 2 or len(parts) < 2 or not workers.can_fork(waiting=1):
         return
 
+    monitor = monitor or Monitor()
+
     def job(number: bytes) -> bytes:
         kept.is_part = True
+        monitor.begin_part()
         parts[int(number)]()
-        return kept.take_new()
+        told = monitor.end_part()
+        return _SIZE.pack(len(told)) + told + kept.take_new()
 
     numbers = [b"%06d" % number for number in range(len(parts))]
+    monitor.dividing(len(parts))
     try:
-        answers = workers.run_in_workers(job, numbers, min(jobs, len(parts)), DEADLINE)
+        answers = workers.run_in_workers(
+            job, numbers, min(jobs, len(parts)), DEADLINE, lambda number, seconds: monitor.part_done()
+        )
     except OSError:  # no process to be had
         return
+    finally:
+        monitor.divided()
     for answer in answers:
         if isinstance(answer, bytes):
-            kept.add(answer)
+            end = _SIZE.size + _SIZE.unpack_from(answer)[0]
+            monitor.take(answer[_SIZE.size : end])
+            kept.add(answer[end:])
 
 
 def apart(modules: Iterable[Module], index: ModuleIndex) -> list[list[Module]]:

@@ -7,6 +7,7 @@ the arguments of its callers where there are any.
 
 from __future__ import annotations
 
+import time
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
 from functools import partial
@@ -26,6 +27,7 @@ from archlint.launch.library import LaunchLibrary
 from archlint.libraries.python import command_line
 from archlint.libraries.rclpy import escapes
 from archlint.libraries.run import Run
+from archlint.monitor import Monitor
 from archlint.programs.ahead import WORTH_IT, apart, follow_ahead
 from archlint.programs.budget import Budget, cut_short
 from archlint.programs.followed import Followed, FollowedProgram, Progress
@@ -87,6 +89,7 @@ class Linker:
         faults: Faults | None = None,
         keep: Callable[[ModuleIndex, Callable[[Iterable[str]], None]], KeptPrograms] | None = None,
         jobs: int = 1,
+        monitor: Monitor | None = None,
     ) -> None:
         self.index = ModuleIndex(files, facts_of)
         self.index.import_earlier = self._import_earlier
@@ -97,6 +100,7 @@ class Linker:
         self.relevant = relevant
         self.interfaces = interfaces
         self.jobs = jobs
+        self.monitor = monitor or Monitor()
         self.store = Store()
         self.faults = faults or Faults()
         self.progress = Progress()
@@ -112,6 +116,7 @@ class Linker:
         ordered = sorted(entry_points, key=lambda e: (e.package or "", e.executable))
         entries = [(entry, module) for entry in ordered if (module := self.module_of(entry)) is not None]
         modules = [m for m in (self._relevant_module(file) for file in self.files) if m is not None]
+        self.monitor.following(len(entries) + len(modules))
         if sum(module.file.size for module in modules) > WORTH_IT:
             every = {module.file.path: module for module in (*modules, *(module for _, module in entries))}
             self.ahead(lambda: [self._part(group, entries, modules) for group in apart(every.values(), self.index)])
@@ -128,7 +133,7 @@ class Linker:
     def ahead(self, parts: Callable[[], Sequence[Callable[[], object]]]) -> None:
         """Do parts of the work that follow programs in processes of their own, where that is worth it."""
         if self.jobs > 1 and isinstance(self.kept, KeptPrograms) and not self.kept.is_mostly_known():
-            follow_ahead(parts(), self.kept, self.jobs)
+            follow_ahead(parts(), self.kept, self.jobs, self.monitor)
 
     def _part(self, group: Sequence[Module], entries: Sequence[Entry], modules: Sequence[Module]) -> Callable[[], None]:
         paths = {module.file.path for module in group}
@@ -147,18 +152,22 @@ class Linker:
                     continue
                 if main_guard(module.facts) or not self._is_imported(module):
                     self.run_script(module)
-            Sweep(self.progress, self.follow, self.new_run, self._value).run(chosen)
+            Sweep(self.progress, self.follow, self.new_run, self._value, self.monitor).run(chosen)
 
     def follow(self, key: ProgramKey, act: Callable[[], Followed]) -> Followed:
         """What becomes of a program: known from an earlier run, or what ``act`` says now."""
         late = self.progress.budget.is_spent
         followed = self.kept.get(key, late)
-        if followed is None:
-            faults = self.faults.count
+        if followed is not None:
+            self.monitor.known(repr(key))
+        else:
+            faults, began = self.faults.count, time.process_time()
             with self.index.reading(Reads()) as reads:
                 followed = act()
+            seconds = time.process_time() - began
             if self.faults.count == faults:
                 self.kept.put(key, late, followed, self.index.all_read(reads))
+            self.monitor.followed(repr(key), _words(key, followed.program), seconds)
         self.progress.add(followed)
         return followed
 
@@ -263,6 +272,8 @@ class Linker:
         changes = None if overrides is None else overrides.key
         given = None if words is None else tuple(words)
         key = ("entry", entry.package, entry.executable, module.path, entry.function, changes, given)
+        if self._settled:
+            self.monitor.following(1)
         program = self.follow(key, act).program
         if self._settled:
             settle_helpers([program], {})
@@ -310,6 +321,7 @@ class Linker:
 
     def run_script(self, module: Module) -> model.Program:
         """Run a file as ``python file``: its top level, then what the main guard holds."""
+        self.monitor.following(1)
         return self.follow(("script", module.path), lambda: self._run_script(module)).program
 
     def _run_script(self, module: Module) -> Followed:
@@ -322,6 +334,14 @@ class Linker:
             _run_block(run, module, guard)
             _make_handed_out(run)
         return root.result()
+
+
+def _words(key: ProgramKey, program: model.Program) -> str:
+    """A program as people know it: its name, and its file."""
+    verb = "import " if key[0] == "module" else ""
+    if program.file.rpartition("/")[2] == program.name:
+        return f"{verb}{program.file}"
+    return f"{verb}{program.name} ({program.file})"
 
 
 def _run_block(run: Run, module: Module, block: facts.If | facts.Facts | None) -> None:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
 
 from archlint import model
@@ -12,6 +12,7 @@ from archlint.interpreter.modules import Module
 from archlint.interpreter.values import ClassValue, FunctionValue, Value
 from archlint.libraries.interest import interesting
 from archlint.libraries.rclpy import escapes, node_classes
+from archlint.monitor import Monitor
 from archlint.programs.followed import Definition, Followed, FollowedProgram, Progress
 from archlint.programs.kept import ProgramKey
 from archlint.programs.roots import flags_of
@@ -36,6 +37,7 @@ class Sweep:
     follow: Callable[[ProgramKey, Callable[[], Followed]], Followed]
     new_run: Callable[[str, Module, model.Role], Run]
     value_of: Callable[[Module, str], Value | None]
+    monitor: Monitor = field(default_factory=Monitor)
 
     def run(self, modules: Sequence[Module]) -> None:
         defined = [(module, self._definitions(module)) for module in modules]
@@ -87,6 +89,7 @@ class Sweep:
             value = self.value_of(module, definition.variable)
             return self._run_class(module, value) if definition.is_class else self._run_function(module, value)
 
+        self.monitor.following(1)
         self.follow(("alone", module.path, definition.variable), act)
 
     def _run_class(self, module: Module, cls: Value | None) -> Followed:

@@ -6,9 +6,10 @@ import re
 from collections.abc import Callable, Collection, Iterable, Sequence
 from typing import TYPE_CHECKING, Protocol
 
+from archlint.monitor import Monitor
 from archlint.syntax import facts as model
 from archlint.syntax.cache import Stamp, digest_of
-from archlint.syntax.compile import compile_sources
+from archlint.syntax.compile import Compiled, compile_sources
 from archlint.syntax.facts import FACTS_VERSION, Facts, FileProblem, Span, Stmt, decode, encode
 from archlint.syntax.python import gate
 from archlint.syntax.walk import statements_of
@@ -44,10 +45,17 @@ class FactsOfFiles:
     It is called when a file has to be read.
     """
 
-    def __init__(self, cache: Cache, words: Callable[[], Sequence[bytes]], jobs: int | None = None) -> None:
+    def __init__(
+        self,
+        cache: Cache,
+        words: Callable[[], Sequence[bytes]],
+        jobs: int | None = None,
+        monitor: Monitor | None = None,
+    ) -> None:
         self._cache = cache
         self._words = words
         self._jobs = jobs
+        self._monitor = monitor or Monitor()
         self._digests: dict[str, str] = {}
         self._payloads: dict[str, bytes] = {}
         self._facts: dict[str, Facts | None] = {}
@@ -177,8 +185,17 @@ class FactsOfFiles:
         data = gate.read_bytes(file.path)
         if isinstance(data, gate.Refusal):
             return None
-        [result] = compile_sources([data], self._jobs)
+        [result] = self._compile_all([file], [data])
         return self._decoded(result.payload)
+
+    def _compile_all(self, files: Sequence[SourceFile], sources: Sequence[bytes]) -> list[Compiled]:
+        """The facts of what is written in some files."""
+
+        def told(number: int, seconds: float) -> None:
+            self._monitor.compiled(files[number].relative, seconds)
+
+        self._monitor.compiling(len(files))
+        return compile_sources(sources, self._jobs, told=told)
 
     # --------------------------------------------------------------------------------------------- inside
 
@@ -217,10 +234,11 @@ class FactsOfFiles:
     def _compile(self, waiting: list[tuple[SourceFile, str, bytes]]) -> None:
         if not waiting:
             return
-        unique: dict[str, bytes] = {}
-        for _, digest, data in waiting:
-            unique.setdefault(digest, data)
-        results = dict(zip(unique, compile_sources(list(unique.values()), self._jobs), strict=True))
+        unique: dict[str, tuple[SourceFile, bytes]] = {}
+        for file, digest, data in waiting:
+            unique.setdefault(digest, (file, data))
+        files, sources = zip(*unique.values(), strict=True)
+        results = dict(zip(unique, self._compile_all(files, sources), strict=True))
         self.compiled += len(unique)
         for digest, result in results.items():
             self.lasting &= result.lasting
@@ -233,7 +251,7 @@ class FactsOfFiles:
     def _on_demand(self, files: Iterable[SourceFile]) -> dict[str, bytes]:
         """Compile files that the screen left out, because imports lead to them; payloads by path."""
         payloads: dict[str, bytes] = {}
-        waiting: list[tuple[str, str | None, bytes]] = []
+        waiting: list[tuple[SourceFile, str | None, bytes]] = []
         for file in files:
             digest = self._digests.get(file.path)
             key = None if digest is None else "all-" + digest
@@ -243,16 +261,16 @@ class FactsOfFiles:
                 continue
             data = gate.read_bytes(file.path)
             if not isinstance(data, gate.Refusal):
-                waiting.append((file.path, key, data))
+                waiting.append((file, key, data))
         if not waiting:
             return payloads
-        results = compile_sources([data for _, _, data in waiting], self._jobs)
+        results = self._compile_all([file for file, _, _ in waiting], [data for _, _, data in waiting])
         self.compiled += len(results)
-        for (path, key, _), result in zip(waiting, results, strict=True):
+        for (file, key, _), result in zip(waiting, results, strict=True):
             self.lasting &= result.lasting
             if key is not None and result.lasting:
                 self._cache.put(key, result.payload)
-            payloads[path] = result.payload
+            payloads[file.path] = result.payload
         return payloads
 
     def _decoded(self, payload: bytes) -> Facts | None:

@@ -24,7 +24,8 @@ from archlint.syntax.python.deep_stack import call_with_deep_stack
 Job = Callable[[bytes], bytes]
 
 _NUMBER = struct.Struct("=I")
-_SIZE = struct.Struct("=Q")
+_HEADER = struct.Struct("=Qd")
+"""The size of an answer, and how many seconds of processor time it took."""
 _STOP = 2**32 - 1
 
 _PATIENCE = 20
@@ -42,6 +43,13 @@ class TimedOut:
 
 Answer = bytes | Crashed | TimedOut
 
+Told = Callable[[int, float], None]
+"""Is called with the number of each source that is done, and the seconds of processor time that it took."""
+
+
+def tell_nobody(number: int, seconds: float) -> None:
+    """Nobody wants to know what is done."""
+
 
 def can_fork(waiting: int = 0) -> bool:
     """Whether this process may fork: only POSIX can, and only while no other thread runs.  ``waiting`` is how many
@@ -51,14 +59,16 @@ def can_fork(waiting: int = 0) -> bool:
     return hasattr(os, "fork") and alone
 
 
-def run_in_workers(job: Job, sources: Sequence[bytes], count: int, deadline: float) -> list[Answer]:
+def run_in_workers(
+    job: Job, sources: Sequence[bytes], count: int, deadline: float, told: Told = tell_nobody
+) -> list[Answer]:
     """One answer for each source, in their order, from up to ``count`` forked processes.
 
     ``job`` is called in a thread with a deep stack.  ``deadline`` is the processor time in seconds that one source
-    may take: on a machine that has much else to do no file takes longer.  Raises
-    ``OSError`` where the system has no process to give.
+    may take: on a machine that has much else to do no file takes longer.  ``told`` is called here as answers come
+    in.  Raises ``OSError`` where the system has no process to give.
     """
-    pool = _Pool(job, sources, count, deadline)
+    pool = _Pool(job, sources, count, deadline, told)
     try:
         while pool.step():
             pass
@@ -83,19 +93,24 @@ class _Worker:
         except BrokenPipeError:
             return
 
-    def take(self) -> bytes | None:
-        """The answer that is ready; None where the worker has died."""
-        header = _read_exactly(self.answers, _SIZE.size)
-        return None if header is None else _read_exactly(self.answers, _SIZE.unpack(header)[0])
+    def take(self) -> tuple[bytes, float] | None:
+        """The answer that is ready, and the seconds that it took; None where the worker has died."""
+        header = _read_exactly(self.answers, _HEADER.size)
+        if header is None:
+            return None
+        size, seconds = _HEADER.unpack(header)
+        payload = _read_exactly(self.answers, size)
+        return None if payload is None else (payload, seconds)
 
 
 class _Pool:
-    def __init__(self, job: Job, sources: Sequence[bytes], count: int, deadline: float) -> None:
+    def __init__(self, job: Job, sources: Sequence[bytes], count: int, deadline: float, told: Told) -> None:
         self.answers: dict[int, Answer] = {}
         self._job = job
         self._sources = sources
         self._count = count
         self._deadline = deadline
+        self._told = told
         # The longest first: nobody waits at the end for one that was begun late.
         self._waiting = deque(sorted(range(len(sources)), key=lambda number: -len(sources[number])))
         self._crashed_once: set[int] = set()
@@ -111,7 +126,7 @@ class _Pool:
         for worker in self._ready():
             self._collect(worker)
         for worker in self._late():
-            self.answers[worker.number] = TimedOut()
+            self._record(worker.number, TimedOut(), 0.0)
             self._end(worker, kill=True)
         return True
 
@@ -119,6 +134,10 @@ class _Pool:
         for worker in list(self._workers.values()):
             self._end(worker, kill=True)
         self._selector.close()
+
+    def _record(self, number: int, answer: Answer, seconds: float) -> None:
+        self.answers[number] = answer
+        self._told(number, seconds)
 
     def _start(self) -> None:
         request_reader, requests = os.pipe()
@@ -144,9 +163,9 @@ class _Pool:
         worker.give(self._waiting.popleft())
 
     def _collect(self, worker: _Worker) -> None:
-        number, payload = worker.number, worker.take()
-        if payload is not None:
-            self.answers[number] = payload
+        number, answer = worker.number, worker.take()
+        if answer is not None:
+            self._record(number, *answer)
             if self._waiting:
                 worker.give(self._waiting.popleft())
             else:
@@ -156,9 +175,9 @@ class _Pool:
         # It may have been the machine's doing (no memory left): once more, in a fresh process.
         status = self._end(worker, kill=False)
         if os.WIFSIGNALED(status) and os.WTERMSIG(status) == signal.SIGPROF:
-            self.answers[number] = TimedOut()
+            self._record(number, TimedOut(), self._deadline)
         elif number in self._crashed_once:
-            self.answers[number] = Crashed()
+            self._record(number, Crashed(), 0.0)
         else:
             self._crashed_once.add(number)
             self._waiting.append(number)
@@ -204,9 +223,11 @@ def _answer_all(job: Job, sources: Sequence[bytes], requests: int, answers: int,
         if number == _STOP:
             return
         signal.setitimer(signal.ITIMER_PROF, deadline)  # ends the process when it has run for so long
+        began = time.process_time()
         payload = job(sources[number])
+        seconds = time.process_time() - began
         signal.setitimer(signal.ITIMER_PROF, 0)
-        _write_all(answers, _SIZE.pack(len(payload)) + payload)
+        _write_all(answers, _HEADER.pack(len(payload), seconds) + payload)
 
 
 def _settle() -> None:

@@ -1,0 +1,57 @@
+"""What took long in a run, for ``--verbose``."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from archlint.cli.tally import Tally
+
+MOST = 10
+"""How many files and programs are named."""
+
+
+def costs(tally: Tally) -> Iterator[str]:
+    """What was done and what was kept, and the slowest files and programs with their share of the processor time."""
+    yield f"processor time: {tally.seconds:.2f} s"
+    yield f"compiled {_count(len(tally.files), 'file')}{_together(tally.files.values(), tally.seconds)}"
+    yield from _slowest(tally.files, tally.seconds)
+    if not tally.links:
+        yield "followed no programs: the result of an earlier run was kept"
+        return
+    seconds = [seconds for _, seconds in tally.programs.values()]
+    followed = f"followed {_count(len(tally.programs), 'program')}{_together(seconds, tally.seconds)}"
+    yield f"{followed}; kept {tally.kept} from an earlier run"
+    yield from _slowest(_by_name(tally), tally.seconds)
+
+
+def _by_name(tally: Tally) -> dict[str, float]:
+    """The seconds of each program; that of one with several sets of parameters once."""
+    rows: dict[str, list[float]] = {}
+    for program, seconds in tally.programs.values():
+        rows.setdefault(program, []).append(seconds)
+    return {
+        program if len(every) == 1 else f"{program}, {len(every)} times": sum(every) for program, every in rows.items()
+    }
+
+
+def _slowest(rows: dict[str, float], whole: float) -> Iterator[str]:
+    for name, seconds in sorted(rows.items(), key=lambda row: (-row[1], row[0]))[:MOST]:
+        yield f"  {seconds:7.2f} s {_share(seconds, whole):>6}  {name}"
+
+
+def _together(every: Iterable[float], whole: float) -> str:
+    seconds = sum(every)
+    return f": {seconds:.2f} s, {_share(seconds, whole)}" if seconds else ""
+
+
+def _share(seconds: float, whole: float) -> str:
+    return f"{100 * seconds / whole:.1f} %" if whole > 0 else "-"
+
+
+def _count(number: int, noun: str) -> str:
+    return f"{number} {noun}" if number == 1 else f"{number} {noun}s"
+
+
+__all__ = ["MOST", "costs"]
