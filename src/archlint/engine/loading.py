@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 from collections import Counter
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
@@ -32,6 +32,7 @@ if TYPE_CHECKING:
     from archlint.programs.kept import KeptPrograms
     from archlint.syntax.cache import Store
     from archlint.syntax.files import FactsOfFiles
+    from archlint.workspace.installed import Installs
     from archlint.workspace.model import Workspace
     from archlint.workspace.tree import SourceTree
 
@@ -42,21 +43,7 @@ def systems_of(
     """Link and load."""
     faults = Faults()
     installs = read_installs(workspace.packages, workspace.files, facts.facts_of, tree, faults)
-    words = {name: install.words for name, install in installs.items()}
-    generated = {name: install.generated for name, install in installs.items() if install.generated is not None}
-    names = Counter(package.name for package in workspace.packages)
-    without = [name for name, install in installs.items() if install.generates_nothing and names[name] == 1]
-    interfaces = InterfaceTable(workspace.files, lambda file: tree.text(file.relative), words, generated, without)
-    cache = ProgramCache(store, workspace, facts, tree)
-
-    def keep(index: ModuleIndex, import_now: Callable[[Iterable[str]], None]) -> KeptPrograms:
-        parts = {name: sorted(found) for name, found in generated.items()}
-        return cache.open(index, import_now, words, parts, without)
-
-    jobs = request.jobs or os.cpu_count() or 1
-    keeps = jobs > 1 or not isinstance(store, NullStore)
-    kept = keep if keeps else None
-    linker = Linker(workspace.files, facts.facts_of, facts.relevant, interfaces, faults, kept, jobs, request.monitor)
+    linker, cache = _linker(request, workspace, installs, facts, tree, store, faults)
     entries = entry_points(installs, workspace.files)
     programs = linker.run_all(entries)
     forget_names(programs, linker.started.values(), installs)
@@ -80,7 +67,7 @@ def systems_of(
             tree=tree,
             owners=launches.owners,
             faults=faults,
-            interfaces=interfaces,
+            interfaces=linker.interfaces,
             is_subset=is_subset(request, workspace),
             roles=linker.index.roles,
             cut_short=linker.cut_short,
@@ -101,6 +88,34 @@ def systems_of(
         compared = compare(systems[0], request.observed, is_external, context)
         systems[0] = replace(systems[0], compared=compared)
     return systems
+
+
+def _linker(
+    request: Request,
+    workspace: Workspace,
+    installs: Mapping[str, Installs],
+    facts: FactsOfFiles,
+    tree: SourceTree,
+    store: Store | NullStore,
+    faults: Faults,
+) -> tuple[Linker, ProgramCache]:
+    """What follows the programs, and what keeps them."""
+    words = {name: install.words for name, install in installs.items()}
+    generated = {name: install.generated for name, install in installs.items() if install.generated is not None}
+    names = Counter(package.name for package in workspace.packages)
+    without = [name for name, install in installs.items() if install.generates_nothing and names[name] == 1]
+    interfaces = InterfaceTable(workspace.files, lambda file: tree.text(file.relative), words, generated, without)
+    cache = ProgramCache(store, workspace, facts, tree)
+
+    def keep(index: ModuleIndex, import_now: Callable[[Iterable[str]], None]) -> KeptPrograms:
+        parts = {name: sorted(found) for name, found in generated.items()}
+        return cache.open(index, import_now, words, parts, without)
+
+    jobs = request.jobs or os.cpu_count() or 1
+    keeps = jobs > 1 or not isinstance(store, NullStore)
+    kept = keep if keeps else None
+    linker = Linker(workspace.files, facts.facts_of, facts.relevant, interfaces, faults, kept, jobs, request.monitor)
+    return linker, cache
 
 
 def _no_launch_file(request: Request, files: LaunchFiles) -> str:

@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-import re
 import typing
-from functools import cache
 from typing import ClassVar, Union
 
 import msgspec
+
+from archlint.syntax.fields_with_facts import fields_with_facts
 
 Span = tuple[int, int, int, int]
 Constant = Union[str, int, float, bool, None]
@@ -21,21 +21,6 @@ CompareOperator = typing.Literal["==", "!=", "<", "<=", ">", ">=", "in", "not in
 ParamKind = typing.Literal["positional_only", "normal", "star", "keyword_only", "double_star"]
 
 
-_PLAIN = re.compile(
-    r"(?:str|int|float|bool|bytes|None|tuple|list|dict|frozenset|Span|Constant|Star|\w+Kind|\w+Operator|[\W\d])+"
-)
-"""Annotations of fields that no fact stands in."""
-
-
-@cache
-def _fields_with_facts(kind: type[Base]) -> tuple[str, ...]:
-    """The fields of a class of facts that may hold facts, by their annotations; asked at every step of every walk."""
-    annotations = {
-        name: text for base in reversed(kind.__mro__) for name, text in vars(base).get("__annotations__", {}).items()
-    }
-    return tuple(name for name in kind.__struct_fields__ if not _PLAIN.fullmatch(annotations[name]))
-
-
 class Base(msgspec.Struct, frozen=True, array_like=True, gc=False):
     """Common options of every fact, and what any fact can be asked: those that have no answer say nothing."""
 
@@ -45,7 +30,7 @@ class Base(msgspec.Struct, frozen=True, array_like=True, gc=False):
     def children(self) -> list[Base]:
         """The facts that it is made of, in the order of the source."""
         found: list[Base] = []
-        for name in _fields_with_facts(type(self)):
+        for name in fields_with_facts(type(self)):
             value = getattr(self, name)
             if isinstance(value, Base):
                 found.append(value)
