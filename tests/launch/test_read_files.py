@@ -28,3 +28,19 @@ with open(Path(__file__).with_suffix('.yaml')) as stream:
     name = yaml.safe_load(stream)['name']
 """
     assert names(launches.python("[Node(package='robot', executable='talker', name=name)]", before)) == ["left"]
+
+
+def test_a_path_that_may_be_absolute(launches):
+    launches.file("robot/config/team.json", '{"name": "left"}')
+    before = """
+import json
+from pathlib import Path
+def open_beside(name):
+    path = Path(name)
+    if not path.is_absolute():
+        path = Path(get_package_share_directory('robot')) / 'config' / path
+    return path.open()
+"""
+    for path in ("'team.json'", "Path(get_package_share_directory('robot'), 'config', 'team.json')"):
+        node = f"Node(package='robot', executable='talker', name=json.load(open_beside({path}))['name'])"
+        assert names(launches.python(f"[{node}]", before)) == ["left"]

@@ -163,6 +163,11 @@ def _exists(machine: Machine, target: Known, name: str, site: CallSite) -> Value
     return Unknown("whether a file exists")
 
 
+def _is_absolute(machine: Machine, target: Known, name: str, site: CallSite) -> Value | None:
+    """A path that starts with ``$(`` is that of an installed file, which is absolute when a program asks."""
+    return Known(str(target.value).startswith(("/", "$("))) if target.kind == "path" else None
+
+
 def _open(machine: Machine, target: Known, name: str, site: CallSite) -> Value | None:
     return machine.library.opened(target) if target.kind == "path" else None
 
@@ -223,6 +228,7 @@ _METHODS: dict[str, Method] = {
     "exists": _exists,
     "expanduser": _same_path,
     "format": _format,
+    "is_absolute": _is_absolute,
     "is_file": _exists,
     "join": _join,
     "joinpath": _join_path,
