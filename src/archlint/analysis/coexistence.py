@@ -94,26 +94,26 @@ def conflicting_pairs(
             yield one, other
 
 
-def coexist(system: System, one: Endpoint, other: Endpoint) -> bool:
+def coexist(system: System, end: Endpoint, other: Endpoint) -> bool:
     """Whether two endpoints are seen to exist at the same time."""
-    if one.node is other.node:
+    if end.node is other.node:
         return True
     return (
-        system.may_coexist(one.node, other.node)
+        system.may_coexist(end.node, other.node)
         # Two nodes of one name are one node written twice, or a mistake of another kind.
-        and one.node.name != other.node.name
-        and not exclusive(one.creation.branch_arms, other.creation.branch_arms)
-        and _started_alike(one.node, other.node)
-        and not (not known_to_coexist(system, one.node, other.node) and _unlikely_to_coexist(system, one, other))
+        and end.node.name != other.node.name
+        and not exclusive(end.creation.branch_arms, other.creation.branch_arms)
+        and _started_alike(end.node, other.node)
+        and not (not known_to_coexist(system, end.node, other.node) and _unlikely_to_coexist(system, end, other))
     )
 
 
-def _under_one_name(system: System, one: Endpoint, other: Endpoint) -> bool:
+def _under_one_name(system: System, end: Endpoint, other: Endpoint) -> bool:
     """False where launch files start the nodes of two endpoints under other names each time: what the code calls
     them by default then proves nothing."""
-    if one.node is other.node or known_to_coexist(system, one.node, other.node):
+    if end.node is other.node or known_to_coexist(system, end.node, other.node):
         return True
-    return not _names_when_launched(system, one).isdisjoint(_names_when_launched(system, other))
+    return not _names_when_launched(system, end).isdisjoint(_names_when_launched(system, other))
 
 
 def _names_when_launched(system: System, end: Endpoint) -> frozenset[str | None]:
@@ -124,9 +124,9 @@ def _names_when_launched(system: System, end: Endpoint) -> frozenset[str | None]
     return given - {None} if given is not None else frozenset([end.name])
 
 
-def _started_alike(one: Node, other: Node) -> bool:
+def _started_alike(node: Node, other: Node) -> bool:
     """False where a launch file starts the two under different conditions: then perhaps never both."""
-    return runs_along(one.alternatives, other.alternatives)
+    return runs_along(node.alternatives, other.alternatives)
 
 
 def known_to_coexist(system: System, one: Node, other: Node) -> bool:
@@ -174,11 +174,11 @@ def _starters(node: Node) -> set[tuple[str | None, str]]:
     return scripts | {(node.package, executable) for executable in node.executables}
 
 
-def are_alternatives(system: System, one: Node, other: Node) -> bool:
+def are_alternatives(system: System, node: Node, other: Node) -> bool:
     """Whether two nodes that nothing is seen to start together publish one topic: each does the other's work."""
-    if known_to_coexist(system, one, other):
+    if known_to_coexist(system, node, other):
         return False
-    return not _publishes(one).isdisjoint(_publishes(other) - _EVERYBODYS)
+    return not _publishes(node).isdisjoint(_publishes(other) - _EVERYBODYS)
 
 
 _EVERYBODYS = frozenset({"/tf", "/tf_static", "/rosout", "/parameter_events", "/diagnostics", "/joint_states"})
@@ -216,18 +216,18 @@ def _tries_out(node: Node) -> bool:
     )
 
 
-def _variants(one: Endpoint, other: Endpoint) -> bool:
+def _variants(end: Endpoint, other: Endpoint) -> bool:
     """Whether the nodes of two endpoints look like two forms of one node, of which one runs: they share their
     class, the very create call, or most of what they publish, serve, call and subscribe to."""
     return (
-        _class_name(one.node) == _class_name(other.node)
-        or one.place == other.place
-        or _much_alike(one.node, other.node)
+        _class_name(end.node) == _class_name(other.node)
+        or end.place == other.place
+        or _much_alike(end.node, other.node)
     )
 
 
-def _much_alike(one: Node, other: Node) -> bool:
-    mine, yours = _interface(one), _interface(other)
+def _much_alike(node: Node, other: Node) -> bool:
+    mine, yours = _interface(node), _interface(other)
     shared = mine & yours
     return len(shared) > 1 and 2 * len(shared) > len(mine | yours)
 

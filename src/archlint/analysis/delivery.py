@@ -47,9 +47,9 @@ def undelivered_on(system: System, topic: Connection) -> Iterator[Undelivered]:
                 yield Undelivered(offer, request, errors)
 
 
-def _never_both(system: System, one: Node, other: Node) -> bool:
+def _never_both(system: System, node: Node, other: Node) -> bool:
     """Whether two nodes are only seen as alternatives: by what they publish, or by the launch files that start them."""
-    return one is not other and (launched_separately(system, one, other) or are_alternatives(system, one, other))
+    return node is not other and (launched_separately(system, node, other) or are_alternatives(system, node, other))
 
 
 def fitting(system: System, request: Endpoint) -> list[Endpoint]:

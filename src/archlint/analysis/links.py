@@ -62,19 +62,19 @@ def links(system: System, *groups: Globs) -> Iterator[Link]:
                     yield Link(connection, source, target)
 
 
-def _meet(one: Endpoint, other: Endpoint) -> bool:
+def _meet(end: Endpoint, other: Endpoint) -> bool:
     return (
-        not exclusive(one.node.alternatives, other.node.alternatives)
-        and not exclusive(one.creation.branch_arms, other.creation.branch_arms)
-        and one.node.name != other.node.name
+        not exclusive(end.node.alternatives, other.node.alternatives)
+        and not exclusive(end.creation.branch_arms, other.creation.branch_arms)
+        and end.node.name != other.node.name
     )
 
 
-def _launched_together(system: System, one: Node, other: Node) -> bool:
+def _launched_together(system: System, node: Node, other: Node) -> bool:
     """Whether some launch file starts nodes of these two classes."""
-    if one.blueprint is None or other.blueprint is None:
+    if node.blueprint is None or other.blueprint is None:
         return False
-    return frozenset((b.place, b.class_name) for b in (one.blueprint, other.blueprint)) in system.launched_pairs
+    return frozenset((b.place, b.class_name) for b in (node.blueprint, other.blueprint)) in system.launched_pairs
 
 
 def connections(system: System) -> tuple[Connection, ...]:

@@ -51,12 +51,12 @@ def _owns(system: System, end: Endpoint) -> bool:
     return not idle and (system.name is not None or not is_aside(system.workspace, end.place.file))
 
 
-def _left_out(one: Node, other: Node) -> bool:
+def _left_out(node: Node, other: Node) -> bool:
     """Whether a script starts the one of two nodes that it defines, and leaves the other out."""
-    if one.blueprint is None or other.blueprint is None or one.program is None or other.program is None:
+    if node.blueprint is None or other.blueprint is None or node.program is None or other.program is None:
         return False
-    one_file = one.blueprint.place.file == other.blueprint.place.file
-    return one_file and one.program.executable != other.program.executable
+    one_file = node.blueprint.place.file == other.blueprint.place.file
+    return one_file and node.program.executable != other.program.executable
 
 
 def run_together(system: System, owners: list[Endpoint]) -> bool:

@@ -12,11 +12,11 @@ if TYPE_CHECKING:
     from archlint.systems.model import WorkspaceIndex
 
 
-def is_daemon(workspace: WorkspaceIndex, made: Place) -> bool:
+def is_daemon(workspace: WorkspaceIndex, place: Place) -> bool:
     """Whether the thread that is made at a place is a daemon: ``daemon=True``, or ``thread.daemon = True``."""
-    found = workspace.facts_at(made.file)
+    found = workspace.facts_at(place.file)
     body = [] if found is None else found.body
-    thread = next((call for call in everything_in(body, facts.Call) if Place.of(made.file, call.span) == made), None)
+    thread = next((call for call in everything_in(body, facts.Call) if Place.of(place.file, call.span) == place), None)
     if thread is None:
         return False
     if any(given.keyword == "daemon" and given.value.is_true for given in thread.args):

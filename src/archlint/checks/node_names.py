@@ -53,13 +53,13 @@ def _twins(system: System) -> Iterator[Twins]:
             yield found
 
 
-def _together(one: Node, other: Node) -> bool:
+def _together(node: Node, other: Node) -> bool:
     """Whether two nodes certainly run at the same time."""
-    if not runs_along(one.alternatives, other.alternatives) or _ends_by_itself(one) or _ends_by_itself(other):
+    if not runs_along(node.alternatives, other.alternatives) or _ends_by_itself(node) or _ends_by_itself(other):
         return False
-    if one.started is not other.started:
+    if node.started is not other.started:
         return True
-    return not (_gone_before(one, other) or _gone_before(other, one) or _in_other_branches(one, other))
+    return not (_gone_before(node, other) or _gone_before(other, node) or _in_other_branches(node, other))
 
 
 _TOOLS = frozenset(
@@ -84,9 +84,9 @@ def _ends_by_itself(node: Node) -> bool:
     return started is not None and (started.package.text, started.executable.text) in _TOOLS
 
 
-def _in_other_branches(one: Node, other: Node) -> bool:
+def _in_other_branches(node: Node, other: Node) -> bool:
     """Whether a process makes one of two nodes, and never both."""
-    first, second = one.blueprint, other.blueprint
+    first, second = node.blueprint, other.blueprint
     if first is None or second is None:
         return False
     if first.branch_arms & second.ended_arms or second.branch_arms & first.ended_arms:
@@ -94,9 +94,9 @@ def _in_other_branches(one: Node, other: Node) -> bool:
     return exclusive(first.branch_arms, second.branch_arms)
 
 
-def _gone_before(one: Node, other: Node) -> bool:
+def _gone_before(node: Node, other: Node) -> bool:
     """Whether a process has destroyed or freed a node before it makes another."""
-    first, second = one.blueprint, other.blueprint
+    first, second = node.blueprint, other.blueprint
     if first is None or second is None:
         return False
     if first.destroyed_at is not None and first.made_by is second.made_by and second.number >= first.destroyed_at:

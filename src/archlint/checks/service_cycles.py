@@ -50,8 +50,8 @@ def waits_behind(system: System, wait: Wait) -> list[Edge]:
     ]
 
 
-def _meet(system: System, one: Node, other: Node) -> bool:
-    return system.may_coexist(one, other) or system.launched_together(one, other)
+def _meet(system: System, node: Node, other: Node) -> bool:
+    return system.may_coexist(node, other) or system.launched_together(node, other)
 
 
 @rule("SRV006", scope=Scope.SYSTEM)

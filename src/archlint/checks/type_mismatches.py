@@ -89,8 +89,8 @@ def _missing_types(system: System) -> set[str]:
     }
 
 
-def _one_type(one: Endpoint, other: Endpoint) -> bool:
-    return one.type is None or other.type is None or one.type == other.type
+def _one_type(end: Endpoint, other: Endpoint) -> bool:
+    return end.type is None or other.type is None or end.type == other.type
 
 
 def _mismatch(code: str, connection: Connection, pairs: list[tuple[Endpoint, Endpoint]]) -> Finding:
