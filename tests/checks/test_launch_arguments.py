@@ -367,6 +367,18 @@ def test_what_an_include_does_not_take_stays_set_in_the_including_file(findings,
     assert [(one.place.line, one.message) for one in found.related] == [(3, "'ns' is read here")] * stays
 
 
+def test_what_only_includes_give_a_value_is_read_after_them_on_purpose(findings):
+    """Each include sets it; without them all, the launch would stop at the group."""
+    include = '<include file="$(dirname)/view.launch.xml"><arg name="real" value="$(env REAL true)"/></include>\n'
+    group = f'<group if="$(var real)">{node(exec="driver")}</group>'
+    view = {"launch/view.launch.xml": f"<launch>{node(exec='viewer')}</launch>"}
+    assert findings("LCH003", include * 2 + group, **view) == []
+    (never_read,) = findings("LCH003", include, **view)
+    assert never_read.help.startswith("the value has no effect")
+    (declared,) = findings("LCH003", '<arg name="real" default="true"/>\n' + include + group, **view)
+    assert "stays set to this" in declared.message
+
+
 def test_what_a_scoped_include_does_not_take_is_gone_after_it(findings):
     launch = BEFORE_ANOTHER.replace("<include", "<group><include").replace("</include>", "</include></group>")
     launch = launch.replace("GIVEN", "").replace("NAMESPACE", "$(var ns)")

@@ -194,6 +194,7 @@ def _unknown_arguments(
         for name in given
         if name not in declared
         and name not in read
+        and not any((include.file, name) in launched.set_by_includes for include in includes)
         and not any(may_read_argument(workspace, file, name) for file in files)
     ]
     if unknown:

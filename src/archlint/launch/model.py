@@ -80,6 +80,8 @@ class Launched:
     read_on: dict[Place, Place] = field(default_factory=dict)
     """The arguments of includes that the including file reads further down, where includes have set them: the first
     such place by that of the argument."""
+    set_by_includes: set[tuple[str, str]] = field(default_factory=set)
+    """Files, each with a launch configuration that it reads after an include and that has no other value there."""
     references: list[FileReference] = field(default_factory=list)
     unknown_attributes: list[UnknownAttribute] = field(default_factory=list)
     mistakes: list[NotACondition] = field(default_factory=list)

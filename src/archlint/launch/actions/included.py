@@ -76,9 +76,10 @@ def _given(run: LaunchRun, arguments: Value | None) -> tuple[tuple[str, Place], 
             if name is not None:
                 names.append((name, pair.place))
                 value = written_at(run.perform(pair.second), pair.place)
+                before = run.launch.configurations.get(name)
                 run.launch.configurations[name] = value
                 if not _is_configuration(run, pair.second, name):
-                    run.given.note(name, value, pair.place, run.file, run.place_now)
+                    run.given.note(name, value, pair.place, run.file, run.place_now, before)
     return tuple(names)
 
 
