@@ -134,6 +134,27 @@ def test_loose_scripts_of_a_package_that_installs_nothing(lint: Lint, install: s
     assert missing(lint(files)) == expected
 
 
+@pytest.mark.parametrize(
+    ("install", "expected"),
+    [
+        ("install(DIRECTORY include/ DESTINATION include)", []),
+        ("install(DIRECTORY launch DESTINATION share/${PROJECT_NAME})", []),
+        ("install(PROGRAMS tools/node.py DESTINATION lib/${PROJECT_NAME})", ["geometry_msgs"]),
+        ("install(PROGRAMS tools/other.py DESTINATION lib/${PROJECT_NAME})", ["geometry_msgs"]),
+        ("install(PROGRAMS ${tools} DESTINATION lib/${PROJECT_NAME})", ["geometry_msgs"]),
+    ],
+)
+def test_loose_scripts_of_a_package_of_cpp_programs(lint: Lint, install: str, expected: list[str]):
+    targets = "add_executable(driver src/driver.cpp)\ninstall(TARGETS driver DESTINATION lib/${PROJECT_NAME})"
+    files = {
+        "package.xml": manifest("talk", *depends("rclpy")).replace("ament_python", "ament_cmake"),
+        "CMakeLists.txt": f"project(talk)\nfind_package(ament_cmake REQUIRED)\n{targets}\n{install}\nament_package()\n",
+        "tools/node.py": node(POSE, "rclpy.init()"),
+        "tools/other.py": "print('other')\n",
+    }
+    assert missing(lint(files)) == expected
+
+
 def test_metapackages_of_a_launch_file(lint: Lint):
     launch = '<launch><node pkg="imu_filter_madgwick" exec="imu_filter_madgwick_node"/></launch>'
     files = {"launch/imu.launch.xml": launch, "talk/node.py": node()}

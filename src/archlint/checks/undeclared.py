@@ -8,6 +8,7 @@ from collections.abc import Set as AbstractSet
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
+from archlint.analysis.aside import is_not_installed
 from archlint.analysis.ignored import words_ignored_at
 from archlint.analysis.imports import imports_at_start
 from archlint.analysis.manifests import package_around
@@ -79,7 +80,7 @@ def uses_by_package(workspace: WorkspaceIndex, options: Options) -> dict[str, li
         package = known.home(use.place.file)
         if package is None or package.build_type == "catkin" or options.is_ignored_in(use.place.file):
             continue
-        if _installs_nothing(workspace, package):
+        if _installs_nothing(workspace, package) or _is_beside_cpp(workspace, package, use.place.file):
             continue
         if any(known.declares(file, use.needed) for file in (use.place.file, *use.also)):
             continue
@@ -100,6 +101,14 @@ def _installs_nothing(workspace: WorkspaceIndex, package: Package) -> bool:
     if package.build_type != "ament_cmake" or some or installs.mentioned:
         return False
     return not any("install" in word or word == "ament_auto_package" for word in installs.words)
+
+
+def _is_beside_cpp(workspace: WorkspaceIndex, package: Package, file: str) -> bool:
+    """Whether a file is a loose script of a package of C++ programs: no Python program of it is installed."""
+    installs = workspace.installs.get(package.name)
+    if package.build_type != "ament_cmake" or installs is None or not is_not_installed(workspace, file):
+        return False
+    return not any(one.module or one.script for one in installs.executables.values())
 
 
 class _Known:
