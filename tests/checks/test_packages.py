@@ -101,16 +101,41 @@ def test_a_node_action_without_a_package_needs_none(findings):
 
 
 @pytest.mark.parametrize(
-    ("target", "words"),
+    ("target", "words", "help"),
     [
-        ("robot.tlker", "module 'robot.tlker' does not exist; did you mean 'robot.talker'?"),
-        ("robot.b", "module 'robot.b' does not exist"),
-        ("robt.talker", "module 'robt.talker' does not exist; did you mean 'robot.talker'?"),
+        (
+            "robot.tlker",
+            "module 'robot.tlker' does not exist; did you mean 'robot.talker'?",
+            "write 'talker = robot.talker:main'",
+        ),
+        ("robot.b", "module 'robot.b' does not exist", "add the module, or remove the entry"),
+        (
+            "robt.talker",
+            "module 'robt.talker' does not exist; did you mean 'robot.talker'?",
+            "write 'talker = robot.talker:main'",
+        ),
     ],
 )
-def test_a_module_that_is_not_there_is_named_with_the_near_one(findings, target, words):
+def test_a_module_that_is_not_there_is_named_with_the_near_one(findings, target, words, help):
     (found,) = findings("PKG002", **{"setup.py": SETUP.replace("robot.talker:", f"{target}:"), "robot/a.py": ""})
     assert found.message.endswith(f": {words}")
+    assert found.help == help
+
+
+def test_a_module_that_another_entry_starts_is_not_the_one_that_was_meant(findings):
+    entries = "'talker = robot.talker:main', 'second = robot.talkers:main'"
+    (found,) = findings("PKG002", **{"setup.py": SETUP.replace("'talker = robot.talker:main'", entries)})
+    assert found.message == "the executable 'second' cannot start: module 'robot.talkers' does not exist"
+    assert found.help == "add the module, or remove the entry"
+    (alone,) = findings("PKG002", **{"setup.py": SETUP.replace("robot.talker:main", "robot.talkers:main")})
+    assert alone.message.endswith("; did you mean 'robot.talker'?")
+
+
+def test_a_function_that_is_not_there_is_to_be_written_or_another_named(findings):
+    (found,) = findings("PKG002", **{"setup.py": SETUP.replace(":main", ":mian")})
+    assert found.help == "write 'talker = robot.talker:main'"
+    (found,) = findings("PKG002", **{"setup.py": SETUP.replace(":main", ":serve_all")})
+    assert found.help == "define 'serve_all' in the module, or name a function that it has"
 
 
 def test_entries_whose_modules_lack_one_function_are_one_finding(findings):

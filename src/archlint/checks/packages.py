@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import posixpath
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Collection, Iterator, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
@@ -64,24 +64,40 @@ def _broken(workspace: WorkspaceIndex, executable: Executable) -> Iterator[Findi
     match broken_target(workspace, executable):
         case NoModule(module, function, known):
             parent, _, last = module.rpartition(".")
-            meant = f"; did you mean '{parent}:{last}'?" if function is None and parent in known else ""
-            yield _entry_finding(executable, f"module '{module}' does not exist{meant or _near_module(module, known)}")
+            near = _near_module(module, sorted({*known} - _in_other_entries(workspace, executable)))
+            target = f"{near}:{function or 'main'}"
+            if function is None and parent in known:
+                near = target = f"{parent}:{last}"
+            hint = "" if near is None else f"; did you mean '{near}'?"
+            help = "add the module, or remove the entry" if near is None else f"write '{executable.name} = {target}'"
+            yield _entry_finding(executable, f"module '{module}' does not exist{hint}", help)
         case NoFunctionNamed(module):
-            yield _entry_finding(executable, f"'{module}' is a module, and the entry names no function in it")
+            help = f"name one: '{executable.name} = {module}:function'"
+            yield _entry_finding(executable, f"'{module}' is a module, and the entry names no function in it", help)
         case NoFunction(module, function, names):
-            meant = did_you_mean(function, names)
-            group = () if meant else (executable.place.file, function)
-            yield _entry_finding(executable, f"'{module}' has no function '{function}'{meant}", group)
+            near = nearest(function, names)
+            group = () if near is not None else (executable.place.file, function)
+            hint = did_you_mean(function, names)
+            help = f"define '{function}' in the module, or name a function that it has"
+            if near is not None:
+                help = f"write '{executable.name} = {module}:{near}'"
+            yield _entry_finding(executable, f"'{module}' has no function '{function}'{hint}", help, group)
 
 
-def _near_module(module: str, known: Iterable[str]) -> str:
-    """The hint for a module: one beside it by the last part of its name, else by the whole name."""
+def _in_other_entries(workspace: WorkspaceIndex, executable: Executable) -> set[str]:
+    """The modules that further entries of the package start: another command for one of them is not what was meant."""
+    others = workspace.installs[executable.package].executables.values()
+    return {other.module for other in others if other.module is not None and other is not executable}
+
+
+def _near_module(module: str, known: Collection[str]) -> str | None:
+    """The module that was meant: one beside it by the last part of its name, else by the whole name."""
     parent, _, last = module.rpartition(".")
     beside = [name.rpartition(".")[2] for name in known if name.rpartition(".")[0] == parent]
     if not beside:
-        return did_you_mean(module, known)
+        return nearest(module, known)
     near = nearest(last, beside)
-    return f"; did you mean '{parent}.{near}'?" if near is not None else ""
+    return f"{parent}.{near}" if near is not None else None
 
 
 @folds("PKG002")
@@ -100,12 +116,12 @@ def _without_one_function(several: Sequence[Finding]) -> Finding:
     )
 
 
-def _entry_finding(executable: Executable, what: str, group: Sequence[str] = ()) -> Finding:
+def _entry_finding(executable: Executable, what: str, help: str, group: Sequence[str] = ()) -> Finding:
     return finding(
         "PKG002",
         executable.place,
         f"the executable '{executable.name}' cannot start: {what}",
-        help="write the entry point as 'name = package.module:function'",
+        help=help,
         identity=(executable.package, executable.name),
         group=group,
     )
