@@ -200,6 +200,8 @@ def test_functions_over_several_collections():
     [
         ("next(iter(outside.items()), 'none')", {...}),
         ("next(each for each in outside.items())", {...}),
+        ("next((name for name in ['a', 'b'] if outside.wanted(name)), None)", {"a", "b", None}),
+        ("next((name for name in ['a', 'b'] if name != 'a'), None)", {"b"}),
         ("[name for name in ['a', 'b'] if outside.wanted(name)][0]", {...}),
         ("max(['a', 'b'], key=outside.size)", {...}),
         ("sum([1, 2], outside.start())", {...}),

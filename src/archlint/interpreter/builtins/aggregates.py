@@ -99,7 +99,7 @@ def following(machine: Machine, site: CallSite) -> Value:
         return one_of((iterable.each, *default))
     items = iterable.items(machine)
     if items is not None and items.values:
-        return one_of(items.values)
+        return one_of((*items.values, *(default if items.open else ())))
     return default[0] if default and items is not None and not items.open else Unknown("an item of an iterator")
 
 
