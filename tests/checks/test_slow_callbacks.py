@@ -829,6 +829,27 @@ def test_how_often_the_loop_of_a_caller_goes_round(run: Run, loop: str, expected
             "    self.process.wait(timeout=5)",
             ["EXE003"],
         ),
+        (
+            "import os, signal; group = os.getpgid(self.process.pid)\n    os.killpg(group, signal.SIGINT)\n"
+            "    self.process.wait(timeout=5)",
+            [],
+        ),
+        (
+            "import os, signal; group = os.getpgid(self.process.pid)\n"
+            "    for number in (signal.SIGINT, signal.SIGTERM):\n"
+            "        os.killpg(group, number)\n        self.process.wait(timeout=5)",
+            [],
+        ),
+        (
+            "import os, signal; group = os.getpgid(self.other.pid)\n    os.killpg(group, signal.SIGINT)\n"
+            "    self.process.wait(timeout=5)",
+            ["EXE003"],
+        ),
+        (
+            "import os; group = os.getpgid(self.process.pid)\n    os.killpg(group, 0)\n"
+            "    self.process.wait(timeout=5)",
+            ["EXE003"],
+        ),
         ("self.process.wait(timeout=5)", ["EXE003"]),
         ("self.process.wait(timeout=5)\n    self.process.kill()", ["EXE003"]),
         ("self.other.terminate()\n    self.process.wait(timeout=5)", ["EXE003"]),

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+from collections.abc import Set as AbstractSet
 from typing import TYPE_CHECKING
 
 from archlint.analysis.assumptions import dotted
@@ -35,8 +37,9 @@ def is_told_to_end(code: SourceCode, call: ApiCall, stay: Stay) -> bool:
         return False
     graph = graph_of(code.body(call))
     earlier = graph.before(graph.evaluating(call.place.span), _in_this_round)
+    groups = _numbers_of(code.body(call), name)
     return any(
-        (one.func.attribute in ends and _owner(one) == name) or _signals(one, name, stay.seconds is None)
+        (one.func.attribute in ends and _owner(one) == name) or _signals(one, name, groups, stay.seconds is None)
         for block in earlier
         for one in calls_in(block.fact)
     )
@@ -46,16 +49,29 @@ def _in_this_round(edge: Edge) -> bool:
     return edge.kind is not Kind.BACK
 
 
-def _signals(call: facts.Call, process: str, certainly: bool) -> bool:
-    """Whether a call is ``os.kill(process.pid, signal.SIGTERM)``, or the same for the process's group."""
+def _numbers_of(body: Sequence[facts.Stmt], process: str) -> frozenset[str]:
+    """The variables that hold the number of a process or of its group: ``pgid = os.getpgid(process.pid)``."""
+    assigned: dict[str, bool] = {}
+    for statement in everything_in(body, facts.Assign):
+        for target in filter(None, (target.variable for target in statement.targets)):
+            assigned[target] = assigned.get(target, True) and _is_number_of(statement.value, process)
+    return frozenset(variable for variable, always in assigned.items() if always)
+
+
+def _is_number_of(value: facts.Expr, process: str) -> bool:
+    """Whether a value comes from ``process.pid``."""
+    return any(part.attr == "pid" and dotted(part.value) == process for part in everything_in([value], facts.Attribute))
+
+
+def _signals(call: facts.Call, process: str, numbers: AbstractSet[str], certainly: bool) -> bool:
+    """Whether a call is ``os.kill(process.pid, signal.SIGTERM)``, or the same for the process's group.  What the number
+    of a signal is, a variable does not say: with one, the process is told to end, though not for certain."""
     if dotted(call.func) not in ("os.kill", "os.killpg") or len(call.args) != len(("pid", "sig")):
         return False
     who, what = (argument.value for argument in call.args)
     number = what.value if isinstance(what, facts.Literal) else dotted(what).rpartition(".")[2]
-    pids = (attribute for attribute in everything_in([who], facts.Attribute) if attribute.attr == "pid")
-    return number in (_KILLING if certainly else _ENDING) and any(
-        dotted(attribute.value) == process for attribute in pids
-    )
+    ends = number in (_KILLING if certainly else _ENDING) or (bool(what.variable) and not certainly)
+    return ends and (who.variable in numbers or _is_number_of(who, process))
 
 
 def ends_with_the_node(code: SourceCode, call: ApiCall, stay: Stay) -> bool:
