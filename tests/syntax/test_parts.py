@@ -51,7 +51,17 @@ def _kinds() -> list[type[facts.Statement]]:
 @pytest.mark.parametrize("kind", _kinds(), ids=lambda kind: kind.__name__)
 def test_statements_are_found_wherever_they_stand(kind: type[facts.Statement]) -> None:
     """A walk for statements does not look into expressions; it comes by the same ones in the same order."""
-    body = compile_python(SOURCE).body
-    of_all = [fact for fact in everything_in(body) if isinstance(fact, kind)]
-    assert of_all
-    assert [id(fact) for fact in everything_in(body, kind)] == [id(fact) for fact in of_all]
+    file = compile_python(SOURCE)
+    for whole in (file, file.body):
+        of_all = [fact for fact in everything_in(whole) if isinstance(fact, kind)]
+        assert of_all
+        assert [id(fact) for fact in everything_in(whole, kind)] == [id(fact) for fact in of_all]
+
+
+def test_whatever_holds_a_body_knows_its_statements() -> None:
+    """A new kind of fact with statements in it must say so, or walks for statements pass it by."""
+    holders = [fact for fact in everything_in(compile_python(SOURCE)) if getattr(fact, "body", None)]
+    assert {type(fact) for fact in holders} >= {facts.Facts, facts.Class, facts.Function, facts.Handler, facts.Case}
+    for fact in holders:
+        if not isinstance(fact, facts.Lambda):
+            assert all(any(one is each for each in fact.statements) for one in fact.body)

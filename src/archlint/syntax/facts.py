@@ -131,6 +131,10 @@ class Facts(Base, frozen=True):
     exports: list[str] | None = None
     """``__all__`` where it is a literal list."""
 
+    @property
+    def statements(self) -> list[Base]:
+        return [*self.body]
+
 
 def encode(facts: Facts) -> bytes:
     """Facts as MessagePack."""
