@@ -45,6 +45,20 @@ class TestMultiplePublishers:
         assert finding.message == "/joystick and /planner both publish the topic '/cmd_vel'"
         assert finding.severity is Severity.WARNING
 
+    @pytest.mark.parametrize(
+        ("topic", "found"),
+        [
+            ("/initialpose", []),
+            ("/clicked_point", []),
+            ("/goal_pose", [("/monitor", "/starter")]),
+            ("/robot_1/pose", [("/monitor", "/starter")]),
+        ],
+    )
+    def test_what_is_clicked_into_rviz_has_several_sources(self, topic: str, found: list[tuple[str, ...]]):
+        nodes = [node(name, publisher(topic, "geometry_msgs/msg/PoseStamped")) for name in ("/monitor", "/starter")]
+
+        assert owners(system(*nodes, name="launch/robot.launch.py")) == found
+
     def test_where_nothing_starts_both_it_is_for_information(self):
         judged = system(node("/joystick", publisher("cmd_vel")), node("/planner", publisher("cmd_vel")))
 

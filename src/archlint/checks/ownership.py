@@ -21,7 +21,7 @@ from archlint.checks.owner_findings import all_of, finding_for_owners
 from archlint.checks.registry import Options, rule
 from archlint.checks.scope import Scope
 from archlint.finding import Finding, Related, Severity
-from archlint.ros.well_known import OF_MANY_PUBLISHERS, TYPES_OF_MANY_PUBLISHERS
+from archlint.ros.well_known import BY_CLICK, OF_MANY_PUBLISHERS, TYPES_OF_MANY_PUBLISHERS
 
 if TYPE_CHECKING:
     from archlint.systems.model import System
@@ -104,7 +104,7 @@ def _is_obeyed(connection: Connection, owners: list[Endpoint]) -> bool:
 
 def _is_shared(connection: Connection, options: Options) -> bool:
     return (
-        connection.name in OF_MANY_PUBLISHERS
+        connection.name in OF_MANY_PUBLISHERS | BY_CLICK
         or options.is_shared(connection.name)
         or (bool(connection.types) and TYPES_OF_MANY_PUBLISHERS.issuperset(connection.types))
     )

@@ -3,7 +3,8 @@
 Sources: rclpy ``node.py`` and ``time_source.py`` (``/rosout``, ``/parameter_events``, ``/clock``); tf2_ros
 ``transform_broadcaster.py`` and ``static_transform_broadcaster.py`` (``/tf``, ``/tf_static``); REP 107 and
 diagnostic_updater (``/diagnostics``); robot_state_publisher and joint_state_publisher (``/joint_states``,
-``/robot_description``).
+``/robot_description``); rviz_default_plugins, whose tools publish ``/initialpose`` and ``/clicked_point`` beside
+whatever else sets a pose once.
 """
 
 from __future__ import annotations
@@ -22,6 +23,8 @@ class WellKnownTopic:
     """Whether it is made to be published by many."""
     of_every_node: bool = False
     """Whether any node may have it without a word of it in its own code."""
+    by_click: bool = False
+    """Whether somebody clicks it into RViz: each message is an event, whoever else may send one."""
     for_tools: bool = False
     """Whether tools listen to it that no workspace holds: RViz, the diagnostics aggregator, loggers."""
 
@@ -33,12 +36,15 @@ TOPICS = (
     WellKnownTopic("/parameter_events", absolute=True, many_publishers=True, of_every_node=True, for_tools=True),
     WellKnownTopic("/clock", absolute=True, of_every_node=True),
     WellKnownTopic("/diagnostics", absolute=True, many_publishers=True, for_tools=True),
+    WellKnownTopic("/initialpose", by_click=True),
+    WellKnownTopic("/clicked_point", by_click=True),
     WellKnownTopic("/joint_states", many_publishers=True, for_tools=True),
     WellKnownTopic("/robot_description", absolute=True, for_tools=True),
 )
 
 ABSOLUTE = frozenset(topic.name for topic in TOPICS if topic.absolute)
 OF_MANY_PUBLISHERS = frozenset(topic.name for topic in TOPICS if topic.many_publishers)
+BY_CLICK = frozenset(topic.name for topic in TOPICS if topic.by_click)
 OF_EVERY_NODE = frozenset(topic.name for topic in TOPICS if topic.of_every_node)
 FOR_TOOLS = frozenset(topic.name for topic in TOPICS if topic.for_tools)
 
