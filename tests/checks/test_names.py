@@ -311,6 +311,7 @@ class TestHardcodedNamesOfOneClass:
         [
             ("self.create_publisher(String, '/fmu/in/arming', 10)  # here",),
             ("self.create_client(Trigger, '/world/empty/create')  # here",),
+            ("self.create_publisher(String, '/model/arm/joint/wrist/cmd_vel', 10)  # here",),
             ("self.create_client(SpawnEntity, '/spawn_entity')  # here",),
             ("self.create_client(Empty, '/reset_world')  # here",),
             ("self.create_subscription(String, '/utlidar/cloud', print, 10)  # here",),
@@ -320,6 +321,7 @@ class TestHardcodedNamesOfOneClass:
         ids=[
             "PX4's",
             "Gazebo's",
+            "Gazebo's for a joint",
             "Gazebo's by its type",
             "a service of Gazebo's for all robots",
             "Unitree's",
@@ -356,12 +358,14 @@ class TestHardcodedNamesOfOneClass:
             ("self.create_subscription(String, '/camera/words', print, 10)  # here",),
             ("self.create_client(Trigger, '/spawn_entity')  # here",),
             ("self.create_subscription(String, '/other_node', print, 10)  # here",),
+            ("self.create_subscription(String, '/model/joint/words', print, 10)  # here",),
         ],
         ids=[
             "below the name of a node that is here",
             "below some name",
             "Gazebo's name for another type",
             "no name below it",
+            "no joint of a model",
         ],
     )
     def test_names_that_nothing_outside_is_seen_to_fix(self, judge: Judge, lines: tuple[str, ...]):

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from fnmatch import fnmatchcase
@@ -46,6 +47,11 @@ FIXED_BY_OTHERS = {
     "/utlidar/": "Unitree",
 }
 """Systems outside of ROS that one robot or one simulation has one of, and whose bridges choose these names."""
+_OF_A_JOINT = re.compile(r"/model/[^/]+/joint/[^/]+/")
+"""How Gazebo's joint plugins (JointController, JointPositionController, Thruster) begin the topics that nobody names.
+
+Source: gz-sim, ``src/systems``: ``/model/<model>/joint/<joint>/cmd_vel`` and the like.
+"""
 _TYPES_OF_OTHERS = {
     "carla_msgs/": "CARLA",
     "gazebo_msgs/srv/": "Gazebo",
@@ -246,6 +252,8 @@ def _owner(workspace: WorkspaceIndex | None, endpoint: Endpoint) -> str | None:
     for prefix, owner in FIXED_BY_OTHERS.items():
         if name.startswith(prefix):
             return owner
+    if _OF_A_JOINT.match(name):
+        return "Gazebo"
     if name.rfind("/") > 0 or (workspace is not None and name in _spoken_here(workspace)):
         return None
     return next((owner for prefix, owner in _TYPES_OF_OTHERS.items() if type_.startswith(prefix)), None)
