@@ -70,6 +70,8 @@ def generate_launch_description():
     ("name", "keyword", "severity"),
     [
         ("dashing_start", "node_executable", Severity.INFO),
+        ("elequent_start", "node_executable", Severity.INFO),
+        ("box_start", "node_executable", Severity.WARNING),
         ("start", "node_executable", Severity.WARNING),
         ("dashing_start", "executible", Severity.WARNING),
         ("flashing_start", "node_executable", Severity.WARNING),

@@ -13,7 +13,7 @@ from archlint.checks.folding import folds
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.finding import Finding, Related, Severity
-from archlint.suggestions import did_you_mean
+from archlint.suggestions import did_you_mean, distance
 
 if TYPE_CHECKING:
     from archlint.systems.model import System
@@ -47,14 +47,20 @@ def unknown_launch_attribute(system: System, options: Options) -> Iterator[Findi
             identity=(wrong.action, wrong.name),
             group=(wrong.place.file,),
         )
-        is_old = (
-            wrong.name.startswith("node_") and _OLD_RELEASE.search(posixpath.basename(wrong.place.file)) is not None
-        )
+        is_old = wrong.name.startswith("node_") and _is_for_an_old_release(wrong.place.file)
         yield replace(found, severity=Severity.INFO) if is_old else found
 
 
-_OLD_RELEASE = re.compile(r"(?<![a-z])(?:dashing|eloquent|foxy)(?![a-z])")
-"""The releases whose ``Node`` took ``node_name`` and the like, in the name of a file that is for one of them."""
+_OLD_RELEASES = ("dashing", "eloquent", "foxy")
+"""The releases whose ``Node`` took ``node_name`` and the like."""
+_LONG = 7
+"""Letters of a name that is still itself with one of them wrong."""
+
+
+def _is_for_an_old_release(file: str) -> bool:
+    """Whether a file is called after one of them, be it with a slip."""
+    words = re.findall("[a-z]+", posixpath.basename(file))
+    return any(distance(word, name, 1) <= int(len(name) >= _LONG) for word in words for name in _OLD_RELEASES)
 
 
 @folds("LCH005")
