@@ -272,3 +272,30 @@ def test_the_value_that_makes_bad_names_is_told_where_it_is_set(findings, parame
     assert "'/p2, p3/goal', which is made of this value of the parameter 'robot'" in found.message
     assert len(found.related) == 2
     assert findings("NME002", node(parameter.replace("p2, p3", "p2")), **files | {"config/p.yaml": ""}) == []
+
+
+TOPIC = """\
+import rclpy
+from std_msgs.msg import String
+
+def main():
+    rclpy.init()
+    node = rclpy.create_node('talker')
+    topic = node.declare_parameter('topic', '').value
+    node.create_publisher(String, topic, 10)
+    rclpy.spin(node)
+"""
+
+
+@pytest.mark.parametrize(
+    ("launch", "lines"),
+    [
+        ('<node pkg="robot" exec="talker"><param name="topic" value="words"/></node>', []),
+        ('<node pkg="robot" exec="talker"><param name="topic" value="$(env TOPIC)"/></node>', []),
+        ('<node pkg="robot" exec="talker"/>', [8]),
+        ('<node pkg="robot" exec="viewer"/>', [8]),  # nothing starts it: its default is what it gets
+    ],
+)
+def test_the_default_of_a_parameter_that_launch_files_set(findings, launch: str, lines: list[int]):
+    found = findings("NME002", launch, **{"robot/talker.py": TOPIC})
+    assert [one.place.line for one in found] == lines

@@ -73,8 +73,8 @@ def _invalid_endpoints(system: System, node: Node) -> Iterator[Finding]:
         if value is not None:
             values.setdefault(value.place, (value, []))[1].append(endpoint)
             continue
-        if endpoint.resolution == "parameter" and creation.conditional:
-            continue  # with that value of the parameter the branch may not be taken
+        if endpoint.resolution == "parameter" and (creation.conditional or is_renamed(system, node)):
+            continue  # the branch may not be taken with that value, or launch files start the node: their systems tell
         if _is_one_of_several(endpoint):
             continue
         relative = _relative(endpoint)
