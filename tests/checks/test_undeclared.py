@@ -155,6 +155,20 @@ def test_loose_scripts_of_a_package_of_cpp_programs(lint: Lint, install: str, ex
     assert missing(lint(files)) == expected
 
 
+def test_what_stands_inside_export_is_to_be_moved_out(lint: Lint):
+    inside = "<exec_depend>geometry_msgs</exec_depend></export>"
+    text = manifest("talk", *depends("rclpy"))
+    files = {"package.xml": text.replace("</export>", f"\n  {inside}"), "talk/node.py": node(POSE)}
+    (found,) = lint(files)
+    assert found.help == "declare it outside of <export>: what stands inside does not count"
+    assert [(one.place.file, one.place.line, one.message) for one in found.related] == [
+        ("package.xml", 6, "'geometry_msgs' is inside <export> here, where it does not count")
+    ]
+    assert found.sites is None, "a second line would leave the first"
+    (plain,) = lint({**files, "package.xml": text})
+    assert plain.help == "add <exec_depend>geometry_msgs</exec_depend> to package.xml"
+
+
 def test_metapackages_of_a_launch_file(lint: Lint):
     launch = '<launch><node pkg="imu_filter_madgwick" exec="imu_filter_madgwick_node"/></launch>'
     files = {"launch/imu.launch.xml": launch, "talk/node.py": node()}

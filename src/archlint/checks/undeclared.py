@@ -242,7 +242,10 @@ def _undeclared(workspace: WorkspaceIndex, package: Package, uses: Sequence[Use]
         uses[0].place,
         _message(workspace, package, uses[0], needed),
         help=_help(package, needed),
-        related=[related for related in _related(by_needed) if related.place != uses[0].place],
+        related=[
+            *(related for related in _related(by_needed) if related.place != uses[0].place),
+            *_misplaced(package, needed),
+        ],
         identity=(package.name, *needed),
         sites=_sites(workspace, package, needed),
     )
@@ -272,6 +275,8 @@ def _hint(workspace: WorkspaceIndex, package: Package, use: Use) -> str:
 
 
 def _help(package: Package, needed: Sequence[str]) -> str:
+    if not package.in_export.keys().isdisjoint(needed):
+        return f"declare {'it' if len(needed) == 1 else 'each'} outside of <export>: what stands inside does not count"
     manifest, line = package.manifest.relative, f"<{_tag(package)}>{needed[0]}</{_tag(package)}>"
     return f"add {line} to {manifest}" if len(needed) == 1 else f"add a line like {line} for each to {manifest}"
 
@@ -282,6 +287,15 @@ def _related(by_needed: Mapping[str, Sequence[Use]]) -> Iterator[Related]:
         first = f"'{name}' is imported here" if uses[0].how == "imports" else f"a node of '{name}' is started here"
         more = len(uses) - 1
         yield Related(uses[0].place, first + (f" and at {more} more place{'s' * (more > 1)}" if more else ""))
+
+
+def _misplaced(package: Package, needed: Sequence[str]) -> Iterator[Related]:
+    """Where the manifest has a dependency inside ``<export>``."""
+    for name in needed:
+        line = package.in_export.get(name)
+        if line is not None:
+            place = Place(package.manifest.relative, line, 1, line, 1)
+            yield Related(place, f"'{name}' is inside <export> here, where it does not count")
 
 
 def _reachable(name: str, workspace: WorkspaceIndex, used: Mapping[str, AbstractSet[str]]) -> frozenset[str]:
@@ -306,7 +320,7 @@ def _sites(workspace: WorkspaceIndex, package: Package, needed: Sequence[str]) -
     refuses one that is declared for tests, too."""
     taken = {d.name for d in package.dependencies if package.format == 1}
     known = workspace.packages.keys() | packages.table().names
-    names = tuple(name for name in needed if name in known and name not in taken)
+    names = tuple(name for name in needed if name in known and name not in taken and name not in package.in_export)
     if not names:
         return None
     return Sites(dependencies=(MissingDependencies(package.manifest.relative, _tag(package), names),))

@@ -49,6 +49,7 @@ class _Reader:
         self.format = 1
         self.groups: list[str] = []
         self.dependencies: list[Dependency] = []
+        self.in_export: dict[str, int] = {}
 
     def doctype(self, *_: object) -> None:
         raise ManifestError("a document type is not allowed here", self.parser.CurrentLineNumber)
@@ -76,6 +77,8 @@ class _Reader:
             self.dependencies.append(Dependency(text, _DEPENDENCIES[tag], condition, self.line))
         elif depth == 2 and tag == "member_of_group" and self.holds():
             self.groups.append(text)
+        elif depth == 3 and tag in _DEPENDENCIES and self.stack[1] == "export":
+            self.in_export.setdefault(text, self.line)
         elif depth == 3 and tag == "build_type" and self.stack[1] == "export" and self.holds():
             self.build_type = self.build_type or text
         self.stack.pop()
@@ -125,6 +128,7 @@ def read_manifest(file: SourceFile, data: bytes, root: str, relative: str) -> Pa
         reader.name_line,
         reader.format,
         reader.build_type in ("", "catkin") and reader.needs("catkin"),
+        in_export=reader.in_export,
     )
 
 

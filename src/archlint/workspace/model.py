@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Literal
 
@@ -118,6 +119,8 @@ class Package:
     """Whether it is built by catkin alone, the build system of ROS 1."""
     catkin_code: bool = False
     """Whether its CMakeLists.txt says so: its Python is then of ROS 1, too, whatever it imports by now."""
+    in_export: Mapping[str, int] = field(default_factory=dict, compare=False)
+    """The dependencies that its manifest has inside ``<export>``, where nothing reads them, each with its line."""
 
     def runtime_dependencies(self) -> frozenset[str]:
         """Names this package needs to run, or to build and run (``depend``)."""
