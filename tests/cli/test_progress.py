@@ -242,6 +242,18 @@ def test_no_line_with_quiet_nor_in_ci(monkeypatch: pytest.MonkeyPatch, command: 
     assert "\r" not in run(command, "--no-cache")[1].getvalue()
 
 
+@pytest.mark.usefixtures("long_runs")
+def test_what_is_checked_again_after_fixes_is_watched_too(workspace: Path):
+    waits = NODE.replace("String\n\n", "String\nfrom std_srvs.srv import Trigger\n\n").replace(
+        "        self.create_publisher(String, '/chatter', 10)",
+        "        self.reset = self.create_client(Trigger, 'reset')\n        self.reset.wait_for_service()",
+    )
+    (workspace / "waits.py").write_text(waits)
+    _, terminal = run("check", "--no-cache", "--jobs", "1", "--fix", "--unsafe-fixes")
+    assert "\rFixed " in terminal.getvalue()
+    assert "6/6 files compiled" in terminal.getvalue()  # three files, twice
+
+
 @pytest.mark.usefixtures("workspace", "long_runs")
 def test_the_line_is_gone_before_an_error_is_told(monkeypatch: pytest.MonkeyPatch):
     def fail(*arguments: object, **more: object) -> None:

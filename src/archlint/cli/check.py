@@ -110,7 +110,8 @@ def run(arguments: argparse.Namespace) -> int:
     if arguments.fix:
         from archlint.cli.fix import mend  # with what takes files apart, which most checks do without
 
-        outcome = mend(request, report, arguments.unsafe_fixes)
+        with watch as monitor:
+            outcome = mend(replace(request, monitor=monitor), report, arguments.unsafe_fixes)
         report, fixed = outcome.report, outcome.count
     folder = folder_in_repository(Path.cwd(), os.environ)
     _write(replace(report, failing=failing, folder=folder), arguments)

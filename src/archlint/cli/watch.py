@@ -14,7 +14,7 @@ if TYPE_CHECKING:
 
 
 class Watch:
-    """Watches what happens inside the block: ``with Watch(…) as monitor``."""
+    """Watches what happens inside the block: ``with Watch(…) as monitor``.  Several blocks of one watch add up."""
 
     def __init__(self, stream: TextIO, quiet: bool, verbose: bool) -> None:
         self._line: ProgressLine | None = None
