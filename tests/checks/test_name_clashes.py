@@ -133,6 +133,39 @@ def test_what_a_finally_makes_stands_beside_what_its_try_returned_from(findings)
     assert {"'text' is made here", "'farewell' is made here"} == {one.message for one in found.related}
 
 
+SPAWNER = """\
+import rclpy
+from std_srvs.srv import Trigger
+
+def main():
+    rclpy.init()
+    node = rclpy.create_node('spawner')
+    client = node.create_client(Trigger, 'spawn')
+    while not client.wait_for_service(timeout_sec=1.0):
+        pass
+    future = client.call_async(Trigger.Request())
+    rclpy.spin_until_future_complete(node, future, timeout_sec=5.0)
+    node.destroy_node()
+    rclpy.shutdown()
+"""
+
+
+@pytest.mark.parametrize(
+    ("before", "after", "clash"),
+    [
+        ("", "", False),
+        ("spin_until_future_complete(node, future, timeout_sec=5.0)", "spin(node)", True),
+        ("    future = client", "    node.create_publisher(Trigger, 'log', 10)\n    future = client", True),
+        ("    future = client", "    while rclpy.ok():\n        future = client", True),
+        ("    future = client.call_async(Trigger.Request())\n", "    future = None\n", True),
+    ],
+)
+def test_a_program_that_makes_one_request_and_ends(findings, before: str, after: str, clash: bool):
+    code = SPAWNER.replace(before, after) if before else SPAWNER
+    found = findings("NME004", node() + "\n" + node(), **{"robot/talker.py": code})
+    assert bool(found) is clash
+
+
 def test_an_executable_that_makes_two_nodes_of_one_name(findings):
     two = TALKER.replace("Talker())", "Talker())\n    rclpy.spin(rclpy.create_node('talker'))")
     (found,) = findings("NME004", node(), **{"robot/talker.py": two})

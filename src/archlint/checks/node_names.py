@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from itertools import combinations, groupby
 from typing import TYPE_CHECKING
 
+from archlint.analysis.brief_programs import is_brief
 from archlint.branches import exclusive, runs_along
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
@@ -48,14 +49,16 @@ def _twins(system: System) -> Iterator[Twins]:
     named = [n for n in system.nodes if n.name is not None and n.resolution == "exact" and n.launch_place]
     for _, group in groupby(sorted(named, key=lambda n: n.name or ""), key=lambda node: node.name):
         pairs = combinations(list(group), 2)
-        found = next((pair for pair in pairs if _together(*pair)), None)
+        found = next((pair for pair in pairs if _together(system, *pair)), None)
         if found is not None:
             yield found
 
 
-def _together(node: Node, other: Node) -> bool:
+def _together(system: System, node: Node, other: Node) -> bool:
     """Whether two nodes certainly run at the same time."""
-    if not runs_along(node.alternatives, other.alternatives) or _ends_by_itself(node) or _ends_by_itself(other):
+    if not runs_along(node.alternatives, other.alternatives):
+        return False
+    if any(_is_tool(each) or is_brief(system, each) for each in (node, other)):
         return False
     if node.started is not other.started:
         return True
@@ -79,7 +82,7 @@ _TOOLS = frozenset(
 """Executables that do one thing and end: what they are called for those seconds makes no difference to anybody."""
 
 
-def _ends_by_itself(node: Node) -> bool:
+def _is_tool(node: Node) -> bool:
     started = node.started
     return started is not None and (started.package.text, started.executable.text) in _TOOLS
 
@@ -179,7 +182,7 @@ def _namesakes(system: System, one: Node, other: Node) -> list[Place]:
     places: dict[Place, None] = {}
     for node in system.nodes:
         named = node.name == one.name and node.resolution == "exact" and node.launch_place is not None
-        if named and node not in (one, other) and _together(node, one) and _together(node, other):
+        if named and node not in (one, other) and _together(system, node, one) and _together(system, node, other):
             assert node.launch_place is not None
             places.setdefault(node.launch_place)
     return sorted(place for place in places if place not in (one.launch_place, other.launch_place))
