@@ -39,6 +39,11 @@ def timer(body: str) -> str:
         pytest.param(
             "import fcntl; fcntl.flock(self.file, fcntl.LOCK_EX | fcntl.LOCK_NB)", [], id="a lock if it is free"
         ),
+        pytest.param("subprocess.run(['sudo', 'shutdown', '-h', 'now'])", [], id="the end"),
+        pytest.param("subprocess.run('/sbin/reboot', shell=True)", [], id="the end of all as a text"),
+        pytest.param("subprocess.run(['systemctl', 'poweroff'])", [], id="the end by systemd"),
+        pytest.param("subprocess.run(['sudo', 'shutdown', '-c'])", ["EXE003"], id="no end"),
+        pytest.param("subprocess.run(['systemctl', 'restart', 'reboot'])", ["EXE003"], id="a unit of that name"),
         pytest.param("import fcntl; fcntl.lockf(self.file, fcntl.LOCK_UN)", [], id="a lock that is let go"),
         pytest.param("subprocess.run(['make'], timeout=9.0)", ["EXE003"], id="a process with a limit"),
         pytest.param("subprocess.check_output(['ping'], timeout=0.1)", [], id="a process for a moment"),
@@ -51,6 +56,16 @@ def test_what_counts_as_slow(run: Run, body: str, expected: list[str]):
     fields += "self.many = ['left']\nself.many.append('right')\n"
     found = codes(run(source(fields + TIMER, timer(body))))
     assert [code for code in found if code != "EXE005"] == expected
+
+
+@pytest.mark.parametrize(
+    ("call", "severity"),
+    [("fcntl.flock(self.file, fcntl.LOCK_EX)", "info"), ("subprocess.run(['make'])", "warning")],
+)
+def test_a_file_lock_is_information(run: Run, call: str, severity: str):
+    found = [one for one in run(source(TIMER, timer(f"import fcntl; {call}"))) if one.code == "EXE003"]
+    assert [one.severity.label for one in found] == [severity]
+    assert ("LOCK_NB" in (found[0].help or "")) == (severity == "info")
 
 
 @pytest.mark.parametrize(("limit", "expected"), [("1.0", []), ("5.0", ["EXE003"])])

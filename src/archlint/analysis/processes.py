@@ -85,9 +85,22 @@ def ends_with_the_node(code: SourceCode, call: ApiCall, stay: Stay) -> bool:
     return bool(waits) and all(graph.post_dominates(ends, block, without_exceptions) for block in waits)
 
 
+_SWITCHES_OFF = frozenset({"shutdown", "poweroff", "reboot", "halt"})
+_IN_FRONT = frozenset({"sudo", "systemctl"})
+
+
+def ends_the_machine(code: SourceCode, call: ApiCall) -> bool:
+    """Whether a command switches the machine off, or starts it anew: nothing that would have to wait goes on."""
+    literals = everything_in([one.value for one in code.arguments(call)[:1]], facts.Literal)
+    words = [word for one in literals if isinstance(one.value, str) for word in one.value.split()]
+    commands = [word.rpartition("/")[2] for word in words if not word.startswith("-")]
+    command = next((word for word in commands if word not in _IN_FRONT), "")
+    return command in _SWITCHES_OFF and "-c" not in words  # `shutdown -c` calls it off
+
+
 def _owner(call: facts.Call) -> str:
     """``self.process`` of ``self.process.wait()``; empty where it is no variable, and no attribute of one."""
     return dotted(call.func.value) if isinstance(call.func, facts.Attribute) else ""
 
 
-__all__ = ["ends_with_the_node", "is_told_to_end"]
+__all__ = ["ends_the_machine", "ends_with_the_node", "is_told_to_end"]

@@ -14,7 +14,7 @@ from archlint.analysis.deadlock import threads_of
 from archlint.analysis.loop_times import around_future, in_loops
 from archlint.analysis.own_timers import ends_its_timer_before
 from archlint.analysis.present_servers import is_there
-from archlint.analysis.processes import ends_with_the_node, is_told_to_end
+from archlint.analysis.processes import ends_the_machine, ends_with_the_node, is_told_to_end
 from archlint.analysis.reach import argument, creations_of, judged_calls, node_name, one_for_each_place
 from archlint.analysis.sleeps import Stay, stay_of
 from archlint.analysis.source_code import SourceCode, source_code
@@ -117,6 +117,7 @@ def _stays(system: System) -> Iterator[_Row]:
             is_told_to_end(code, call, stay)
             or (stay.kind == "discovery" and is_there(system, call))
             or ends_with_the_node(code, call, stay)
+            or ends_the_machine(code, call)
             or _is_no_program(system, call.context)
         ):
             continue
@@ -256,7 +257,7 @@ def _slow(system: System, rows: Sequence[_Row], only_network: bool) -> Finding:
     if others:
         end += f", as {'does another line' if len(others) == 1 else f'do {len(others)} more lines'} of {call.function}"
     held_up = {_waiting(source_code(system), row[1], row[0]) for row in rows}
-    mild = _OTHERS not in held_up or all(_answers_in_time(row[1], row[2]) for row in rows)
+    mild = _OTHERS not in held_up or all(_answers_in_time(row[1], row[2]) or row[2].kind == "lock" for row in rows)
     meanwhile = _meanwhile(callback, program)
     if held_up == {_NOBODY}:
         meanwhile = f"the node has no other callback, but its next {_ITS_NEXT[callback.role]} has to wait"
@@ -325,6 +326,8 @@ def _answers_in_time(call: ApiCall, stay: Stay) -> bool:
 
 def _instead(call: ApiCall, stay: Stay) -> str:
     """What to do; where the callback's return value is the answer, nothing can go on later."""
+    if stay.kind == "lock":
+        return "request it with LOCK_NB, and try again later where another process has it"
     if stay.kind == "discovery" and made_here(call):
         return MAKE_IT_EARLIER
     if stay.kind == "discovery" and call.context.role in _ANSWERS - {Role.EXECUTE}:
