@@ -545,6 +545,23 @@ if __name__ == '__main__':
         apart = setup + "self.create_timer(1.0, self.tick)"
         assert codes(run(source(apart, self.TICK, ON_ONE_THREAD))) == ["CBG002"]
 
+    @pytest.mark.parametrize(
+        ("kind", "members", "severity"),
+        [
+            ("MutuallyExclusiveCallbackGroup", 2, Severity.INFO),
+            ("MutuallyExclusiveCallbackGroup", 1, Severity.WARNING),
+            ("ReentrantCallbackGroup", 2, Severity.WARNING),
+        ],
+    )
+    def test_one_group_that_keeps_some_apart_is_information(
+        self, run: Run, kind: str, members: int, severity: Severity
+    ):
+        inside = "self.create_timer({}.0, self.tick, callback_group=group)\n"
+        setup = f"group = {kind}()\n" + "".join(inside.format(number + 2) for number in range(members))
+        outside = "self.create_timer(1.0, self.tick)"
+        [found] = [one for one in run(source(setup + outside, self.TICK, ON_ONE_THREAD)) if one.code == "CBG002"]
+        assert found.severity is severity
+
     PART = """
 from rclpy.callback_groups import {kind}
 

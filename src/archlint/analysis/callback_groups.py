@@ -61,6 +61,16 @@ def only_excludes(program: Program, node: Blueprint) -> bool:
     return len(groups) == 1 or own[0].place.file not in chosen_in
 
 
+def keeps_some_apart(node: Blueprint) -> bool:
+    """Whether the one group that a node makes is exclusive and holds several callbacks: it may be there only to keep
+    these apart, which one thread does anyway."""
+    held = [creation.group for creation in node.creations if creation.kind in SERVED]
+    own = [group for group in held if group.kind != GroupKind.DEFAULT]
+    if len(own) <= 1 or len(set(own)) > 1 or own[0].key is None:
+        return False
+    return own[0].kind == GroupKind.MUTUALLY_EXCLUSIVE
+
+
 def groups_in_use(node: Blueprint) -> Iterator[Group]:
     """The groups that something of a node is put into."""
     for creation in node.creations:

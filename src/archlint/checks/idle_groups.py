@@ -3,17 +3,25 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from archlint.analysis import blocking
-from archlint.analysis.callback_groups import all_nodes, groups_in_use, groups_made, needing_groups, only_excludes
+from archlint.analysis.callback_groups import (
+    all_nodes,
+    groups_in_use,
+    groups_made,
+    keeps_some_apart,
+    needing_groups,
+    only_excludes,
+)
 from archlint.analysis.deadlock import related_executor, threads_of
 from archlint.analysis.idle_nodes import started_nodes
 from archlint.analysis.reach import node_name, one_for_each_place
 from archlint.analysis.spins import spins_if_asked, spun_by_several
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
-from archlint.finding import Finding, Place, Related
+from archlint.finding import Finding, Place, Related, Severity
 
 if TYPE_CHECKING:
     from archlint.model import Blueprint, Program
@@ -49,7 +57,7 @@ def _useless(system: System, program: Program, node: Blueprint, groups: list[tup
     """One finding a node: it is the executor that is wrong, or all of its groups."""
     (place, kind), *others = groups
     what = f"{len(groups)} callback groups" if others else f"a {kind} callback group"
-    return finding(
+    found = finding(
         "CBG002",
         place,
         f"{what} in a node that a single thread spins has no effect: callbacks never run in parallel",
@@ -61,3 +69,4 @@ def _useless(system: System, program: Program, node: Blueprint, groups: list[tup
         node=node_name(system, node),
         identity=(node.class_name,),
     )
+    return replace(found, severity=Severity.INFO) if keeps_some_apart(node) else found
