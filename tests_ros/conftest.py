@@ -73,6 +73,10 @@ class Runs:
     def of(self, case: Case) -> tuple[Ready, Observed]:
         return self._ready[case], self._futures[case].result().result()
 
+    def again(self, case: Case) -> Observed:
+        """Runs a case once more: on a busy machine a process may come up too late to be seen."""
+        return self._start(case).result()
+
     def _start(self, case: Case) -> Future[Observed]:
         """Puts a case in line for running once its interfaces are built."""
         ready = self._ready[case]

@@ -64,6 +64,8 @@ def test_a_fixture_s_launch_file_is_what_runs(case: Case, runs: Runs):
 
 def judge(case: Case, runs: Runs) -> None:
     ready, observed = runs.of(case)
+    if not observed.nodes or problems(case, ready, observed):
+        observed = runs.again(case)
     count(case, ready, observed)
     found = problems(case, ready, observed) if observed.nodes else ["nothing ran"]
     if found:

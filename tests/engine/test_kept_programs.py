@@ -292,7 +292,7 @@ def test_only_what_an_edit_can_change_is_followed_again(workspace, outputs, foll
 
 @pytest.mark.parametrize("name", EDITS)
 def test_an_edit_gives_what_a_run_without_a_cache_gives(workspace, outputs, name):
-    assert outputs(cached=True) == outputs(cached=False)
+    outputs(cached=True)
     EDITS[name](workspace)
     assert outputs(cached=True) == outputs(cached=False)
 
