@@ -27,7 +27,7 @@ LESSON = FIXTURES / "lesson"
 LAUNCH = "src/my_first_package/launch/robot.launch.py"
 SOURCES = "src/my_first_package/my_first_package"
 CODES = "GRF005,GRF006,GRF007"
-TRIES = 3
+TRIES = 8
 WHERE_ALL_START = [name for name in WORKSPACES if name != "broken_system"]
 ALWAYS = ("lesson", "lesson_extended", "held_nodes.py", "lifecycle.py", "qos_forms.py", "wrappers.py")
 """Systems and forms that are recorded without ``--full``: of each kind of entity, type and QoS, and of each way to
