@@ -7,10 +7,10 @@ the user suppresses or ignores at one place leaves the others; the rest becomes 
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from archlint.edit_sites import Sites
-from archlint.finding import Finding
+from archlint.finding import Finding, Related
 
 
 @dataclass(frozen=True)
@@ -35,3 +35,15 @@ def all_sites(findings: Sequence[Finding]) -> Sites | None:
     """What a finding that stands for several would have edited: what each of them would."""
     sites = [finding.sites for finding in findings if finding.sites is not None]
     return sum(sites, Sites()) if sites else None
+
+
+def of_one_function(findings: Sequence[Finding], noun: str, beside: str) -> Finding:
+    """The first finding of a function for all that do the same in it; ``beside`` is said at the others."""
+    first, *others = findings
+    nouns, do = (f"another {noun}", "does") if len(others) == 1 else (f"{len(others)} more {noun}s", "do")
+    return replace(
+        first,
+        message=f"{first.message}; {nouns} in {first.group[1]}() {do} the same",
+        related=(*first.related, *(Related(other.place, beside) for other in others)),
+        sites=all_sites(findings),
+    )

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from archlint.analysis.left_over import is_dead, is_never_made
@@ -20,7 +19,7 @@ from archlint.analysis.reach import (
 )
 from archlint.analysis.source_code import source_code
 from archlint.analysis.stuck import spoken_of
-from archlint.checks.folding import all_sites, folds
+from archlint.checks.folding import folds, of_one_function
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.checks.wait_words import (
@@ -28,7 +27,7 @@ from archlint.checks.wait_words import (
     name_of,
     way_to,
 )
-from archlint.finding import Finding, Related
+from archlint.finding import Finding
 from archlint.model import Role
 
 if TYPE_CHECKING:
@@ -85,11 +84,4 @@ def _help_for_spin(call: ApiCall) -> str:
 @folds("TMO003")
 def _of_one_function(findings: Sequence[Finding]) -> Finding:
     """The finding for all such spins of a function: an action's goal is sent, and then its result awaited."""
-    first, *others = findings
-    lines, do = ("another line", "does") if len(others) == 1 else (f"{len(others)} more lines", "do")
-    return replace(
-        first,
-        message=f"{first.message}; {lines} in {first.group[1]}() {do} the same",
-        related=(*first.related, *(Related(one.place, "it spins without a timeout here, too") for one in others)),
-        sites=all_sites(findings),
-    )
+    return of_one_function(findings, "line", "it spins without a timeout here, too")

@@ -13,11 +13,11 @@ from archlint.analysis.reach import calls_of, creations_of, endpoint_words, has_
 from archlint.analysis.source_code import source_code
 from archlint.analysis.stuck import clients_of_handlers
 from archlint.analysis.wait_loops import only_the_server_ends
-from archlint.checks.folding import folds
+from archlint.checks.folding import folds, of_one_function
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
 from archlint.checks.wait_words import READY, WAIT_FOR_SERVER, WAIT_FOR_SERVICE, way_to
-from archlint.finding import Finding, Place, Related, Severity
+from archlint.finding import Finding, Place, Severity
 
 if TYPE_CHECKING:
     from archlint.model import ApiCall
@@ -70,10 +70,4 @@ def _endless(system: System, calls: Sequence[ApiCall]) -> Finding:
 @folds("TMO004")
 def _of_one_function(findings: Sequence[Finding]) -> Finding:
     """The finding for all such loops that a program comes to one after the other as it starts."""
-    first, *others = findings
-    loops, do = ("another loop", "does") if len(others) == 1 else (f"{len(others)} more loops", "do")
-    return replace(
-        first,
-        message=f"{first.message}; {loops} in {first.group[1]}() {do} the same",
-        related=(*first.related, *(Related(one.place, "another such loop is here") for one in others)),
-    )
+    return of_one_function(findings, "loop", "another such loop is here")

@@ -99,6 +99,9 @@ class ModuleIndex:
         """The keys of the scopes of all modules that ran here."""
         self._written: dict[str, set[int]] = {}
         """The keys of objects of other modules that the import of a module has written, by its path."""
+        self._changed: dict[str, tuple[int, frozenset[str]]] = {}
+        """The paths of the modules whose objects those are, and how many keys that is known of: a module that runs
+        later has later keys."""
         self.imported: set[str] = set()
         """The paths of the modules that some program has imported."""
         self.import_earlier: Callable[[Module], None] | None = None
@@ -199,17 +202,19 @@ class ModuleIndex:
 
     def writers(self, used: Collection[str]) -> frozenset[str]:
         """The modules whose imports have changed objects of these modules: registered something with them, say."""
-        writing = {path: keys for path, keys in self._written.items() if keys}
-        if not writing:
-            return frozenset()
-        starts = {module.scope.key: path for path, module in self._modules.items() if module and module.scope}
-        ordered = sorted(starts)
-        found = set()
-        for path, keys in writing.items():
-            owners = {starts[ordered[at - 1]] for key in keys if (at := bisect_right(ordered, key))}
-            if not owners.isdisjoint(used):
-                found.add(path)
-        return frozenset(found)
+        writing = (path for path, keys in self._written.items() if keys)
+        return frozenset(path for path in writing if not self._changed_by(path).isdisjoint(used))
+
+    def _changed_by(self, path: str) -> frozenset[str]:
+        """The modules whose objects the import of another has changed."""
+        keys = self._written[path]
+        count, changed = self._changed.get(path, (0, frozenset()))
+        if count != len(keys):
+            starts = {module.scope.key: of for of, module in self._modules.items() if module and module.scope}
+            ordered = sorted(starts)
+            changed = frozenset(starts[ordered[at - 1]] for key in keys if (at := bisect_right(ordered, key)))
+            self._changed[path] = len(keys), changed
+        return changed
 
     def writes(self, path: str) -> bool:
         """Whether the import of a module has changed objects of others."""

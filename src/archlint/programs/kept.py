@@ -53,9 +53,9 @@ class KeptPrograms:
     """The keys of the programs that were followed since somebody took them."""
     _fingerprints: dict[str, str | None] = field(default_factory=dict)
     _lookups: dict[Lookup, str | None] = field(default_factory=dict)
-    _first: dict[str, str] = field(default_factory=dict)
-    """By the path of a module that a program has imported which was not followed again: the module whose import led to
-    it."""
+    _groups: dict[str, Sequence[str]] = field(default_factory=dict)
+    """By the path of a module that a program has imported which was not followed again: the modules that ran for the
+    first time when one of them was imported, that one first."""
     _owners: dict[int, tuple[str, object]] = field(default_factory=dict)
     """Which program has an object, by the id of the object, which stays alive here."""
 
@@ -95,7 +95,7 @@ class KeptPrograms:
         """A program is as it was: what it has imported counts as imported."""
         self._rows[name] = row
         for group in row.imports:
-            self._first.update(dict.fromkeys(group, group[0]))
+            self._groups.update(dict.fromkeys(group, group))
             self.index.imported.update(group)
         if row.writes:  # what they have changed has to be here
             self.import_now(path for group in row.imports for path in group)
@@ -107,14 +107,16 @@ class KeptPrograms:
     def first_of(self, path: str) -> str | None:
         """The module whose import led to that of another, when it was imported first by a program that was not
         followed again.  It is told once."""
-        first = self._first.get(path)
-        if first is not None:
-            self._first = {other: of for other, of in self._first.items() if of != first}
-        return first
+        group = self._groups.get(path)
+        if group is None:
+            return None
+        for member in group:
+            self._groups.pop(member, None)
+        return group[0]
 
     def all_first(self) -> list[str]:
         """All modules that :meth:`first_of` may name, in the order in which they were imported."""
-        return list(dict.fromkeys(self._first.values()))
+        return list(dict.fromkeys(group[0] for group in self._groups.values()))
 
     def _valid(self, table: Table, key: str) -> Row | None:
         """A program, if nothing that it depends on has changed but, perhaps, what ran before it."""
@@ -159,11 +161,11 @@ class KeptPrograms:
             return
         if not (self.lasts or self.is_part):
             return
-        self.changed = True
         try:
             payload, objects = encode_noting([_parts(result)])
         except NotEncodable:
             return
+        self.changed = True
         name = repr(key)
         shared = {owner for item in objects if (owner := self._owner(item, name)) != name}
         if shared:  # they would not share it any more
