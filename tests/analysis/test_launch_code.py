@@ -64,6 +64,16 @@ def test_a_launch_file_that_may_write_files(index: Index, body: str, writes: boo
         ("a = '$(var speed)'", True),
         ("a = {'speed': 1}", False),  # a key
         ("a = Node(name='speed')", False),  # the name of a node
+        ("a = Node(parameters=[{'unit': 'speed'}])", False),  # the value of a parameter
+        ("a = Node(parameters=[{'unit': LaunchConfiguration('speed')}])", True),
+        ("a = Node(parameters=[dict(unit=get('speed'))])", True),
+        ("a = Node(arguments=['-topic', 'speed'])", False),
+        ("a = Node(remappings=[('in', 'speed')])", False),
+        ("a = ExecuteProcess(cmd=['ros2', 'topic', 'echo', 'speed'])", False),
+        ("a = ExecuteProcess(cmd=['echo', LaunchConfiguration('speed')])", True),
+        ("a = IncludeLaunchDescription(s, launch_arguments={'unit': 'speed'}.items())", False),
+        ("a = IncludeLaunchDescription(s, launch_arguments=[('unit', 'speed')])", False),
+        ("a = [LaunchConfiguration(n) for n in ('map', 'speed')]", True),
         ("a = 'speed limit'", False),
     ],
 )

@@ -265,6 +265,7 @@ def test_an_argument_is_for_the_file_that_takes_it(findings):
         ("# colour", 1),
         ("Node(package='robot', executable='talker', name='colour')", 1),
         ("Node(package='robot', executable='talker', parameters=[{'colour': 'red'}])", 1),
+        ("Node(package='robot', executable='talker', parameters=[{'sort_by': 'colour'}])", 1),
         ("Node(package='robot', executable='talker', parameters=[{'c': LaunchConfiguration('colour')}])", 0),
         ("OpaqueFunction(function=lambda c: [LogInfo(msg=c.launch_configurations['colour'])])", 0),
         ("OpaqueFunction(function=lambda c: read(c, 'colour'))", 0),

@@ -58,7 +58,7 @@ def has_action_for(workspace: WorkspaceIndex, package: str | None, executable: s
 
 def may_read_argument(workspace: WorkspaceIndex, file: str, name: str) -> bool:
     """Whether code that the defaults pass by may read a launch argument: something in the file says its name that is
-    no key of a dict, and no name of a package, executable or node."""
+    no key of a dict, no name of a package, executable or node, and no text that a node, process or include is given."""
     texts = _texts(workspace, file)
     if texts is None:
         text = workspace.tree.text(file)
@@ -74,6 +74,8 @@ _NAMES_OF_NODES = frozenset({"package", "executable", "name", "namespace", "plug
 _STARTS = frozenset(
     {"Node", "LifecycleNode", "ComposableNode", "ComposableLifecycleNode", "ComposableNodeContainer", "ExecuteProcess"}
 )
+_GIVEN = frozenset({"parameters", "arguments", "ros_arguments", "remappings", "cmd", "launch_arguments"})
+"""Keywords for what actions pass on: a text there is a value."""
 
 
 @once_for_each_file
@@ -84,12 +86,27 @@ def _texts(found: facts.Facts) -> list[str]:
 
 
 def _names(found: facts.Facts) -> Iterator[facts.Expr | None]:
-    """What names something else than a launch argument."""
+    """What names something else than a launch argument, or is passed on as it stands."""
     for mapping in everything_in(found.body, facts.Mapping):
         yield from mapping.keys
     for call in everything_in(found.body, facts.Call):
         if called_name(call) in _STARTS:
             yield from (arg.value for arg in call.args if arg.keyword in _NAMES_OF_NODES)
+        for argument in call.args:
+            if argument.keyword in _GIVEN:
+                yield from _displayed(argument.value)
+
+
+def _displayed(value: facts.Expr) -> Iterator[facts.Expr]:
+    """A value, or what stands in a display of lists, tuples and dicts, but not what a call in it is given."""
+    match value:
+        case facts.Sequence(elements=inner) | facts.Mapping(values=inner):
+            for element in inner:
+                yield from _displayed(element)
+        case facts.Call(func=facts.Attribute(value=facts.Mapping() as mapping, attr="items")):
+            yield from _displayed(mapping)
+        case _:
+            yield value
 
 
 __all__ = ["has_action_for", "is_for_several_distros", "may_read_argument", "words_of_launch_code", "writes_files"]
