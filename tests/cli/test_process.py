@@ -100,7 +100,6 @@ def test_a_reader_that_goes_away_ends_it_quietly(tmp_path: Path):
     assert (process.wait(timeout=30), told) == (141, b"")
 
 
-@pytest.mark.skipif(not hasattr(signal, "SIGINT") or os.name == "nt", reason="signals of POSIX")
 def _children(process: int) -> str:
     """The processes that a process has started, as Linux tells them."""
     try:

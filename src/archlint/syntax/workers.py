@@ -142,25 +142,32 @@ class _Pool:
     def _start(self) -> None:
         request_reader, requests = os.pipe()
         answers, answer_writer = os.pipe()
-        with warnings.catch_warnings():
-            # Python counts the threads of the system, among them those that have just ended.
-            warnings.simplefilter("ignore", DeprecationWarning)
-            pid = os.fork()
-        if pid == 0:
-            # Whoever keeps the ends of others keeps them waiting for a parent that is gone.
-            for end in (
-                requests,
-                answers,
-                *(end for one in self._workers.values() for end in (one.requests, one.answers)),
-            ):
-                os.close(end)
-            _serve(self._job, self._sources, request_reader, answer_writer, self._deadline)
+        # An interrupt waits: in a process that is just being made, Python would show a traceback of its own.
+        mask = signal.pthread_sigmask(signal.SIG_BLOCK, [signal.SIGINT])
+        try:
+            pid = self._fork(request_reader, requests, answers, answer_writer)
+        finally:
+            signal.pthread_sigmask(signal.SIG_SETMASK, mask)
         os.close(request_reader)
         os.close(answer_writer)
         worker = _Worker(pid, requests, answers)
         self._workers[answers] = worker
         self._selector.register(answers, selectors.EVENT_READ)
         worker.give(self._waiting.popleft())
+
+    def _fork(self, request_reader: int, requests: int, answers: int, answer_writer: int) -> int:
+        """Make a worker, which never returns from here."""
+        with warnings.catch_warnings():
+            # Python counts the threads of the system, among them those that have just ended.
+            warnings.simplefilter("ignore", DeprecationWarning)
+            pid = os.fork()
+        if pid == 0:
+            # Whoever keeps the ends of others keeps them waiting for a parent that is gone.
+            others = (end for worker in self._workers.values() for end in (worker.requests, worker.answers))
+            for end in (requests, answers, *others):
+                os.close(end)
+            _serve(self._job, self._sources, request_reader, answer_writer, self._deadline)
+        return pid
 
     def _collect(self, worker: _Worker) -> None:
         number, answer = worker.number, worker.take()
@@ -235,6 +242,7 @@ def _settle() -> None:
     signal.signal(signal.SIGINT, signal.SIG_DFL)
     signal.signal(signal.SIGTERM, signal.SIG_DFL)
     signal.signal(signal.SIGPROF, signal.SIG_DFL)
+    signal.pthread_sigmask(signal.SIG_UNBLOCK, [signal.SIGINT])
     gc.disable()  # trees hold no cycles, and a worker does not live long
     faulthandler = sys.modules.get("faulthandler")
     if faulthandler is not None:
