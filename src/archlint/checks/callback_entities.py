@@ -72,22 +72,22 @@ def _each_time(
 
 def _given_to(system: System, ends: Sequence[str]) -> set[int]:
     """What somebody cancels or destroys: it does not pile up, and its callback runs once."""
-    found: set[int] = set()
+    ended: set[int] = set()
     for _, call in calls_of(system, ends):
         given = [call.receiver, *call.arguments.values()]
-        found.update(id(creation) for value in given for creation in creations_of(value))
-    return found
+        ended.update(id(creation) for value in given for creation in creations_of(value))
+    return ended
 
 
 def _created(system: System, creation: Creation, callback: Callback, left: bool) -> Finding:
     function = creation.api.rpartition(".")[2]
     # Where data decides the name as well, it is one of many.
-    varies = any(one.place == creation.place and one.name != creation.name for one in creation.node.creations)
+    varies = any(other.place == creation.place and other.name != creation.name for other in creation.node.creations)
     named = creation.name.text and creation.kind != EntityKind.TIMER and not varies
     what = f"'{creation.name.text}'" if named else ""
     words = {"client": "client of", "service": "service", "publisher": "publisher of", "subscriber": "subscription to"}
-    made = f"{words.get(creation.kind, creation.kind.replace('_', ' '))} {what}".rstrip()
-    made = made if what else made.removesuffix(" of").removesuffix(" to")
+    entity = f"{words.get(creation.kind, creation.kind.replace('_', ' '))} {what}".rstrip()
+    entity = entity if what else entity.removesuffix(" of").removesuffix(" to")
     gets = "reaches this line" if creation.guard else "runs"
     end = "the old one is never destroyed"
     if left:
@@ -100,7 +100,8 @@ def _created(system: System, creation: Creation, callback: Callback, left: bool)
     return finding(
         "EXE005",
         creation.place,
-        f"{callback_words(callback)} creates {'an' if made[0] == 'a' else 'a'} {made} each time it {gets}, and {end}",
+        f"{callback_words(callback)} creates {'an' if entity[0] == 'a' else 'a'} {entity} each time it {gets}, "
+        f"and {end}",
         help=_once(creation, function, varies),
         related=[
             Related(callback.place, f"{callback.name} runs repeatedly"),
@@ -127,5 +128,7 @@ def _once(creation: Creation, function: str, varies: bool) -> str:
 def _of_one_function(findings: Sequence[Finding]) -> Finding:
     """The finding for all that a function creates each time: one change mends it."""
     first, *others = findings
-    more = (Related(one.place, "another one is created here each time") for one in others if one.place != first.place)
+    more = (
+        Related(other.place, "another one is created here each time") for other in others if other.place != first.place
+    )
     return replace(first, related=(*first.related, *dict.fromkeys(more)))

@@ -51,20 +51,22 @@ def circular_dependency(system: System, options: Options) -> Iterator[Finding]:
 def _undeclared(circle: list[str], needs: Needs, used: Needs) -> Finding:
     """The finding for a circle that colcon does not see, since one package does not declare what it uses."""
     steps = list(pairwise(circle))
-    at = next(n for n, (one, other) in enumerate(steps) if needs[one][other] == used.get(one, {}).get(other))
+    at = next(
+        n for n, (package, other) in enumerate(steps) if needs[package][other] == used.get(package, {}).get(other)
+    )
     steps = steps[at:] + steps[:at]
-    (one, other), *others = steps
-    names = [one, *(end for _, end in steps)]
-    made = finding(
+    (package, other), *others = steps
+    names = [package, *(end for _, end in steps)]
+    diagnostic = finding(
         "PKG003",
-        needs[one][other],
-        f"packages depend on each other in a circle: {' → '.join(names)}; '{one}' uses '{other}' here without "
+        needs[package][other],
+        f"packages depend on each other in a circle: {' → '.join(names)}; '{package}' uses '{other}' here without "
         "declaring it",
         help="move what both need into a separate package",
         related=[Related(needs[start][end], f"'{start}' depends on '{end}' here") for start, end in others],
         identity=tuple(sorted(circle[:-1])),
     )
-    return replace(made, severity=Severity.WARNING)
+    return replace(diagnostic, severity=Severity.WARNING)
 
 
 def _declared(package: Package, packages: Mapping[str, Package]) -> dict[str, Place]:
@@ -77,12 +79,12 @@ def _declared(package: Package, packages: Mapping[str, Package]) -> dict[str, Pl
 
 def _used(workspace: WorkspaceIndex, options: Options) -> dict[str, dict[str, Place]]:
     """The packages of this workspace that each one uses and does not declare, with the first place."""
-    found: dict[str, dict[str, Place]] = {}
+    used: dict[str, dict[str, Place]] = {}
     for folder, uses in uses_by_package(workspace, options).items():
         package = workspace.manifests[folder]
         if workspace.packages.get(package.name) is package:  # of two of one name, the other one is not spoken of
-            found[package.name] = _first(uses, workspace)
-    return found
+            used[package.name] = _first(uses, workspace)
+    return used
 
 
 def _first(uses: list[Use], workspace: WorkspaceIndex) -> dict[str, Place]:

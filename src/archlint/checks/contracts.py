@@ -40,15 +40,15 @@ def _ties(groups: Iterable[Globs], link: Link) -> bool:
 
 
 def _broken(contract: Contract, chosen: Iterable[Link]) -> Iterator[Finding]:
-    for found in by_source(chosen):
-        source = found[0].source
+    for outgoing in by_source(chosen):
+        source = outgoing[0].source
         yield finding(
             "ARC001",
             source.place,
-            f"{found[0].words()}, which the contract '{contract.name}' forbids",
+            f"{outgoing[0].words()}, which the contract '{contract.name}' forbids",
             help="connect them through a node in between, or change the contract",
             related=[
-                *(Related(link.target.place, f"{link.target.node.name} is at the other end") for link in found),
+                *(Related(link.target.place, f"{link.target.node.name} is at the other end") for link in outgoing),
                 Related(contract.place, "the contract is here"),
             ],
             node=source.node.name,

@@ -31,18 +31,18 @@ _LOWER_SNAKE_CASE = "[a-z][a-z0-9_]*"
 )
 def name_convention(system: System, options: Options) -> Iterator[Finding]:
     """Names of which a part does not match the pattern for their kind; each place once."""
-    found: dict[tuple[Place, str, str], str | None] = {}
+    misnamed: dict[tuple[Place, str, str], str | None] = {}
     for kind, text, separator, place, node in _names(system):
         part = _part_against(options.text(kind), text, separator)
         if part is not None and text.text is not None:
-            found.setdefault((place, kind, text.text), node)
-    for place, kind, name in sorted(found):
+            misnamed.setdefault((place, kind, text.text), node)
+    for place, kind, name in sorted(misnamed):
         yield finding(
             "NME003",
             place,
             f"the {kind} name '{name}' does not match the pattern {options.text(kind)}",
             help="rename it at both ends, or change the pattern in the configuration",
-            node=found[(place, kind, name)],
+            node=misnamed[(place, kind, name)],
             identity=(kind, name),
         )
 

@@ -64,15 +64,15 @@ def _wrongly_passed(
     right = [use for use in uses if use.exists is not False]
     shared = {hop.call for use in right for hop in use.passed}
     calls = {hop.call for use in missing for hop in use.passed}
-    found: dict[Place, tuple[FieldUse, Passed]] = {}
+    by_call: dict[Place, tuple[FieldUse, Passed]] = {}
     for use in missing:
         if right:
             hops = [hop for hop in use.passed if hop.call not in shared]
         else:
             hops = [hop for hop in reversed(use.passed) if callers.get(hop.function, set()) - calls]
         if hops:
-            found.setdefault(hops[0].call, (use, hops[0]))
-    return [found[call] for call in sorted(found)]
+            by_call.setdefault(hops[0].call, (use, hops[0]))
+    return [by_call[call] for call in sorted(by_call)]
 
 
 def _passed_to(system: System, use: FieldUse, hop: Passed) -> Finding:
@@ -91,15 +91,15 @@ def _passed_to(system: System, use: FieldUse, hop: Passed) -> Finding:
 def _of_one_type(system: System, use: FieldUse, others: Sequence[FieldUse]) -> Finding:
     """The finding for a callback that several subscriptions or the like share, of which not all messages have the
     field."""
-    found = _unknown_field(system, use)
+    diagnostic = _unknown_field(system, use)
     assert use.delivered is not None
-    having = sorted({one.delivered.place for one in others if one.exists and one.delivered is not None})
+    having = sorted({other.delivered.place for other in others if other.exists and other.delivered is not None})
     word, name = NAMED.get(use.delivered.kind, ""), use.delivered.name.text
     by = f"a {word}" if name is None else f"the {word} '{name}'"
     return replace(
-        found,
+        diagnostic,
         group=(),
-        message=f"{found.message}, and {by} passes such messages to this code",
+        message=f"{diagnostic.message}, and {by} passes such messages to this code",
         help="use a separate callback for each type, or check isinstance() first",
         related=(
             Related(use.delivered.place, f"this passes {use.delivered.type}"),
@@ -171,16 +171,18 @@ def of_one_cause(findings: Sequence[Finding]) -> Finding:
     """The finding for all fields that one class takes for those of a message: at the first, the others related."""
     first = findings[0]
     _, owner, of, what, inside, listed = first.group
-    meant = {finding.identity[2]: finding.meant for finding in findings}
+    meant = {diagnostic.identity[2]: diagnostic.meant for diagnostic in findings}
     names = list(meant)
     shown = [f"'{name}'" for name in names]
     where = f"used at {len(findings)} places" + (f" of {owner}" if owner else " of this file")
     several = f"s {', '.join(shown[:-1])} and {shown[-1]}" if len(names) > 1 else f" {shown[0]}"
-    raised = _raised(one.identity[3] for one in findings)
+    raised = _raised(diagnostic.identity[3] for diagnostic in findings)
     return replace(
         first,
         message=f"{of} has no {what}{several}, {where}{_did_you_mean(meant, inside)}",
         help=f"these lines raise {raised} when they run; the {what}s are {listed}",
-        related=tuple(Related(one.place, f"'{one.identity[2]}' is used here") for one in findings[1:]),
+        related=tuple(
+            Related(diagnostic.place, f"'{diagnostic.identity[2]}' is used here") for diagnostic in findings[1:]
+        ),
         identity=(*first.identity[:2], *names),
     )

@@ -91,7 +91,7 @@ def single_point_of_failure(system: System, options: Options) -> Iterator[Findin
     for node, parts in splits(system) if known and _runs(system) else ():
         if not _judged(node):
             continue
-        names = ["{" + ", ".join(sorted(one.name or "?" for one in part)[:4]) + "}" for part in parts]
+        names = ["{" + ", ".join(sorted(member.name or "?" for member in part)[:4]) + "}" for part in parts]
         yield _finding(
             "GRF004",
             node,

@@ -153,7 +153,7 @@ def hardcoded_name(system: System, options: Options) -> Iterator[Finding]:
     """Absolute names that only an edit of the code can change, one finding a create call and literal; those of one
     class become one."""
     relative, allowed = options.flag("relative"), options.texts("allow")
-    varied = {one.place for one in system.endpoints if one.creation.name.resolution != "exact"}
+    varied = {end.place for end in system.endpoints if end.creation.name.resolution != "exact"}
     fixed: list[Endpoint] = []
     for endpoint in (end for node in system.nodes for end in node.endpoints):
         name = endpoint.written
@@ -164,14 +164,14 @@ def hardcoded_name(system: System, options: Options) -> Iterator[Finding]:
         if relative or name.startswith("/"):
             fixed.append(endpoint)
     users = _files_that_use(fixed)
-    found: dict[tuple[Place, Place, str], Finding] = {}
+    findings: dict[tuple[Place, Place, str], Finding] = {}
     for endpoint in fixed:
         place = endpoint.creation.name.origin or endpoint.creation.name_place or endpoint.place
         reason = _reason(system.workspace, endpoint, len(users.get(place.file, ())))
         if reason is not None:
-            one = _hardcoded(system, endpoint, reason)
-            found.setdefault((one.place, endpoint.place, endpoint.written or ""), one)
-    yield from (found[key] for key in sorted(found))
+            diagnostic = _hardcoded(system, endpoint, reason)
+            findings.setdefault((diagnostic.place, endpoint.place, endpoint.written or ""), diagnostic)
+    yield from (findings[key] for key in sorted(findings))
 
 
 def _files_that_use(fixed: Sequence[Endpoint]) -> dict[str, set[str]]:
@@ -204,7 +204,7 @@ def _hardcoded(system: System, endpoint: Endpoint, reason: _Reason) -> Finding:
     given = creation.name_place or endpoint.place
     place = creation.name.origin or given
     home = _home(system, place, endpoint.place)
-    made = finding(
+    diagnostic = finding(
         "NME001",
         place,
         reason.message(f"the {word} '{name}'", "", plural=False),
@@ -215,7 +215,7 @@ def _hardcoded(system: System, endpoint: Endpoint, reason: _Reason) -> Finding:
         group=(*home, reason.key, reason.state, reason.effect, reason.cure),
         sites=sites_of_name(system.workspace, given, name, stays=reason.key != _FIXED.key),
     )
-    return made if reason.severity is None else replace(made, severity=reason.severity)
+    return diagnostic if reason.severity is None else replace(diagnostic, severity=reason.severity)
 
 
 def _reason(workspace: WorkspaceIndex | None, endpoint: Endpoint, users: int) -> _Reason | None:
@@ -293,7 +293,11 @@ def _by_namespace(workspace: WorkspaceIndex | None, node: Node) -> _Reason:
     they would have it twice without their '/'."""
     given = None if workspace is None or node.blueprint is None else workspace.namespaces.get(key_of(node.blueprint))
     written = [endpoint.written or "" for endpoint in node.endpoints]
-    repeated = [one for one in given or () if one and any(name.startswith(f"{one}/") for name in written)]
+    repeated = [
+        namespace
+        for namespace in given or ()
+        if namespace and any(name.startswith(f"{namespace}/") for name in written)
+    ]
     if not repeated:
         return _FIXED
     if given != frozenset(repeated[:1]):
@@ -356,9 +360,9 @@ def of_one_class(findings: Sequence[Finding]) -> Finding:
     """The finding for all names that one class fixes: at the first literal, the others related."""
     first = findings[0]
     at: dict[Place, dict[str, None]] = {}
-    for one in findings:
-        at.setdefault(one.place, {})[_shown(one)] = None
-    names = sorted({one.identity[-1] for one in findings})
+    for diagnostic in findings:
+        at.setdefault(diagnostic.place, {})[_shown(diagnostic)] = None
+    names = sorted({diagnostic.identity[-1] for diagnostic in findings})
     sites = all_sites(findings)
     here = ", ".join(list(at.pop(first.place))[:_NAMES_SHOWN])
     related = tuple(Related(place, ", ".join(at[place])) for place in sorted(at))
@@ -377,6 +381,6 @@ def of_one_class(findings: Sequence[Finding]) -> Finding:
     )
 
 
-def _shown(one: Finding) -> str:
-    _, word, name = one.identity
+def _shown(diagnostic: Finding) -> str:
+    _, word, name = diagnostic.identity
     return f"the {word} '{name}'"

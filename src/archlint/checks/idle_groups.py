@@ -57,7 +57,7 @@ def _useless(system: System, program: Program, node: Blueprint, groups: list[tup
     """One finding a node: it is the executor that is wrong, or all of its groups."""
     (place, kind), *others = groups
     what = f"{len(groups)} callback groups" if others else f"a {kind} callback group"
-    found = finding(
+    diagnostic = finding(
         "CBG002",
         place,
         f"{what} in a node that a single thread spins has no effect: callbacks never run in parallel",
@@ -69,4 +69,4 @@ def _useless(system: System, program: Program, node: Blueprint, groups: list[tup
         node=node_name(system, node),
         identity=(node.class_name,),
     )
-    return replace(found, severity=Severity.INFO) if keeps_some_apart(node) else found
+    return replace(diagnostic, severity=Severity.INFO) if keeps_some_apart(node) else diagnostic

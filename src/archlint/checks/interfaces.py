@@ -23,11 +23,11 @@ _SHOWN = 12
 @rule("MSG002", scope=Scope.CODE)
 def unknown_interface(system: System, options: Options) -> Iterator[Finding]:
     """Interfaces imported from a package that does not define them."""
-    found = {
+    unknown = {
         (interface.place, interface.name): interface for run in system.programs for interface in run.unknown_interfaces
     }
-    for key in sorted(found):
-        yield _unknown_interface(found[key])
+    for key in sorted(unknown):
+        yield _unknown_interface(unknown[key])
 
 
 def _unknown_interface(interface: UnknownInterface) -> Finding:
@@ -55,13 +55,13 @@ def of_one_import(findings: Sequence[Finding]) -> Finding:
     """The finding for all that one line imports in vain, with what each was perhaps meant to be; the advice is that for
     the first."""
     first = findings[0]
-    names = list(dict.fromkeys(one.identity[2] for one in findings))
+    names = list(dict.fromkeys(diagnostic.identity[2] for diagnostic in findings))
     if len(names) == 1:
         return first
     package, kind, _ = first.identity
     listed = f"{', '.join(repr(name) for name in names[:-1])} and {names[-1]!r}"
     several = {"msg": "messages", "srv": "services", "action": "actions"}[kind]
-    hints = [_instead(finding.meant, finding.identity[2]) for finding in findings]
+    hints = [_instead(diagnostic.meant, diagnostic.identity[2]) for diagnostic in findings]
     message = f"{package} defines no {several} {listed}{''.join(dict.fromkeys(hints))}"
     return replace(first, message=message, identity=(package, kind, *names))
 

@@ -89,7 +89,7 @@ def _never_declared(launched: Launched, uses: Sequence[UndeclaredUse]) -> Findin
     if from_the_command_line:
         given = " and ".join(f"{use.name}:=…" for use in uses)
         message = f"the launch fails without {given} on its command line: no launch argument is declared"
-    found = finding(
+    diagnostic = finding(
         "LCH003",
         first.place,
         message,
@@ -101,7 +101,7 @@ def _never_declared(launched: Launched, uses: Sequence[UndeclaredUse]) -> Findin
         ],
         identity=(first.file, *(use.name for use in uses)),
     )
-    return replace(found, severity=Severity.INFO) if from_the_command_line else found
+    return replace(diagnostic, severity=Severity.INFO) if from_the_command_line else diagnostic
 
 
 def _declares(launched: Launched) -> bool:
@@ -110,15 +110,15 @@ def _declares(launched: Launched) -> bool:
     return launched.file in written
 
 
-def _of_one_call(found: Iterator[Finding]) -> Iterator[Finding]:
+def _of_one_call(findings: Iterator[Finding]) -> Iterator[Finding]:
     """One finding for a call that reads several arguments, in the rounds of a loop say; an attribute in XML or YAML
     has a place for all that it reads."""
     of_call: dict[tuple[Place, str], Finding] = {}
-    for one in found:
-        key = one.place, "" if one.place.file.endswith(".py") else one.message
-        first = of_call.setdefault(key, one)
-        if first is not one:
-            rows = (*first.related, Related(one.place, one.message), *one.related)
+    for diagnostic in findings:
+        key = diagnostic.place, "" if diagnostic.place.file.endswith(".py") else diagnostic.message
+        first = of_call.setdefault(key, diagnostic)
+        if first is not diagnostic:
+            rows = (*first.related, Related(diagnostic.place, diagnostic.message), *diagnostic.related)
             of_call[key] = replace(first, related=tuple(dict.fromkeys(rows)))
     yield from of_call.values()
 
@@ -198,9 +198,9 @@ def _unknown_arguments(
         and not any(may_read_argument(workspace, file, name) for file in files)
     ]
     if unknown:
-        found = _finding(sources, unknown, given, declared)
+        diagnostic = _finding(sources, unknown, given, declared)
         read_on = {name: launched.read_on[given[name]] for name in unknown if given[name] in launched.read_on}
-        yield _not_scoped(found, read_on) if read_on else found
+        yield _not_scoped(diagnostic, read_on) if read_on else diagnostic
 
 
 def _finding(sources: list[str], unknown: list[str], given: dict[str, Place], declared: list[str]) -> Finding:
@@ -210,7 +210,7 @@ def _finding(sources: list[str], unknown: list[str], given: dict[str, Place], de
     said = f"{verb} no launch argument '{first}'" + did_you_mean(first, declared)
     if others:
         said = f"{verb} none of the launch arguments " + ", ".join(f"'{name}'" for name in unknown)
-    found = finding(
+    diagnostic = finding(
         "LCH003",
         given[first],
         f"{shown} {said}",
@@ -218,11 +218,11 @@ def _finding(sources: list[str], unknown: list[str], given: dict[str, Place], de
         related=[Related(given[name], f"'{name}' is set here" + did_you_mean(name, declared)) for name in others],
         identity=(*sources, *unknown),
     )
-    severity = Severity.INFO if set(unknown) <= _HANDED_TO_ALL else found.severity
-    return replace(found, severity=severity, group=(*sources, *unknown))
+    severity = Severity.INFO if set(unknown) <= _HANDED_TO_ALL else diagnostic.severity
+    return replace(diagnostic, severity=severity, group=(*sources, *unknown))
 
 
-def _not_scoped(found: Finding, read_on: Mapping[str, Place]) -> Finding:
+def _not_scoped(diagnostic: Finding, read_on: Mapping[str, Place]) -> Finding:
     """An include is not scoped: what it is handed, and does not take, replaces what the including file reads after it.
 
     Source: launch, ``IncludeLaunchDescription.execute`` sets each argument in the context of the including file.
@@ -230,12 +230,13 @@ def _not_scoped(found: Finding, read_on: Mapping[str, Place]) -> Finding:
     first, *_ = read_on
     shown = " and ".join(f"'{name}'" for name in read_on)
     return replace(
-        found,
-        message=f"{found.message}; includes are not scoped, so {shown} stays set to this for the rest of this file",
+        diagnostic,
+        message=f"{diagnostic.message}; includes are not scoped, so {shown} stays set to this for the rest of this "
+        "file",
         help=f"remove the argument: LaunchConfiguration('{first}') then keeps its own value after this include",
-        related=(*found.related, *(Related(place, f"'{name}' is read here") for name, place in read_on.items())),
+        related=(*diagnostic.related, *(Related(place, f"'{name}' is read here") for name, place in read_on.items())),
         severity=Severity.WARNING,
-        group=(*found.group, "not scoped"),
+        group=(*diagnostic.group, "not scoped"),
     )
 
 
@@ -247,7 +248,7 @@ _HANDED_TO_ALL = frozenset({"use_sim_time"})
 def _of_one_file(findings: Sequence[Finding]) -> Finding:
     """One finding for an included file that does not take an argument, however many others hand it over."""
     first, *others = findings
-    return replace(first, related=(*first.related, *(Related(one.place, "it is set here, too") for one in others)))
+    return replace(first, related=(*first.related, *(Related(other.place, "it is set here, too") for other in others)))
 
 
 def _is_known(target: Launched) -> bool:

@@ -39,7 +39,7 @@ def unknown_launch_attribute(system: System, options: Options) -> Iterator[Findi
         hint = f"; it is called '{renamed}'" if renamed in wrong.known else did_you_mean(wrong.name, wrong.known)
         kind = "attribute" if wrong.of_element else "argument"
         why = "launch rejects this file" if wrong.of_element else "this call raises TypeError"
-        found = finding(
+        diagnostic = finding(
             "LCH005",
             wrong.place,
             f"{wrong.action} has no {kind} '{wrong.name}'{hint}",
@@ -48,7 +48,7 @@ def unknown_launch_attribute(system: System, options: Options) -> Iterator[Findi
             group=(wrong.place.file,),
         )
         is_old = wrong.name.startswith("node_") and _is_for_an_old_release(wrong.place.file)
-        yield replace(found, severity=Severity.INFO) if is_old else found
+        yield replace(diagnostic, severity=Severity.INFO) if is_old else diagnostic
 
 
 _OLD_RELEASES = ("dashing", "eloquent", "foxy")
@@ -66,5 +66,5 @@ def _is_for_an_old_release(file: str) -> bool:
 @folds("LCH005")
 def _of_one_file(several: Sequence[Finding]) -> Finding:
     """One finding for a file, whatever its actions are given that they do not have: launch stops at the first."""
-    others = tuple(Related(one.place, one.message) for one in several[1:])
+    others = tuple(Related(other.place, other.message) for other in several[1:])
     return replace(several[0], related=others)

@@ -61,5 +61,5 @@ _NEW = "is called with a new LaunchContext, in which no launch argument has a va
 def _of_one_file(findings: Sequence[Finding]) -> Finding:
     """One finding for what a file does wrong in the same way at several places."""
     first, *others = findings
-    more = [Related(one.place, "here, too") for one in others if one.place != first.place]
+    more = [Related(other.place, "here, too") for other in others if other.place != first.place]
     return replace(first, related=(*first.related, *dict.fromkeys(more)))

@@ -46,7 +46,7 @@ def unknown_executable(system: System, options: Options) -> Iterator[Finding]:
 def _instead(installs: Installs, name: str, workspace: WorkspaceIndex) -> tuple[str, str]:
     """What to start or to install instead of an executable that is not there: a hint and a line of help."""
     known = sorted(installs.executables)
-    same = [one for one in known if _stem(installs.executables[one]) == name.removesuffix(".py")]
+    same = [executable for executable in known if _stem(installs.executables[executable]) == name.removesuffix(".py")]
     if len(same) == 1:
         source = installs.executables[same[0]]
         return f"; {source.script or source.module} is installed as '{same[0]}'", f"start '{same[0]}'"

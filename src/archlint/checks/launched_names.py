@@ -24,7 +24,7 @@ if TYPE_CHECKING:
 def names_given_by_launch(system: System) -> Iterator[Finding]:
     """Every bad name that a launch file gives: of nodes, of namespaces, and in remappings; each cause once."""
     reported: dict[tuple[str, Place | str], list[Related]] = {}
-    found: dict[tuple[str, Place | str], Finding] = {}
+    findings: dict[tuple[str, Place | str], Finding] = {}
     launched = system.launched
     if launched is None:
         return
@@ -32,18 +32,25 @@ def names_given_by_launch(system: System) -> Iterator[Finding]:
     for started in launched.started:
         if started.dormant or started.kind == StartedKind.PROCESS:
             continue
-        for one, cause in _bad_names(started):
-            if empty and _has_empty_part(one):
+        for diagnostic, cause in _bad_names(started):
+            if empty and _has_empty_part(diagnostic):
                 continue
-            key = (one.identity[0], cause)  # the rounds of a loop give several names at one place
-            found.setdefault(key, one)
+            key = (diagnostic.identity[0], cause)  # the rounds of a loop give several names at one place
+            findings.setdefault(key, diagnostic)
             others = reported.setdefault(key, [Related(started.place, "")])
-            if one.message != found[key].message:
-                others.append(Related(started.place, one.message))
-            elif started.place not in (found[key].place, others[0].place):
+            if diagnostic.message != findings[key].message:
+                others.append(Related(started.place, diagnostic.message))
+            elif started.place not in (findings[key].place, others[0].place):
                 others.append(Related(started.place, "this one is part of it, too"))
-    for key, one in found.items():
-        yield finding(one.code, one.place, one.message, help=one.help, related=reported[key][1:], identity=one.identity)
+    for key, diagnostic in findings.items():
+        yield finding(
+            diagnostic.code,
+            diagnostic.place,
+            diagnostic.message,
+            help=diagnostic.help,
+            related=reported[key][1:],
+            identity=diagnostic.identity,
+        )
 
 
 def _wants_a_value(launched: Launched) -> bool:
@@ -54,9 +61,9 @@ def _wants_a_value(launched: Launched) -> bool:
     )
 
 
-def _has_empty_part(found: Finding) -> bool:
+def _has_empty_part(diagnostic: Finding) -> bool:
     """Whether the bad name is empty, or has nothing between two slashes or behind the last."""
-    _, *given = found.identity
+    _, *given = diagnostic.identity
     return any(not name or "//" in name or (name.endswith("/") and name != "/") for name in given)
 
 

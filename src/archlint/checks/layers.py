@@ -26,16 +26,16 @@ def layer_violation(system: System, options: Options) -> Iterator[Finding]:
         yours = layers.of(link.target.node.name or "", link.target.node.package)
         if mine and yours and all(abs(here - there) > 1 for here in mine for there in yours):
             skipping.append(link)
-    for found in by_source(skipping):
-        source, target = found[0].source, found[0].target
+    for outgoing in by_source(skipping):
+        source, target = outgoing[0].source, outgoing[0].target
         high = layers.order[layers.of(source.node.name or "", source.node.package)[0]]
         low = layers.order[layers.of(target.node.name or "", target.node.package)[0]]
         yield finding(
             "ARC002",
             source.place,
-            f"{found[0].words()}: the layers '{high}' and '{low}' are not adjacent",
+            f"{outgoing[0].words()}: the layers '{high}' and '{low}' are not adjacent",
             help="connect them through a node of the layer in between",
-            related=[Related(link.target.place, f"{link.target.node.name} is at the other end") for link in found],
+            related=[Related(link.target.place, f"{link.target.node.name} is at the other end") for link in outgoing],
             node=source.node.name,
             identity=(high, low, source.name or "", source.node.name or ""),
         )

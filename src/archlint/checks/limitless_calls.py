@@ -71,7 +71,7 @@ def _limitless_call(system: System, program: Program, call: ApiCall, distros: tu
     function = call.api.rpartition(".")[2]
     answer = "the result of" if call.api == _SEND_GOAL else "the response from"
     spinner = _spinner(call, program)
-    found = finding(
+    diagnostic = finding(
         "TMO002",
         call.place,
         f"{function}() waits for {answer} {endpoint_words(call.creation, kind_of(call))} without a timeout: if it "
@@ -82,9 +82,13 @@ def _limitless_call(system: System, program: Program, call: ApiCall, distros: tu
         identity=(call.function, name_of(call.creation), function),
     )
     if is_uncalled(call):
-        found = replace(found, severity=Severity.INFO)
+        diagnostic = replace(diagnostic, severity=Severity.INFO)
     # Where nobody spins meanwhile, a limit would always expire.
-    return replace(found, sites=sites_of_call(system.workspace, call.place, distros)) if spinner in _SPINS else found
+    return (
+        replace(diagnostic, sites=sites_of_call(system.workspace, call.place, distros))
+        if spinner in _SPINS
+        else diagnostic
+    )
 
 
 _COMES = {Role.SUBSCRIPTION: "messages come", Role.EXECUTE: "goals come"}
@@ -96,7 +100,7 @@ def _if_often(system: System, call: ApiCall) -> str:
     if (
         comes is None
         or not runs_beside_itself(call.context)
-        or not any(one.call is call for one in threaded_waits(system))
+        or not any(wait.call is call for wait in threaded_waits(system))
     ):
         return ""
     return f"; if {comes} faster than responses, all threads wait, and none is left to process one"

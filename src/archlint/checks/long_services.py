@@ -77,7 +77,7 @@ def _in_all(system: System, sleeps: Sequence[_Sleep]) -> float:
     for call, stay in sleeps:
         way = conditions(system.workspace, call.branch_arms)
         ways.setdefault(way, {})[call.place] = _seconds(source_code(system), call, stay)
-    return max(sum(sum(found.values()) for other, found in ways.items() if other <= way) for way in ways)
+    return max(sum(sum(seconds.values()) for other, seconds in ways.items() if other <= way) for way in ways)
 
 
 def _seconds(code: SourceCode, call: ApiCall, stay: Stay) -> float:
@@ -95,8 +95,10 @@ def _long_service(system: System, program: Program, sleeps: Sequence[_Sleep]) ->
     further = {other.place: Related(other.place, f"then it {words.words}") for other, words in others}
     further.pop(call.place, None)
     asked, total = _is_as_asked(system, sleeps), _in_all(system, sleeps)
-    soon = total <= SHORT or (total <= SOON and any(limit is not None for one, _ in sleeps for limit in one.limits))
-    found = finding(
+    soon = total <= SHORT or (
+        total <= SOON and any(limit is not None for sleep_call, _ in sleeps for limit in sleep_call.limits)
+    )
+    diagnostic = finding(
         "SRV008",
         call.place,
         f"the handler of {endpoint_words(callback.creation)} {_how_long(source_code(system), sleeps, total, asked)}",
@@ -105,7 +107,7 @@ def _long_service(system: System, program: Program, sleeps: Sequence[_Sleep]) ->
         node=node_name(system, callback.node),
         identity=(callback.name, call.api),
     )
-    return replace(found, severity=Severity.INFO) if asked or soon else found
+    return replace(diagnostic, severity=Severity.INFO) if asked or soon else diagnostic
 
 
 def _how_long(code: SourceCode, sleeps: Sequence[_Sleep], total: float, asked: bool) -> str:
@@ -119,7 +121,7 @@ def _how_long(code: SourceCode, sleeps: Sequence[_Sleep], total: float, asked: b
         return f"{stay.words}{again}: the caller waits {waits} and cannot cancel"
     words = stay.words
     if any(other.place != call.place for other, _ in others):
-        up_to = "up to " if any(limit is not None for one, _ in sleeps for limit in one.limits) else ""
+        up_to = "up to " if any(limit is not None for sleep_call, _ in sleeps for limit in sleep_call.limits) else ""
         words = f"sleeps for {up_to}{total:.3g} s in all"
     elif call.looped and varies_with_the_round(code, call):
         words = "sleeps repeatedly, for a time that depends on the loop"

@@ -54,13 +54,13 @@ def missing_launch_file(system: System, options: Options) -> Iterator[Finding]:
         else:
             message = f"package '{reference.package}' does not install the {what} '{shown}'"
             help = f"install {reference.source} (data_files in setup.py, install(DIRECTORY …) in CMake)"
-        read = dict.fromkeys(one.place for one in (reference, *others) if one.place != place)
+        read = dict.fromkeys(use.place for use in (reference, *others) if use.place != place)
         yield finding(
             "LCH004",
             place,
             message,
             help=help,
-            related=[Related(one, "it is used here") for one in read],
+            related=[Related(used_at, "it is used here") for used_at in read],
             identity=(reference.package or "", written or ""),
             group=(reference.status, reference.package or "", _in_package(system, reference, shown)),
         )

@@ -24,24 +24,24 @@ if TYPE_CHECKING:
 
 def _written_elsewhere(endpoints: list[Endpoint]) -> list[Related]:
     """Where the names are written, if not at the create call itself."""
-    found: dict[Place, str] = {}
+    written: dict[Place, str] = {}
     for endpoint in endpoints:
         origin, at = endpoint.creation.name.origin, endpoint.creation.name_place
         if origin is not None and origin != at and endpoint.written is not None:
-            found.setdefault(origin, endpoint.written)
-    return [Related(place, f"'{found[place]}' is written here") for place in sorted(found)]
+            written.setdefault(origin, endpoint.written)
+    return [Related(place, f"'{written[place]}' is written here") for place in sorted(written)]
 
 
 @rule("NME002", scope=Scope.AS_LAUNCHED)
 def invalid_name(system: System, options: Options) -> Iterator[Finding]:
     """Names of nodes and endpoints that rcl refuses."""
     yield from names_given_by_launch(system)
-    found: dict[tuple[Place, str], Finding] = {}
+    findings: dict[tuple[Place, str], Finding] = {}
     for node in system.entries:
         own = () if is_renamed(system, node) else _invalid_node(node)
-        for one in (*own, *_invalid_endpoints(system, node)):
-            found.setdefault((one.place, one.message), one)
-    yield from (found[key] for key in sorted(found))
+        for diagnostic in (*own, *_invalid_endpoints(system, node)):
+            findings.setdefault((diagnostic.place, diagnostic.message), diagnostic)
+    yield from (findings[key] for key in sorted(findings))
 
 
 def _invalid_node(node: Node) -> Iterator[Finding]:
@@ -139,9 +139,9 @@ def _relative(endpoint: Endpoint) -> str | None:
 def _of_one_namespace(several: Sequence[Finding]) -> Finding:
     """One finding for all names that a function begins with an empty namespace."""
     first, *others = several
-    written = list(dict.fromkeys(one.identity[2] for one in others if one.identity[2] != first.identity[2]))
+    written = list(dict.fromkeys(other.identity[2] for other in others if other.identity[2] != first.identity[2]))
     more = f"; the same goes for {listed([repr(name) for name in written])}" if written else ""
-    related = [Related(one.place, f"'{one.identity[2]}' is used here") for one in others]
+    related = [Related(other.place, f"'{other.identity[2]}' is used here") for other in others]
     return replace(first, message=first.message + more, related=(*first.related, *related))
 
 

@@ -57,11 +57,11 @@ def near_miss_topic_name(system: System, options: Options) -> Iterator[Finding]:
 
 
 def _by_type(topics: Iterator[Connection]) -> dict[str, list[Endpoint]]:
-    found: dict[str, list[Endpoint]] = {}
+    by_type: dict[str, list[Endpoint]] = {}
     for topic in topics:
         for end in _judged(topic):
-            found.setdefault(end.type or "", []).append(end)
-    return found
+            by_type.setdefault(end.type or "", []).append(end)
+    return by_type
 
 
 def _judged(topic: Connection) -> list[Endpoint]:
@@ -95,19 +95,19 @@ def _namespace_slip(system: System, publisher: Endpoint, user: Endpoint) -> bool
     ) and known_to_coexist(system, publisher.node, user.node)
 
 
-def nearly_equal(one: str, other: str) -> bool:
+def nearly_equal(name: str, other: str) -> bool:
     """Whether two full names differ by a slip in one of their parts, or in what stands between two."""
-    mine, yours = one.split("/"), other.split("/")
+    mine, yours = name.split("/"), other.split("/")
     if len(mine) != len(yours):
-        return one.replace("/", "_") == other.replace("/", "_")
+        return name.replace("/", "_") == other.replace("/", "_")
     differing = [(left, right) for left, right in zip(mine, yours, strict=True) if left != right]
     return len(differing) == 1 and _slip(*differing[0])
 
 
-def _slip(one: str, other: str) -> bool:
-    if one.replace("_", "").lower() == other.replace("_", "").lower():
+def _slip(part: str, other: str) -> bool:
+    if part.replace("_", "").lower() == other.replace("_", "").lower():
         return True
-    mine, yours = one.split("_"), other.split("_")
+    mine, yours = part.split("_"), other.split("_")
     if len(mine) != len(yours):
         return False
     if len(mine) > 1 and sorted(mine) == sorted(yours):
@@ -117,17 +117,17 @@ def _slip(one: str, other: str) -> bool:
     return len(words) == 1 and _misspelt(*words[0], alone=len(mine) == 1)
 
 
-def _misspelt(one: str, other: str, alone: bool) -> bool:
-    short = min(len(one), len(other))
-    if any(letter.isdigit() for letter in one + other) or tuple(sorted((one, other))) in OPPOSITES:
+def _misspelt(word: str, other: str, alone: bool) -> bool:
+    short = min(len(word), len(other))
+    if any(letter.isdigit() for letter in word + other) or tuple(sorted((word, other))) in OPPOSITES:
         return False
     if short == _SHORT_STEM and not alone:
-        ends_alike = (one[0], one[-1]) == (other[0], other[-1]) and distance(one, other, 1) == 1
-        return len(one) != len(other) and (one.startswith(other) or other.startswith(one) or ends_alike)
-    if short < _SHORT_WORD or (short < _LONG_WORD and len(one) == len(other) and one[0] != other[0] != one[1]):
+        ends_alike = (word[0], word[-1]) == (other[0], other[-1]) and distance(word, other, 1) == 1
+        return len(word) != len(other) and (word.startswith(other) or other.startswith(word) or ends_alike)
+    if short < _SHORT_WORD or (short < _LONG_WORD and len(word) == len(other) and word[0] != other[0] != word[1]):
         return False  # a short word with another first letter is another word: point and joint
     limit = 2 if short >= _LONG_WORD else 1
-    return distance(one, other, limit) <= limit
+    return distance(word, other, limit) <= limit
 
 
 def _follows_node(end: Endpoint) -> bool:

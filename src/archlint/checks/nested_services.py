@@ -87,10 +87,10 @@ def _nested(system: System, rows: list[_Row]) -> Finding:
     further = [row[0] for row in rows if row[0] is not wait]
     service = endpoint_words(handler.creation)
     awaited = _all_words([wait, *further]) if verdict.safe else endpoint_words(wait.client)
-    rivals = {one.call.context.place for one in waits(system) if one.call.place == call.place} - {handler.place}
+    rivals = {rival.call.context.place for rival in waits(system) if rival.call.place == call.place} - {handler.place}
     held_up = [callback for callback in _held_up(wait) if callback.place not in rivals]
     behind = waits_behind(system, wait) if verdict.safe else []
-    found = finding(
+    diagnostic = finding(
         "SRV003",
         call.place,
         f"the handler of {service} {_waits_for(wait, verdict, awaited)}{_outcome(wait, verdict, held_up, behind)}",
@@ -100,7 +100,10 @@ def _nested(system: System, rows: list[_Row]) -> Finding:
             *related_chain(call),
             *related_creation(wait.client),
             *related_executor(handler.node, wait.program),
-            *(Related(one.call.place, f"it waits for {endpoint_words(one.client)}, too") for one in further),
+            *(
+                Related(other_wait.call.place, f"it waits for {endpoint_words(other_wait.client)}, too")
+                for other_wait in further
+            ),
             *(Related(edge.wait.call.place, f"the handler of {edge.server.name} waits here") for edge in behind[:1]),
             *_other_handlers(handler, others),
         ],
@@ -109,9 +112,14 @@ def _nested(system: System, rows: list[_Row]) -> Finding:
     )
     # What becomes of the spin of another node is not always known: that the caller waits, is.
     mild = verdict.safe or (wait.kind == SPIN and verdict.unknown)
-    if verdict.safe and not held_up and not behind and all(_careful(system, one) for one in (wait, *further)):
-        return replace(found, severity=Severity.INFO)
-    return replace(found, severity=Severity.WARNING) if mild else found
+    if (
+        verdict.safe
+        and not held_up
+        and not behind
+        and all(_careful(system, each_wait) for each_wait in (wait, *further))
+    ):
+        return replace(diagnostic, severity=Severity.INFO)
+    return replace(diagnostic, severity=Severity.WARNING) if mild else diagnostic
 
 
 def _careful(system: System, wait: Wait) -> bool:
@@ -130,11 +138,11 @@ def _held_up(wait: Wait) -> list[Callback]:
     handler = wait.call.context
     if handler.node is None or handler.group is None or handler.group.kind == GroupKind.REENTRANT:
         return []
-    found: dict[Place, Callback] = {}
-    for other in sorted(handler.node.callbacks, key=lambda one: (one.place, one.name)):
+    by_place: dict[Place, Callback] = {}
+    for other in sorted(handler.node.callbacks, key=lambda callback: (callback.place, callback.name)):
         if other.group == handler.group and other.place != handler.place and runs_in_executor(other):
-            found.setdefault(other.place, other)
-    return list(found.values())
+            by_place.setdefault(other.place, other)
+    return list(by_place.values())
 
 
 def _waits_for(wait: Wait, verdict: Verdict, awaited: str) -> str:

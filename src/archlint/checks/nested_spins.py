@@ -36,11 +36,11 @@ def spin_in_callback(system: System, options: Options) -> Iterator[Finding]:
     """Spins that a callback reaches; of those of a service handler for an answer, SRV003 speaks."""
     reported = nested_spins(system, options.distros)
     yield from one_for_each_place(
-        found
+        diagnostic
         for program, call in judged_calls(system)
         if is_spin_call(call) and runs_in_executor(call.context)
         if reported.isdisjoint((call.context.place, place) for place in (call.place, *call.loops[-1:]))
-        for found in _nested_spin(system, program, call, options)
+        for diagnostic in _nested_spin(system, program, call, options)
     )
 
 
@@ -55,7 +55,7 @@ def _nested_spin(system: System, program: Program, call: ApiCall, options: Optio
     if verdict.unknown:
         return
     function = call.api.rpartition(".")[2]
-    found = finding(
+    diagnostic = finding(
         "EXE001",
         call.place,
         f"{callback_words(call.context)} calls {function}(), and {verdict.why}: this {verdict.words}",
@@ -65,7 +65,7 @@ def _nested_spin(system: System, program: Program, call: ApiCall, options: Optio
         identity=(call.context.name, function),
         group=(call.context.place.file, str(call.context.place.line), call.context.name),
     )
-    yield replace(found, severity=Severity.WARNING) if verdict.safe else found
+    yield replace(diagnostic, severity=Severity.WARNING) if verdict.safe else diagnostic
 
 
 def _instead_of_spinning(program: Program, call: ApiCall, spun: Blueprint | None, client: Creation | None) -> str:
@@ -91,4 +91,4 @@ _EVENT = "wait for a threading.Event with a timeout; put the callback that sets 
 def _of_one_callback(findings: Sequence[Finding]) -> Finding:
     """The finding for all spins of one callback: it must do without any."""
     first, *others = findings
-    return replace(first, related=(*first.related, *(Related(one.place, "it spins here, too") for one in others)))
+    return replace(first, related=(*first.related, *(Related(other.place, "it spins here, too") for other in others)))

@@ -49,9 +49,9 @@ def _twins(system: System) -> Iterator[Twins]:
     named = [n for n in system.nodes if n.name is not None and n.resolution == "exact" and n.launch_place]
     for _, group in groupby(sorted(named, key=lambda n: n.name or ""), key=lambda node: node.name):
         pairs = combinations(list(group), 2)
-        found = next((pair for pair in pairs if _together(system, *pair)), None)
-        if found is not None:
-            yield found
+        twins = next((pair for pair in pairs if _together(system, *pair)), None)
+        if twins is not None:
+            yield twins
 
 
 def _together(system: System, node: Node, other: Node) -> bool:
@@ -109,13 +109,13 @@ def _gone_before(node: Node, other: Node) -> bool:
     return second.number >= first.until
 
 
-def _included_twice(one: Started | None, other: Started | None) -> tuple[Place, Place, str] | None:
+def _included_twice(started: Started | None, other: Started | None) -> tuple[Place, Place, str] | None:
     """The two includes of one file that two processes come from, and that file; None where it is not included
     twice."""
-    if one is None or other is None or one.place != other.place:
+    if started is None or other is None or started.place != other.place:
         return None
-    file = one.file
-    for before, place in zip(reversed(one.includes), reversed(other.includes), strict=False):
+    file = started.file
+    for before, place in zip(reversed(started.includes), reversed(other.includes), strict=False):
         if before != place:
             return before, place, file
         file = place.file
@@ -146,18 +146,18 @@ def _of_an_include(before: Place, place: Place, file: str, several: list[Twins])
 
 def _of_two_actions(system: System, several: list[Twins]) -> Iterator[Finding]:
     """One finding for two launch actions, with all names that both give."""
-    one, other = several[0]
+    first, other = several[0]
     here = other.launch_place
-    if one.launch_place is None or here is None:
+    if first.launch_place is None or here is None:
         return
     names = [twin.name or "" for twin, _ in several]
-    more = _namesakes(system, one, other) if len(names) == 1 else []
+    more = _namesakes(system, first, other) if len(names) == 1 else []
     shared = f"{_COUNTS.get(len(more), 'many')} nodes of this system have the name '{names[0]}'"
     if len(names) > 1:
         shared = f"two launch actions start nodes with the same names: {', '.join(names)}"
-    if one.launch_place == here:
+    if first.launch_place == here:
         shared = f"this line creates several actions, and each starts a node with the name '{names[0]}'"
-    sole = all(sum(node.started is twin.started for node in system.nodes) == 1 for twin in (one, other))
+    sole = all(sum(node.started is twin.started for node in system.nodes) == 1 for twin in (first, other))
     yield finding(
         "NME004",
         here,
@@ -166,7 +166,7 @@ def _of_two_actions(system: System, several: list[Twins]) -> Iterator[Finding]:
         if sole
         else "give each action its own namespace: name= would rename all its nodes",
         related=[
-            *([Related(one.launch_place, "the other one is started here")] if one.launch_place != here else []),
+            *([Related(first.launch_place, "the other one is started here")] if first.launch_place != here else []),
             *(Related(place, "another one is started here") for place in more),
         ],
         node=names[0],
@@ -177,25 +177,25 @@ def _of_two_actions(system: System, several: list[Twins]) -> Iterator[Finding]:
 _COUNTS = dict(enumerate(("two", "three", "four", "five", "six", "seven", "eight")))
 
 
-def _namesakes(system: System, one: Node, other: Node) -> list[Place]:
+def _namesakes(system: System, first: Node, other: Node) -> list[Place]:
     """Where further nodes are started under the name of two, beside both of them."""
     places: dict[Place, None] = {}
     for node in system.nodes:
-        named = node.name == one.name and node.resolution == "exact" and node.launch_place is not None
-        if named and node not in (one, other) and _together(system, node, one) and _together(system, node, other):
+        named = node.name == first.name and node.resolution == "exact" and node.launch_place is not None
+        if named and node not in (first, other) and _together(system, node, first) and _together(system, node, other):
             assert node.launch_place is not None
             places.setdefault(node.launch_place)
-    return sorted(place for place in places if place not in (one.launch_place, other.launch_place))
+    return sorted(place for place in places if place not in (first.launch_place, other.launch_place))
 
 
-def _of_one_process(one: Node, other: Node) -> Iterator[Finding]:
+def _of_one_process(first: Node, other: Node) -> Iterator[Finding]:
     if other.launch_place is None:
         return
-    renamed = one.started is not None and one.started.name is not None
-    apart = _own_name(one) != _own_name(other)
-    message = f"this executable creates several nodes with the name '{one.name}'"
+    renamed = first.started is not None and first.started.name is not None
+    apart = _own_name(first) != _own_name(other)
+    message = f"this executable creates several nodes with the name '{first.name}'"
     if renamed:
-        message = f"name= renames every node of this executable, so several have the name '{one.name}'"
+        message = f"name= renames every node of this executable, so several have the name '{first.name}'"
     yield finding(
         "NME004",
         other.launch_place,
@@ -203,9 +203,9 @@ def _of_one_process(one: Node, other: Node) -> Iterator[Finding]:
         help="remove name=, so that each node keeps the name from its code"
         if renamed and apart
         else "give each its own name in the code" + (", and remove name= here" if renamed else ""),
-        related=list(dict.fromkeys(related for node in (one, other) for related in _made(node))),
-        node=one.name,
-        identity=(one.name or "",),
+        related=list(dict.fromkeys(related for node in (first, other) for related in _made(node))),
+        node=first.name,
+        identity=(first.name or "",),
     )
 
 

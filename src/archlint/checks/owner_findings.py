@@ -21,7 +21,7 @@ def finding_for_owners(
     """The finding at the last owner; for information only where nothing is seen to start any two of them."""
     last, others = owners[-1], owners[:-1]
     proven = run_together(system, owners)
-    found = finding(
+    diagnostic = finding(
         code,
         last.place,
         message if proven else f"{message}, if they run together: no launch file here starts both",
@@ -31,8 +31,8 @@ def finding_for_owners(
         identity=(last.kind, last.name or "", *_names(owners)),
     )
     if code == "OWN001":
-        found = replace(found, group=_cause(last))
-    return found if proven else replace(found, severity=Severity.INFO)
+        diagnostic = replace(diagnostic, group=_cause(last))
+    return diagnostic if proven else replace(diagnostic, severity=Severity.INFO)
 
 
 def _cause(last: Endpoint) -> tuple[str, ...]:

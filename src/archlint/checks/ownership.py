@@ -125,11 +125,11 @@ def _says_what_happens(topic: str) -> bool:
 def _of_one_node(findings: Sequence[Finding]) -> Finding:
     """What one node publishes beside others, on all its topics and in all launch files: the finding for the most nodes
     says which; what else is so is related."""
-    most = max(findings, key=lambda one: (one.condition is None, len(one.identity)))
-    same = [one for one in findings if one.identity[2:] == most.identity[2:]]
-    topics = list(dict.fromkeys(one.identity[1] for one in (most, *same)))
-    rest = [Related(one.place, f"{one.node} publishes '{one.identity[1]}' here") for one in findings]
-    rows = [row for one in (most, *findings) for row in one.related] + rest
+    most = max(findings, key=lambda finding: (finding.condition is None, len(finding.identity)))
+    same = [finding for finding in findings if finding.identity[2:] == most.identity[2:]]
+    topics = list(dict.fromkeys(finding.identity[1] for finding in (most, *same)))
+    rest = [Related(finding.place, f"{finding.node} publishes '{finding.identity[1]}' here") for finding in findings]
+    rows = [row for finding in (most, *findings) for row in finding.related] + rest
     return replace(
         most,
         message=most.message.replace(f"the topic '{topics[0]}'", _topics(topics)),

@@ -110,7 +110,7 @@ class _Bundles:
 def _is_bundled(setting: Setting, settings: Sequence[Setting]) -> bool:
     """Whether a dict is not written out in the launch file, one read from a file say: its names have no places of
     their own."""
-    names = {one.name for one in settings if one.place == setting.place}
+    names = {sibling.name for sibling in settings if sibling.place == setting.place}
     return setting.written is None and len(names) > 1
 
 
@@ -122,7 +122,7 @@ def _never_used(
     declared: Mapping[str, Sequence[ParameterDeclaration]],
     settings: Sequence[Setting],
 ) -> Finding:
-    meant = did_you_mean(setting.name, declared.keys() - {one.name for one in settings})
+    meant = did_you_mean(setting.name, declared.keys() - {other.name for other in settings})
     readers = _readers(system, setting) if setting.written is not None and "*" in setting.key else []
     if len(readers) > 1:
         return _read_by_several(readers, setting, settings)
@@ -141,13 +141,13 @@ def _never_used(
 
 def _readers(system: System, setting: Setting) -> list[Node]:
     """The nodes, one of each class, that get a section of a parameter file from any launch file."""
-    file, found = setting.place.file, dict[object, "Node"]()
+    file, by_class = setting.place.file, dict[object, "Node"]()
     for other in system.workspace.systems if system.workspace is not None else ():
         for node in other.nodes:
             reads = node.started is not None and file in files_of_process(node.started)
             if node.blueprint is not None and reads and key_matches(setting.key, node.name):
-                found.setdefault(key_of(node.blueprint), node)
-    return sorted(found.values(), key=called)
+                by_class.setdefault(key_of(node.blueprint), node)
+    return sorted(by_class.values(), key=called)
 
 
 def _read_by_several(readers: Sequence[Node], setting: Setting, settings: Sequence[Setting]) -> Finding:
@@ -179,10 +179,10 @@ def _surely(declared: Mapping[str, Sequence[ParameterDeclaration]]) -> list[str]
 def _one_for_a_node(several: Sequence[Finding]) -> Finding:
     """One finding for all that one file sets on a node which declares none of it."""
     first = several[0]
-    names = list(dict.fromkeys(one.identity[1] for one in several))
+    names = list(dict.fromkeys(diagnostic.identity[1] for diagnostic in several))
     if len(names) == 1:
         return first
-    others = [Related(one.place, f"'{one.identity[1]}'") for one in several[1 : SHOWN + 1]]
+    others = [Related(diagnostic.place, f"'{diagnostic.identity[1]}'") for diagnostic in several[1 : SHOWN + 1]]
     return replace(
         first,
         message=f"{first.group[0]} these {len(names)} parameters, so their values have no effect: {listed(names)}",
@@ -245,7 +245,7 @@ def _for_another_choice(
             continue
         values = {str(row.default) for row in declared.get(chosen_by, ())}
         values |= {str(setting.value) for setting in settings if setting.name == chosen_by}
-        differing = [other for one, other in zip(parts, others, strict=True) if one != other]
+        differing = [other for part, other in zip(parts, others, strict=True) if part != other]
         if len(differing) == 1 and differing[0] in values:
             return True
     return False
@@ -258,7 +258,7 @@ def _every_declared(system: System, file: str, key: str) -> set[str] | None:
     shared = "*" in key
     if workspace is None or (shared and others_are_not_run(workspace)):
         return None
-    found: set[str] = set()
+    declared_names: set[str] = set()
     for other in workspace.systems:
         if other is not system and (other.launched is None or file not in files_of(other)):
             continue
@@ -268,19 +268,19 @@ def _every_declared(system: System, file: str, key: str) -> set[str] | None:
             declared = None if node.external or not followed(node) else declared_by(node)
             if declared is None:
                 return None
-            found |= set(declared)
+            declared_names |= set(declared)
         for dormant in _dormant_with(other, file) if shared else ():
             names = _declared_in(workspace, dormant)
             if names is None:
                 return None
-            found |= names
-    return found
+            declared_names |= names
+    return declared_names
 
 
 def _dormant_with(system: System, file: str) -> list[Started]:
     """What a launch file starts under other arguments only, and gives a parameter file."""
     started = [] if system.launched is None else system.launched.started
-    return [one for one in started if one.dormant and file in files_of_process(one)]
+    return [process for process in started if process.dormant and file in files_of_process(process)]
 
 
 def _declared_in(workspace: WorkspaceIndex, started: Started) -> set[str] | None:

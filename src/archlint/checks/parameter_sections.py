@@ -187,7 +187,9 @@ def _nodes_beside(workspace: WorkspaceIndex, file: str) -> list[_Loader]:
         for node in system.nodes:
             if node.name is None or node.resolution not in ("exact", "parameter"):
                 return []
-            one = node.started
-            other_name = one is not None and name_is_chosen(launched, one)
-            loaders.append(_Loader(node.name, node, other_name, one is not None and namespace_is_chosen(launched, one)))
+            process = node.started
+            other_name = process is not None and name_is_chosen(launched, process)
+            loaders.append(
+                _Loader(node.name, node, other_name, process is not None and namespace_is_chosen(launched, process))
+            )
     return loaders

@@ -59,19 +59,19 @@ def _mismatch(code: str, system: System, pairs: list[tuple[Undelivered, Verdict]
     proven = _is_proven(system, first)
     if not proven:
         lost += ", if they run together: no launch file here starts both"
-    found = finding(
+    diagnostic = finding(
         code,
         user.place,
         f"{user.node.name} requests {requested} on '{user.name}', but {offer.node.name} offers {offered}: {lost}",
         help=_ADVICE[verdict.policy],
         related=[
-            Related(pair.offer.place, f"{pair.offer.node.name} offers {policy_words(one, one.offered)}")
-            for pair, one in pairs
+            Related(pair.offer.place, f"{pair.offer.node.name} offers {policy_words(mismatch, mismatch.offered)}")
+            for pair, mismatch in pairs
         ],
         node=user.node.name,
         identity=(user.name or "", verdict.policy, *(pair.offer.node.name or "" for pair, _ in pairs)),
     )
-    return found if proven else replace(found, severity=min(found.severity, Severity.WARNING))
+    return diagnostic if proven else replace(diagnostic, severity=min(diagnostic.severity, Severity.WARNING))
 
 
 def _is_proven(system: System, pair: Undelivered) -> bool:

@@ -55,7 +55,7 @@ def _profiles(end: Endpoint) -> list[Qos]:
 def _may_be_sound(end: Endpoint, qos: Qos) -> bool:
     """Whether one profile is filled in in several ways, by a function that makes a policy of a text say, and nobody
     knows which of them is taken: one is sound."""
-    return any(one.place == qos.place and _contradiction(one) is None for one in _profiles(end))
+    return any(profile.place == qos.place and _contradiction(profile) is None for profile in _profiles(end))
 
 
 def _contradiction(qos: Qos) -> str | None:

@@ -141,14 +141,14 @@ _Defined = TypeVar("_Defined", Check, Fold)
 @cache
 def _defined(kind: type[_Defined], modules: tuple[str, ...]) -> Mapping[str, _Defined]:
     """What these modules define of a kind, by code; raises ``ValueError`` for a code that stands twice."""
-    found: dict[str, tuple[_Defined, str]] = {}
+    by_code: dict[str, tuple[_Defined, str]] = {}
     for name in modules:
-        for one in vars(importlib.import_module(f"archlint.checks.{name}")).values():
-            if isinstance(one, kind):
-                other, home = found.setdefault(one.code, (one, name))
-                if other is not one:
-                    raise ValueError(f"{one.code} is registered twice: {home}, {name}")
-    return MappingProxyType({code: found[code][0] for code in sorted(found)})
+        for definition in vars(importlib.import_module(f"archlint.checks.{name}")).values():
+            if isinstance(definition, kind):
+                other, home = by_code.setdefault(definition.code, (definition, name))
+                if other is not definition:
+                    raise ValueError(f"{definition.code} is registered twice: {home}, {name}")
+    return MappingProxyType({code: by_code[code][0] for code in sorted(by_code)})
 
 
 def finding(
@@ -200,8 +200,8 @@ def unreadable(
     information where ``help`` says what brings the file."""
     place = Place(file, line, column, line, column)
     if not internal:
-        found = finding("LNT002", place, message, help=help or "", identity=(message,))
-        return found if help is None else replace(found, severity=Severity.INFO)
+        diagnostic = finding("LNT002", place, message, help=help or "", identity=(message,))
+        return diagnostic if help is None else replace(diagnostic, severity=Severity.INFO)
     what = f"reading this file failed with {message}; everything else was checked"
     return finding("LNT003", place, what, help=_REPORT, identity=(f"internal error: {message}",))
 
@@ -211,8 +211,8 @@ def unreadable_interface(file: str, problems: Sequence[tuple[int, int, str]], un
     says why."""
     first, *others = problems
     related = tuple(Related(Place(file, line, column, line, column), message) for line, column, message in others)
-    one = replace(unreadable(file, *first), related=related)
+    diagnostic = replace(unreadable(file, *first), related=related)
     if not unbuilt:
-        return one
-    message = f"{one.message}; {unbuilt}, so it is not built"
-    return replace(one, message=message, severity=Severity.INFO)
+        return diagnostic
+    message = f"{diagnostic.message}; {unbuilt}, so it is not built"
+    return replace(diagnostic, message=message, severity=Severity.INFO)

@@ -39,20 +39,20 @@ def dead_remapping(system: System, options: Options) -> Iterator[Finding]:
 
 def _by_started(system: System) -> list[tuple[Started, list[Node]]]:
     """What a launch file starts of code that is here, each with its nodes, and what they may have in it."""
-    found: dict[int, tuple[Started, list[Node]]] = {}
+    by_started: dict[int, tuple[Started, list[Node]]] = {}
     for node in system.entries:
         if node.started is not None and not node.external:
-            found.setdefault(id(node.started), (node.started, []))[1].append(node)
-    return list(found.values())
+            by_started.setdefault(id(node.started), (node.started, []))[1].append(node)
+    return list(by_started.values())
 
 
 def _live_elsewhere(system: System, remap: Remap) -> bool:
     """Whether the same line may do something where another launch file includes this one, say in a namespace."""
     rows = [] if system.workspace is None else _by_place(system.workspace).get(remap.place, [])
-    for other, one, started, nodes in rows:
+    for other, other_remap, started, nodes in rows:
         if other is system:
             continue
-        if not all(is_whole(system.workspace, node) for node in nodes) or not list(_dead(one, nodes, started)):
+        if not all(is_whole(system.workspace, node) for node in nodes) or not list(_dead(other_remap, nodes, started)):
             return True
     return False
 
@@ -109,13 +109,13 @@ def _before_remapping(node: Node, started: Started) -> tuple[set[str], str, str]
     if plain.name is None or any(endpoint.name is None for endpoint in plain.endpoints):
         return None
     namespace, _, name = plain.name.rpartition("/")
-    found: set[str] = set()
+    full_names: set[str] = set()
     for endpoint in plain.endpoints:
         assert endpoint.name is not None
-        found.add(endpoint.name)
+        full_names.add(endpoint.name)
         if endpoint.kind in (EntityKind.ACTION_SERVER, EntityKind.ACTION_CLIENT):
-            found.update(names.action_entities(endpoint.name).values())
-    return found, name, namespace or "/"
+            full_names.update(names.action_entities(endpoint.name).values())
+    return full_names, name, namespace or "/"
 
 
 _SERVICES = frozenset(

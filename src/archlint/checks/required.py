@@ -69,7 +69,7 @@ def is_concerned(system: System, contract: Contract) -> bool:
 
 
 def _has_nodes(system: System, contract: Contract) -> bool:
-    groups = [one for one in (contract.source, contract.target, contract.provider, contract.user) if one]
+    groups = [globs for globs in (contract.source, contract.target, contract.provider, contract.user) if globs]
     special = [globs for globs in groups if not any_node(globs)]
     if contract.through:
         return bool(named(system, contract)) and (system.closed or has(system, contract.through))
@@ -86,8 +86,8 @@ def _missing_link(system: System, contract: Contract) -> str | None:
     """What is missing between nodes, in words: each ``from`` is to be connected to some ``to``."""
     source, target = " or ".join(contract.source), " or ".join(contract.target)
     starts = [node for node in system.nodes if is_meant(contract.source, node)]
-    found = links(system, contract.source, contract.target)
-    reached = {id(link.source.node) for link in found if link.goes(contract)}
+    existing = links(system, contract.source, contract.target)
+    reached = {id(link.source.node) for link in existing if link.goes(contract)}
     if not starts:
         return f"there is no node {source} to connect to {target}"
     lost = [node for node in starts if id(node) not in reached and _followed(node)]
@@ -147,13 +147,15 @@ def _around(system: System, contract: Contract, outside: bool) -> Iterator[Findi
 
     ``outside`` is True where that node is not in this workspace, and nobody can tell what it listens to.
     """
-    found = [link for link in links(system, contract.through) if is_named(contract, link.connection)]
-    passing = {id(link.source) for link in found if is_meant(contract.through, link.target.node)}
+    candidates = [link for link in links(system, contract.through) if is_named(contract, link.connection)]
+    passing = {id(link.source) for link in candidates if is_meant(contract.through, link.target.node)}
     for topic in named(system, contract):
         for end in in_source_order(end for end in topic.providers if counts(end)):
             if is_meant(contract.through, end.node):
                 continue
-            past = [one for one in found if one.source is end and not is_meant(contract.through, one.target.node)]
+            past = [
+                link for link in candidates if link.source is end and not is_meant(contract.through, link.target.node)
+            ]
             if past or not (outside or id(end) in passing or not _all_followed(system, contract.through)):
                 yield _passes_by(contract, topic, end, past)
 

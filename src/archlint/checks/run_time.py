@@ -38,7 +38,7 @@ def _findings(code: str, status: Status, system: System) -> Iterator[Finding]:
     for difference in system.compared.differences if system.compared is not None else ():
         if difference.status != status:
             continue
-        found = finding(
+        diagnostic = finding(
             code,
             difference.place,
             difference.message,
@@ -47,4 +47,4 @@ def _findings(code: str, status: Status, system: System) -> Iterator[Finding]:
             node=difference.node,
             identity=(difference.kind, difference.name, difference.node or ""),
         )
-        yield replace(found, severity=Severity.INFO) if difference.doubtful else found
+        yield replace(diagnostic, severity=Severity.INFO) if difference.doubtful else diagnostic

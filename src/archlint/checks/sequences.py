@@ -106,8 +106,8 @@ def _sequences(steps: list[_Step]) -> Iterator[list[_Step]]:
             last = way[-1]
             by_caller = by_function.setdefault(f"{last.place.file}:{last.caller}", {})
             by_caller[last.place, call.place] = replace(step, line=last.place)
-    for found in by_function.values():
-        yield [found[key] for key in sorted(found)]
+    for sequence in by_function.values():
+        yield [sequence[key] for key in sorted(sequence)]
 
 
 def _in_turn(system: System, steps: list[_Step]) -> Finding:

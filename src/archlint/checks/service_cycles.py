@@ -59,21 +59,21 @@ def service_call_cycle(system: System, options: Options) -> Iterator[Finding]:
     """Circles of handlers, each of which waits for the next."""
     edges = waits_of_handlers(system)
     seen: set[frozenset[_Key]] = set()
-    found = []
+    findings = []
     for start in sorted(edges):
         for circle in _circles(start, edges, system):
             keys = frozenset((edge.server.kind, edge.server.name or "") for edge in circle)
             if keys not in seen:
                 seen.add(keys)
-                found.append(_circle(circle))
-    yield from one_for_each_place(found)
+                findings.append(_circle(circle))
+    yield from one_for_each_place(findings)
 
 
 @once
 def waits_of_handlers(system: System) -> dict[_Key, list[Edge]]:
     """For each server, by kind and full name, the servers that its handler waits for."""
     ends = {id(end.creation): end for end in system.endpoints if end.resolved and not end.node.test}
-    found: dict[_Key, list[Edge]] = {}
+    edges: dict[_Key, list[Edge]] = {}
     for wait in waits(system):
         handler = wait.call.context
         kind = _HANDLES.get(handler.role)
@@ -82,8 +82,8 @@ def waits_of_handlers(system: System) -> dict[_Key, list[Edge]]:
         if kind is None or server is None or client is None or server.name is None or client.name is None:
             continue
         edge = Edge(server, (_SERVER_OF[client.kind], client.name), wait)
-        found.setdefault((kind, server.name), []).append(edge)
-    return found
+        edges.setdefault((kind, server.name), []).append(edge)
+    return edges
 
 
 def _circles(start: _Key, edges: dict[_Key, list[Edge]], system: System) -> Iterator[list[Edge]]:
@@ -98,7 +98,7 @@ def _circles(start: _Key, edges: dict[_Key, list[Edge]], system: System) -> Iter
         if any((edge.server.kind, edge.server.name) == target for edge in path):
             continue
         for edge in edges.get(target, ()):
-            nodes = {edge.server.node, *(one.server.node for one in path)}
+            nodes = {edge.server.node, *(step.server.node for step in path)}
             if all(node is other or system.may_coexist(node, other) for node in nodes for other in nodes):
                 waiting.append([*path, edge])
 

@@ -57,7 +57,7 @@ def callback_signature(system: System, options: Options) -> Iterator[Finding]:
             if wrong is not None:
                 alike.setdefault(wrong.alike, {}).setdefault((place, callback.place), wrong)
     yield from one_for_each_place(
-        _finding(system, [found[places] for places in sorted(found)], options.distros) for found in alike.values()
+        _finding(system, [group[places] for places in sorted(group)], options.distros) for group in alike.values()
     )
 
 
@@ -112,14 +112,14 @@ def _finding(system: System, wrongs: Sequence[_Wrong], distros: Sequence[str]) -
 def _missing(system: System, first: _Wrong, others: Sequence[_Wrong]) -> Finding:
     callback = first.callback
     assert callback.registered is not None
-    names = sorted({repr(one.callback.missing) for one in others} - {repr(callback.missing)})
+    names = sorted({repr(other.callback.missing) for other in others} - {repr(callback.missing)})
     nor = f"; nor is there {' or '.join(names)}" if names else ""
     return finding(
         "EXE006",
         callback.registered,
         f"{_what(callback)} is '{callback.missing}', but there is no such method{nor}",
         help="define the method, or correct its name",
-        related=[Related(_place(one), f"'{one.callback.missing}' is registered here") for one in others],
+        related=[Related(_place(other), f"'{other.callback.missing}' is registered here") for other in others],
         node=node_name(system, callback.node),
         identity=(callback.role, callback.missing or ""),
     )
@@ -129,9 +129,9 @@ def _misfit(system: System, first: _Wrong, others: Sequence[_Wrong], distros: Se
     callback, passed = first.callback, _and(_passed(first.callback))
     some = set(first.distros) != set(distros)
     where = f" {in_distros(first.distros)}" if some else ""
-    names = list(dict.fromkeys(one.callback.name for one in others if one.callback.name != callback.name))
+    names = list(dict.fromkeys(other.callback.name for other in others if other.callback.name != callback.name))
     so = f"; so does {names[0]}" if len(names) == 1 else f"; so do {len(names)} others of its class" if names else ""
-    found = finding(
+    diagnostic = finding(
         "EXE006",
         _place(first),
         f"{_what(callback)} is called with {passed}{where}, and {callback.name} {first.takes}{so}",
@@ -140,23 +140,23 @@ def _misfit(system: System, first: _Wrong, others: Sequence[_Wrong], distros: Se
             Related(callback.place, f"{callback.name} is defined here")
             if _place(first) != callback.place
             else Related(_registered(first), "it is registered here"),
-            *(_further(first, one) for one in others),
+            *(_further(first, other) for other in others),
         ],
         node=node_name(system, callback.node),
         identity=(callback.role, callback.name),
     )
-    return _settled(system, found, first.distros) if some else found
+    return _settled(system, diagnostic, first.distros) if some else diagnostic
 
 
-def _settled(system: System, found: Finding, wrong_in: Sequence[str]) -> Finding:
+def _settled(system: System, diagnostic: Finding, wrong_in: Sequence[str]) -> Finding:
     """What is wrong in some distributions is a warning; information where the workspace is evidently for another."""
     pinned = pinned_distro(system.workspace)
     if pinned is None or pinned[0] in wrong_in:
-        return replace(found, severity=Severity.WARNING)
+        return replace(diagnostic, severity=Severity.WARNING)
     distro, file = pinned
     return replace(
-        found,
-        message=f"{found.message}; {file} names {distro} alone",
+        diagnostic,
+        message=f"{diagnostic.message}; {file} names {distro} alone",
         help=f'set the distribution in the configuration, if the code is for {distro} only: distro = "{distro}"',
         severity=Severity.INFO,
     )
@@ -175,9 +175,9 @@ def _what(callback: Callback) -> str:
 
 def _place(wrong: _Wrong) -> Place:
     """Where a callback is handed over; a lambda that a wrapper passes on stands where that is."""
-    made, callback = _registered(wrong), wrong.callback
-    inside = made.file == callback.place.file and made.line <= callback.place.line <= made.end_line
-    return callback.place if callback.function is not None and callback.function.is_lambda and not inside else made
+    site, callback = _registered(wrong), wrong.callback
+    inside = site.file == callback.place.file and site.line <= callback.place.line <= site.end_line
+    return callback.place if callback.function is not None and callback.function.is_lambda and not inside else site
 
 
 def _registered(wrong: _Wrong) -> Place:

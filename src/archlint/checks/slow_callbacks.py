@@ -69,13 +69,13 @@ def slow_callback(system: System, options: Options) -> Iterator[Finding]:
         known = rows.get(call.place)
         if known is None or len(call.chain) < len(known[1].chain):
             rows[call.place] = (program, call, stay)
-    found = [
+    slow_functions = [
         sorted(rows.values(), key=_longest_first)
         for rows in functions.values()
         if not all(_is_left_alone(system, program, call, stay) for program, call, stay in rows.values())
     ]
-    mixed = {id(call.context) for rows in found for _, call, stay in rows[:1] if stay.kind != "network"}
-    yield from one_for_each_place(_slow(system, rows, id(rows[0][1].context) not in mixed) for rows in found)
+    mixed = {id(call.context) for rows in slow_functions for _, call, stay in rows[:1] if stay.kind != "network"}
+    yield from one_for_each_place(_slow(system, rows, id(rows[0][1].context) not in mixed) for rows in slow_functions)
 
 
 def _longest_first(row: _Row) -> tuple[float, Place]:
@@ -160,7 +160,7 @@ def _harmless(callback: Callback, program: Program) -> bool:
         return True
     if group.kind != GroupKind.MUTUALLY_EXCLUSIVE or callback.node is None:
         return False
-    others = [one for one in callback.node.callbacks if one.group == group and one.place != callback.place]
+    others = [other for other in callback.node.callbacks if other.group == group and other.place != callback.place]
     return not others
 
 
@@ -170,20 +170,20 @@ def _waiting(code: SourceCode, call: ApiCall, program: Program) -> str:
     node = callback.node
     if node is None:
         return _UNKNOWN
-    nodes = [node, *(one for use in program.executors_of(node) for one in use.nodes if one is not node)]
-    if any(_takes_in_more(code, one, call, program) for one in nodes):
+    nodes = [node, *(other for use in program.executors_of(node) for other in use.nodes if other is not node)]
+    if any(_takes_in_more(code, spun, call, program) for spun in nodes):
         return _OTHERS
     # The transitions of a lifecycle node wait, too, if anybody asks for one.
     known = callback.role in _ITS_NEXT and not node.lifecycle
     whole = known and node.executor in (ExecutorKind.SINGLE_THREADED, ExecutorKind.MULTI_THREADED)
-    return _NOBODY if whole and all(one.complete for one in nodes) else _UNKNOWN
+    return _NOBODY if whole and all(spun.complete for spun in nodes) else _UNKNOWN
 
 
 def _takes_in_more(code: SourceCode, node: Blueprint, call: ApiCall, program: Program) -> bool:
     """Whether an executor has anything to do for a node besides one callback.  What a node sends is no work, nor is
     the answer that nothing is registered for, nor what the callback makes only after it has waited."""
     callback = call.context
-    later = {id(one) for one in node.creations if _is_made_after(one, call)}
+    later = {id(creation) for creation in node.creations if _is_made_after(creation, call)}
     follow = _callbacks_that_follow(code, node, call)
     apart = threads_of(callback.node, program) == blocking.SEVERAL
     entities = (creation for creation in node.creations if creation.kind in _TAKE_IN and not creation.destroyed)
@@ -191,16 +191,16 @@ def _takes_in_more(code: SourceCode, node: Blueprint, call: ApiCall, program: Pr
         creation is not callback.creation
         and id(creation) not in later
         and not (apart and creation.group != callback.group)
-        and (not creation.callbacks or any(one.place != callback.place for one in creation.callbacks.values()))
+        and (not creation.callbacks or any(handler.place != callback.place for handler in creation.callbacks.values()))
         for creation in entities
     ) or any(
-        one.place != callback.place
-        and one not in follow
-        and id(one.creation) not in later
-        and (one.creation is not callback.creation or one.role == Role.CANCEL)
-        and runs_in_executor(one)
-        for one in node.callbacks
-        if not (apart and one.group != callback.group) and one.role != Role.LIFECYCLE
+        other.place != callback.place
+        and other not in follow
+        and id(other.creation) not in later
+        and (other.creation is not callback.creation or other.role == Role.CANCEL)
+        and runs_in_executor(other)
+        for other in node.callbacks
+        if not (apart and other.group != callback.group) and other.role != Role.LIFECYCLE
     )
 
 
@@ -221,12 +221,12 @@ def _callbacks_that_follow(code: SourceCode, node: Blueprint, call: ApiCall) -> 
     bodies = [] if span is None else [(call.place, span[2])]
     while bodies:
         start, end = bodies.pop()
-        for one in [one for one in rest if _is_between(one.registered, start, end)]:
-            rest.remove(one)
-            follow.append(one)
-            function = code.function(one)
+        for follower in [callback for callback in rest if _is_between(callback.registered, start, end)]:
+            rest.remove(follower)
+            follow.append(follower)
+            function = code.function(follower)
             if function is not None:
-                bodies.append((one.place, function.span[2]))
+                bodies.append((follower.place, function.span[2]))
     return follow
 
 
@@ -263,7 +263,7 @@ def _slow(system: System, rows: Sequence[_Row], only_network: bool) -> Finding:
         meanwhile = f"the node has no other callback, but its next {_ITS_NEXT[callback.role]} has to wait"
     elif _OTHERS not in held_up:
         meanwhile = "everything else on its thread has to wait"
-    found = finding(
+    diagnostic = finding(
         "EXE003",
         call.place,
         f"{callback_words(callback)} {stay.words}{end}: {meanwhile}",
@@ -276,7 +276,7 @@ def _slow(system: System, rows: Sequence[_Row], only_network: bool) -> Finding:
         identity=(callback.name, call.api),
         group=_cause(callback, only_network),
     )
-    return replace(found, severity=Severity.INFO) if mild else found
+    return replace(diagnostic, severity=Severity.INFO) if mild else diagnostic
 
 
 def _of_loop(code: SourceCode, call: ApiCall, stay: Stay) -> str:
@@ -300,8 +300,8 @@ def _cause(callback: Callback, only_network: bool) -> tuple[str, ...]:
 def _of_one_cause(findings: Sequence[Finding]) -> Finding:
     """The finding for all functions with waits that one callback gets to, or that a node waits for the network in."""
     first, *others = findings
-    same = [one for one in others if one.identity[0] == first.identity[0]]
-    callbacks = dict.fromkeys(one.identity[0] for one in others if one not in same)
+    same = [other for other in others if other.identity[0] == first.identity[0]]
+    callbacks = dict.fromkeys(other.identity[0] for other in others if other not in same)
     message = first.message
     if same:
         more = "another function" if len(same) == 1 else f"{len(same)} more functions"
@@ -310,13 +310,13 @@ def _of_one_cause(findings: Sequence[Finding]) -> Finding:
         message += (
             f"; the same goes for {'another callback' if len(callbacks) == 1 else f'{len(callbacks)} more callbacks'}"
         )
-    rows = [row for one in others for row in _rows_of(one, "it" if one in same else one.identity[0])]
+    rows = [row for other in others for row in _rows_of(other, "it" if other in same else other.identity[0])]
     return replace(first, message=message, related=(*first.related, *rows))
 
 
-def _rows_of(found: Finding, who: str) -> Iterator[Related]:
-    yield Related(found.place, f"here {who} waits in {found.identity[1].rpartition('.')[2]}(), too")
-    yield from (line for line in found.related if line.again)
+def _rows_of(diagnostic: Finding, who: str) -> Iterator[Related]:
+    yield Related(diagnostic.place, f"here {who} waits in {diagnostic.identity[1].rpartition('.')[2]}(), too")
+    yield from (line for line in diagnostic.related if line.again)
 
 
 def _answers_in_time(call: ApiCall, stay: Stay) -> bool:

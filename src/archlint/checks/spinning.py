@@ -37,12 +37,14 @@ _SHOWN = 5
 
 
 def _never_spun(system: System, node: Blueprint, idle: Idle) -> Finding:
-    served = list({one.place: one for one in sorted(idle.served, key=lambda one: one.place)}.values())
+    served = list(
+        {creation.place: creation for creation in sorted(idle.served, key=lambda creation: creation.place)}.values()
+    )
     what = SERVED[served[0].kind] + (f" and {len(served) - 1} more" if len(served) > 1 else "")
     callbacks, runs = ("callbacks", "run") if len(served) > 1 else ("callback", "runs")
     message = f"nothing spins this node, so the {callbacks} of its {what} never {runs}"
     help_ = "rclpy.spin(node), or add it to the executor that spins"
-    related = [Related(one.place, f"the {SERVED[one.kind]} is created here") for one in served[:_SHOWN]]
+    related = [Related(creation.place, f"the {SERVED[creation.kind]} is created here") for creation in served[:_SHOWN]]
     if node.executor == ExecutorKind.NONE:
         if node.never_starting is not None:
             help_ = "start the thread: call its start()"
@@ -60,7 +62,7 @@ def _never_spun(system: System, node: Blueprint, idle: Idle) -> Finding:
     if attributes:
         names = " and ".join(f"'{name}'" for name in attributes)
         help_ = f"do not create a node for this: move {names} out of the class"
-    found = finding(
+    diagnostic = finding(
         "EXE008",
         node.made_at or node.place,
         message,
@@ -69,9 +71,9 @@ def _never_spun(system: System, node: Blueprint, idle: Idle) -> Finding:
         node=node_name(system, node),
         identity=(node.class_name,),
     )
-    file = found.place.file
+    file = diagnostic.place.file
     fails = import_that_fails(system.workspace, file) if is_not_installed(system.workspace, file) else None
     if fails is None:
-        return found
+        return diagnostic
     unused = f"no package installs this file, and its import of '{fails}' fails"
-    return replace(found, message=f"{message}; {unused}", severity=Severity.INFO)
+    return replace(diagnostic, message=f"{message}; {unused}", severity=Severity.INFO)

@@ -78,22 +78,22 @@ def _sent(pace: Pace) -> Iterator[Related]:
         yield Related(pace.sends.place, f"{sent} here every {pace.period:g} s")
 
 
-def _crowd(system: System, use: ExecutorUse, found: list[Wait]) -> Finding:
+def _crowd(system: System, use: ExecutorUse, waits: list[Wait]) -> Finding:
     place: Place | None = use.place
     assert place is not None and use.threads is not None
-    names = " and ".join(dict.fromkeys(wait.call.context.name for wait in found))
-    limited = all(wait.limited for wait in found)
-    who = names if " and " in names else f"{len(found)} runs of {names}"
+    names = " and ".join(dict.fromkeys(wait.call.context.name for wait in waits))
+    limited = all(wait.limited for wait in waits)
+    who = names if " and " in names else f"{len(waits)} runs of {names}"
     return finding(
         "EXE014",
         place,
         f"{who} {'' if limited else 'may '}wait at the same time, and this executor has {use.threads} threads: "
         f"none is left to process a response, and they {'time out' if limited else 'deadlock'}",
-        help=f"num_threads={len(found) + 1}: one more than there are waiting callbacks",
+        help=f"num_threads={len(waits) + 1}: one more than there are waiting callbacks",
         related=tuple(
             Related(wait.call.place, f"{callback_words(wait.call.context)} waits for {endpoint_words(wait.client)}")
-            for wait in found
+            for wait in waits
         ),
-        node=node_name(system, found[0].call.context.node),
+        node=node_name(system, waits[0].call.context.node),
         identity=(names,),
     )

@@ -61,7 +61,7 @@ def wait_without_timeout(system: System, options: Options) -> Iterator[Finding]:
 def _limitless_wait(system: System, call: ApiCall) -> Finding:
     function = call.api.rpartition(".")[2]
     awaited = "a message" if call.api == WAIT_FOR_MESSAGE else endpoint_words(call.creation, kind_of(call))
-    found = finding(
+    diagnostic = finding(
         "TMO001",
         call.place,
         f"{function}() waits for {awaited} without a timeout: if it never comes, nothing after this line runs",
@@ -72,11 +72,11 @@ def _limitless_wait(system: System, call: ApiCall) -> Finding:
     )
     # Whoever waits in a callback had better not wait at all.
     return replace(
-        found,
+        diagnostic,
         sites=None
         if runs_in_executor(call.context)
         else sites_of_wait(system.workspace, call.place, name_of(call.creation)),
-        severity=Severity.INFO if _is_step_of_script(call) or is_uncalled(call) else found.severity,
+        severity=Severity.INFO if _is_step_of_script(call) or is_uncalled(call) else diagnostic.severity,
     )
 
 

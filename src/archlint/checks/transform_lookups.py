@@ -51,13 +51,13 @@ def blocking_tf_lookup(system: System, options: Options) -> Iterator[Finding]:
         and _waits(call)
         and threads_of(call.context.node, program) == blocking.ONE
         # A thread of its own helps a listener that has a node of its own: this node's executor takes the node from it.
-        and all(node is call.context.node for one, node in threaded if one is program)
+        and all(node is call.context.node for other, node in threaded if other is program)
     )
 
 
 def _in_spite_of(threaded: Sequence[tuple[Program, Blueprint | None]], program: Program) -> str:
     """What became of a thread that the listener was given; the node is that of the callback."""
-    if not any(one is program for one, _ in threaded):
+    if not any(other is program for other, _ in threaded):
         return ""
     return " (spin_thread=True does not help: the executor that spins the node takes it from the listener's thread)"
 
@@ -66,7 +66,7 @@ def _in_spite_of(threaded: Sequence[tuple[Program, Blueprint | None]], program: 
 def _of_one_function(findings: Sequence[Finding]) -> Finding:
     """The finding for all lookups of a function: whether a transform is there, and then what it is."""
     first, *others = findings
-    more = tuple(Related(one.place, "it looks up a transform here, too") for one in others)
+    more = tuple(Related(other.place, "it looks up a transform here, too") for other in others)
     return replace(first, related=(*first.related, *more))
 
 

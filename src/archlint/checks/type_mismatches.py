@@ -53,20 +53,20 @@ def _mismatches(code: str, system: System, connections: Mapping[str, Connection]
             continue
         pairs: dict[tuple[str, str], list[tuple[Endpoint, Endpoint]]] = {}
         there = [end for end in all_endpoints(connection) if end.type not in missing]
-        for one, other in conflicting_pairs(system, there, _one_type):
-            if one.kind == other.kind and not known_to_coexist(system, one.node, other.node):
+        for endpoint, other in conflicting_pairs(system, there, _one_type):
+            if endpoint.kind == other.kind and not known_to_coexist(system, endpoint.node, other.node):
                 continue  # of two that do the same job, one runs: nothing is lost between them
-            first, second = sorted((one.type or "", other.type or ""))
-            pairs.setdefault((first, second), []).append((one, other))
+            first, second = sorted((endpoint.type or "", other.type or ""))
+            pairs.setdefault((first, second), []).append((endpoint, other))
         for types in sorted(pairs):
-            found = _mismatch(code, connection, pairs[types])
-            yield _if_both_run(found) if _are_at_home(system, connection, pairs[types]) else found
+            diagnostic = _mismatch(code, connection, pairs[types])
+            yield _if_both_run(diagnostic) if _are_at_home(system, connection, pairs[types]) else diagnostic
 
 
 def _are_at_home(system: System, connection: Connection, pairs: list[tuple[Endpoint, Endpoint]]) -> bool:
     """Whether nothing is seen to start any two of these together, while whoever listens or asks has a partner of its
     own type in its package: lessons of a course that all say ``topic``."""
-    if system.closed or any(known_to_coexist(system, one.node, other.node) for one, other in pairs):
+    if system.closed or any(known_to_coexist(system, endpoint.node, other.node) for endpoint, other in pairs):
         return False
     users = [end for pair in pairs for end in pair if end in connection.users]
     return bool(users) and all(
@@ -75,9 +75,9 @@ def _are_at_home(system: System, connection: Connection, pairs: list[tuple[Endpo
     )
 
 
-def _if_both_run(found: Finding) -> Finding:
-    message = f"{found.message}, if they run together: no launch file here starts both"
-    return replace(found, message=message, severity=Severity.INFO)
+def _if_both_run(diagnostic: Finding) -> Finding:
+    message = f"{diagnostic.message}, if they run together: no launch file here starts both"
+    return replace(diagnostic, message=message, severity=Severity.INFO)
 
 
 def _missing_types(system: System) -> set[str]:
@@ -97,7 +97,7 @@ def _mismatch(code: str, connection: Connection, pairs: list[tuple[Endpoint, End
     """One finding for two types of one name: at the endpoint that comes last in the source."""
     ends = in_source_order({id(end): end for pair in pairs for end in pair}.values())
     last = ends[-1]
-    against = [one for one, other in pairs if other is last]
+    against = [endpoint for endpoint, other in pairs if other is last]
     rest = [end for end in ends if end is not last and end not in against]
     return finding(
         code,

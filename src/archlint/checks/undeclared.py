@@ -74,7 +74,7 @@ def _is_hidden(workspace: WorkspaceIndex, use: Use) -> bool:
 
 def uses_by_package(workspace: WorkspaceIndex, options: Options) -> dict[str, list[Use]]:
     """What each package (by its folder) uses and does not declare, in the order of the files."""
-    found: dict[str, list[Use]] = {}
+    by_package: dict[str, list[Use]] = {}
     known = _Known(workspace, options)
     for use in sorted({*_imported(workspace), *_launched(workspace)}):
         package = known.home(use.place.file)
@@ -84,11 +84,11 @@ def uses_by_package(workspace: WorkspaceIndex, options: Options) -> dict[str, li
             continue
         if any(known.declares(file, use.needed) for file in (use.place.file, *use.also)):
             continue
-        uses = found.setdefault(package.relative, [])
+        uses = by_package.setdefault(package.relative, [])
         here = replace(use, also=())
         if here not in uses:
             uses.append(here)
-    return found
+    return by_package
 
 
 def _installs_nothing(workspace: WorkspaceIndex, package: Package) -> bool:
@@ -108,7 +108,7 @@ def _is_beside_cpp(workspace: WorkspaceIndex, package: Package, file: str) -> bo
     installs = workspace.installs.get(package.name)
     if package.build_type != "ament_cmake" or installs is None or not is_not_installed(workspace, file):
         return False
-    return not any(one.module or one.script for one in installs.executables.values())
+    return not any(executable.module or executable.script for executable in installs.executables.values())
 
 
 class _Known:
@@ -140,8 +140,8 @@ class _Known:
         """Whether a package of which nobody knows what it brings has the name that those of its repository begin with:
         ``arm`` is the metapackage of ``arm_msgs``, or depends on it."""
         first = (needed[:at] for at, letter in enumerate(needed) if letter == "_")
-        unread = (one for one in first if one not in self._workspace.packages)
-        return any(one in there and one not in packages.table().brings for one in unread)
+        unread = (prefix for prefix in first if prefix not in self._workspace.packages)
+        return any(prefix in there and prefix not in packages.table().brings for prefix in unread)
 
 
 # ------------------------------------------------------------------------------------------- what is declared
@@ -179,16 +179,16 @@ def _imported(workspace: WorkspaceIndex) -> Iterator[Use]:
             module == package or module.startswith(f"{package}.") for module in workspace.code.modules_of(package)
         )
 
-    for one in imports_at_start(workspace):
-        file = one.file
+    for statement in imports_at_start(workspace):
+        file = statement.file
         if file.package is None or file.kind == "setup_py" or _beside_the_code(file.relative):
             continue
         of_launch = file.kind == "launch_python" or "/launch/" in f"/{file.relative}"
-        needed = packages.package_of_module(one.module, one.names, has_module)
+        needed = packages.package_of_module(statement.module, statement.names, has_module)
         if needed is None or (of_launch and needed in _OF_ROS2_LAUNCH):
             continue
-        if not workspace.code.is_local(file, one.module):
-            yield Use(one.place, needed, "imports")
+        if not workspace.code.is_local(file, statement.module):
+            yield Use(statement.place, needed, "imports")
 
 
 _BESIDE = frozenset({"test", "tests", "doc", "docs", "example", "examples"})
@@ -301,10 +301,10 @@ def _misplaced(package: Package, needed: Sequence[str]) -> Iterator[Related]:
 def _reachable(name: str, workspace: WorkspaceIndex, used: Mapping[str, AbstractSet[str]]) -> frozenset[str]:
     """The packages of this workspace that one of them may need, directly or not, itself included."""
 
-    def needs(one: str) -> set[str]:
-        package = workspace.packages.get(one)
+    def needs(dependent: str) -> set[str]:
+        package = workspace.packages.get(dependent)
         declared = [] if package is None else [d for d in package.dependencies if d.kind not in _FOR_OTHERS]
-        named = {d.name for d in declared if condition_holds(d.condition)} | used.get(one, set())
+        named = {d.name for d in declared if condition_holds(d.condition)} | used.get(dependent, set())
         return named & workspace.packages.keys()
 
     return closure([name], needs)

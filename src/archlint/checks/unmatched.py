@@ -111,10 +111,12 @@ def whole(system: System) -> bool:
     """Whether the system is closed, all of it is in sight, and it is no part of another one."""
     if not system.closed or not in_sight(system):
         return False
-    others = [] if system.workspace is None else [one for one in system.workspace.systems if one.launched is not None]
+    others = (
+        [] if system.workspace is None else [other for other in system.workspace.systems if other.launched is not None]
+    )
     if system.launched is None:
         return not others  # what runs is what the launch files start
-    included = {i.reference.source for one in others if one.launched is not None for i in one.launched.included}
+    included = {i.reference.source for other in others if other.launched is not None for i in other.launched.included}
     return system.launched.file not in included
 
 

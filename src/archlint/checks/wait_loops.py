@@ -53,7 +53,7 @@ def _endless(system: System, calls: Sequence[ApiCall]) -> Finding:
     missing = endpoint_words(call.creation, kind)
     ready = "server_is_ready" if kind == "action" else "service_is_ready"
     stands = "the callback does not return and blocks its thread" if in_callback else "the node does nothing else"
-    found = finding(
+    diagnostic = finding(
         "TMO004",
         call.place,
         f"this loop ends only when {missing} becomes available: until then {stands}",
@@ -64,7 +64,7 @@ def _endless(system: System, calls: Sequence[ApiCall]) -> Finding:
         node=node_name(system, call.node or call.context.node),
         identity=(call.function, "" if call.creation is None else call.creation.name.text or "", "loop"),
     )
-    return found if in_callback else replace(found, severity=Severity.INFO, group=(call.file, call.function))
+    return diagnostic if in_callback else replace(diagnostic, severity=Severity.INFO, group=(call.file, call.function))
 
 
 @folds("TMO004")
