@@ -138,7 +138,7 @@ def measure(root: Path) -> tuple[Counter[str], Counter[str], list[str]]:
     made = {
         (place.file, line)
         for system in systems
-        for place in (system.launched.made if system.launched is not None else ())
+        for place in (system.launched.node_actions if system.launched is not None else ())
         for line in range(place.line, place.end_line + 1)
     }
     for path in launch_files.all():

@@ -68,15 +68,15 @@ def pages_folder() -> Path:
 @cache
 def rules() -> dict[str, Rule]:
     """Every rule by its code, in code order."""
-    found: dict[str, Rule] = {}
+    by_code: dict[str, Rule] = {}
     for path in sorted(pages_folder().iterdir(), key=lambda path: path.name):
         if not _PAGE.fullmatch(path.name):
             continue
         rule = parse_page(path.read_text("utf-8"), path.name)
         if path.stem != f"{rule.code}-{rule.name}":
             raise RuleBookError(f"{path.name}: the file should be called {rule.code}-{rule.name}.md")
-        found[rule.code] = rule
-    return found
+        by_code[rule.code] = rule
+    return by_code
 
 
 def parse_page(text: str, source: str) -> Rule:

@@ -7,17 +7,17 @@ from collections.abc import Iterable, Sequence
 from itertools import takewhile
 
 
-def distance(one: str, other: str, limit: int) -> int:
+def distance(first: str, second: str, limit: int) -> int:
     """The edit distance with transpositions; anything above ``limit`` is ``limit + 1``."""
-    if abs(len(one) - len(other)) > limit:
+    if abs(len(first) - len(second)) > limit:
         return limit + 1
     before: list[int] = []
-    row = list(range(len(other) + 1))
-    for i, left in enumerate(one, start=1):
+    row = list(range(len(second) + 1))
+    for i, left in enumerate(first, start=1):
         last, before, row = before, row, [i]
-        for j, right in enumerate(other, start=1):
+        for j, right in enumerate(second, start=1):
             cost = min(before[j] + 1, row[j - 1] + 1, before[j - 1] + (left != right))
-            if i > 1 and j > 1 and left == other[j - 2] and one[i - 2] == right:
+            if i > 1 and j > 1 and left == second[j - 2] and first[i - 2] == right:
                 cost = min(cost, last[j - 2] + 1)
             row.append(cost)
         if min(row) > limit:
@@ -42,45 +42,45 @@ def nearest(word: str, known: Iterable[str]) -> str | None:
     limit = max(1, len(word) // 3)
     best: tuple[int, str] | None = None
     for candidate in sorted(set(known)):
-        found = distance(word.lower(), candidate.lower(), limit)
-        if found > limit or found >= len(word) or candidate == word or _are_two_names(word, candidate):
+        edits = distance(word.lower(), candidate.lower(), limit)
+        if edits > limit or edits >= len(word) or candidate == word or _are_two_names(word, candidate):
             continue
-        if best is None or found < best[0]:
-            best = (found, candidate)
+        if best is None or edits < best[0]:
+            best = (edits, candidate)
     return None if best is None else best[1]
 
 
-def _are_two_names(one: str, other: str) -> bool:
-    mine, yours = (_PARTS.split(name) for name in (one, other))
+def _are_two_names(first: str, second: str) -> bool:
+    mine, yours = (_PARTS.split(name) for name in (first, second))
     if len(mine) != len(yours):
         return False
     pairs = [(left.lower(), right.lower()) for left, right in zip(mine, yours, strict=True)]
     return any(left != right and not _is_slip(left, right) for left, right in pairs)
 
 
-def _is_slip(one: str, other: str) -> bool:
+def _is_slip(first: str, second: str) -> bool:
     """Whether one of two words is probably the other one misspelt."""
-    if tuple(sorted((one, other))) in OPPOSITES or _DIGITS.findall(one) != _DIGITS.findall(other):
+    if tuple(sorted((first, second))) in OPPOSITES or _DIGITS.findall(first) != _DIGITS.findall(second):
         return False
-    short, long = sorted((len(one), len(other)))
+    short, long = sorted((len(first), len(second)))
     if short <= _SHORT:
         return short > 0 and long == short + 1
     limit = max(1, long // 3)
-    return distance(one, other, limit) <= limit
+    return distance(first, second, limit) <= limit
 
 
-def common_words(one: str, other: str) -> str:
+def common_words(first: str, second: str) -> str:
     """What two names begin with, up to the end of the last ``_`` that they share: ``front_`` of ``front_left`` and
     ``front_light``."""
-    shared = "".join(left for left, _ in takewhile(lambda pair: pair[0] == pair[1], zip(one, other, strict=False)))
+    shared = "".join(left for left, _ in takewhile(lambda pair: pair[0] == pair[1], zip(first, second, strict=False)))
     return shared[: shared.rfind("_") + 1]
 
 
-def have_same_words(one: str, other: str) -> bool:
+def have_same_words(first: str, second: str) -> bool:
     """Whether two names consist of the same words in another order, some of them perhaps written together:
     ``params_multirobot_1`` and ``multi_robot_1_params``."""
-    mine, yours = ([part.lower() for part in _PARTS.split(name) if part] for name in (one, other))
-    return one != other and max(len(mine), len(yours)) > 1 and (_made_of(mine, yours) or _made_of(yours, mine))
+    mine, yours = ([part.lower() for part in _PARTS.split(name) if part] for name in (first, second))
+    return first != second and max(len(mine), len(yours)) > 1 and (_made_of(mine, yours) or _made_of(yours, mine))
 
 
 def _made_of(coarse: list[str], fine: list[str]) -> bool:
@@ -88,10 +88,10 @@ def _made_of(coarse: list[str], fine: list[str]) -> bool:
     left = list(fine)
     for word in sorted(coarse, key=len, reverse=True):
         runs = ((i, j) for i in range(len(left)) for j in range(i + 1, len(left) + 1) if "".join(left[i:j]) == word)
-        found = next(runs, None)
-        if found is None:
+        span = next(runs, None)
+        if span is None:
             return False
-        left[found[0] : found[1]] = [""]  # words on both sides are no neighbours
+        left[span[0] : span[1]] = [""]  # words on both sides are no neighbours
     return not any(left)
 
 

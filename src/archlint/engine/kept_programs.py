@@ -49,7 +49,11 @@ class ProgramCache:
     ) -> KeptPrograms:
         """What is known so far.  ``words`` are those of each package's CMakeLists.txt, ``generated`` what is known
         beside of the interfaces that packages make."""
-        making = {name: sorted(found) for name, found in sorted(words.items()) if _MAKES_INTERFACES in found}
+        making = {
+            name: sorted(package_words)
+            for name, package_words in sorted(words.items())
+            if _MAKES_INTERFACES in package_words
+        }
         decisive = [own_code(), making, generated, self._interfaces()]
         surroundings = hashlib.sha256(repr(decisive).encode()).hexdigest()
         self._opened = KeptPrograms(

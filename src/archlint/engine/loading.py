@@ -108,7 +108,7 @@ def _linker(
     cache = ProgramCache(store, workspace, facts, tree)
 
     def keep(index: ModuleIndex, import_now: Callable[[Iterable[str]], None]) -> KeptPrograms:
-        parts = {name: sorted(found) for name, found in generated.items()}
+        parts = {name: sorted(interfaces) for name, interfaces in generated.items()}
         return cache.open(index, import_now, words, parts, without)
 
     jobs = request.jobs or os.cpu_count() or 1

@@ -138,12 +138,12 @@ def _kind_parts(store: Store, value: Value) -> tuple[Iterable[Value], int]:
 
 def _closed_over(store: Store, function: FunctionValue) -> list[Value]:
     """The variables of the functions around it that a function uses."""
-    found: list[Value] = []
+    values: list[Value] = []
     names = names_in(function.ir) - bound_names(function.ir)[0]
     scope: Scope | None = function.scope
     while scope is not None and scope.kind != "module":
         if scope.kind != "class":
-            held = (store.get(scope.key, name) for name in sorted(names))
-            found += [value for value in held if value is not None]
+            bound = (store.get(scope.key, name) for name in sorted(names))
+            values += [value for value in bound if value is not None]
         scope = scope.parent
-    return found
+    return values

@@ -140,10 +140,10 @@ class Library:
 
     # ----------------------------------------------------------------------------- events: objects and names
 
-    def allocated(self, made: Instance) -> None:
+    def allocated(self, instance: Instance) -> None:
         """An object of a class of ours is made; its constructor has not run."""
 
-    def constructing(self, made: Instance, cls: ClassValue, site: CallSite) -> None:
+    def constructing(self, instance: Instance, cls: ClassValue, site: CallSite) -> None:
         """The constructor of an object is about to run."""
 
     def rebound(self, value: Instance, before: object) -> None:

@@ -355,8 +355,8 @@ def _nearest(importer: SourceFile, files: list[SourceFile]) -> SourceFile:
 
     def shared(file: SourceFile) -> int:
         count = 0
-        for one, other in zip(file.path.split("/"), importer.path.split("/"), strict=False):
-            if one != other:
+        for first, second in zip(file.path.split("/"), importer.path.split("/"), strict=False):
+            if first != second:
                 break
             count += 1
         return count

@@ -20,12 +20,12 @@ class ArgumentNames:
         """The name under which the value of a configuration was met first."""
         if value is None or isinstance(value, Known):
             return name
-        found = self.of(value)
-        if found is None:
+        first_name = self.of(value)
+        if first_name is None:
             number = self._used[name] = self._used.get(name, 0) + 1
-            found = name if number == 1 else f"{name}{AGAIN}{number}"
-            self._names[id(value)] = (value, found)
-        return found
+            first_name = name if number == 1 else f"{name}{AGAIN}{number}"
+            self._names[id(value)] = (value, first_name)
+        return first_name
 
     def of(self, value: Value) -> str | None:
         """The name of a value that a configuration has held."""

@@ -32,7 +32,7 @@ if TYPE_CHECKING:
 def made_object(run: Run, call: ApiUse) -> LaunchObject:
     """An action, substitution, condition … with its arguments by name, where each is written, and the branches
     of the launch file's own code that it is made in."""
-    made = launch_object(
+    instance = launch_object(
         run.store.new_key(),
         call.api.makes,
         run.place(call.expression.span) if call.expression is not None and run.activations else None,
@@ -43,15 +43,17 @@ def made_object(run: Run, call: ApiUse) -> LaunchObject:
         branch_arms=frozenset(run.branch_arms),
     )
     if isinstance(call.receiver, Instance):
-        run.store.set(call.receiver.key, MADE_BY_BASE, made)  # super().__init__(…) of a class derived from an action
-    return made
+        run.store.set(
+            call.receiver.key, MADE_BY_BASE, instance
+        )  # super().__init__(…) of a class derived from an action
+    return instance
 
 
 def _made_description(run: Run, call: ApiUse) -> LaunchObject:
     """A ``LaunchDescription`` with its first actions."""
-    made = made_object(run, call)
-    run.store.set(made.key, ENTITIES, _items(run, call.arguments.get("initial_entities")))
-    return made
+    description = made_object(run, call)
+    run.store.set(description.key, ENTITIES, _items(run, call.arguments.get("initial_entities")))
+    return description
 
 
 def _items(run: Run, value: Value | None) -> Items:
@@ -173,13 +175,13 @@ PLAIN = {
 }
 
 
-def note_given(run: Run, made: Instance, cls: ClassValue, site: CallSite) -> None:
+def note_given(run: Run, instance: Instance, cls: ClassValue, site: CallSite) -> None:
     """Keep what the constructor of a class that derives from one of launch's is given, by name or position."""
     if site.open or not any(path.startswith("launch") for path in cls.external_bases()):
         return
     named = sorted(site.keywords.items(), key=lambda row: row[0])
     rows = [*((str(number), value) for number, value in enumerate(site.args)), *named]
-    run.store.set(made.key, GIVEN, tuple(rows))
+    run.store.set(instance.key, GIVEN, tuple(rows))
 
 
 def entities(run: Run, description: Instance) -> Value | None:

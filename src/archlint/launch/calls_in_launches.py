@@ -38,15 +38,15 @@ NODES = frozenset({"Node", "LifecycleNode", "ComposableNodeContainer", "Composab
 
 def _launch_object(run: LaunchRun, call: ApiUse) -> LaunchObject:
     """Note, too, where nodes and declarations are made, whether they then become part of the launch or not."""
-    made = calls.made_object(run, call)
-    if made.place is None:
-        return made
-    if made.kind in NODES:
-        run.result.made.add(made.place)
-    name = known_text(made.arguments.get("name"))
-    if made.kind == "DeclareLaunchArgument" and name is not None:
-        run.result.written.setdefault((run.file, name), made.place)
-    return made
+    instance = calls.made_object(run, call)
+    if instance.place is None:
+        return instance
+    if instance.kind in NODES:
+        run.result.node_actions.add(instance.place)
+    name = known_text(instance.arguments.get("name"))
+    if instance.kind == "DeclareLaunchArgument" and name is not None:
+        run.result.written.setdefault((run.file, name), instance.place)
+    return instance
 
 
 def _package_share(run: LaunchRun, call: ApiUse) -> Value:

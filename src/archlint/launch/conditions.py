@@ -58,9 +58,9 @@ def _truth(run: LaunchRun, predicate: Value | None, expected: bool) -> Verdict:
 def _one_of_several(run: LaunchRun, condition: OneOf) -> Verdict:
     """One of several conditions, None among them: decided where all of them agree."""
     options = [None if option == Known(None) else option for option in condition.values]
-    found = {judge(run, option).holds for option in options}
-    if len(found) == 1 and None not in found:
-        return Verdict(found.pop())
+    outcomes = {judge(run, option).holds for option in options}
+    if len(outcomes) == 1 and None not in outcomes:
+        return Verdict(outcomes.pop())
     return Verdict(None, _branch(run, condition, True))
 
 
@@ -70,8 +70,8 @@ _PREDICATES = ("evaluate", "_predicate_func")
 
 def _asked(run: LaunchRun, condition: Value) -> bool | None:
     """What the condition's own code says, for a class of the workspace and for ``Condition(predicate=…)``."""
-    made = made_by_base(run, condition) or condition
-    predicate = _own_predicate(run, condition) or argument(made, "predicate")
+    launch_condition = made_by_base(run, condition) or condition
+    predicate = _own_predicate(run, condition) or argument(launch_condition, "predicate")
     if predicate is None:
         return None
     return ask(run, predicate).truth(run)
@@ -80,7 +80,7 @@ def _asked(run: LaunchRun, condition: Value) -> bool | None:
 def _own_predicate(run: LaunchRun, condition: Value) -> Value | None:
     match condition:
         case Instance(cls=ClassValue()):
-            return next((found for name in _PREDICATES if (found := own_method(run, condition, name))), None)
+            return next((method for name in _PREDICATES if (method := own_method(run, condition, name))), None)
     return None
 
 
@@ -90,20 +90,20 @@ def _equality(run: LaunchRun, condition: LaunchObject, wanted: bool) -> Verdict:
     if name is None:
         return Verdict(None, _branch(run, condition, True))
     run.note_read(name)
-    found = run.launch.configurations.get(name)
+    value = run.launch.configurations.get(name)
     if given is None:
-        return Verdict((found is None) is wanted)
+        return Verdict((value is None) is wanted)
     expected = run.text_of(given)
-    if found is None:
+    if value is None:
         return Verdict(not wanted)
     if expected is None:
         return Verdict(None, _branch(run, condition, True))
-    texts = set(map(known_text, alternatives(found)))
+    texts = set(map(known_text, alternatives(value)))
     verdicts = {None if text is None else text == expected for text in texts}
     if len(verdicts) == 1 and None not in verdicts:
         return Verdict(verdicts.pop() is wanted)
     arm = _arm_of_value(run, run.argument_behind(name), expected, wanted)
-    run.note_open_test(arm[0], found)
+    run.note_open_test(arm[0], value)
     return Verdict(None, arm)
 
 

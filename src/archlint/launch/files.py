@@ -71,16 +71,16 @@ class LaunchFiles:
 
     def all(self) -> list[str]:
         """Every launch file of the workspace, sorted."""
-        found = []
+        paths = []
         for file in self._files:
             if self._roles.is_test(file.relative):
                 continue
             if file.kind == "launch_python" or (file.kind == "python" and "launch" in file.relative):
                 if self._defines_launch(file):
-                    found.append(file.relative)
+                    paths.append(file.relative)
             elif file.kind in LAUNCH_TEXT_KINDS and self.frontend(file.relative).root is not None:
-                found.append(file.relative)
-        return sorted(found)
+                paths.append(file.relative)
+        return sorted(paths)
 
     def can_be_launched(self, path: str) -> bool:
         """Whether a file of the workspace is a launch file."""
@@ -90,8 +90,8 @@ class LaunchFiles:
         return self.frontend(path).root is not None if self.is_frontend(path) else self._defines_launch(file)
 
     def _defines_launch(self, file: SourceFile) -> bool:
-        found = self._facts_of(file)
-        return found is not None and any(map(_makes_description, found.body))
+        module_facts = self._facts_of(file)
+        return module_facts is not None and any(map(_makes_description, module_facts.body))
 
     def is_frontend(self, path: str) -> bool:
         """Whether a launch file is XML or YAML; a ``.launch`` may be Python."""
@@ -113,27 +113,29 @@ class LaunchFiles:
         """The elements of a launch file in XML or YAML."""
         if path not in self._frontend_facts:
             text = self._tree.text(path)
-            found = LaunchFacts(problems=self._unreadable(path))
+            launch_facts = LaunchFacts(problems=self._unreadable(path))
             if text is not None:
                 with self._faults.contained("reading this launch file", Place(path, 1, 1, 1, 1)):
-                    found = _read(path, text)
-            if found.root is not None and has_placeholders(found.root):
-                found = LaunchFacts()
-            package = self._owners.package_of(path) if found.root is not None and not found.decided else None
+                    launch_facts = _read(path, text)
+            if launch_facts.root is not None and has_placeholders(launch_facts.root):
+                launch_facts = LaunchFacts()
+            package = (
+                self._owners.package_of(path) if launch_facts.root is not None and not launch_facts.decided else None
+            )
             if package is not None:
-                found = replace(found, ros1=package in self._ros1_packages)
-            self._frontend_facts[path] = found
+                launch_facts = replace(launch_facts, ros1=package in self._ros1_packages)
+            self._frontend_facts[path] = launch_facts
         return self._frontend_facts[path]
 
     def parameters(self, path: str) -> ParameterFacts:
         """What a parameter file sets."""
         if path not in self._parameter_facts:
             text = self._tree.text(path)
-            found = ParameterFacts(problems=self._unreadable(path))
+            parameter_facts = ParameterFacts(problems=self._unreadable(path))
             if text is not None:
                 with self._faults.contained("reading this parameter file", Place(path, 1, 1, 1, 1)):
-                    found = read_parameters(text)
-            self._parameter_facts[path] = found
+                    parameter_facts = read_parameters(text)
+            self._parameter_facts[path] = parameter_facts
         return self._parameter_facts[path]
 
     def _unreadable(self, path: str) -> tuple[facts.FileProblem, ...]:
@@ -152,24 +154,26 @@ class LaunchFiles:
         for file in self._files:
             if file.kind in LAUNCH_TEXT_KINDS and not file.context:
                 self.frontend(file.relative)
-        rows = [(path, one.problems) for path, one in self._frontend_facts.items()]
-        rows += [(path, one.problems) for path, one in self._parameter_facts.items()]
+        rows = [(path, launch_facts.problems) for path, launch_facts in self._frontend_facts.items()]
+        rows += [(path, parameter_facts.problems) for path, parameter_facts in self._parameter_facts.items()]
         for file in self._files:
             if file.kind in ("launch_python", "setup_py") and not file.context and not self._relevant(file):
-                found = self._facts_of(file)
-                rows.append((file.relative, () if found is None else tuple(found.problems)))
+                file_facts = self._facts_of(file)
+                rows.append((file.relative, () if file_facts is None else tuple(file_facts.problems)))
         broken = {Problem(path, p.line, p.column, p.message, p.internal) for path, problems in rows for p in problems}
         return sorted(broken | self._endless)
 
     def of_ros1(self) -> list[str]:
         """The launch files that were asked for and are for ROS 1."""
         context = {file.relative for file in self._files if file.context}
-        return sorted(path for path, one in self._frontend_facts.items() if one.ros1 and path not in context)
+        return sorted(
+            path for path, launch_facts in self._frontend_facts.items() if launch_facts.ros1 and path not in context
+        )
 
     def suppressions(self) -> dict[str, list[facts.Suppression]]:
         """What XML, YAML and parameter files suppress in place."""
-        rows = [(path, one.suppressions) for path, one in self._frontend_facts.items()]
-        rows += [(path, one.suppressions) for path, one in self._parameter_facts.items()]
+        rows = [(path, launch_facts.suppressions) for path, launch_facts in self._frontend_facts.items()]
+        rows += [(path, parameter_facts.suppressions) for path, parameter_facts in self._parameter_facts.items()]
         return {path: list(suppressions) for path, suppressions in rows if suppressions}
 
 

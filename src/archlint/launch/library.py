@@ -41,8 +41,8 @@ class LaunchLibrary(RosLibrary):
 
     def attribute_of_object(self, value: Instance, cls: External, name: str) -> Value:
         is_entities = name == "entities" and names.canonical(cls.path) == "launch.LaunchDescription"
-        found = calls.entities(self.run, value) if is_entities else None
-        return super().attribute_of_object(value, cls, name) if found is None else found
+        entities = calls.entities(self.run, value) if is_entities else None
+        return super().attribute_of_object(value, cls, name) if entities is None else entities
 
     def is_subclass(self, path: str, cls: Value) -> bool | None:
         row = tables.find(cls.path) if isinstance(cls, External) else None
@@ -53,8 +53,8 @@ class LaunchLibrary(RosLibrary):
     def is_ordinary_class(self, path: str) -> bool:
         return super().is_ordinary_class(path) or tables.find(path) is not None
 
-    def constructing(self, made: Instance, cls: ClassValue, site: CallSite) -> None:
-        calls.note_given(self.run, made, cls, site)
+    def constructing(self, instance: Instance, cls: ClassValue, site: CallSite) -> None:
+        calls.note_given(self.run, instance, cls, site)
 
 
 class LaunchFileLibrary(LaunchLibrary):

@@ -89,7 +89,7 @@ class Launched:
     undefined: dict[Place, str] = field(default_factory=dict)
     """Names that a launch file reads and nothing defines, each where it stops the launch."""
     gaps: list[Gap] = field(default_factory=list)
-    made: set[Place] = field(default_factory=set)
+    node_actions: set[Place] = field(default_factory=set)
     """Where the run came past a node action, whether it is then started or not."""
     written: dict[tuple[str, str], Place] = field(default_factory=dict)
     """Where the run came past the declaration of an argument, by file and name, whether it is then used or not."""

@@ -112,8 +112,8 @@ def place_of(value: Value | None) -> Place | None:
 
 def made_by_base(machine: Machine, value: Value | None) -> LaunchObject | None:
     """For an object of a workspace's class that derives from one of launch's: what ``super().__init__()`` made."""
-    made = machine.store.get(value.key, MADE_BY_BASE) if isinstance(value, Instance) else None
-    return made if isinstance(made, LaunchObject) else None
+    base_object = machine.store.get(value.key, MADE_BY_BASE) if isinstance(value, Instance) else None
+    return base_object if isinstance(base_object, LaunchObject) else None
 
 
 def own_method(machine: Machine, value: Instance, name: str) -> BoundMethod | None:

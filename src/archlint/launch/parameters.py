@@ -83,13 +83,13 @@ def file_use(run: LaunchRun, value: Value | None, place: Place, substitutions: b
         case Known(kind="literal", origin=origin) if origin is not None:
             place = origin
     path = run.perform(value)
-    made = run.made_files.get(known_text(path) or "")
+    made_file = run.made_files.get(known_text(path) or "")
     match path:
-        case Known(origin=origin) if made is not None:
-            path = Known(made.source, origin=origin)
+        case Known(origin=origin) if made_file is not None:
+            path = Known(made_file.source, origin=origin)
     reference = run.reference(FileKind.PARAMETERS, path, place)
     known = sorted(run.launch.known_configurations().items()) if substitutions else ()
-    changes = () if made is None else made.changes
+    changes = () if made_file is None else made_file.changes
     return ParameterFileUse(reference, place, substitutions, configurations=tuple(known), changes=changes)
 
 
@@ -212,10 +212,10 @@ def from_yaml(text: str) -> ParameterData:
         return text if ": " in text or "\n" in text else plain_scalar(text.strip())
     try:
         reader = YamlReader(text)
-        found = reader.value(reader.root) if reader.root is not None else None
+        data = reader.value(reader.root) if reader.root is not None else None
     except (YamlError, RecursionError):
         return text
-    return NotKnown("a parameter cannot be a map") if isinstance(found, dict) else found
+    return NotKnown("a parameter cannot be a map") if isinstance(data, dict) else data
 
 
 __all__ = ["TYPES", "Parameter", "file_use", "from_yaml", "of_type", "parameters_of", "python_of", "setting"]

@@ -87,9 +87,9 @@ class LaunchPaths:
         # The launch file runs from where it is installed: the same way from there.
         way = posixpath.relpath(source, posixpath.dirname(launch_file) or ".")
         for place in (*installs.places_of(launch_file), self._beside_manifest(launch_file, installs)):
-            found, status = self._in_share(posixpath.normpath(posixpath.join(posixpath.dirname(place), way)))
-            if found is not None:
-                return found, status
+            path, status = self._in_share(posixpath.normpath(posixpath.join(posixpath.dirname(place), way)))
+            if path is not None:
+                return path, status
         return None, FileStatus.UNKNOWN if installs.open_files else FileStatus.MISSING
 
     @staticmethod

@@ -13,13 +13,17 @@ from archlint.syntax.parts import everything_in
 _ALWAYS = frozenset(dir(builtins)) | {"__file__", "__name__", "__doc__", "__package__", "__spec__", "__loader__"}
 
 
-def undefined_name(found: facts.Facts, function: str) -> facts.Name | None:
+def undefined_name(module: facts.Facts, function: str) -> facts.Name | None:
     """The first name that a module, or a ``function`` of it, surely reads and that no line of the file binds."""
-    if _may_bind_anything(found.body):
+    if _may_bind_anything(module.body):
         return None
-    bound = _ALWAYS.union(name for part in everything_in(found.body) for name in _bound_by(part))
-    functions = (one.body for one in found.body if isinstance(one, facts.Function) and one.name == function)
-    return next((name for body in (found.body, *functions) for name in _read(body) if name.id not in bound), None)
+    bound = _ALWAYS.union(name for part in everything_in(module.body) for name in _bound_by(part))
+    functions = (
+        statement.body
+        for statement in module.body
+        if isinstance(statement, facts.Function) and statement.name == function
+    )
+    return next((name for body in (module.body, *functions) for name in _read(body) if name.id not in bound), None)
 
 
 _MAKES_NAMES = frozenset({"exec", "globals", "vars", "setattr"})

@@ -42,9 +42,9 @@ def bind_api(api: Api, args: list[Value], keywords: dict[str, Value]) -> tuple[d
 
 def argument_places(run: Run, api: Api, e: facts.Call | None, skip: int = 0) -> dict[str, Place]:
     """Where each argument of a call is written, by the API's parameter names."""
-    found: dict[str, Place] = {}
+    places: dict[str, Place] = {}
     if e is None or not run.activations:
-        return found
+        return places
     position = -skip
     for argument in e.args:
         if argument.star:
@@ -56,8 +56,8 @@ def argument_places(run: Run, api: Api, e: facts.Call | None, skip: int = 0) -> 
             name = api.positional[position] if 0 <= position < len(api.positional) else None
             position += 1
         if name is not None and span is not None:
-            found[name] = run.place(span)
-    return found
+            places[name] = run.place(span)
+    return places
 
 
 Effect = Callable[["Run", ApiUse], Value]

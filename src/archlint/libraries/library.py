@@ -135,8 +135,8 @@ class RosLibrary(Library):
 
     # ----------------------------------------------------------------------------- events: objects and names
 
-    def allocated(self, made: Instance) -> None:
-        nodes.adopt(self.run, made)
+    def allocated(self, instance: Instance) -> None:
+        nodes.adopt(self.run, instance)
 
     def rebound(self, value: Instance, before: object) -> None:
         nodes.note_replaced(self.run, value, before)

@@ -71,7 +71,10 @@ def _imports(key: Itself[facts.Facts], name: str) -> bool:
     for item in everything_in(key.fact):
         if isinstance(item, facts.Import) and name in item.module.split("."):
             return True
-        if isinstance(item, facts.ImportFrom) and name in (*item.module.split("."), *(one for one, _ in item.names)):
+        if isinstance(item, facts.ImportFrom) and name in (
+            *item.module.split("."),
+            *(imported for imported, _ in item.names),
+        ):
             return True
     return False
 

@@ -93,13 +93,13 @@ def encode_noting(items: Iterable[object]) -> tuple[bytes, list[object]]:
 def decode(payload: bytes) -> list[Any]:
     """What was encoded; raises :class:`NotPrograms`."""
     try:
-        found = msgspec.msgpack.decode(payload, type=Payload)
+        decoded = msgspec.msgpack.decode(payload, type=Payload)
     except (msgspec.MsgspecError, ValueError, RecursionError) as error:
         raise NotPrograms(str(error)) from error
-    if found.layout != _LAYOUT:
+    if decoded.layout != _LAYOUT:
         raise NotPrograms("written by another version")
     try:
-        return _Rows(found).items()
+        return _Rows(decoded).items()
     except (LookupError, TypeError, ValueError) as error:
         raise NotPrograms(str(error)) from error
 

@@ -218,7 +218,7 @@ def _of_bag(data: _Bag, file: str, text: str, digest: str) -> Observed:
     places = _Places(file, text)
     topics = [
         SeenTopic(topic.name, topic.type, tuple(qos.profile() for qos in _offered(topic)), places.of(topic.name))
-        for topic in (one.topic_metadata for one in data.topics_with_message_count)
+        for topic in (entry.topic_metadata for entry in data.topics_with_message_count)
     ]
     return Observed(file, BAG, digest, topics=tuple(topics), kinds=frozenset([program.EntityKind.PUBLISHER]))
 

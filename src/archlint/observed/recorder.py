@@ -74,9 +74,9 @@ def main() -> int:
 
 
 def parser() -> argparse.ArgumentParser:
-    made = argparse.ArgumentParser(description="Record the graph of a running ROS 2 system as JSON.")
-    made.add_argument("-o", metavar="FILE", dest="file", help="write to FILE (default: standard output)")
-    made.add_argument(
+    parser = argparse.ArgumentParser(description="Record the graph of a running ROS 2 system as JSON.")
+    parser.add_argument("-o", metavar="FILE", dest="file", help="write to FILE (default: standard output)")
+    parser.add_argument(
         "--seconds",
         type=float,
         default=15.0,
@@ -85,8 +85,8 @@ def parser() -> argparse.ArgumentParser:
             "(default: 15)"
         ),
     )
-    made.add_argument("--parameters", action="store_true", help="ask each node for its parameters, too")
-    return made
+    parser.add_argument("--parameters", action="store_true", help="ask each node for its parameters, too")
+    return parser
 
 
 def written(nodes: list[Entity], settled: bool, arguments: argparse.Namespace) -> int:
@@ -120,11 +120,11 @@ def wait(node: Node, limit: float) -> bool:
     start = changed = time.monotonic()
     before: list[Any] = []
     while time.monotonic() - start < limit:
-        found = [(name, count, ends(node, name)) for name, count in names(node).items()]
-        bare = any(not any(has.values()) for _, _, has in found)
-        if found != before:
-            before, changed = found, time.monotonic()
-        elif found and time.monotonic() - changed >= (LATE_S if bare else QUIET_S):
+        graph = [(name, count, ends(node, name)) for name, count in names(node).items()]
+        bare = any(not any(has.values()) for _, _, has in graph)
+        if graph != before:
+            before, changed = graph, time.monotonic()
+        elif graph and time.monotonic() - changed >= (LATE_S if bare else QUIET_S):
             return True
         time.sleep(STEP_S)
     return not before
@@ -162,24 +162,24 @@ def pairs(ask: Any) -> list[tuple[str, str]]:
 
 
 def described(node: Node, full: str, count: int) -> Entity:
-    found = ends(node, full)
+    endpoints = ends(node, full)
     entry: Entity = {"name": full, "count": count}
-    for kind, known in found.items():
+    for kind, known in endpoints.items():
         entry[kind] = [{"name": name, "type": type_} for name, type_ in known]
-    entry["publishers"] = with_qos(found["publishers"], node.get_publishers_info_by_topic, full)
-    entry["subscribers"] = with_qos(found["subscribers"], node.get_subscriptions_info_by_topic, full)
+    entry["publishers"] = with_qos(endpoints["publishers"], node.get_publishers_info_by_topic, full)
+    entry["subscribers"] = with_qos(endpoints["subscribers"], node.get_subscriptions_info_by_topic, full)
     return entry
 
 
 def with_qos(known: list[tuple[str, str]], ask: Any, full: str) -> list[Entity]:
     """One entry for each end of a node, with its QoS; without it where the middleware tells none."""
-    found: list[Entity] = []
+    entries: list[Entity] = []
     for name, type_ in known:
-        infos = [one for one in ask(name) if f"{one.node_namespace.rstrip('/')}/{one.node_name}" == full]
+        infos = [info for info in ask(name) if f"{info.node_namespace.rstrip('/')}/{info.node_name}" == full]
         profiles: list[Entity | None] = [qos(info.qos_profile) for info in infos if info.topic_type == type_]
         profiles.sort(key=lambda profile: json.dumps(profile, sort_keys=True))
-        found += [{"name": name, "type": type_, "qos": profile} for profile in profiles or [None]]
-    return found
+        entries += [{"name": name, "type": type_, "qos": profile} for profile in profiles or [None]]
+    return entries
 
 
 def qos(profile: Any) -> Entity:
@@ -197,7 +197,7 @@ def qos(profile: Any) -> Entity:
 
 def word(policy: Any) -> str:
     """``best_effort``: the policy's name, without the prefix that older distributions put before it."""
-    known = [name for name, one in type(policy).__members__.items() if one == policy and not name.startswith("RMW")]
+    known = [name for name, value in type(policy).__members__.items() if value == policy and not name.startswith("RMW")]
     return known[0].lower() if known else "unknown"
 
 

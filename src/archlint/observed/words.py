@@ -15,11 +15,11 @@ def comparison_words(compared: Comparison | None) -> Iterator[str]:
     if compared is None:
         return
     status = Counter(difference.status for difference in compared.differences)
-    found = ", ".join(f"{status[word]} {word}" for word in ("missing", "unexpected", "different") if status[word])
+    counts = ", ".join(f"{status[word]} {word}" for word in ("missing", "unexpected", "different") if status[word])
     what = [(compared.nodes, "node"), (compared.ends, "endpoint" if compared.nodes else "topic")]
     same = " and ".join(f"{count} {word}{'' if count == 1 else 's'}" for count, word in what if count)
     yield f"Compared {compared.observed.file} with {compared.with_what}."
-    yield f"{same or 'Nothing'} on both sides; {found or 'no difference'}."
+    yield f"{same or 'Nothing'} on both sides; {counts or 'no difference'}."
 
 
 def comparison_notices(compared: Comparison | None) -> Iterator[str]:

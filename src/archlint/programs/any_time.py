@@ -16,7 +16,7 @@ from archlint.programs.left_behind import is_plain
 
 def attributes_at_any_time(run: Run) -> Layer:
     """What the plain attributes of the program's objects may hold, where a method gives them another value."""
-    found: Layer = {}
+    layer: Layer = {}
     changed: dict[int, dict[str, tuple[Value, ...]]] = {}
     for instance in run.instances.values():
         cls = instance.own_class
@@ -29,5 +29,5 @@ def attributes_at_any_time(run: Run) -> Layer:
             if value is not None and is_plain(run, value):
                 joined = one_of([value, *others])
                 if joined != value:
-                    found[(instance.key, name)] = joined
-    return found
+                    layer[(instance.key, name)] = joined
+    return layer

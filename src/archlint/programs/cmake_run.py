@@ -226,9 +226,9 @@ class CMakeRun:
                 patterns.append(word)
         if any("$" in pattern for pattern in patterns):
             return None
-        found = {path: None for pattern in patterns for path in self._matches(step.path(pattern), recursive)}
+        matches = {path: None for pattern in patterns for path in self._matches(step.path(pattern), recursive)}
         # RELATIVE is, but for rare cases, to the folder itself, from which such a path is read again.
-        shown = (posixpath.relpath(path, step.folder) if relative else SOURCE + path for path in sorted(found))
+        shown = (posixpath.relpath(path, step.folder) if relative else SOURCE + path for path in sorted(matches))
         return list(shown)[:_VALUES]
 
     def _matches(self, pattern: str, recursive: bool) -> Iterable[str]:
@@ -340,19 +340,19 @@ def _loop_values(words: Sequence[Argument], scope: _Scope) -> list[str] | None:
         return _range(texts[1:])
     if texts[:1] != ["IN"]:
         return texts
-    found: list[str] = []
+    items: list[str] = []
     mode = ""
     for text in texts[1:]:
         if text in ("LISTS", "ITEMS"):
             mode = text
         elif mode != "LISTS":
-            found.append(text)
+            items.append(text)
         else:
             values = scope.variables.get(text)
             if values is None:
                 return None
-            found.extend(values)
-    return found
+            items.extend(values)
+    return items
 
 
 def _range(texts: Sequence[str]) -> list[str] | None:

@@ -68,9 +68,9 @@ def read_installs(
     index = ModuleIndex(files, facts_of)
     setups = {file.relative: file for file in files if file.kind == "setup_py"}
     faults = faults or Faults()
-    found: dict[str, Installs] = {}
+    by_package: dict[str, Installs] = {}
     for package in packages:
-        installs = found[package.name] = Installs(package.name, package.relative)
+        installs = by_package[package.name] = Installs(package.name, package.relative)
         with _apart(installs, "CMakeLists.txt", faults) as cmake:
             if tree.is_file(cmake):
                 read_cmake(installs, cmake, tree)
@@ -88,7 +88,7 @@ def read_installs(
         with _apart(installs, "package.xml", faults):
             _find_programs(installs, files)
             _follow_links(installs, files, tree)
-    return found
+    return by_package
 
 
 @contextmanager
@@ -148,16 +148,16 @@ def _follow_links(installs: Installs, files: Sequence[SourceFile], tree: Tree) -
 def entry_points(installs: dict[str, Installs], files: Sequence[SourceFile]) -> list[EntryPoint]:
     """Every Python executable of the workspace as the linker wants it."""
     by_path = {file.relative: file for file in files}
-    found: list[EntryPoint] = []
+    entries: list[EntryPoint] = []
     for package in sorted(installs):
         for executable in installs[package].executables.values():
             if executable.module is not None:
-                found.append(EntryPoint(executable.name, package, executable.module, executable.function))
+                entries.append(EntryPoint(executable.name, package, executable.module, executable.function))
             elif executable.script in by_path:
                 file = by_path[executable.script]
                 if file.kind in CODE_KINDS:
-                    found.append(EntryPoint(executable.name, package, file.module or "", None, file))
-    return found
+                    entries.append(EntryPoint(executable.name, package, file.module or "", None, file))
+    return entries
 
 
 def _read_tables(installs: Installs, tree: Tree) -> None:
@@ -235,12 +235,14 @@ def _script_text(installs: Installs, text: Value, where: Place, tree: Tree) -> N
         return
     run_together = _run_together(origin, tree) if entry.wrong else []
     if run_together:
-        names = " and ".join(f"'{one.name}'" for one in run_together)
+        names = " and ".join(f"'{script.name}'" for script in run_together)
         wrong = f"a comma is missing between {names}; newer setuptools stop the build here"
         entry = replace(run_together[0], wrong=wrong)
-    for one in (entry, *run_together[1:]):
+    for script in (entry, *run_together[1:]):
         place = origin or where
-        installs.add(Executable(one.name, installs.package, place, one.module, one.function, wrong=one.wrong))
+        installs.add(
+            Executable(script.name, installs.package, place, script.module, script.function, wrong=script.wrong)
+        )
 
 
 _LITERAL = re.compile(r"""(["'])([^"'\n]*)\1""")
@@ -256,7 +258,7 @@ def _run_together(place: Place | None, tree: Tree) -> list[ScriptEntry]:
     lines[:1] = [line[place.column - 1 :] for line in lines[:1]]
     written = "\n".join(lines)
     parts = [parse_entry(match[2]) for match in _LITERAL.finditer(written)]
-    entries = [one for one in parts if one is not None and not one.wrong]
+    entries = [entry for entry in parts if entry is not None and not entry.wrong]
     return entries if len(entries) == len(parts) > 1 else []
 
 

@@ -52,7 +52,7 @@ class Followed:
     """How many statements it has run."""
     ran: frozenset[Place]
     """The functions that ran."""
-    made: frozenset[Place]
+    instantiated: frozenset[Place]
     """Classes of which an object was made, and their bases."""
     holders: list[tuple[model.ClassKey, str, model.Blueprint]]
     """The nodes that objects of a class hold in an attribute in the end."""
@@ -67,14 +67,14 @@ class Progress:
     programs: list[model.Program] = field(default_factory=list)
     budget: Budget = field(default_factory=Budget)
     ran: set[Place] = field(default_factory=set)
-    made: set[Place] = field(default_factory=set)
+    instantiated: set[Place] = field(default_factory=set)
     holders: Holders = field(default_factory=dict)
 
     def add(self, followed: Followed) -> None:
         """One more program."""
         self.budget.spend(followed.steps)
         self.ran |= followed.ran
-        self.made |= followed.made
+        self.instantiated |= followed.instantiated
         for cls, attribute, node in followed.holders:
             self.holders.setdefault((cls, attribute), []).append(node)
         if followed.program not in self.programs:
@@ -140,8 +140,8 @@ class FollowedProgram:
         run = self.run
         classes = [instance.own_class for instance in run.instances.values()]
         bases = {id(base): base for cls in classes if cls is not None for base in cls.mro}
-        made = frozenset(place for base in bases.values() if (place := place_of(base)) is not None)
-        return Followed(run.program, steps_of(run), _ran(run), made, self._holders, list(definitions))
+        instantiated = frozenset(place for base in bases.values() if (place := place_of(base)) is not None)
+        return Followed(run.program, steps_of(run), _ran(run), instantiated, self._holders, list(definitions))
 
 
 def _ran(run: Run) -> frozenset[Place]:

@@ -48,7 +48,7 @@ def settle_helpers(programs: Sequence[model.Program], holders: Holders) -> None:
     declared = _names_by_place(parameter for node in every if not node.caller_unknown for parameter in node.parameters)
     for node in every:
         if node.caller_unknown:
-            node.creations = [one for one in node.creations if not _is_known(one, owned)]
+            node.creations = [creation for creation in node.creations if not _is_known(creation, owned)]
             node.parameters = [declaration for declaration in node.parameters if not _is_known(declaration, declared)]
             _give_away(node, _meant(node, every, holders))
     for program in programs:
@@ -80,17 +80,17 @@ def note_unfollowed(
                     node.gaps.append(gap)
 
 
-def _names_by_place(made: Iterable[_Made]) -> dict[Place, set[str | None]]:
-    found: dict[Place, set[str | None]] = {}
-    for one in made:
-        found.setdefault(one.place, set()).add(one.name.text)
-    return found
+def _names_by_place(items: Iterable[_Made]) -> dict[Place, set[str | None]]:
+    names: dict[Place, set[str | None]] = {}
+    for item in items:
+        names.setdefault(item.place, set()).add(item.name.text)
+    return names
 
 
-def _is_known(made: _Made, owned: dict[Place, set[str | None]]) -> bool:
+def _is_known(item: _Made, owned: dict[Place, set[str | None]]) -> bool:
     """Whether a known node has what one line creates: under this name, or where the name is that of a caller."""
-    names = owned.get(made.place)
-    return names is not None and (made.name.text in names or made.name.resolution in ("partial", "unknown"))
+    names = owned.get(item.place)
+    return names is not None and (item.name.text in names or item.name.resolution in ("partial", "unknown"))
 
 
 def _meant(helper: model.Blueprint, every: Sequence[model.Blueprint], holders: Holders) -> list[model.Blueprint]:
@@ -98,10 +98,10 @@ def _meant(helper: model.Blueprint, every: Sequence[model.Blueprint], holders: H
     if helper.annotated is None:
         return []
     cls, attribute = helper.annotated
-    found = holders.get(helper.annotated, []) if attribute else [node for node in every if cls in node.classes]
-    found = [node for node in found if not node.caller_unknown and node.test <= helper.test]
-    one = len({(node.place, node.class_name, node.name.text) for node in found}) == 1
-    return list({id(node): node for node in found}.values()) if one else []
+    candidates = holders.get(helper.annotated, []) if attribute else [node for node in every if cls in node.classes]
+    candidates = [node for node in candidates if not node.caller_unknown and node.test <= helper.test]
+    is_single = len({(node.place, node.class_name, node.name.text) for node in candidates}) == 1
+    return list({id(node): node for node in candidates}.values()) if is_single else []
 
 
 def _give_away(helper: model.Blueprint, owners: Sequence[model.Blueprint]) -> None:
@@ -111,11 +111,11 @@ def _give_away(helper: model.Blueprint, owners: Sequence[model.Blueprint]) -> No
         return
     for number, owner in enumerate(owners):
         for creation in helper.creations:
-            made = creation if number == 0 else replace(creation)
-            made.node, made.conditional = owner, True
-            owner.creations.append(made)
+            given = creation if number == 0 else replace(creation)
+            given.node, given.conditional = owner, True
+            owner.creations.append(given)
         owner.parameters += [replace(parameter, node=owner, conditional=True) for parameter in helper.parameters]
-    for callback in (one for creation in helper.creations for one in creation.callbacks.values()):
+    for callback in (registered for creation in helper.creations for registered in creation.callbacks.values()):
         callback.node = owners[0]
     helper.creations, helper.parameters = [], []
 

@@ -144,8 +144,8 @@ class KeptPrograms:
         if lookup not in self._lookups:
             importer, name, dots = lookup
             file = self.index.at(importer)
-            found = None if file is None else self.index.file_of(file, name, dots)
-            self._lookups[lookup] = None if found is None else found.path
+            target = None if file is None else self.index.file_of(file, name, dots)
+            self._lookups[lookup] = None if target is None else target.path
         return self._lookups[lookup]
 
     @cached_property
@@ -214,13 +214,13 @@ class KeptPrograms:
 
 def _parts(result: Followed) -> list[object]:
     definitions = [definition.parts() for definition in result.definitions]
-    return [result.program, result.steps, sorted(result.ran), sorted(result.made), result.holders, definitions]
+    return [result.program, result.steps, sorted(result.ran), sorted(result.instantiated), result.holders, definitions]
 
 
 def _followed(parts: Sequence[Any]) -> Followed:
-    program, steps, ran, made, holders, definitions = parts
+    program, steps, ran, instantiated, holders, definitions = parts
     rows = [Definition(*row) for row in definitions]
-    return Followed(program, steps, frozenset(ran), frozenset(made), holders, rows)
+    return Followed(program, steps, frozenset(ran), frozenset(instantiated), holders, rows)
 
 
 class NothingKept:

@@ -47,10 +47,10 @@ def note(run: Run, layer: Written) -> None:
 def _is_news(run: Run, before: object, value: Value) -> bool:
     """Whether an attribute now holds an object to work with, or what may decide a test in another way than before."""
     earlier = alternatives(before) if isinstance(before, Value) else ()
-    fresh = [one for one in alternatives(value) if not any(_alike(run, one, other) for other in earlier)]
-    if any(_is_entity(one) for one in fresh):
+    fresh = [option for option in alternatives(value) if not any(_alike(run, option, other) for other in earlier)]
+    if any(_is_entity(option) for option in fresh):
         return True
-    return bool(fresh) and not any(isinstance(one, Unknown) for one in earlier)
+    return bool(fresh) and not any(isinstance(option, Unknown) for option in earlier)
 
 
 def _is_entity(value: Value) -> bool:
@@ -58,14 +58,14 @@ def _is_entity(value: Value) -> bool:
     return entity or (isinstance(value, Instance) and value.cls == GOAL_HANDLE)
 
 
-def _alike(run: Run, one: Value, other: Value) -> bool:
+def _alike(run: Run, first: Value, second: Value) -> bool:
     """Whether no test tells two values apart; each run of a callback makes messages and lists of its own."""
-    if one == other or type(one) is not type(other):
-        return one == other
-    if isinstance(one, (Known, EntityValue, NodeValue, ExecutorValue)):
+    if first == second or type(first) is not type(second):
+        return first == second
+    if isinstance(first, (Known, EntityValue, NodeValue, ExecutorValue)):
         return False
-    if isinstance(one, Instance) and isinstance(other, Instance):
-        return one.cls == other.cls and not one.is_member and not _is_entity(one)
+    if isinstance(first, Instance) and isinstance(second, Instance):
+        return first.cls == second.cls and not first.is_member and not _is_entity(first)
     return True
 
 
@@ -73,7 +73,9 @@ def readers(run: Run, pending: Iterable[Pending], names: Iterable[str]) -> list[
     """The callbacks that read one of these attributes, themselves or in a function of the workspace that they name."""
     wanted = set(names)
     called = _functions(run)
-    return [one for one in pending if not wanted.isdisjoint(_all_names(_code_of(run, one.value), called))]
+    return [
+        callback for callback in pending if not wanted.isdisjoint(_all_names(_code_of(run, callback.value), called))
+    ]
 
 
 def _code_of(run: Run, value: Value) -> facts.Function | facts.Lambda | None:
@@ -88,12 +90,12 @@ def _functions(run: Run) -> dict[str, list[facts.Function]]:
     for cls in classes.values():
         bodies[id(cls.ir)] = cls.ir.body
         bodies[id(cls.scope.module.facts)] = cls.scope.module.facts.body
-    found: dict[str, list[facts.Function]] = {}
+    functions: dict[str, list[facts.Function]] = {}
     for body in bodies.values():
         for statement in body:
             if isinstance(statement, facts.Function):
-                found.setdefault(statement.name, []).append(statement)
-    return found
+                functions.setdefault(statement.name, []).append(statement)
+    return functions
 
 
 def _classes_of(instance: Instance) -> Iterator[ClassValue]:
@@ -102,14 +104,14 @@ def _classes_of(instance: Instance) -> Iterator[ClassValue]:
 
 
 def _all_names(function: Source, called: dict[str, list[facts.Function]]) -> set[str]:
-    found: set[str] = set()
+    names: set[str] = set()
     rest = list(names_in(function))
     while rest:
         name = rest.pop()
-        if name not in found:
-            found.add(name)
-            rest.extend(inner for one in called.get(name, ()) for inner in names_in(one))
-    return found
+        if name not in names:
+            names.add(name)
+            rest.extend(inner for callee in called.get(name, ()) for inner in names_in(callee))
+    return names
 
 
 def forget(run: Run, news: dict[str, set[int]]) -> None:
@@ -123,4 +125,7 @@ def forget(run: Run, news: dict[str, set[int]]) -> None:
 
 def is_plain(run: Run, value: Value) -> bool:
     """Whether a value is a constant or a member of an enumeration, or one of several."""
-    return all(isinstance(one, Known) or (isinstance(one, Instance) and one.is_member) for one in alternatives(value))
+    return all(
+        isinstance(option, Known) or (isinstance(option, Instance) and option.is_member)
+        for option in alternatives(value)
+    )

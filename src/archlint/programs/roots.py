@@ -248,14 +248,14 @@ def bind_quietly(function: FunctionValue, instance: Instance, owner: ClassValue)
 
 def _methods(run: Run, cls: ClassValue) -> list[tuple[FunctionValue, ClassValue]]:
     """The methods an object of a class has, overridden ones left out."""
-    found: dict[str, tuple[FunctionValue, ClassValue]] = {}
+    methods: dict[str, tuple[FunctionValue, ClassValue]] = {}
     for base in cls.mro:
         if isinstance(base, ClassValue):
             for statement in definitions.methods_of(base):
                 value = run.store.get(base.key, statement.name)
                 if isinstance(value, FunctionValue):
-                    found.setdefault(statement.name, (value, cls))
-    return list(found.values())
+                    methods.setdefault(statement.name, (value, cls))
+    return list(methods.values())
 
 
 def finish(run: Run) -> None:

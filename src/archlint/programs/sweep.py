@@ -65,11 +65,13 @@ class Sweep:
         bases = {base for _, cls in classes for base in cls.bases}
         for last in (False, True):
             for module, cls in classes:
-                if (cls.place in bases) is last and cls.place not in self.progress.made:
+                if (cls.place in bases) is last and cls.place not in self.progress.instantiated:
                     self._run_alone(module, cls)
 
     def _run_rest(self, classes: Sequence[Row], functions: Sequence[Row]) -> None:
-        candidates = [row for row in classes if row[1].is_interesting and row[1].place not in self.progress.made]
+        candidates = [
+            row for row in classes if row[1].is_interesting and row[1].place not in self.progress.instantiated
+        ]
         candidates += [row for row in functions if row[1].is_interesting and row[1].place not in self.progress.ran]
         mentioned: dict[str, int] = {}
         for _, definition in candidates:
@@ -80,7 +82,7 @@ class Sweep:
                 own = 1 if definition.name in definition.names else 0
                 if (mentioned.get(definition.name, 0) > own) is not last:
                     continue
-                seen = self.progress.made if definition.is_class else self.progress.ran
+                seen = self.progress.instantiated if definition.is_class else self.progress.ran
                 if definition.place not in seen:
                     self._run_alone(module, definition)
 

@@ -21,14 +21,14 @@ def called_alone(body: list[facts.Stmt]) -> list[str] | None:
 
 def definitions(body: list[facts.Stmt]) -> list[facts.Function | facts.Class]:
     """The functions and classes of a block, those under a condition too."""
-    found: list[facts.Function | facts.Class] = []
+    statements: list[facts.Function | facts.Class] = []
     for statement in body:
         match statement:
             case facts.Function() | facts.Class():
-                found.append(statement)
+                statements.append(statement)
             case facts.If() | facts.Try():
-                found += [*definitions(statement.body), *definitions(statement.orelse)]
-    return found
+                statements += [*definitions(statement.body), *definitions(statement.orelse)]
+    return statements
 
 
 def place_of(value: Value) -> Place | None:

@@ -125,7 +125,7 @@ class InterfaceTable:
                 )
 
     def _lists(self, package: str) -> bool:
-        return any(one == package for one, _, _ in self._listed)
+        return any(listed == package for listed, _, _ in self._listed)
 
     def _add_listed(self, package: str, words: Collection[str]) -> None:
         self._add_names(package, words)
@@ -188,8 +188,8 @@ class InterfaceTable:
     def packages_with(self, kind: InterfaceKind, name: str) -> tuple[str, ...]:
         """The packages of the workspace that define an interface of that kind and name, sorted."""
         end = f"/{kind}/{name}"
-        found = sorted(file.removesuffix(end) for file in self._files if file.endswith(end))
-        return tuple(one for one in found if self.defines(one, kind, name))
+        packages = sorted(file.removesuffix(end) for file in self._files if file.endswith(end))
+        return tuple(package for package in packages if self.defines(package, kind, name))
 
     def get(self, name: str) -> Interface | None:
         """The interface called ``package/kind/Name``; None where it is not known."""
@@ -228,10 +228,10 @@ class InterfaceTable:
     def field_type(self, name: str, section_name: str, field: str) -> FieldType | None:
         """The type of a field, its name in full; None where it is not known or differs between distributions."""
         section = None if section_name in _WRAPPERS else self.section(name, section_name)
-        found = None if section is None else section.field(field)
-        if found is None or (name not in self._files and self._varies(name, field)):
+        definition = None if section is None else section.field(field)
+        if definition is None or (name not in self._files and self._varies(name, field)):
             return None
-        kind = found.type
+        kind = definition.type
         return FieldType(kind.qualified(name.partition("/")[0]), kind.array, kind.size, kind.string_bound)
 
     def inside(self, name: str, section_name: str, attribute: str) -> str | None:
@@ -260,7 +260,7 @@ class InterfaceTable:
         section = self.section(name, section_name)
         if section is None:
             return None
-        for found in section.constants:
-            if found.name == constant and isinstance(found.value, (str, int, float, bool)):
-                return found.value
+        for definition in section.constants:
+            if definition.name == constant and isinstance(definition.value, (str, int, float, bool)):
+                return definition.value
         return None

@@ -143,8 +143,8 @@ class Store:
     def _signature(self, name: str, payload: bytes) -> bytes:
         """What only this user can make: for this payload, under this name, of this version."""
         place = f"{os.path.basename(self.folder)}/{name.replace(os.sep, '/')}".encode()
-        made = hashlib.blake2b(place + b"\0" + payload, key=self._secret, digest_size=16)
-        return made.hexdigest().encode()
+        signature = hashlib.blake2b(place + b"\0" + payload, key=self._secret, digest_size=16)
+        return signature.hexdigest().encode()
 
     def _write(self, name: str, payload: bytes) -> None:
         if not self._usable:
@@ -193,9 +193,9 @@ def _read_index(data: bytes | None) -> tuple[dict[str, _Row], int]:
     """The rows of the index, and the day of the last sweep; nothing where anything is wrong."""
     rows: dict[str, _Row] = {}
     try:
-        found = json.loads(data or b"")
-        swept = found["swept"]
-        for path, (modified, changed, size, inode, digest, day) in found["files"].items():
+        index = json.loads(data or b"")
+        swept = index["swept"]
+        for path, (modified, changed, size, inode, digest, day) in index["files"].items():
             numbers = modified, changed, size, inode, day, swept
             if not all(type(number) is int for number in numbers) or not _KEY.fullmatch(digest):
                 return {}, 0
@@ -228,13 +228,13 @@ def _expire(folder: str, named: set[str], most: int | None = None) -> None:
     if os.path.islink(folder) or os.path.islink(os.path.dirname(folder)):
         return
     oldest = time.time() - KEPT_DAYS * _DAY
-    found = []
+    files = []
     for entry in _entries(folder):
         ours = _KEY.fullmatch(entry.name) or entry.name == INDEX or entry.name.endswith(".tmp")
         if ours and entry.is_file(follow_symlinks=False):
             with contextlib.suppress(OSError):
-                found.append((entry.stat(follow_symlinks=False).st_mtime, entry.name, entry.path))
-    for number, (changed, name, path) in enumerate(sorted(found, reverse=True)):
+                files.append((entry.stat(follow_symlinks=False).st_mtime, entry.name, entry.path))
+    for number, (changed, name, path) in enumerate(sorted(files, reverse=True)):
         too_many = most is not None and number >= most
         if (changed < oldest and name.rpartition("-")[2] not in named) or too_many:
             with contextlib.suppress(OSError):

@@ -29,14 +29,14 @@ class Base(msgspec.Struct, frozen=True, array_like=True, gc=False):
 
     def children(self) -> list[Base]:
         """The facts that it is made of, in the order of the source."""
-        found: list[Base] = []
+        parts: list[Base] = []
         for name in fields_with_facts(type(self)):
             value = getattr(self, name)
             if isinstance(value, Base):
-                found.append(value)
+                parts.append(value)
             elif isinstance(value, list):
-                found += [item for item in value if isinstance(item, Base)]
-        return found
+                parts += [item for item in value if isinstance(item, Base)]
+        return parts
 
     @property
     def statements(self) -> list[Base]:

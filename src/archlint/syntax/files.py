@@ -80,20 +80,20 @@ class FactsOfFiles:
         """Compile together what the screen left out but is read nevertheless: launch files, ``setup.py``, and what
         files that were compiled now import.  A process for each would cost more than the compiling."""
         left: dict[str, list[SourceFile]] = {}
-        found: dict[str, SourceFile] = {}
+        ahead: dict[str, SourceFile] = {}
         for file in files:
             if self.relevant(file):
                 continue
             if file.kind == "launch_python" or file.path.endswith("setup.py"):
-                found[file.path] = file
+                ahead[file.path] = file
             for name in _names_of([file]):
                 left.setdefault(name, []).append(file)
         names = self._fresh_imports
         while names:
-            new = {file.path: file for name in names for file in left.get(name, ()) if file.path not in found}
-            found.update(new)
+            new = {file.path: file for name in names for file in left.get(name, ()) if file.path not in ahead}
+            ahead.update(new)
             names = {name for file in new.values() for name in self._imports(file)}
-        self._ahead = self._on_demand(found[path] for path in sorted(found))
+        self._ahead = self._on_demand(ahead[path] for path in sorted(ahead))
 
     def _widen(self, files: Sequence[SourceFile]) -> None:
         """Take back what the screen left out but imports a module that it kept: a class derived from a node
@@ -101,12 +101,12 @@ class FactsOfFiles:
         left = [file for file in files if not self.relevant(file) and not self.is_ros1(file)]
         kept = _names_of(file for file in files if self.relevant(file))
         while True:
-            found = [file for file in left if not kept.isdisjoint(self._imports(file))]
-            if not found:
+            importers = [file for file in left if not kept.isdisjoint(self._imports(file))]
+            if not importers:
                 return
-            self._payloads.update(self._on_demand(found))
-            left = [file for file in left if file not in found]
-            kept = _names_of(found)
+            self._payloads.update(self._on_demand(importers))
+            left = [file for file in left if file not in importers]
+            kept = _names_of(importers)
 
     def _imports(self, file: SourceFile) -> set[str]:
         """The dotted names of modules that a screened-out file may import."""
@@ -115,16 +115,16 @@ class FactsOfFiles:
     def _targets(self, file: SourceFile, names: Iterable[bytes]) -> set[str]:
         """The dotted names, and the paths, that imported names may mean in a file."""
         folder = file.path.replace("\\", "/").split("/")[:-1]
-        found = set()
+        targets = set()
         for written in names:
             name = written.decode("utf-8", "replace")
             level = len(name) - len(name.lstrip("."))
             if level:
-                found.add("/".join((*folder[: len(folder) - level + 1], *name[level:].split("."))).rstrip("/"))
+                targets.add("/".join((*folder[: len(folder) - level + 1], *name[level:].split("."))).rstrip("/"))
             else:
-                found.add(name)
-                found.add("/".join((*folder, *name.split("."))))
-        return found
+                targets.add(name)
+                targets.add("/".join((*folder, *name.split("."))))
+        return targets
 
     def _prepare(self, files: Iterable[SourceFile]) -> None:
         waiting: list[tuple[SourceFile, str, bytes]] = []
@@ -135,9 +135,9 @@ class FactsOfFiles:
                 if payload is not None:
                     self._keep(file, digest, payload)
                     continue
-            found = self._read(file)
-            if found is not None:
-                waiting.append((file, *found))
+            source = self._read(file)
+            if source is not None:
+                waiting.append((file, *source))
         self._compile(waiting)
 
     def digest(self, file: SourceFile) -> str | None:
@@ -150,9 +150,9 @@ class FactsOfFiles:
 
     def imports_of(self, file: SourceFile, module: SourceFile) -> Span | None:
         """Where a file imports a module of the workspace; None where it does not."""
-        found = self.facts_of(file)
+        file_facts = self.facts_of(file)
         wanted = _names_of([module])
-        for statement in statements_of(found.body) if found is not None else ():
+        for statement in statements_of(file_facts.body) if file_facts is not None else ():
             if not wanted.isdisjoint(self._targets(file, _modules_of(statement))):
                 return getattr(statement, "span", None)
         return None
@@ -295,26 +295,26 @@ def _modules_of(statement: Stmt) -> list[bytes]:
 
 def _imported(data: bytes) -> list[bytes]:
     """The modules that a source imports, and what it imports from them, which may be modules too."""
-    found: dict[bytes, None] = {}
+    imported: dict[bytes, None] = {}
     for match in _IMPORT.finditer(data):
         origin, names, plain = match.groups()
         if plain is not None:
             for name in _IMPORTED_NAME.findall(plain):
-                found.setdefault(name)
+                imported.setdefault(name)
             continue
-        found.setdefault(origin)
+        imported.setdefault(origin)
         dot = b"" if origin.endswith(b".") else b"."
         for name in _IMPORTED_NAME.findall(names):
-            found.setdefault(origin + dot + name)
-    return list(found)
+            imported.setdefault(origin + dot + name)
+    return list(imported)
 
 
 def _names_of(files: Iterable[SourceFile]) -> set[str]:
     """Under which names files can be imported: dotted, and by path without the suffix."""
-    found = set()
+    names = set()
     for file in files:
         path = file.path.replace("\\", "/")
-        found.add(path.removesuffix(".py").removesuffix("/__init__"))
+        names.add(path.removesuffix(".py").removesuffix("/__init__"))
         if file.module:
-            found.add(file.module)
-    return found
+            names.add(file.module)
+    return names

@@ -201,13 +201,13 @@ class Graph:
     ) -> set[Block]:
         """The blocks from which some block may be reached on a way that keeps clear of others; of these blocks those
         that come round to one again."""
-        waiting, found = list(targets), set[Block]()
+        waiting, sources = list(targets), set[Block]()
         while waiting:
             for edge in self._edges_to.get(waiting.pop(), ()):
-                if edge.source not in found and edge.source not in avoiding and along(edge):
-                    found.add(edge.source)
+                if edge.source not in sources and edge.source not in avoiding and along(edge):
+                    sources.add(edge.source)
                     waiting.append(edge.source)
-        return found
+        return sources
 
     def between(self, first: Collection[Block], last: Collection[Block], along: Along = any_way) -> set[Block]:
         """The blocks that may run after one block and before another, on ways that come to neither again."""
@@ -233,15 +233,17 @@ class Graph:
         about these: one way on leads there for certain, another may not.  Inside a loop each round counts by itself.
         """
         heads = {loop.head for block in targets for loop in block.loops}
-        found: set[Block] = set()
+        deciders: set[Block] = set()
         waiting = [set(targets)]
         while waiting:
-            for block in self._decide_about(waiting.pop(), heads) - found:
-                found.add(block)
+            for block in self._decide_about(waiting.pop(), heads) - deciders:
+                deciders.add(block)
                 waiting.append(
-                    {one for one in self.of(block.statement) if one.fact is block.fact} if block.statement else {block}
+                    {sibling for sibling in self.of(block.statement) if sibling.fact is block.fact}
+                    if block.statement
+                    else {block}
                 )
-        return [block for block in self.blocks if block in found]
+        return [block for block in self.blocks if block in deciders]
 
     def _decide_about(self, targets: set[Block], heads: set[Block]) -> set[Block]:
         def goes_on(edge: Edge) -> bool:
@@ -255,11 +257,11 @@ class Graph:
 
     @cached_property
     def _edges_to(self) -> dict[Block, list[Edge]]:
-        found: dict[Block, list[Edge]] = {}
+        incoming: dict[Block, list[Edge]] = {}
         for block in self.blocks:
             for edge in block.edges:
-                found.setdefault(edge.target, []).append(edge)
-        return found
+                incoming.setdefault(edge.target, []).append(edge)
+        return incoming
 
     def states(
         self,
@@ -272,11 +274,11 @@ class Graph:
         ``step`` gives the state after what a block evaluates, ``branch`` that after a condition which has come out so,
         None where it cannot in that state.  What raises may have had its effect or not.
         """
-        found: dict[Block, frozenset[State]] = {self.entry: frozenset({start})}
+        entry_states: dict[Block, frozenset[State]] = {self.entry: frozenset({start})}
         waiting = deque([self.entry])
         while waiting:
             block = waiting.popleft()
-            before = found[block]
+            before = entry_states[block]
             fact = block.fact
             after = before if fact is None else frozenset(step(state, fact) for state in before)
             for edge in block.edges:
@@ -284,11 +286,11 @@ class Graph:
                     states = before if block.leaves else before | after
                 else:
                     states = _entering(after, edge, branch)
-                known = found.get(edge.target, frozenset())
+                known = entry_states.get(edge.target, frozenset())
                 if not states <= known:
-                    found[edge.target] = known | states
+                    entry_states[edge.target] = known | states
                     waiting.append(edge.target)
-        return found
+        return entry_states
 
     def ends(
         self,
@@ -297,9 +299,9 @@ class Graph:
         branch: Callable[[State, facts.Expr, bool], State | None] | None = None,
     ) -> Ends[State]:
         """The states in which it can end, other than by an exception; as :meth:`states`."""
-        found = self.states(start, step, branch)
-        returns = [(end, found[block]) for end, block in self.returns if block in found]
-        return Ends(returns, found.get(self.end, frozenset()))
+        entry_states = self.states(start, step, branch)
+        returns = [(end, entry_states[block]) for end, block in self.returns if block in entry_states]
+        return Ends(returns, entry_states.get(self.end, frozenset()))
 
 
 def _entering(

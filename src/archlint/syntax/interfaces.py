@@ -108,8 +108,8 @@ def parse_interface(text: str, kind: str) -> Interface:
             column = len(line) - len(line.lstrip()) + 1
             problems.append(FileProblem(number, column, str(error)))
     if index + 1 < len(names):
-        found, needed = index, len(names) - 1
-        problems.append(FileProblem(1, 1, f"expected {needed} '---' in a .{kind} file, found {found}"))
+        count, needed = index, len(names) - 1
+        problems.append(FileProblem(1, 1, f"expected {needed} '---' in a .{kind} file, found {count}"))
     return Interface(kind, sections, problems)
 
 
@@ -119,8 +119,8 @@ def interface_problems(path: str) -> list[tuple[int, int, str]]:
     if isinstance(data, gate.Refusal):
         return [(data.line, data.column, data.message)]
     kind = path.rpartition(".")[2]
-    found = parse_interface(data.decode("utf-8", "replace"), kind)
-    return [(problem.line, problem.column, problem.message) for problem in found.problems]
+    interface = parse_interface(data.decode("utf-8", "replace"), kind)
+    return [(problem.line, problem.column, problem.message) for problem in interface.problems]
 
 
 class InvalidDefinition(Exception):

@@ -145,40 +145,40 @@ _ROS2_TEXT = re.compile(r"\$\((?:find-pkg-share|find-pkg-prefix|var|exec-in-pkg|
 def is_ros1(root: Element) -> tuple[bool, bool]:
     """Whether a launch file is one of ROS 1, and whether that is decided: what both have says nothing, and what is
     said in both ways is ROS 2."""
-    one = two = habits = 0
+    ros1 = ros2 = habits = 0
     stack = [root]
     while stack:
         element = stack.pop()
         stack.extend(element.children)
         names = element.attributes
-        one += element.tag in _ROS1_TAGS or bool(_ROS1_ATTRIBUTES & names.keys())
-        two += element.tag in _ROS2_TAGS
+        ros1 += element.tag in _ROS1_TAGS or bool(_ROS1_ATTRIBUTES & names.keys())
+        ros2 += element.tag in _ROS2_TAGS
         habits += any((element.tag, name) in _ROS1_HABITS for name in names)
         if element.tag == "node":
-            one += "type" in names and not {"exec", "executable"} & set(names)
-            two += "exec" in names or "executable" in names
+            ros1 += "type" in names and not {"exec", "executable"} & set(names)
+            ros2 += "exec" in names or "executable" in names
         for attribute in names.values():
             value = str(attribute.value)
-            one += bool(_ROS1_TEXT.search(value))
-            two += bool(_ROS2_TEXT.search(value))
-    return one > two or (one == two == 0 and habits > 0), one + two > 0
+            ros1 += bool(_ROS1_TEXT.search(value))
+            ros2 += bool(_ROS2_TEXT.search(value))
+    return ros1 > ros2 or (ros1 == ros2 == 0 and habits > 0), ros1 + ros2 > 0
 
 
 def _suppressions(text: str, root: Element) -> list[Suppression]:
     """``<!-- archlint: ignore[…] -->``: for the element on its line, else for the next one."""
-    found: list[Suppression] = []
+    suppressions: list[Suppression] = []
     if "archlint:" not in text:
-        return found
+        return suppressions
     starts = _element_lines(root)
     lines = text.splitlines()
     for number, line in enumerate(lines, start=1):
         if "<!--" in line and (other := lookalike(line)):
             span = (number, other.start() + 1, other.end() + 1, (number, number))
-            found.append(Suppression(*span, [], not_understood=other[0]))
+            suppressions.append(Suppression(*span, [], not_understood=other[0]))
         for match in _SUPPRESSION.finditer(line):
             own = line[: match.start()].strip()
             first, last = _covered(number, starts, bool(own))
-            found.append(
+            suppressions.append(
                 Suppression(
                     number,
                     match.start() + 1,
@@ -191,17 +191,17 @@ def _suppressions(text: str, root: Element) -> list[Suppression]:
                     says_more=bool(match["words"].strip()),
                 )
             )
-    return found
+    return suppressions
 
 
 def _element_lines(root: Element) -> list[tuple[int, int]]:
-    found = []
+    lines = []
     stack = [root]
     while stack:
         element = stack.pop()
-        found.append((element.span[0], element.span[2]))
+        lines.append((element.span[0], element.span[2]))
         stack.extend(element.children)
-    return sorted(found)
+    return sorted(lines)
 
 
 def _covered(line: int, elements: list[tuple[int, int]], same_line: bool) -> tuple[int, int]:

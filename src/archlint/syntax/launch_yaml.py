@@ -44,14 +44,14 @@ def _children(reader: YamlReader, node: yaml.Node, depth: int) -> list[Element]:
     """A list of maps with one key each: the elements below a parent."""
     import yaml
 
-    found: list[Element] = []
+    children: list[Element] = []
     if depth > DEPTH:
         reader.left = -1
     reader.spend(node, min(depth, 50))
     for item in node.value if isinstance(node, yaml.SequenceNode) else [node]:
         for tag, key, value in reader.pairs(item, min(depth, 50)):
-            found.append(_element(reader, tag, key, value, depth))
-    return found
+            children.append(_element(reader, tag, key, value, depth))
+    return children
 
 
 def _element(reader: YamlReader, tag: str, key: yaml.Node, node: yaml.Node, depth: int) -> Element:
@@ -93,20 +93,20 @@ def _scalar(node: yaml.ScalarNode) -> Scalar:
 
 def suppressions_of_lines(text: str) -> list[Suppression]:
     """``# archlint: ignore[…]``: for its own line, or alone on a line for the next that says something."""
-    found: list[Suppression] = []
+    suppressions: list[Suppression] = []
     if "archlint:" not in text:
-        return found
+        return suppressions
     lines = text.splitlines()
     for number, line in enumerate(lines, start=1):
         if other := lookalike(line):
             span = (number, other.start() + 1, other.end() + 1, (number, number))
-            found.append(Suppression(*span, [], not_understood=other[0]))
+            suppressions.append(Suppression(*span, [], not_understood=other[0]))
         for match in _SUPPRESSION.finditer(line):
             covered = number
             if not line[: match.start()].strip():
                 rest = enumerate(lines[number:], start=number + 1)
                 covered = next((n for n, row in rest if row.strip() and not row.strip().startswith("#")), number)
-            found.append(
+            suppressions.append(
                 Suppression(
                     number,
                     match.start() + 1,
@@ -117,4 +117,4 @@ def suppressions_of_lines(text: str) -> list[Suppression]:
                     listed=listed_at(match, match.start() + 1),
                 )
             )
-    return found
+    return suppressions

@@ -74,19 +74,19 @@ class ParameterFacts:
 
 def read_parameters(text: str) -> ParameterFacts:
     """The sections of a parameter file; a YAML file of another kind has none.  Never raises."""
-    found: list[ParameterSection] = []
+    sections: list[ParameterSection] = []
     plain: list[ParameterEntry] = []
     try:
         reader = YamlReader(text, several=True, rcl=True)  # rcl reads on where another document starts
         for root in reader.roots:
-            _sections(reader, root, [], None, found, 0)
-        if len(reader.roots) == 1 and not found:
+            _sections(reader, root, [], None, sections, 0)
+        if len(reader.roots) == 1 and not sections:
             _entries(reader, reader.roots[0], (), plain, 0)
     except YamlError as error:
         return ParameterFacts(problems=(FileProblem(error.line, error.column, error.message),))
     except RecursionError:
         return ParameterFacts(problems=(FileProblem(1, 1, "nested too deeply"),))
-    return ParameterFacts(tuple(found), suppressions=tuple(suppressions_of_lines(text)), plain=tuple(plain))
+    return ParameterFacts(tuple(sections), suppressions=tuple(suppressions_of_lines(text)), plain=tuple(plain))
 
 
 def _sections(
@@ -94,7 +94,7 @@ def _sections(
     node: yaml.Node,
     path: list[str],
     span: Span | None,
-    found: list[ParameterSection],
+    sections: list[ParameterSection],
     depth: int,
 ) -> None:
     for key, key_node, value in reader.pairs(node, depth):
@@ -102,9 +102,9 @@ def _sections(
             entries: list[ParameterEntry] = []
             _entries(reader, value, (), entries, depth + 1)
             at = span or span_of(key_node)
-            found.append(ParameterSection(node_key(path), "/".join(path), at, tuple(entries), tuple(path)))
+            sections.append(ParameterSection(node_key(path), "/".join(path), at, tuple(entries), tuple(path)))
         else:
-            _sections(reader, value, [*path, key], span_of(key_node), found, depth + 1)
+            _sections(reader, value, [*path, key], span_of(key_node), sections, depth + 1)
 
 
 def node_key(path: Iterable[str]) -> str:
@@ -113,15 +113,15 @@ def node_key(path: Iterable[str]) -> str:
 
 
 def _entries(
-    reader: YamlReader, node: yaml.Node, above: tuple[str, ...], found: list[ParameterEntry], depth: int
+    reader: YamlReader, node: yaml.Node, above: tuple[str, ...], entries: list[ParameterEntry], depth: int
 ) -> None:
     import yaml
 
     for key, key_node, value in reader.pairs(node, depth):
         path = (*above, key)
         if isinstance(value, yaml.MappingNode):
-            _entries(reader, value, path, found, depth + 1)
+            _entries(reader, value, path, entries, depth + 1)
         else:
             quoted = isinstance(value, yaml.ScalarNode) and value.style in ("'", '"')
             data = reader.value(value, depth)
-            found.append(ParameterEntry(".".join(path), data, span_of(key_node), quoted, path))
+            entries.append(ParameterEntry(".".join(path), data, span_of(key_node), quoted, path))

@@ -65,8 +65,8 @@ class Tree:
         parent = self.parent(statement)
         assert parent is not None
         for block in _lists(parent):
-            for at, one in enumerate(block):
-                if one is statement:
+            for at, item in enumerate(block):
+                if item is statement:
                     return cast("Sequence[facts.Stmt]", block[at:])
         return [cast("facts.Stmt", statement)]
 
@@ -79,7 +79,7 @@ class Tree:
     def stored(self) -> Sequence[tuple[facts.Base, facts.Expr]]:
         """What is stored in or deleted, with the statement (or part of an expression) that does it: the names,
         attributes and items, those inside of a tuple each by itself."""
-        return [(fact, one) for fact, target in self._targets() for one in _single(target)]
+        return [(fact, expression) for fact, target in self._targets() for expression in _single(target)]
 
     def _targets(self) -> Iterator[tuple[facts.Base, facts.Expr]]:
         yield from ((fact, target) for fact in self.of_kind(facts.Assign) for target in fact.targets)
@@ -93,15 +93,15 @@ class Tree:
 
     @cached_property
     def _stored_ids(self) -> frozenset[int]:
-        return frozenset(id(one) for _, one in self.stored)
+        return frozenset(id(expression) for _, expression in self.stored)
 
     def reads(self, name: str, inside: facts.Function | None) -> bool:
         """Whether a function, or without one the module, reads a variable."""
         return any(
-            one.id == name
-            and id(one) not in self._stored_ids
-            and (inside is None or any(outer is inside for outer in self.around(one)))
-            for one in self.of_kind(facts.Name)
+            use.id == name
+            and id(use) not in self._stored_ids
+            and (inside is None or any(outer is inside for outer in self.around(use)))
+            for use in self.of_kind(facts.Name)
         )
 
 

@@ -68,11 +68,11 @@ class WorkspaceCode:
     @cached_property
     def _by_word(self) -> Mapping[str, Sequence[str]]:
         """The files by the words that stand in them: what is asked of all files costs the same in large workspaces."""
-        found: dict[str, list[str]] = {}
+        by_word: dict[str, list[str]] = {}
         for path in (path for package in self._packages for path in self.files_of(package)):
             for word in self._words_of(path):
-                found.setdefault(word, []).append(path)
-        return found
+                by_word.setdefault(word, []).append(path)
+        return by_word
 
     def _words_of(self, path: str) -> frozenset[str]:
         words = self._words.get(path)
@@ -85,11 +85,11 @@ class WorkspaceCode:
     @cached_property
     def _packages(self) -> Mapping[str, Sequence[SourceFile]]:
         """The files of each package."""
-        found: dict[str, list[SourceFile]] = {}
+        packages: dict[str, list[SourceFile]] = {}
         for file in self._files:
             if file.package is not None:
-                found.setdefault(file.package, []).append(file)
-        return found
+                packages.setdefault(file.package, []).append(file)
+        return packages
 
     def modules_of(self, package: str) -> dict[str, str]:
         """The modules of a package by name, with their paths."""

@@ -89,7 +89,10 @@ def _was_built_in(folder: str) -> bool:
 def _workspace_of_clones(repository: str) -> str | None:
     """The ``src`` that a repository was cloned into, where colcon has built beside it."""
     above = islice(_upwards(os.path.dirname(repository)), _CLONES_DEPTH)
-    return next((one for one in above if os.path.basename(one) == "src" and _was_built_in(os.path.dirname(one))), None)
+    return next(
+        (folder for folder in above if os.path.basename(folder) == "src" and _was_built_in(os.path.dirname(folder))),
+        None,
+    )
 
 
 def _upwards(folder: str) -> Iterator[str]:

@@ -11,13 +11,13 @@ _Item = TypeVar("_Item", bound=Hashable)
 def closure(starts: Iterable[_Item], leads_to: Callable[[_Item], Iterable[_Item]]) -> frozenset[_Item]:
     """``starts`` and all that ``leads_to`` gets from them, asked once for each item."""
     waiting = list(starts)
-    found = set(waiting)
+    reached = set(waiting)
     while waiting:
         for item in leads_to(waiting.pop()):
-            if item not in found:
-                found.add(item)
+            if item not in reached:
+                reached.add(item)
                 waiting.append(item)
-    return frozenset(found)
+    return frozenset(reached)
 
 
 __all__ = ["closure"]

@@ -22,7 +22,7 @@ def installed_modules(text: str, package: str) -> dict[str, str]:
         return {}
     commands = parse_cmake(text)
     project = _project(commands) or package
-    found = {}
+    modules = {}
     for command in commands:
         words = [_HERE.sub("", word).replace("${PROJECT_NAME}", project) for word in command.texts]
         if command.name != _INSTALL or not words:
@@ -31,8 +31,8 @@ def installed_modules(text: str, package: str) -> dict[str, str]:
         if "PACKAGE_DIR" in words[:-1]:
             folder = words[words.index("PACKAGE_DIR") + 1]
         if words[0].isidentifier() and "$" not in folder:
-            found[folder.strip("/")] = words[0]
-    return found
+            modules[folder.strip("/")] = words[0]
+    return modules
 
 
 def _project(commands: Sequence[Command]) -> str | None:

@@ -76,13 +76,13 @@ def _manifests(files: Iterable[SourceFile]) -> list[SourceFile]:
     A package.xml inside a package makes no package of its own, for colcon does not look there: it is a
     template, or somebody's test data.
     """
-    found: dict[str, SourceFile] = {}
+    by_folder: dict[str, SourceFile] = {}
     manifests = [file for file in files if file.kind == "package_xml"]
     for file in sorted(manifests, key=lambda file: (len(file.path), file.path)):
         folder = os.path.dirname(file.path)
-        if _innermost(found, os.path.dirname(folder)) is None:
-            found[folder] = file
-    return list(found.values())
+        if _innermost(by_folder, os.path.dirname(folder)) is None:
+            by_folder[folder] = file
+    return list(by_folder.values())
 
 
 def _innermost(roots: Collection[str], folder: str) -> str | None:
@@ -106,13 +106,13 @@ def package_of(file: SourceFile) -> Package | Problem:
 
 def _build_files(packages: Mapping[str, Package | None], files: Iterable[SourceFile]) -> dict[str, str]:
     """The text of each package's own CMakeLists.txt, by its folder."""
-    found: dict[str, str] = {}
+    texts: dict[str, str] = {}
     for file in files:
         folder = os.path.dirname(file.path)
         if file.kind == "cmake" and packages.get(folder) is not None:
             with suppress(OSError):
-                found[folder] = _read(file).decode("utf-8", "replace")
-    return found
+                texts[folder] = _read(file).decode("utf-8", "replace")
+    return texts
 
 
 _COMMENT = re.compile(r"#[^\n]*")

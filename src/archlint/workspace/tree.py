@@ -151,24 +151,24 @@ class SourceTree:
         """All files below a folder, sorted; links to folders are not followed."""
         folder = posixpath.normpath(folder)
         if folder not in self._listed:
-            found = self._listed[folder] = self._list(folder)
-            listing = "\n".join(found).encode("utf-8", "surrogateescape")
+            files = self._listed[folder] = self._list(folder)
+            listing = "\n".join(files).encode("utf-8", "surrogateescape")
             self.asked.setdefault(("listing", folder), hashlib.sha256(listing).hexdigest())
         return self._listed[folder]
 
     def _list(self, folder: str) -> list[str]:
         real = self._real(folder)
-        found: list[str] = []
+        files: list[str] = []
         if real is None:
-            return found
+            return files
         for top, folders, names in os.walk(real):
             folders[:] = sorted(name for name in folders if not name.startswith((".", "__pycache__")))
             below = Path(top).relative_to(real).as_posix()
             for name in names:
-                found.append(posixpath.normpath(posixpath.join(folder, below, name)))
-            if len(found) > ENTRIES:
+                files.append(posixpath.normpath(posixpath.join(folder, below, name)))
+            if len(files) > ENTRIES:
                 break
-        return sorted(found)
+        return sorted(files)
 
 
 _XML_ENCODING = re.compile(

@@ -39,7 +39,9 @@ def each_alternative(run: LaunchRun, entity: Value) -> Iterator[Value]:
 def _exclude_each_other(run: LaunchRun, options: Sequence[Value]) -> bool:
     """Whether the alternatives were made in branches of the code that exclude each other: these tell them apart."""
     every = [dict(arms_of(run, option)) for option in options]
-    return all(any(one[key] != other.get(key, one[key]) for key in one) for one, other in combinations(every, 2))
+    return all(
+        any(first[key] != second.get(key, first[key]) for key in first) for first, second in combinations(every, 2)
+    )
 
 
 def version(run: LaunchRun, entity: Value, number: int) -> BranchArms:

@@ -120,15 +120,15 @@ def _words_of_text(text: Value) -> tuple[list[Value], bool]:
 
 def _parameter_files(run: LaunchRun, words: list[str | None], place: Place) -> list[Parameter]:
     """``--params-file path`` between ``--ros-args`` and ``--``."""
-    found: list[Parameter] = []
+    parameters: list[Parameter] = []
     inside = False
     for option, path in pairwise(words):
         if option in ("--ros-args", "--"):
             inside = option == "--ros-args"
         elif inside and option == "--params-file":
             unknown = OpenParameters("a parameter file on the command line that is not known", place)
-            found.append(unknown if path is None else file_use(run, Known(path), place))
-    return found
+            parameters.append(unknown if path is None else file_use(run, Known(path), place))
+    return parameters
 
 
 def _split(text: str) -> list[str]:

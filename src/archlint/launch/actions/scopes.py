@@ -44,12 +44,12 @@ def group(run: LaunchRun, entity: LaunchObject) -> None:
 
 def _configurations(run: LaunchRun, value: Value | None) -> dict[str, Value]:
     """What a group sets, read before it forgets the configurations around it."""
-    found: dict[str, Value] = {}
+    configurations: dict[str, Value] = {}
     for key, item in run.entries(value):
         name = run.text_of(key)
         if name is not None:
-            found[name] = run.perform(item)
-    return found
+            configurations[name] = run.perform(item)
+    return configurations
 
 
 def declare(run: LaunchRun, entity: LaunchObject) -> None:
@@ -113,8 +113,8 @@ def remap(source: Value, target: Value, place: Place, group: bool = False) -> Re
 
 def set_parameter(run: LaunchRun, entity: LaunchObject) -> None:
     name = Known("use_sim_time") if entity.kind == "SetUseSimTime" else run.perform(entity.argument("name"))
-    made = setting(run, name, entity.given("value"), run.place_now)
-    run.launch.add_parameter(replace(made, shared=True))
+    parameter = setting(run, name, entity.given("value"), run.place_now)
+    run.launch.add_parameter(replace(parameter, shared=True))
 
 
 def set_parameters_from_file(run: LaunchRun, entity: LaunchObject) -> None:

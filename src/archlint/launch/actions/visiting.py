@@ -127,13 +127,13 @@ def _visit_versions(run: LaunchRun, entity: OneOf, rows: list[Items]) -> None:
 
 
 def _visit_one(run: LaunchRun, entity: Instance) -> None:
-    made = run.store.get(entity.key, MADE_BY_BASE)  # of a class that derives from an action
-    match made:
+    base_action = run.store.get(entity.key, MADE_BY_BASE)  # of a class that derives from an action
+    match base_action:
         case OneOf():
-            run.visit(made)
+            run.visit(base_action)
             return
         case Instance():
-            entity = made
+            entity = base_action
     entity = _known_by_name(entity)
     own = arms_of(run, entity) - run.code_arms
     verdict = verdict_on(run, entity)

@@ -31,20 +31,20 @@ def _actions(frontend: Frontend, elements: Sequence[Element]) -> Iterator[Value]
         if build is None and element.tag not in HARMLESS:
             yield frontend.make(f"<{element.tag}>", frontend.place(element.span), {})
         if build is not None:
-            made = build(frontend, element)
-            if made is not None:
-                _condition(frontend, element, made)
+            action = build(frontend, element)
+            if action is not None:
+                _condition(frontend, element, action)
                 _check(frontend, element)
-                yield made
+                yield action
 
 
-def _condition(frontend: Frontend, element: Element, made: LaunchObject) -> None:
+def _condition(frontend: Frontend, element: Element, entity: LaunchObject) -> None:
     for name, kind in (("if", "IfCondition"), ("unless", "UnlessCondition")):
         attribute = element.attributes.get(name)
         if attribute is not None:
             place = frontend.place(attribute.span)
             given = {"predicate_expression": frontend.text(attribute)}
-            made.arguments["condition"] = frontend.make(kind, place, given)
+            entity.arguments["condition"] = frontend.make(kind, place, given)
 
 
 def _check(frontend: Frontend, element: Element) -> None:
@@ -121,9 +121,9 @@ def _pair(frontend: Frontend, element: Element, first: str, second: str) -> Valu
 
 
 def _container(frontend: Frontend, element: Element) -> LaunchObject:
-    made = _node(frontend, element, "ComposableNodeContainer")
-    made.arguments["composable_node_descriptions"] = _components(frontend, element)
-    return made
+    container = _node(frontend, element, "ComposableNodeContainer")
+    container.arguments["composable_node_descriptions"] = _components(frontend, element)
+    return container
 
 
 def _load(frontend: Frontend, element: Element) -> LaunchObject:
@@ -138,10 +138,10 @@ def _components(frontend: Frontend, element: Element) -> Value:
         names = {"pkg": "package", "plugin": "plugin", "name": "name", "namespace": "namespace"}
         given, places = frontend.arguments(child, names)
         _described(frontend, child, given)
-        made = frontend.make("ComposableNode", frontend.place(child.span), given, places)
-        _condition(frontend, child, made)
+        component = frontend.make("ComposableNode", frontend.place(child.span), given, places)
+        _condition(frontend, child, component)
         _check(frontend, child)
-        values.append(made)
+        values.append(component)
     return frontend.list(values)
 
 

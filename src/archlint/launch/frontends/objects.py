@@ -66,14 +66,14 @@ class Frontend:
 
     def arguments(self, element: Element, names: dict[str, str]) -> tuple[dict[str, Value], dict[str, Place]]:
         """Constructor arguments from attributes: ``names`` maps attributes to parameters."""
-        found: dict[str, Value] = {}
+        arguments: dict[str, Value] = {}
         places: dict[str, Place] = {}
         for name, parameter in names.items():
             attribute = element.attributes.get(name)
             if attribute is not None:
-                found[parameter] = self.text(attribute)
+                arguments[parameter] = self.text(attribute)
                 places[parameter] = self.place(attribute.span)
-        return found, places
+        return arguments, places
 
     # ------------------------------------------------------------------------------------ substitutions
 

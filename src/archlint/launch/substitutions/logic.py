@@ -74,22 +74,22 @@ def connective(stop: bool) -> Callable[[LaunchRun, LaunchObject], Value]:
 def equality(run: LaunchRun, value: LaunchObject) -> Value:
     left, right = run.perform(value.argument("left")), run.perform(value.argument("right"))
     verdicts = {
-        None if one is None or other is None else _same_text(one, other)
-        for one in map(known_text, alternatives(left))
-        for other in map(known_text, alternatives(right))
+        None if first is None or second is None else _same_text(first, second)
+        for first in map(known_text, alternatives(left))
+        for second in map(known_text, alternatives(right))
     }
     return _told(_only(verdicts), left, right)
 
 
-def _same_text(one: str, other: str) -> bool:
+def _same_text(first: str, second: str) -> bool:
     """launch compares two truth values, two numbers (nearly), or the texts as they are (``EqualsSubstitution``)."""
-    truths = [_in(text.lower(), _TRUE, _FALSE) for text in (one, other)]
+    truths = [_in(text.lower(), _TRUE, _FALSE) for text in (first, second)]
     if None not in truths:
         return truths[0] == truths[1]
     try:
-        return math.isclose(float(one), float(other))
+        return math.isclose(float(first), float(second))
     except ValueError:
-        return one == other
+        return first == second
 
 
 def inequality(run: LaunchRun, value: LaunchObject) -> Value:

@@ -103,12 +103,12 @@ def _made_of(run: LaunchRun, source: Value, change: Rewriting | Replacing) -> Va
 
 def _path_of(run: LaunchRun, source: Known, change: Rewriting | Replacing) -> Known:
     before = run.made_files.get(str(source.value))
-    made = (
+    made_file = (
         MadeFile(str(source.value), (change,)) if before is None else MadeFile(before.source, (*before.changes, change))
     )
-    same = [path for path, one in run.made_files.items() if one == made]
-    path = same[0] if same else f"$(file-made-by-launch {len(run.made_files) + 1} {made.source})"
-    run.made_files[path] = made
+    same = [path for path, file in run.made_files.items() if file == made_file]
+    path = same[0] if same else f"$(file-made-by-launch {len(run.made_files) + 1} {made_file.source})"
+    run.made_files[path] = made_file
     return Known(path, source.via, source.origin)
 
 

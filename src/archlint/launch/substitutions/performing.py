@@ -34,8 +34,8 @@ def _own_text(run: LaunchRun, value: Instance) -> Value:
     """The text of a substitution class of the workspace: what its ``perform`` returns."""
     method = own_method(run, value, "perform")
     if method is not None:
-        found = ask(run, method)
-        return found if isinstance(found, Unknown) else run.perform(found)
+        text = ask(run, method)
+        return text if isinstance(text, Unknown) else run.perform(text)
     base = made_by_base(run, value)
     return Unknown(reason(value)) if base is None else run.perform(base)
 

@@ -64,9 +64,9 @@ def configuration(run: LaunchRun, value: LaunchObject) -> Value:
         run.result.reads_any = True
         return Unknown("the name of a launch configuration is not known")
     run.note_read(name)
-    found = run.launch.configurations.get(name)
-    if found is not None:
-        return found
+    setting = run.launch.configurations.get(name)
+    if setting is not None:
+        return setting
     default = value.argument("default")
     if default is not None:
         return run.perform(default)
@@ -99,9 +99,9 @@ def environment(run: LaunchRun, value: LaunchObject) -> Value:
     name = run.text_of(value.argument("name"))
     if name is None:
         return Unknown("the name of an environment variable is not known")
-    found = run.launch.environment.get(name) or run.library.environment(name)
-    if found is not None:
-        return found
+    variable = run.launch.environment.get(name) or run.library.environment(name)
+    if variable is not None:
+        return variable
     default = value.argument("default_value")
     if default is None or name in _SET_EVERYWHERE:
         return Unknown(f"the environment variable {name}")

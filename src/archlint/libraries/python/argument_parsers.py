@@ -109,20 +109,20 @@ def _parsed(
         return instance, rest
     options = run.store.family(receiver.key, OPTIONS)
     try:
-        found, left = divide(options, words, some)
+        parsed, left = divide(options, words, some)
     except (NotDivided, SystemExit, ValueError, TypeError, argparse.ArgumentError):
         return instance, rest
     for name, option in options.items():
-        run.store.set(instance.key, name, _value(run, option, found, name, words))
+        run.store.set(instance.key, name, _value(run, option, parsed, name, words))
     return instance, containers.new_list(run, [word_of(text, words) for text in left])
 
 
-def _value(run: Run, option: Option, found: dict[str, Any], name: str, words: list[Value]) -> Value:
+def _value(run: Run, option: Option, parsed: dict[str, Any], name: str, words: list[Value]) -> Value:
     """What an attribute of the namespace holds."""
-    if name not in found:
+    if name not in parsed:
         default = option.keywords.get("default") or _default_of_action(option.keywords.get("action")) or NONE
         return as_default(default if default.text is None else _converted(run, option, default))
-    given = found[name]
+    given = parsed[name]
     if given == CONST:
         return option.keywords.get("const", NONE)
     if isinstance(given, (bool, int)) or given is None:

@@ -60,14 +60,14 @@ def remove_ros_args(run: Run, args: list[Value], keywords: dict[str, Value], e: 
 
 
 def without_ros_arguments(words: Sequence[Value]) -> list[Value]:
-    found, inside = [], False
+    remaining, inside = [], False
     for word in words:
         text = word.text
         if text == ROS_ARGUMENTS or (inside and text == END_OF_ROS_ARGUMENTS):
             inside = text == ROS_ARGUMENTS
         elif not inside:
-            found.append(word)
-    return found
+            remaining.append(word)
+    return remaining
 
 
 def _items(run: Run, value: Value) -> list[Value] | None:

@@ -52,10 +52,10 @@ def _copied_deep(run: Run, value: Value, copies: dict[int, Value]) -> Value:
     if isinstance(value, ListValue):
         items = value.items(run)
         inside = [_copied_deep(run, item, copies) for item in items.values]
-        made: Value = containers.new_list(run, inside, value.kind, items.open, items.whole)
+        copy: Value = containers.new_list(run, inside, value.kind, items.open, items.whole)
     else:
         held = value.entries(run)
-        entries = {at: (key, _copied_deep(run, one, copies)) for at, (key, one) in held.entries.items()}
-        made = containers.new_dict(run, entries, held.open)
-    copies[value.key] = made
-    return made
+        entries = {at: (key, _copied_deep(run, entry, copies)) for at, (key, entry) in held.entries.items()}
+        copy = containers.new_dict(run, entries, held.open)
+    copies[value.key] = copy
+    return copy

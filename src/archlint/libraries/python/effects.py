@@ -102,11 +102,11 @@ def _decorator(run: Run, args: list[Value], keywords: dict[str, Value], e: facts
 
 
 def _namespace(run: Run, args: list[Value], keywords: dict[str, Value], e: facts.Call | None) -> Value:
-    made = Instance(External("types.SimpleNamespace"), run.store.new_key())
+    namespace = Instance(External("types.SimpleNamespace"), run.store.new_key())
     for name, value in keywords.items():
-        run.library.kept(made.key, (value,), name)
-        run.store.set(made.key, name, value)
-    return made
+        run.library.kept(namespace.key, (value,), name)
+        run.store.set(namespace.key, name, value)
+    return namespace
 
 
 def _auto(run: Run, args: list[Value], keywords: dict[str, Value], e: facts.Call | None) -> Value:
@@ -114,10 +114,10 @@ def _auto(run: Run, args: list[Value], keywords: dict[str, Value], e: facts.Call
 
 
 def _default_dict(run: Run, args: list[Value], keywords: dict[str, Value], e: facts.Call | None) -> Value:
-    made = containers.new_dict(run, {}, len(args) > 1)
+    dictionary = containers.new_dict(run, {}, len(args) > 1)
     if args:
-        run.store.set(made.key, FACTORY, args[0])
-    return made
+        run.store.set(dictionary.key, FACTORY, args[0])
+    return dictionary
 
 
 def _named_tuple(run: Run, args: list[Value], keywords: dict[str, Value], e: facts.Call | None) -> Value:
@@ -133,12 +133,12 @@ def _named_tuple(run: Run, args: list[Value], keywords: dict[str, Value], e: fac
     texts = tuple(name.text for name in names if name.text is not None)
 
     def make(*values: Value, **named: Value) -> Value:
-        made = Instance(External("collections.namedtuple"), run.store.new_key())
+        instance = Instance(External("collections.namedtuple"), run.store.new_key())
         for number, name in enumerate(texts):
             given = values[number] if number < len(values) else named.get(name, Unknown("a field that is not set"))
-            run.store.set(made.key, name, given)
-        run.store.set(made.key, TUPLE_FIELDS, texts)
-        return made
+            run.store.set(instance.key, name, given)
+        run.store.set(instance.key, TUPLE_FIELDS, texts)
+        return instance
 
     return PythonValue("namedtuple", make)
 

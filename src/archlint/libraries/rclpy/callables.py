@@ -31,7 +31,7 @@ def without_partials(value: Value) -> tuple[Value, list[Value]]:
     """A callable without its partials, and what these give it."""
     given: list[Value] = []
     while isinstance(value, Partial):
-        given += [*value.args, *(one for _, one in value.keywords)]
+        given += [*value.args, *(argument for _, argument in value.keywords)]
         value = value.function
     return value, given
 

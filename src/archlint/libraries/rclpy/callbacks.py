@@ -38,15 +38,15 @@ def register_row(
     group: model.Group | None = None,
 ) -> dict[model.Role, model.Callback]:
     """Register all callbacks that a call of the table hands over."""
-    found: dict[model.Role, model.Callback] = {}
+    callbacks: dict[model.Role, model.Callback] = {}
     for parameter, role in call.api.callbacks:
         value = call.get(parameter)
         if value is None:
             continue
         callback = register(run, value, role, node, creation, group, call)
         if callback is not None:
-            found[role] = callback
-    return found
+            callbacks[role] = callback
+    return callbacks
 
 
 _IN_NO_GROUP = (model.Role.EXECUTE, model.Role.DONE, model.Role.TASK, model.Role.THREAD)
@@ -63,7 +63,7 @@ def register(
     arguments: tuple[Value, ...] | None = None,
 ) -> model.Callback | None:
     """Note a callable under its role; the first callable of several alternatives names the callback."""
-    made: model.Callback | None = None
+    first: model.Callback | None = None
     for option in _callables(value):
         callback = describe(run, option, role)
         callback.node = node
@@ -83,8 +83,8 @@ def register(
             run.callbacks.pending.append(Pending(callback, option, given, run.callbacks.lineage))
         elif isinstance(option, (Partial, ApiMethod)):
             run.library.escaped((option,), "it is bound to a callback that is not followed", call.expression)
-        made = made or callback
-    return made
+        first = first or callback
+    return first
 
 
 def _callables(value: Value) -> list[Value]:
@@ -104,7 +104,7 @@ def _is_new(run: Run, key: tuple[Any, ...], callback: model.Callback, given: Ite
     ways = run.callbacks.registered.setdefault(key, set())
     if ways and callback.function in run.callbacks.lineage:
         return False
-    way = tuple(kind_key(run.store, one) for one in given if one is not None)
+    way = tuple(kind_key(run.store, value) for value in given if value is not None)
     if way in ways or len(ways) >= WAYS:
         return False
     ways.add(way)

@@ -46,7 +46,7 @@ def declare_one(
 ) -> Value:
     """Declare a parameter on the node of a call; returns the Parameter object."""
     place = span_place or (run.place(call.expression.span) if call.expression is not None else Place("", 1, 1, 1, 1))
-    found = []
+    parameters = []
     overrides = run.overrides.of(nodes.known_node(run, call.receiver))
     for option in alternatives(name):
         text = text_of_value(option, "no name is given")
@@ -74,8 +74,8 @@ def declare_one(
             value = Unknown(f"the parameter '{text.text}' has no default", text.text)
         if text.text is not None:
             run.store.set(nodes.node_key(run, call.receiver), PARAMETERS[text.text], value)
-        found.append(new_parameter(run, option, value))
-    return one_of(found)
+        parameters.append(new_parameter(run, option, value))
+    return one_of(parameters)
 
 
 def _is_dynamic(run: Run, descriptor: Value | None) -> bool:
@@ -132,7 +132,7 @@ def declare_parameter(run: Run, call: ApiUse) -> Value:
 def declare_parameters(run: Run, call: ApiUse) -> Value:
     namespace = call.get("namespace")
     rows = (call.get("parameters") or Unknown("no parameters")).items(run)
-    made: list[Value] = []
+    parameters: list[Value] = []
     if rows is None:
         return Unknown("the parameters that are declared are not known")
     for row in rows.values:
@@ -147,8 +147,8 @@ def declare_parameters(run: Run, call: ApiUse) -> Value:
             name = Unknown("the namespace of the parameters is not known")
         default, descriptor = [*parts.values[1:3], None, None][:2]
         ignore = call.get("ignore_override") == TRUE
-        made.append(declare_one(run, call, name, default, ignore, place, descriptor))
-    return containers.new_list(run, made, "list", rows.open)
+        parameters.append(declare_one(run, call, name, default, ignore, place, descriptor))
+    return containers.new_list(run, parameters, "list", rows.open)
 
 
 def _entry_place(run: Run, call: ApiUse, name: Value) -> Place | None:

@@ -58,9 +58,9 @@ def _action_answer(run: Run, type_: str | None, api: str) -> Value:
         return MessageValue("action_msgs/srv/CancelGoal", "Response", run.store.new_key())
     if type_ is None:
         return Unknown("the response of an action of unknown type")
-    made = MessageValue(type_, "GetResultResponse", run.store.new_key())
-    run.store.set(made.key, "result", MessageValue(type_, "Result", run.store.new_key()))
-    return made
+    response = MessageValue(type_, "GetResultResponse", run.store.new_key())
+    run.store.set(response.key, "result", MessageValue(type_, "Result", run.store.new_key()))
+    return response
 
 
 def _none(run: Run, call: ApiUse) -> Value:
@@ -124,15 +124,15 @@ _GET_INTERFACE = re.compile(r"^([a-z][a-z0-9_]*)/(?:(msg|srv|action)/)?([A-Z]\w*
 
 
 def _get_interface(run: Run, call: ApiUse) -> Value:
-    found: list[Value] = []
+    classes: list[Value] = []
     for option in alternatives(call.arguments.get("identifier", Unknown("no name"))):
         match = _GET_INTERFACE.match(option.text or "")
         if match is None:
-            found.append(Unknown("the interface is chosen at run time"))
+            classes.append(Unknown("the interface is chosen at run time"))
             continue
         package, kind, name = match.groups()
-        found.append(External(f"{package}.{kind or call.api.makes}.{name}"))
-    return one_of(found)
+        classes.append(External(f"{package}.{kind or call.api.makes}.{name}"))
+    return one_of(classes)
 
 
 EFFECTS: dict[str, Effect] = {

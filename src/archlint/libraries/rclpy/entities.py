@@ -53,13 +53,13 @@ def endpoint(run: Run, call: ApiUse) -> Value:
     missing = "passed by * or **" if call.open else "no name is given"
     names = _names(run, call, missing)
     types = types_of(call)
-    made = []
+    creations = []
     profiles_ = profiles.resolve_all(run, call.get(api.qos), api.default_qos, call)
     rows = [(n, t, q) for n in names for t in types for q in profiles_][:COMBINATIONS]
     for blueprint in blueprints:
         for number, (name, (type_, why), qos) in enumerate(rows):
-            made.append(create(run, call, blueprint, name, type_, why, qos, number if len(rows) > 1 else None))
-    return EntityValue(tuple(made), api.returns or api.path, run.store.new_key())
+            creations.append(create(run, call, blueprint, name, type_, why, qos, number if len(rows) > 1 else None))
+    return EntityValue(tuple(creations), api.returns or api.path, run.store.new_key())
 
 
 def _names(run: Run, call: ApiUse, missing: str) -> list[model.Text]:

@@ -176,7 +176,7 @@ def _reached(run: Run, values: Iterable[Value], how: Escape | None) -> Iterator[
                 waiting += [owner] if _creates(value) else []
                 continue
             case Partial(args=given, keywords=named) if not _is_followed(value):
-                waiting += carries([*given, *(one for _, one in named)])
+                waiting += carries([*given, *(argument for _, argument in named)])
                 continue
             case _ if not carries((value,)):
                 continue
@@ -290,17 +290,17 @@ def share(run: Run, module: Module) -> None:
 
 
 def _note_shared(run: Run, value: object, root: Root) -> None:
-    for one in _reached(run, carries((value,)), None) if _holds_nodes(value) else ():
-        if one.heap_key is not None:
-            run.store.shared.setdefault(one.heap_key, root)
+    for reached in _reached(run, carries((value,)), None) if _holds_nodes(value) else ():
+        if reached.heap_key is not None:
+            run.store.shared.setdefault(reached.heap_key, root)
 
 
 def settle(run: Run) -> None:
     """At the end of a program: what a module shares has escaped where a function uses it that nothing calls."""
     verdicts: dict[Root, str | None] = {}
     for shared in run.escapes.shared if run.nodes.by_key else ():
-        found = (nodes.known_node(run, value) for value in _reached(run, shared.values, None))
-        for node in [node for node in found if node is not None and not node.escapes]:
+        shared_nodes = (nodes.known_node(run, value) for value in _reached(run, shared.values, None))
+        for node in [node for node in shared_nodes if node is not None and not node.escapes]:
             if shared.root not in verdicts:
                 verdicts[shared.root] = unseen_use(run, shared.root)
             how = verdicts[shared.root]
@@ -315,7 +315,7 @@ def holders(run: Run, instance: Instance, names: Iterable[str]) -> frozenset[str
 
 def _leads_to_node(run: Run, value: object) -> bool:
     reached = _reached(run, carries((value,)), None) if _holds_nodes(value) else ()
-    return any(nodes.known_node(run, one) is not None for one in reached)
+    return any(nodes.known_node(run, item) is not None for item in reached)
 
 
 __all__ = ["Escape", "Shared", "assigned", "escape", "holders", "kept", "lost", "named", "settle", "share", "to_call"]

@@ -99,8 +99,8 @@ def settle(program: model.Program) -> None:
 
 def running(run: Run, node: model.Blueprint | None) -> model.ExecutorUse | None:
     """The executor that a node has been added to, where there is one."""
-    found = [use for use in run.program.executors if node is not None and node in use.nodes]
-    return found[0] if len(found) == 1 else None
+    uses = [use for use in run.program.executors if node is not None and node in use.nodes]
+    return uses[0] if len(uses) == 1 else None
 
 
 def _is_left_out(run: Run, spun: Sequence[model.Blueprint]) -> bool:
@@ -130,7 +130,7 @@ def _lasting(run: Run, call: ApiUse, spun: Sequence[model.Blueprint]) -> model.S
     last = call.api.path.rpartition(".")[2]
     if last == "spin":
         return model.SpinDuration.TO_THE_END
-    loops = [loop for one in run.activations for loop in one.loops]
+    loops = [loop for activation in run.activations for loop in activation.loops]
     if last != "spin_once" or not loops or run.context.role not in _STARTED:
         return model.SpinDuration.A_MOMENT
     if any(_endless(loop) for loop in loops):
@@ -149,8 +149,12 @@ def _endless(loop: facts.While | facts.For) -> bool:
 
 def _makes(run: Run, node: model.Blueprint) -> bool:
     """Whether the constructor of a node is running."""
-    constructors = (one for one in run.activations if one.function is not None and one.function.ir.name == "__init__")
-    return any(nodes.known_node(run, one.self_value) is node for one in constructors)
+    return any(
+        activation.function is not None
+        and activation.function.ir.name == "__init__"
+        and nodes.known_node(run, activation.self_value) is node
+        for activation in run.activations
+    )
 
 
 def spin(run: Run, call: ApiUse) -> Value:
@@ -175,8 +179,8 @@ def spin(run: Run, call: ApiUse) -> Value:
 
 
 def _spell(run: Run, call: ApiUse, node: model.Blueprint, lasting: model.SpinDuration) -> model.Spell:
-    round_ = next((one.loops[-1] for one in reversed(run.activations) if one.loops), None)
-    asked = isinstance(round_, facts.While) and any(called_name(one) == "done" for one in calls_in(round_.test))
+    loop = next((activation.loops[-1] for activation in reversed(run.activations) if activation.loops), None)
+    asked = isinstance(loop, facts.While) and any(called_name(inner) == "done" for inner in calls_in(loop.test))
     for_answer = asked or isinstance(call.get("future"), FutureValue)
     return model.Spell(_place(run, call), lasting, _makes(run, node), for_answer, len(node.creations))
 
@@ -218,8 +222,9 @@ def remove_node(run: Run, call: ApiUse) -> Value:
     use = use_of(run, call.receiver)
     removed = nodes.given_nodes(run, call.get("node"), plausible=False)
     at_start = run.context.role in (model.Role.MAIN, model.Role.MODULE) and not run.branch_arms
-    apart = any(one.role in (model.Role.THREAD, model.Role.METHOD) for one in run.program.callbacks)
-    if use is None or use.spun or not at_start or apart or any(one.loops or one.tries for one in run.activations):
+    concurrent = any(callback.role in (model.Role.THREAD, model.Role.METHOD) for callback in run.program.callbacks)
+    repeated = any(activation.loops or activation.tries for activation in run.activations)
+    if use is None or use.spun or not at_start or concurrent or repeated:
         return Known(None)
     for node in removed if len(removed) == 1 else ():
         if node in use.nodes:

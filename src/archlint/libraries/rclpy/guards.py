@@ -34,13 +34,13 @@ def guard_of(run: Run) -> GuardKind:
     Only the callback itself is known to be called with something new each time: what a helper gets may well be
     the caller's state.
     """
-    found: GuardKind = NOTHING
-    for number, one in enumerate(run.activations):
-        tests = _tests_on_the_way(one.body, one.statement)
-        if tests is None or (tests and (number != 1 or not _about_arguments(tests, one))):
+    guard: GuardKind = NOTHING
+    for number, activation in enumerate(run.activations):
+        tests = _tests_on_the_way(activation.body, activation.statement)
+        if tests is None or (tests and (number != 1 or not _about_arguments(tests, activation))):
             return STATE
-        found = ARGUMENTS if tests else found
-    return found
+        guard = ARGUMENTS if tests else guard
+    return guard
 
 
 def _tests_on_the_way(body: Sequence[facts.Stmt], wanted: facts.Stmt | None) -> Sequence[facts.Expr] | None:
@@ -54,27 +54,27 @@ def _deciding(body: Itself[Sequence[facts.Stmt]], wanted: Itself[facts.Stmt]) ->
     blocks = graph.of(wanted.fact)
     if reach([graph.entry], without_exceptions).isdisjoint(blocks):
         return None  # an exception leads there
-    found: list[facts.Expr] = []
+    tests: list[facts.Expr] = []
     for block in graph.deciders(blocks):
         match block.statement:
             case facts.If(test):
-                found.append(test)
+                tests.append(test)
             case facts.For():
                 pass  # an item is something new each time
             case _:
                 return None
-    return tuple(found)
+    return tuple(tests)
 
 
 def proven_of(run: Run) -> tuple[tuple[Place, bool], ...]:
     """The ``if`` statements that lead to what runs now and ask for names which are no function's own, with how their
     conditions came out."""
     return tuple(
-        (one.place(statement.span), truth)
-        for one in run.activations
-        if one.statement is not None
-        for statement, truth in _proven(Itself(one.body), Itself(one.statement))
-        if one.scope.kind != "function" or not _asks(statement.test) & (one.scope.bound or frozenset())
+        (activation.place(statement.span), truth)
+        for activation in run.activations
+        if activation.statement is not None
+        for statement, truth in _proven(Itself(activation.body), Itself(activation.statement))
+        if activation.scope.kind != "function" or not _asks(statement.test) & (activation.scope.bound or frozenset())
     )
 
 
@@ -93,7 +93,8 @@ def is_cleaning_up(run: Run) -> bool:
     """Whether what runs now is there because something failed, and the callback ends with it: on the way to it is an
     ``except`` that always raises, or that (or ``finally``) shuts the node down."""
     return any(
-        one.statement is not None and _cleans_up(Itself(one.body), Itself(one.statement)) for one in run.activations
+        activation.statement is not None and _cleans_up(Itself(activation.body), Itself(activation.statement))
+        for activation in run.activations
     )
 
 
@@ -103,7 +104,7 @@ def _cleans_up(body: Itself[Sequence[facts.Stmt]], wanted: Itself[facts.Stmt]) -
         (handles and always_raises(block)) or any(called_name(call) in _ENDS for call in calls_in(block))
         for statement in statements_of(body.fact, facts.Try)
         for block, handles in ((statement.final, False), *((handler.body, True) for handler in statement.handlers))
-        if any(one is wanted.fact for one in statements_of(block))
+        if any(inner is wanted.fact for inner in statements_of(block))
     )
 
 

@@ -36,7 +36,7 @@ def hand_out(run: Run, values: Iterable[Value]) -> None:
         inner = function.callee
         if not isinstance(inner, FunctionValue) or (inner is not function and not any(map(_holds_more, given))):
             continue
-        if not (given or any(interesting(one.ir) or _passes_on(run, one) for one in _led_to(run, inner))):
+        if not (given or any(interesting(called.ir) or _passes_on(run, called) for called in _led_to(run, inner))):
             continue
         callback = describe(run, option, model.Role.METHOD)
         # Once a function, whatever scope it is defined in: one that defines others and hands them out has no end.
@@ -58,13 +58,13 @@ def _led_to(run: Run, function: FunctionValue) -> Iterator[FunctionValue]:
     waiting = [function]
     seen: set[int] = set()
     while waiting:
-        one = waiting.pop()
-        if id(one.ir) in seen:
+        current = waiting.pop()
+        if id(current.ir) in seen:
             continue
-        seen.add(id(one.ir))
-        yield one
-        names = names_in(one.ir)
-        scope: Scope | None = one.scope
+        seen.add(id(current.ir))
+        yield current
+        names = names_in(current.ir)
+        scope: Scope | None = current.scope
         while scope is not None:
             values = (run.store.get(scope.key, name) for name in sorted(names) if scope.kind != "class")
             waiting += [value for value in values if isinstance(value, FunctionValue)]

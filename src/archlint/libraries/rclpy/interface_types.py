@@ -33,10 +33,10 @@ def types_of(call: ApiUse) -> list[tuple[str | None, str | None]]:
     if value is None and call.open:
         return [(None, "passed by * or **")]
     options = [option for option in alternatives(value) if option != NONE] if value is not None else []
-    found = [type_of_value(option) for option in options or (value,)]
-    known = [row for row in found if row[0] is not None]
+    types = [type_of_value(option) for option in options or (value,)]
+    known = [row for row in types if row[0] is not None]
     # What is not known is one more type: nothing that holds for the known ones is certain then.
-    return known + [row for row in found if row[0] is None][:1]
+    return known + [row for row in types if row[0] is None][:1]
 
 
 __all__ = ["type_of_value", "types_of"]

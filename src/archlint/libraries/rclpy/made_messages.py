@@ -27,8 +27,8 @@ def make(
     run: Run, interface: str, section_name: str, keywords: dict[str, Value], expression: facts.Call | None
 ) -> Value:
     """An object of an interface class, as its constructor is called."""
-    made = MessageValue(interface, section_name, run.store.new_key())
-    note_made(run, made, expression)
+    message = MessageValue(interface, section_name, run.store.new_key())
+    note_made(run, message, expression)
     for name, value in keywords.items():
-        run.store.set(made.key, name, value)
-    return made
+        run.store.set(message.key, name, value)
+    return message

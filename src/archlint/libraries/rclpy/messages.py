@@ -34,8 +34,8 @@ def nested(run: Run, value: MessageValue, name: str) -> MessageValue | EachValue
     """The message, or array of messages, that a field holds, one and the same at each read; None for others."""
     if run.interfaces is None or not value.key:
         return None
-    made = run.messages.fields.get((value.key, name))
-    if made is None:
+    content = run.messages.fields.get((value.key, name))
+    if content is None:
         kind = run.interfaces.field_type(value.type, value.section_name, name)
         if kind is None or kind.is_primitive or run.interfaces.get(kind.name) is None:
             return None
@@ -45,8 +45,8 @@ def nested(run: Run, value: MessageValue, name: str) -> MessageValue | EachValue
             run.messages.made_in[inner.key] = run.messages.made_in[value.key]
         if value.key in run.messages.delivered:
             run.messages.delivered[inner.key] = run.messages.delivered[value.key]
-        made = run.messages.fields[(value.key, name)] = EachValue(inner) if kind.array else inner
-    return made
+        content = run.messages.fields[(value.key, name)] = EachValue(inner) if kind.array else inner
+    return content
 
 
 def deliver(run: Run, arguments: Sequence[Value], creation: model.Creation) -> None:

@@ -74,9 +74,9 @@ def known_node(run: Run, value: Value | None) -> model.Blueprint | None:
     return None
 
 
-def note_replaced(run: Run, made: Instance, before: object) -> None:
+def note_replaced(run: Run, instance: Instance, before: object) -> None:
     """Note that a new node takes the place in a variable that one of its class and name had."""
-    node = run.nodes.by_object.get(made.key)
+    node = run.nodes.by_object.get(instance.key)
     for option in alternatives(before) if node is not None and isinstance(before, Value) else ():
         old = known_node(run, option)
         if node is None or old is None or old is node:

@@ -35,12 +35,12 @@ _PARAMETER_SERVICES = (
 def parameter_client(run: Run, call: ApiUse) -> Value:
     """``AsyncParameterClient(node, 'other')``: a client for each of the six parameter services of the other."""
     row = Api(call.api.path, "", "endpoint", kind=model.EntityKind.CLIENT, default_qos="services_default")
-    made = []
+    clients = []
     remote = call.get("remote_node_name") or Unknown("no name is given")
     for blueprint in nodes.given_nodes(run, call.get("node")):
         for name, type_ in _PARAMETER_SERVICES:
             text = text_of_value(join_texts((remote, Known(f"/{name}"))), "no name is given")
             part = ApiUse(row, None, {}, call.expression, False, [], {})
             profile = profiles.resolve(run, call.get("qos_profile"), "services_default", call)
-            made.append(create(run, part, blueprint, text, f"rcl_interfaces/srv/{type_}", None, profile, None))
-    return EntityValue(tuple(made), call.api.path, run.store.new_key())
+            clients.append(create(run, part, blueprint, text, f"rcl_interfaces/srv/{type_}", None, profile, None))
+    return EntityValue(tuple(clients), call.api.path, run.store.new_key())

@@ -41,10 +41,10 @@ _TYPE_NAMES = {
 
 
 def new_parameter(run: Run, name: Value, value: Value) -> Instance:
-    made = Instance(_PARAMETER, run.store.new_key())
-    run.store.set(made.key, "name", name)
-    run.store.set(made.key, "value", value)
-    return made
+    parameter = Instance(_PARAMETER, run.store.new_key())
+    run.store.set(parameter.key, "name", name)
+    run.store.set(parameter.key, "value", value)
+    return parameter
 
 
 def make_parameter(run: Run, call: ApiUse) -> Value:

@@ -66,8 +66,8 @@ def get_parameters(run: Run, call: ApiUse) -> Value:
     names = (call.get("names") or Unknown("no names")).items(run)
     if names is None:
         return Unknown("the parameters that are read are not known")
-    made: list[Value] = [new_parameter(run, name, read(run, call, name)) for name in names.values]
-    return containers.new_list(run, made, "list", names.open)
+    parameters: list[Value] = [new_parameter(run, name, read(run, call, name)) for name in names.values]
+    return containers.new_list(run, parameters, "list", names.open)
 
 
 def get_parameter_or(run: Run, call: ApiUse) -> Value:
@@ -96,8 +96,8 @@ def get_parameters_by_prefix(run: Run, call: ApiUse) -> Value:
             at = key.entry_key()
             if at is not None:
                 entries[at] = (key, new_parameter(run, Known(text), read(run, call, Known(text))))
-    made: DictValue = containers.new_dict(run, entries, True)
-    return made
+    parameters: DictValue = containers.new_dict(run, entries, True)
+    return parameters
 
 
 def has_parameter(run: Run, call: ApiUse) -> Value:

@@ -17,11 +17,11 @@ if TYPE_CHECKING:
     from archlint.interpreter.activation import Activation
 
 
-def holder(activations: Sequence[Activation], made: facts.Call | None) -> Activation | None:
-    """The running function that alone holds the node which ``made`` gives, in a variable with which it does no more
-    than call its methods, spin it, and hand it to functions that do no more either: the last of
+def holder(activations: Sequence[Activation], creating_call: facts.Call | None) -> Activation | None:
+    """The running function that alone holds the node which ``creating_call`` gives, in a variable with which it does
+    no more than call its methods, spin it, and hand it to functions that do no more either: the last of
     ``activations``, or the one that it returns the node to.  None where something may hold the node for longer."""
-    call = made
+    call = creating_call
     for activation in reversed(activations):
         ir = None if activation.function is None else activation.function.ir
         if call is None or not isinstance(ir, facts.Function) or ir.is_generator:
@@ -59,7 +59,9 @@ def _call_of(activations: Sequence[Activation], callee: Activation, ir: facts.Fu
 
 def _functions_of(activation: Activation) -> dict[str, facts.Function]:
     """The functions of the module that a running function is in."""
-    return {one.name: one for one in activation.module.facts.body if isinstance(one, facts.Function)}
+    return {
+        statement.name: statement for statement in activation.module.facts.body if isinstance(statement, facts.Function)
+    }
 
 
 def _returned(ir: facts.Function, name: str) -> int:
@@ -96,12 +98,12 @@ def _lent(call: facts.Call, function: facts.Function | None, name: str, function
     """How many arguments of a call are a variable with which the function that is called does no harm."""
     if function is None or function.is_generator or any(given.star for given in call.args):
         return 0
-    others = {key: one for key, one in functions.items() if one is not function}
+    others = {key: other for key, other in functions.items() if other is not function}
     count = 0
     for position, given in enumerate(call.args):
         if given.value.variable != name:
             continue
         keywords = [param.name for param in function.params if param.name == given.keyword]
         names = keywords if given.keyword else [param.name for param in function.params[position : position + 1]]
-        count += sum(_mentions(function, one) == _harmless(function, one, others) for one in names)
+        count += sum(_mentions(function, parameter) == _harmless(function, parameter, others) for parameter in names)
     return count

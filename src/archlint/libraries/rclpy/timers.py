@@ -28,7 +28,7 @@ def timer(run: Run, call: ApiUse) -> Value:
         return Unknown("the result of create_timer() of another library")
     place = run.place(call.expression.span) if call.expression is not None else Place("", 1, 1, 1, 1)
     period, parameter = _seconds(call.get("timer_period_sec"))
-    made = []
+    creations = []
     for blueprint in nodes.nodes_of(run, call.receiver):
         key = callbacks.told_apart(run, (model.EntityKind.TIMER, id(blueprint), place, period), call)
         creation = run.noted.creations.get(key)
@@ -56,8 +56,8 @@ def timer(run: Run, call: ApiUse) -> Value:
             creation.callbacks = callbacks.register_row(run, call, blueprint, creation, creation.group)
         elif not run.branch_arms:
             creation.conditional, creation.branch_arms = False, frozenset()
-        made.append(creation)
-    return EntityValue(tuple(made), "rclpy.timer.Timer", run.store.new_key())
+        creations.append(creation)
+    return EntityValue(tuple(creations), "rclpy.timer.Timer", run.store.new_key())
 
 
 def _seconds(value: Value | None) -> tuple[float | None, str | None]:

@@ -42,7 +42,7 @@ def static_transform_listener(run: Run, call: ApiUse) -> Value:
 
 
 def _listener(run: Run, call: ApiUse, topics: Sequence[tuple[str, str, str, DefaultQos]]) -> Value:
-    made = []
+    creations = []
     for blueprint in nodes.given_nodes(run, call.get("node")):
         for parameter, name, qos, default in topics:
             value = call.get(parameter)
@@ -53,8 +53,8 @@ def _listener(run: Run, call: ApiUse, topics: Sequence[tuple[str, str, str, Defa
             profile = profiles.resolve(run, call.get(qos), default, call)
             creation = create(run, part, blueprint, text, "tf2_msgs/msg/TFMessage", None, profile, None)
             creation.group = model.Group(model.GroupKind.REENTRANT)
-            made.append(creation)
-    return EntityValue(tuple(made), call.api.path, run.store.new_key())
+            creations.append(creation)
+    return EntityValue(tuple(creations), call.api.path, run.store.new_key())
 
 
 def _subscription_of(path: str, qos: str, default: DefaultQos) -> Api:

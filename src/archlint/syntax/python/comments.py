@@ -15,18 +15,18 @@ _SUPPRESSION = re.compile(rf"#\s*{SUPPRESSION}")
 def find_suppressions(text: str, positions: CommentPositions, lines: LineTable) -> list[Suppression]:
     """All suppressions of a file, and what only looks like one, in the order in which they stand there."""
     units: list[tuple[int, int]] | None = None
-    found = []
+    suppressions = []
     for offset, comment in positions.comments:
         other = lookalike(comment)
         if other is not None:
             line, column = lines.place(offset + other.start())
             end = column + other.end() - other.start()
-            found.append(Suppression(line, column, end, (line, line), [], not_understood=other[0]))
+            suppressions.append(Suppression(line, column, end, (line, line), [], not_understood=other[0]))
         for match in _SUPPRESSION.finditer(comment):
             if units is None:
                 units = _logical_lines(text, positions, lines)
             line, column = lines.place(offset + match.start())
-            found.append(
+            suppressions.append(
                 Suppression(
                     line,
                     column,
@@ -37,7 +37,7 @@ def find_suppressions(text: str, positions: CommentPositions, lines: LineTable) 
                     listed=listed_at(match, column),
                 )
             )
-    return found
+    return suppressions
 
 
 def _covered(line: int, units: list[tuple[int, int]]) -> tuple[int, int]:

@@ -33,7 +33,7 @@ class PatternLowering:
                 return self._sequence(node)
             case cst.MatchClass():
                 given = [*(element.value for element in node.patterns), *(element.pattern for element in node.kwds)]
-                return Pattern("other", value=self._value(node.cls), parts=[self.lower(one) for one in given])
+                return Pattern("other", value=self._value(node.cls), parts=[self.lower(part) for part in given])
             case cst.MatchMapping():
                 entries = [
                     Pattern("entry", value=self._value(element.key), parts=[self.lower(element.pattern)])

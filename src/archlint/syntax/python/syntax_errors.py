@@ -41,10 +41,10 @@ def python_refusal(text: str) -> FileProblem | None:
 
 def _parser_refusal(text: str, message: str) -> FileProblem:
     """For code that only a newer Python, or nobody but libcst, could judge."""
-    found = _POSITION.search(message)
-    line, column = (int(found[1]), int(found[2]) + 1) if found else (1, 1)
+    position = _POSITION.search(message)
+    line, column = (int(position[1]), int(position[2]) + 1) if position else (1, 1)
     line = min(line, text.count("\n") + 1)
-    detail = message[found.end() :] if found else message
+    detail = message[position.end() :] if position else message
     detail = detail.removeprefix("tokenizer error: ").removeprefix("parser error: ")
     expected = _EXPECTED.match(detail)
     if expected is not None and expected[1].count(", ") >= _MOST_ALTERNATIVES:
