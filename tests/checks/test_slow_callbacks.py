@@ -189,6 +189,50 @@ def test_a_callback_alone_in_its_group_holds_up_nobody_under_several_threads(run
     assert codes(run(source(TIMER, timer("time.sleep(1.0)"), ON_SEVERAL_THREADS))) == ["EXE003"]
 
 
+@pytest.mark.parametrize(
+    ("body", "expected"),
+    [
+        pytest.param("time.sleep(0.9)", [], id="less than a second"),
+        pytest.param("for _ in range(3):\n        time.sleep(0.9)", ["EXE003"], id="several times"),
+        pytest.param("subprocess.run(['make'])", ["EXE003"], id="a process, for nobody knows how long"),
+    ],
+)
+def test_the_next_message_may_wait_for_a_moment(run: Run, body: str, expected: list[str]):
+    listens = "self.create_subscription(Empty, 'say', self.on_text, 10)\n"
+    method = f"def on_text(self, message):\n    {body}\n"
+    assert codes(run(source(listens, method))) == expected
+    beside = listens + "self.create_subscription(Empty, 'stop', print, 10)\n"
+    assert codes(run(source(beside, method))) == ["EXE003"]
+
+
+@pytest.mark.parametrize(
+    ("lines", "expected"),
+    [
+        pytest.param(["if self.state == 'OPEN':", "    SLEEP", "    self.state = 'DONE'"], [], id="a state"),
+        pytest.param(["if self.closed:", "    return", "SLEEP", "self.closed = True"], [], id="once"),
+        pytest.param(["if self.state == 'OPEN':", "    self.open()"], [], id="a state with a method of its own"),
+        pytest.param(["if self.state == 'OPEN':", "    SLEEP"], ["EXE003"], id="a state for ever"),
+        pytest.param(["SLEEP", "self.state = 'DONE'"], ["EXE003"], id="in each state"),
+        pytest.param(
+            ["if self.state == 'OPEN':", "    SLEEP", "    if self.hot:", "        self.state = 'DONE'"],
+            ["EXE003"],
+            id="a state that is left some day",
+        ),
+        pytest.param(
+            ["if self.state == 'OPEN':", "    self.state = 'OPEN'", "    SLEEP"], ["EXE003"], id="a state that was set"
+        ),
+        pytest.param(["if self.left:", "    SLEEP", "    self.left -= 1"], ["EXE003"], id="a counter"),
+    ],
+)
+def test_a_timer_may_sleep_in_a_state_that_it_leaves(run: Run, lines: list[str], expected: list[str]):
+    create = "self.state = load_state()\nself.closed = load_state()\nself.hot = load_state()\nself.left = 9\n" + ALONE
+    body = "\n    ".join(lines).replace("SLEEP", "time.sleep(6.0)")
+    opens = "\ndef open(self):\n    time.sleep(6.0)\n    self.state = 'DONE'\n"
+    assert codes(run(source(create, timer(body) + opens))) == expected
+    beside = create + "self.create_service(Trigger, 'stop', print)\n"
+    assert codes(run(source(beside, timer(body) + opens))) == ["EXE003"]
+
+
 def test_what_holds_up_nobody_else_is_information(run: Run):
     listens = "self.create_subscription(Empty, 'stop', self.on_stop, 10)\n"
     [alone] = run(source(listens, "def on_stop(self, message):\n    time.sleep(1.0)\n"))
@@ -336,7 +380,10 @@ def test_a_handler_is_not_told_to_go_on_later(run: Run):
     create = "self.create_service(Trigger, 'go', self.go)\n" + TIMER
     method = timer("pass") + "\ndef go(self, request, response):\n    subprocess.run(['make'])\n    return response\n"
     [found] = run(source(create, method))
-    assert found.code == "EXE003" and found.help == "make it an action: its execute callback may take long"
+    group = "give this callback its own callback group"
+    assert found.code == "EXE003" and found.help == f"spin the node with a MultiThreadedExecutor, and {group}"
+    [threads] = run(source(create, method, ON_SEVERAL_THREADS))
+    assert threads.code == "EXE003" and threads.help == group
 
 
 def test_a_client_that_is_made_here_has_found_nobody_yet(run: Run):

@@ -18,6 +18,7 @@ from archlint.analysis.processes import ends_the_machine, ends_with_the_node, is
 from archlint.analysis.reach import argument, creations_of, judged_calls, node_name, one_for_each_place
 from archlint.analysis.sleeps import Stay, stay_of
 from archlint.analysis.source_code import SourceCode, source_code
+from archlint.analysis.states import leaves_its_state
 from archlint.analysis.stuck import clients_of_handlers, functions_that_ask
 from archlint.checks.folding import folds
 from archlint.checks.registry import Options, finding, rule
@@ -38,6 +39,8 @@ if TYPE_CHECKING:
 
 MOMENT = 0.1
 """Seconds of a sleep that are not worth a word, unless a loop adds them up."""
+PAUSE = 1.0
+"""Seconds from which the next message is late, where a node only takes in these messages."""
 DISCOVERY = 1.0
 """Seconds that a callback may look for a server."""
 
@@ -90,11 +93,15 @@ _UNSEEN = 1.0
 
 
 def _is_left_alone(system: System, program: Program, call: ApiCall, stay: Stay) -> bool:
-    """Whether nothing at all waits but the callback's own next turn, and a timer that is late loses nothing."""
-    period = _period(system, call)
-    if call.context.role not in _LOSES_NOTHING or (period is not None and (stay.seconds or 0.0) > period):
-        return False
-    return _waiting(source_code(system), call, program) == _NOBODY
+    """Whether nothing at all waits but the callback's own next turn, and nothing is lost if that is late."""
+    code, role = source_code(system), call.context.role
+    if role == Role.SUBSCRIPTION:
+        minor = stay.kind == "sleep" and in_loops(code, call, stay, with_callers=True) < PAUSE
+    else:
+        period = _period(system, call)
+        in_time = period is None or (stay.seconds or 0.0) <= period
+        minor = role in _LOSES_NOTHING and (in_time or leaves_its_state(code, call))
+    return minor and _waiting(code, call, program) == _NOBODY
 
 
 _LOSES_NOTHING = frozenset({Role.TIMER, Role.EXECUTE, Role.SERVICE})
@@ -267,7 +274,7 @@ def _slow(system: System, rows: Sequence[_Row], only_network: bool) -> Finding:
         "EXE003",
         call.place,
         f"{callback_words(callback)} {stay.words}{end}: {meanwhile}",
-        help=_instead(call, stay),
+        help=_instead(program, call, stay),
         related=(
             *related_to(call, program),
             *(Related(other.place, f"here it {words.words}", again=True) for _, other, words in others),
@@ -324,7 +331,7 @@ def _answers_in_time(call: ApiCall, stay: Stay) -> bool:
     return stay.kind == "discovery" and stay.seconds is not None and call.context.role in _ANSWERS
 
 
-def _instead(call: ApiCall, stay: Stay) -> str:
+def _instead(program: Program, call: ApiCall, stay: Stay) -> str:
     """What to do; where the callback's return value is the answer, nothing can go on later."""
     if stay.kind == "lock":
         return "request it with LOCK_NB, and try again later where another process has it"
@@ -332,18 +339,18 @@ def _instead(call: ApiCall, stay: Stay) -> str:
         return MAKE_IT_EARLIER
     if stay.kind == "discovery" and call.context.role in _ANSWERS - {Role.EXECUTE}:
         return "check once without waiting, and respond that it is not available"
-    if call.context.role == Role.SERVICE and stay.kind != "network":
-        return "make it an action: its execute callback may take long"
     if call.context.role == Role.PARAMETER:
         return "store the new value, return, and continue from a timer"  # its group is that of the node's own services
     if call.context.role in _ANSWERS:
-        return "spin the node with a MultiThreadedExecutor, and give this callback its own callback group"
+        several = threads_of(call.context.node, program) == blocking.SEVERAL
+        return _OWN_GROUP if several else f"spin the node with a MultiThreadedExecutor, and {_OWN_GROUP}"
     return _INSTEAD.get(stay.kind, "do it in a separate thread or a ThreadPoolExecutor")
 
 
 _ANSWERS = frozenset({Role.SERVICE, Role.LIFECYCLE, Role.GOAL, Role.CANCEL, Role.PARAMETER, Role.EXECUTE})
 """Roles of callbacks that somebody waits for: what they return is the answer."""
 
+_OWN_GROUP = "give this callback its own callback group"
 _INSTEAD = {
     "sleep": "continue from a timer instead of sleeping",
     "discovery": "check once without waiting, and try again from a timer",
