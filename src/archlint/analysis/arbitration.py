@@ -74,29 +74,29 @@ def publishes_with(owner: Endpoint) -> list[ApiCall]:
     return [
         call
         for call in program.calls
-        if call.api == _PUBLISH and any(one.place == owner.place for one in creations_of(call.receiver))
+        if call.api == _PUBLISH and any(creation.place == owner.place for creation in creations_of(call.receiver))
     ]
 
 
 @once
 def _publishes(system: System) -> dict[Place, list[ApiCall]]:
     """What is published, by the place where the publisher is made."""
-    found: dict[Place, list[ApiCall]] = {}
+    by_publisher: dict[Place, list[ApiCall]] = {}
     for call in system.calls:
         if call.api == _PUBLISH:
             for creation in creations_of(call.receiver):
-                found.setdefault(creation.place, []).append(call)
-    return found
+                by_publisher.setdefault(creation.place, []).append(call)
+    return by_publisher
 
 
 def _asks(system: System, owner: Endpoint) -> frozenset[_Word]:
     """The words that a publisher asks; none where it publishes anything without asking, or where that is not seen."""
     told, workspace, file = _told(source_code(system), owner.node), system.workspace, owner.place.file
-    found = workspace.facts_at(file) if told and workspace is not None else None
-    if found is None or workspace is None:
+    file_facts = workspace.facts_at(file) if told and workspace is not None else None
+    if file_facts is None or workspace is None:
         return frozenset()
     kept = kept_calls(workspace, file).get((owner.place.line, owner.place.column))
-    cls = _class_around(found, owner.place)
+    cls = _class_around(file_facts, owner.place)
     if kept is None or cls is None:
         return frozenset()
     code = source_code(system)
@@ -124,18 +124,18 @@ class _Source:
         self.answers = answers
         self.waiting: set[str] = set()
 
-    def before(self, attribute: str, made: int) -> frozenset[_Word]:
+    def before(self, attribute: str, set_at: int) -> frozenset[_Word]:
         """The words that are asked before an attribute is used anywhere but in the line where it is set; none where
         one use asks none.  A word's own method may use it, as where a node that is turned off says zero once."""
         uses = [
             (method, part)
             for method in self.methods
             for part in parts_of(method.body, facts.Attribute)
-            if part.attr == attribute and part.span[0] != made
+            if part.attr == attribute and part.span[0] != set_at
         ]
         asked = [(method, self._on_the_way(method, part.span)) for method, part in uses]
         words = frozenset(word for _, some in asked for word in some)
-        return words if all(some or self.answers.get(one.name) in words for one, some in asked) else frozenset()
+        return words if all(some or self.answers.get(method.name) in words for method, some in asked) else frozenset()
 
     def _on_the_way(self, method: facts.Function, span: facts.Span) -> frozenset[_Word]:
         """The words that are asked in a method before a place, or else before the method is called, wherever it is."""
@@ -149,21 +149,21 @@ class _Source:
         return above
 
 
-def _class_around(found: facts.Facts, place: Place) -> facts.Class | None:
-    around = [one for one in everything_in(found.body, facts.Class) if _is_in(place.line, one)]
-    return max(around, key=lambda one: one.span[0], default=None)
+def _class_around(file_facts: facts.Facts, place: Place) -> facts.Class | None:
+    around = [cls for cls in everything_in(file_facts.body, facts.Class) if _is_in(place.line, cls)]
+    return max(around, key=lambda cls: cls.span[0], default=None)
 
 
 def _told(code: SourceCode, node: Node) -> dict[tuple[str, str], set[_Word]]:
     """The attributes of ``self``, with their file, that callbacks for such words set."""
-    found: dict[tuple[str, str], set[_Word]] = {}
+    words: dict[tuple[str, str], set[_Word]] = {}
     for end in node.of_kind(EntityKind.SUBSCRIBER, EntityKind.SERVICE):
         if end.type not in _WORDS or end.name is None or _halts(end.name):
             continue
         for callback in end.creation.callbacks.values():
             for attribute in _sets(code.definition(callback)):
-                found.setdefault((callback.place.file, attribute), set()).add((end.kind, end.name))
-    return found
+                words.setdefault((callback.place.file, attribute), set()).add((end.kind, end.name))
+    return words
 
 
 def _halts(name: str) -> bool:
@@ -175,14 +175,14 @@ def _sets(function: facts.Function | None) -> set[str]:
     if function is None or not function.params:
         return set()
     message = {param.name for param in function.params[1:]}
-    found: set[str] = set()
+    attributes: set[str] = set()
     for statement in statements_of(function.body, facts.Assign):
-        found.update(name for target in statement.targets for name in _of_self(target))
+        attributes.update(name for target in statement.targets for name in _of_self(target))
     for call in calls_in(function.body):
         given = [part for argument in call.args for part in parts_of(argument.value, facts.Name)]
         if any(part.id in message for part in given):
-            found.update(name for argument in call.args for name in _of_self(argument.value))
-    return found
+            attributes.update(name for argument in call.args for name in _of_self(argument.value))
+    return attributes
 
 
 def _of_self(expression: facts.Base) -> Iterator[str]:

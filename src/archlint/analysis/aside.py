@@ -77,19 +77,21 @@ def is_not_installed(workspace: WorkspaceIndex | None, file: str) -> bool:
 def import_that_fails(workspace: WorkspaceIndex | None, file: str) -> str | None:
     """The first module that a file imports as it starts and that is not there: one of its own package, or of ROS 1."""
     package = None if workspace is None else workspace.package_of(file)
-    found = None if workspace is None else workspace.facts_at(file)
-    for one in [] if found is None else found.body:
-        if isinstance(one, (facts.Import, facts.ImportFrom)) and one.module.partition(".")[0] in _OF_ROS_1:
-            return one.module
-    if workspace is None or package is None or found is None or package not in workspace.code.top_modules:
+    file_facts = None if workspace is None else workspace.facts_at(file)
+    for statement in [] if file_facts is None else file_facts.body:
+        if isinstance(statement, (facts.Import, facts.ImportFrom)) and statement.module.partition(".")[0] in _OF_ROS_1:
+            return statement.module
+    if workspace is None or package is None or file_facts is None or package not in workspace.code.top_modules:
         return None
-    imports = (one for one in found.body if isinstance(one, facts.ImportFrom) and not one.level)
-    for one in imports:
-        top, _, rest = one.module.partition(".")
+    imports = (
+        statement for statement in file_facts.body if isinstance(statement, facts.ImportFrom) and not statement.level
+    )
+    for statement in imports:
+        top, _, rest = statement.module.partition(".")
         if top == package and rest and rest.partition(".")[0] not in _GENERATED:
-            names = [one.module, *(f"{one.module}.{name}" for name, _ in one.names)]
+            names = [statement.module, *(f"{statement.module}.{name}" for name, _ in statement.names)]
             if all(workspace.code.imported(file, name) is None for name in names):
-                return one.module
+                return statement.module
     return None
 
 
@@ -122,12 +124,12 @@ def _stray(workspace: WorkspaceIndex) -> frozenset[str]:
 
 def _is_script(workspace: WorkspaceIndex, file: str) -> bool:
     """Whether a file asks whether it is the program, or starts ROS as it is loaded: no other imports it then."""
-    found = workspace.facts_at(file)
-    body = [] if found is None else found.body
-    tests = [one.test for one in body if isinstance(one, facts.If)]
+    file_facts = workspace.facts_at(file)
+    body = [] if file_facts is None else file_facts.body
+    tests = [statement.test for statement in body if isinstance(statement, facts.If)]
     if any(isinstance(test, facts.Compare) and test.left.variable == "__name__" for test in tests):
         return True
-    return any(isinstance(one, facts.Expression) and _starts_ros(one.value) for one in body)
+    return any(isinstance(statement, facts.Expression) and _starts_ros(statement.value) for statement in body)
 
 
 def _starts_ros(value: facts.Expr) -> bool:

@@ -57,8 +57,8 @@ def after(known: Known, fact: facts.Base, followed: frozenset[str]) -> Known:
         case facts.Augmented(target=target):
             return _without(known, dotted(target))
         case facts.Assign(targets=targets, value=value):
-            for one in (part for target in targets for part in target.unpacked):
-                known = _without(known, dotted(one))
+            for stored in (part for target in targets for part in target.unpacked):
+                known = _without(known, dotted(stored))
             if isinstance(value, facts.Literal):
                 known |= {(dotted(target), value.value) for target in targets if dotted(target) in followed}
     return known
@@ -89,10 +89,10 @@ def within(known: Known, test: facts.Expr, truth: bool, followed: frozenset[str]
 def _within_all(known: Known, test: facts.Boolean, truth: bool, followed: frozenset[str]) -> Known | None:
     """``and`` holds where all of it does, ``or`` fails where all of it does; the other way one of them is enough."""
     if truth is (test.op == "and"):
-        found: Known | None = known
+        narrowed: Known | None = known
         for value in test.values:
-            found = None if found is None else within(found, value, truth, followed)
-        return found
+            narrowed = None if narrowed is None else within(narrowed, value, truth, followed)
+        return narrowed
     return known if any(within(known, value, truth, followed) is not None for value in test.values) else None
 
 

@@ -186,7 +186,9 @@ class Verdict:
             return ""
         if len(self.outcomes) == 1:
             return f" ({self.before} before rclpy {NESTED_SINCE[next(iter(self.outcomes))]})"
-        releases = [f"{one} before rclpy {since}" for one, since in NESTED_SINCE.items() if one in self.outcomes]
+        releases = [
+            f"{outcome} before rclpy {since}" for outcome, since in NESTED_SINCE.items() if outcome in self.outcomes
+        ]
         return f" ({self.before} in {' and '.join(releases)})"
 
 

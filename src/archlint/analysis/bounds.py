@@ -29,8 +29,8 @@ def most(expression: facts.Expr, body: Sequence[facts.Stmt], params: Sequence[fa
     span: facts.Span | None = getattr(expression, "span", None)
     numbers = _Numbers(body, frozenset(param.name for param in params))
     tests = [] if span is None else numbers.tests_at(numbers.graph.evaluating(span))
-    found = numbers.range_of(expression, tests, _STEPS)
-    return None if found is None or math.isinf(found[1]) else found[1]
+    limits = numbers.range_of(expression, tests, _STEPS)
+    return None if limits is None or math.isinf(limits[1]) else limits[1]
 
 
 class _Numbers:
@@ -88,16 +88,16 @@ class _Numbers:
         if any(arg.keyword or arg.star for arg in e.args) or not e.args:
             return None
         given = [self.range_of(arg.value, tests, steps) for arg in e.args]
-        known = [one for one in given if one is not None]
+        known = [interval for interval in given if interval is not None]
         if function == "min" and known and len(given) > 1:
-            low = min(one[0] for one in known) if len(known) == len(given) else -math.inf
-            return low, min(one[1] for one in known)
+            low = min(interval[0] for interval in known) if len(known) == len(given) else -math.inf
+            return low, min(interval[1] for interval in known)
         if function == "abs" and len(given) == 1 and not known:
             return 0.0, math.inf
         if len(known) < len(given):
             return None
         if function == "max" and len(given) > 1:
-            return max(one[0] for one in known), max(one[1] for one in known)
+            return max(interval[0] for interval in known), max(interval[1] for interval in known)
         if function == "abs" and len(given) == 1:
             return 0.0, max(abs(known[0][0]), abs(known[0][1]))
         return known[0] if function == "float" and len(given) == 1 else None
@@ -172,34 +172,34 @@ def _combined(op: str, left: _Range, right: _Range) -> _Range | None:
         right = (1.0 / right[1], 1.0 / right[0])
     elif op != "*":
         return None
-    ends = [_product(one, other) for one in left for other in right]
+    ends = [_product(bound, other) for bound in left for other in right]
     return min(ends), max(ends)
 
 
-def _product(one: float, other: float) -> float:
-    return 0.0 if 0.0 in (one, other) else one * other
+def _product(factor: float, other: float) -> float:
+    return 0.0 if 0.0 in (factor, other) else factor * other
 
 
 def _any_of(ranges: Sequence[_Range | None]) -> _Range | None:
-    known = [one for one in ranges if one is not None]
+    known = [interval for interval in ranges if interval is not None]
     if len(known) < len(ranges):
         return None
-    return min(one[0] for one in known), max(one[1] for one in known)
+    return min(interval[0] for interval in known), max(interval[1] for interval in known)
 
 
 def _tested(e: facts.Expr, tests: Sequence[_Test]) -> _Range | None:
     """What conditions that hold say of an expression: it is compared with a literal."""
-    low, high, found = -math.inf, math.inf, False
+    low, high, compared = -math.inf, math.inf, False
     for test, holds in tests:
         for left, op, right in _comparisons(test, holds):
-            for one, other, below, above in ((left, right, _BELOW, _ABOVE), (right, left, _ABOVE, _BELOW)):
+            for side, other, below, above in ((left, right, _BELOW, _ABOVE), (right, left, _ABOVE, _BELOW)):
                 limit = other.number
-                if limit is None or not written_alike(one, e):
+                if limit is None or not written_alike(side, e):
                     continue
-                found = found or op in below or op in above
+                compared = compared or op in below or op in above
                 low = max(low, limit) if op in above else low
                 high = min(high, limit) if op in below else high
-    return (low, high) if found else None
+    return (low, high) if compared else None
 
 
 _OPPOSITE = {"<": ">=", "<=": ">", ">": "<=", ">=": "<"}
@@ -220,12 +220,14 @@ def _comparisons(test: facts.Expr, holds: bool) -> Iterator[tuple[facts.Expr, st
                     yield left, op if holds else _OPPOSITE[op], right
 
 
-def written_alike(one: object, other: object) -> bool:
+def written_alike(fact: object, other: object) -> bool:
     """Whether two facts are written alike, wherever they stand."""
-    if isinstance(one, (list, tuple)) and isinstance(other, (list, tuple)):
-        return len(one) == len(other) and all(written_alike(a, b) for a, b in zip(one, other, strict=True))
-    if isinstance(one, facts.Base):
-        return type(one) is type(other) and all(
-            written_alike(getattr(one, name), getattr(other, name)) for name in one.__struct_fields__ if name != "span"
+    if isinstance(fact, (list, tuple)) and isinstance(other, (list, tuple)):
+        return len(fact) == len(other) and all(written_alike(a, b) for a, b in zip(fact, other, strict=True))
+    if isinstance(fact, facts.Base):
+        return type(fact) is type(other) and all(
+            written_alike(getattr(fact, name), getattr(other, name))
+            for name in fact.__struct_fields__
+            if name != "span"
         )
-    return type(one) is type(other) and one == other
+    return type(fact) is type(other) and fact == other

@@ -83,9 +83,9 @@ def groups_in_use(node: Blueprint) -> Iterator[Group]:
 
 def groups_made(system: System, node: Blueprint) -> list[tuple[Place, str]]:
     """Where each group of a node is made, the node's own file first, and its kind in words."""
-    found = {
+    kinds = {
         group.place: group.kind.replace("_", " ")
         for group in groups_in_use(node)
         if group.place is not None and not system.roles.is_test(group.place.file)
     }
-    return sorted(found.items(), key=lambda one: (one[0].file != node.place.file, one[0]))
+    return sorted(kinds.items(), key=lambda row: (row[0].file != node.place.file, row[0]))

@@ -83,15 +83,15 @@ def conflicting_pairs(
     of_node: dict[tuple[int, str], list[Endpoint]] = {}
     for end in ends:
         of_node.setdefault((id(end.node), end.kind), []).append(end)
-    for one, other in combinations(ends, 2):
-        if agree(one, other) or not sure & {id(one), id(other)}:
+    for endpoint, other in combinations(ends, 2):
+        if agree(endpoint, other) or not sure & {id(endpoint), id(other)}:
             continue
-        fixed, chosen = (one, other) if id(one) in sure else (other, one)
+        fixed, chosen = (endpoint, other) if id(endpoint) in sure else (other, endpoint)
         choices = [] if id(chosen) in sure else of_node[id(chosen.node), chosen.kind]
-        if any(agree(fixed, end) for end in choices) or not coexist(system, one, other):
+        if any(agree(fixed, end) for end in choices) or not coexist(system, endpoint, other):
             continue
-        if _under_one_name(system, one, other):
-            yield one, other
+        if _under_one_name(system, endpoint, other):
+            yield endpoint, other
 
 
 def coexist(system: System, end: Endpoint, other: Endpoint) -> bool:
@@ -129,23 +129,23 @@ def _started_alike(node: Node, other: Node) -> bool:
     return runs_along(node.alternatives, other.alternatives)
 
 
-def known_to_coexist(system: System, one: Node, other: Node) -> bool:
+def known_to_coexist(system: System, first: Node, other: Node) -> bool:
     """Whether a launch file or one executable is seen to start both nodes.  A script that is not installed may have
     the name of an executable that is another file."""
     if system.name is not None:
         return True
-    made_in = {node.program.file for node in (one, other) if node.program is not None}
-    if system.workspace is not None and len(made_in) == 2 and len(one.executables) == len(other.executables) == 1:
+    made_in = {node.program.file for node in (first, other) if node.program is not None}
+    if system.workspace is not None and len(made_in) == 2 and len(first.executables) == len(other.executables) == 1:
         return False
-    return not _starters(one).isdisjoint(_starters(other))
+    return not _starters(first).isdisjoint(_starters(other))
 
 
-def launched_separately(system: System, one: Node, other: Node) -> bool:
+def launched_separately(system: System, first: Node, other: Node) -> bool:
     """Whether launch files start both nodes, but none starts both of them: then they are alternatives, or at
     least nothing proves that they are not."""
     if system.name is not None or system.workspace is None:
         return False
-    mine, yours = (_launches(system.workspace.systems, node) for node in (one, other))
+    mine, yours = (_launches(system.workspace.systems, node) for node in (first, other))
     return bool(mine) and bool(yours) and mine.isdisjoint(yours)
 
 
@@ -169,8 +169,8 @@ def has_launch_files(system: System) -> bool:
 
 
 def _starters(node: Node) -> set[tuple[str | None, str]]:
-    nodes = [one for one in (node.blueprint, *node.merged) if one is not None]
-    scripts = {(None, file) for one in nodes for file in one.scripts}
+    nodes = [blueprint for blueprint in (node.blueprint, *node.merged) if blueprint is not None]
+    scripts = {(None, file) for blueprint in nodes for file in blueprint.scripts}
     return scripts | {(node.package, executable) for executable in node.executables}
 
 
@@ -188,10 +188,10 @@ def _publishes(node: Node) -> set[str]:
     return {end.name for end in node.of_kind(EntityKind.PUBLISHER) if end.resolved and end.name is not None}
 
 
-def _unlikely_to_coexist(system: System, one: Endpoint, other: Endpoint) -> bool:
+def _unlikely_to_coexist(system: System, endpoint: Endpoint, other: Endpoint) -> bool:
     """Whether two nodes of different executables are probably never started together."""
-    alone = any(_tries_out(end.node) or _starts_others(system, end.node) for end in (one, other))
-    return alone or _variants(one, other)
+    alone = any(_tries_out(end.node) or _starts_others(system, end.node) for end in (endpoint, other))
+    return alone or _variants(endpoint, other)
 
 
 def _starts_others(system: System, node: Node) -> bool:

@@ -39,7 +39,7 @@ def most_items(iterable: facts.Expr, file: facts.Facts) -> int | None:
 def _displayed(value: facts.Expr) -> int | None:
     match value:
         case facts.Sequence(elements=elements):
-            return None if any(isinstance(one, facts.Starred) for one in elements) else len(elements)
+            return None if any(isinstance(element, facts.Starred) for element in elements) else len(elements)
         case facts.Mapping(keys=keys):
             return None if None in keys else len(keys)
     return None

@@ -95,7 +95,7 @@ class _Comparing:
     def _ends(self, seen: SeenNode, candidates: Sequence[Node]) -> Ends:
         """Of several nodes that could be meant, the comparison that leaves the fewest differences."""
         every = [ends_of(self.system, node, seen, self.observed, whole_node(self.system, node)) for node in candidates]
-        return min(every, key=lambda one: (len(one.differences), -one.same))
+        return min(every, key=lambda ends: (len(ends.differences), -ends.same))
 
     # ------------------------------------------------------------------------------------------------------- missing
 
@@ -105,8 +105,8 @@ class _Comparing:
             return
         launched = self.system.launched is not None or self.system.closed
         where = f"{self.system.name} starts it" if self.system.launched is not None else "the source has it"
-        running = [one for one in self.seen if one not in self.expected]
-        moved = [one for one in running if one.rpartition("/")[2] == name.rpartition("/")[2]]
+        running = [other for other in self.seen if other not in self.expected]
+        moved = [other for other in running if other.rpartition("/")[2] == name.rpartition("/")[2]]
         near = (
             f"; {moved[0]} runs: is that the same node in another namespace?" if moved else did_you_mean(name, running)
         )

@@ -94,9 +94,9 @@ class _Kind:
             elif end.error is None:
                 self.open.append(end)
         self.seen: dict[str, list[SeenEnd]] = {}
-        for one in seen.ends:
-            if one.kind == kind:
-                self.seen.setdefault(one.name, []).append(one)
+        for seen_end in seen.ends:
+            if seen_end.kind == kind:
+                self.seen.setdefault(seen_end.name, []).append(seen_end)
 
     def compare(self) -> None:
         for name in sorted(self.expected.keys() & self.seen.keys()):
@@ -125,8 +125,8 @@ class _Kind:
         """Pairs of a missing name and one that is there instead: the only ones of their type."""
         for name in list(missing):
             type_ = self.expected[name][0].type
-            alike = [one for one in extra if self.seen[one][0].type == type_]
-            rivals = [one for one in missing if self.expected[one][0].type == type_]
+            alike = [other for other in extra if self.seen[other][0].type == type_]
+            rivals = [other for other in missing if self.expected[other][0].type == type_]
             if type_ is not None and len(alike) == 1 and len(rivals) == 1 and not self.open:
                 yield name, alike[0]
 
@@ -195,7 +195,7 @@ class _Kind:
 
     def _types(self, name: str, expected: Sequence[Endpoint], seen: Sequence[SeenEnd]) -> None:
         known = {end.type for end in expected}
-        there = {one.type for one in seen}
+        there = {seen_end.type for seen_end in seen}
         self.result.same += 1
         if None in known or None in there:
             return
@@ -219,11 +219,11 @@ class _Kind:
             end,
             expected=end.type or "",
             observed=type_,
-            seen=next(one for one in seen if one.type == type_),
+            seen=next(seen_end for seen_end in seen if seen_end.type == type_),
         )
 
     def _qos(self, name: str, expected: Sequence[Endpoint], seen: Sequence[SeenEnd]) -> None:
-        profiles = [one.qos for one in seen if one.qos is not None]
+        profiles = [seen_end.qos for seen_end in seen if seen_end.qos is not None]
         wanted = [(end, end.qos) for end in expected if end.qos is not None and may_be_compared(end.qos)]
         if not profiles or len(wanted) < len(expected):
             return
@@ -301,21 +301,21 @@ def may_be_compared(qos: Qos) -> bool:
 
 def contradictions(expected: Qos, seen: Qos, kind: EntityKind) -> list[tuple[str, str]]:
     """The policies that cannot both be true, in words: ``(expected, seen)`` of each."""
-    found = []
+    policies = []
     for policy in ("reliability", "durability", "liveliness"):
         here, there = getattr(expected, policy), getattr(seen, policy)
         decided = here not in (None, "system_default", "best_available", "unknown")
         if decided and there is not None and here != there:
             noun = " liveliness" if policy == "liveliness" else ""
-            found.append((f"{here.replace('_', ' ')}{noun}", f"{there.replace('_', ' ')}{noun}"))
+            policies.append((f"{here.replace('_', ' ')}{noun}", f"{there.replace('_', ' ')}{noun}"))
     durations = {"deadline": "deadline", "liveliness_lease": "liveliness lease"}
     if kind == program.EntityKind.PUBLISHER:
         durations["lifespan"] = "lifespan"
     for policy, words in durations.items():
         here, there = getattr(expected, policy) or 0.0, getattr(seen, policy) or 0.0
         if policy not in expected.unknown_durations and abs(here - there) > _TOLERANCE_S:
-            found.append((_bound(words, here), _bound(words, there)))
-    return found
+            policies.append((_bound(words, here), _bound(words, there)))
+    return policies
 
 
 def _bound(words: str, seconds: float) -> str:

@@ -34,7 +34,7 @@ def topics_of(system: System, observed: Observed, is_external: Callable[[str], b
     differences: list[Difference] = []
     left_open: list[str] = []
     same = 0
-    for topic in sorted(observed.topics, key=lambda one: one.name):
+    for topic in sorted(observed.topics, key=lambda seen: seen.name):
         if is_hidden(topic.name) or topic.name in implicit or topic.type.startswith(_OF_THE_RECORDER):
             continue
         connection = system.topics.get(topic.name)
@@ -49,7 +49,7 @@ def topics_of(system: System, observed: Observed, is_external: Callable[[str], b
         else:
             differences.append(_unexpected(system, topic))
     there = {topic.name for topic in observed.topics}
-    absent = [name for name, one in system.topics.items() if one.providers and name not in there]
+    absent = [name for name, expected in system.topics.items() if expected.providers and name not in there]
     notes = (f"not recorded, so not compared: {', '.join(absent)}",) if absent else ()
     what = f"the topics that are published in {what_is_compared(system)}"
     return Comparison(observed, what, tuple(differences), 0, same, tuple(left_open), notes)
@@ -72,7 +72,7 @@ def _different(system: System, topic: SeenTopic, connection: Connection) -> Iter
 
 
 def _other_qos(topic: SeenTopic, ends: list[Endpoint], offered: Qos) -> Difference:
-    end = next((one for one in ends if certain(one)), ends[0])
+    end = next((endpoint for endpoint in ends if certain(endpoint)), ends[0])
     assert end.qos is not None
     policies = contradictions(end.qos, offered, EntityKind.PUBLISHER)
     here, there = (" and ".join(words) for words in zip(*policies, strict=True))

@@ -56,16 +56,16 @@ def declares_all(workspace: WorkspaceIndex | None, blueprint: Blueprint) -> bool
 
 
 @once_for_each_file
-def _classes(found: facts.Facts) -> dict[str, facts.Class]:
+def _classes(file_facts: facts.Facts) -> dict[str, facts.Class]:
     """The classes of a file by name; of several of one name the first."""
-    return {item.name: item for item in reversed(list(everything_in(found.body, facts.Class)))}
+    return {item.name: item for item in reversed(list(everything_in(file_facts.body, facts.Class)))}
 
 
 @once_for_each_file
-def _defined_and_imported(found: facts.Facts) -> tuple[frozenset[str], tuple[facts.ImportFrom, ...]]:
-    classes, functions = everything_in(found.body, facts.Class), everything_in(found.body, facts.Function)
+def _defined_and_imported(file_facts: facts.Facts) -> tuple[frozenset[str], tuple[facts.ImportFrom, ...]]:
+    classes, functions = everything_in(file_facts.body, facts.Class), everything_in(file_facts.body, facts.Function)
     names = frozenset(item.name for items in (classes, functions) for item in items)
-    return names, tuple(everything_in(found.body, facts.ImportFrom))
+    return names, tuple(everything_in(file_facts.body, facts.ImportFrom))
 
 
 def _ours(workspace: WorkspaceIndex, file: str) -> set[str]:
@@ -80,33 +80,33 @@ def _ours(workspace: WorkspaceIndex, file: str) -> set[str]:
 
 
 @once_for_each_file
-def called_names(found: facts.Facts) -> frozenset[str]:
+def called_names(file_facts: facts.Facts) -> frozenset[str]:
     """The last names of all that a file calls."""
-    return frozenset(call.func.last_name for call in everything_in(found.body, facts.Call)) - {""}
+    return frozenset(call.func.last_name for call in everything_in(file_facts.body, facts.Call)) - {""}
 
 
 def enclosing_function(workspace: WorkspaceIndex, place: Place) -> facts.Function | None:
     """The innermost function that a place is in."""
     functions = _every_function(workspace, place.file) or ()
     around = [function for function in functions if function.span[0] <= place.line <= function.span[2]]
-    return max(around, key=lambda one: one.span[0], default=None)
+    return max(around, key=lambda function: function.span[0], default=None)
 
 
 def enclosing_class(workspace: WorkspaceIndex | None, place: Place) -> str | None:
     """The name of the innermost class that a place is in."""
     classes = None if workspace is None else _every_class(workspace, place.file)
-    around = [one for one in classes or () if one.span[0] <= place.line <= one.span[2]]
-    return max(around, key=lambda one: one.span[0]).name if around else None
+    around = [cls for cls in classes or () if cls.span[0] <= place.line <= cls.span[2]]
+    return max(around, key=lambda cls: cls.span[0]).name if around else None
 
 
 @once_for_each_file
-def _every_class(found: facts.Facts) -> tuple[facts.Class, ...]:
-    return tuple(everything_in(found.body, facts.Class))
+def _every_class(file_facts: facts.Facts) -> tuple[facts.Class, ...]:
+    return tuple(everything_in(file_facts.body, facts.Class))
 
 
 @once_for_each_file
-def _every_function(found: facts.Facts) -> tuple[facts.Function, ...]:
-    return tuple(everything_in(found.body, facts.Function))
+def _every_function(file_facts: facts.Facts) -> tuple[facts.Function, ...]:
+    return tuple(everything_in(file_facts.body, facts.Function))
 
 
 __all__ = [

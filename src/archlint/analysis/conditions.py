@@ -36,14 +36,16 @@ def _condition(workspace: WorkspaceIndex | None, arm: BranchArm) -> BranchArm:
 
 
 @once_for_each_file
-def _asked(found: facts.Facts) -> dict[tuple[int, int], tuple[str, bool]]:
+def _asked(file_facts: facts.Facts) -> dict[tuple[int, int], tuple[str, bool]]:
     """Where an ``if`` asks nothing but an attribute of ``self`` that is set once, or in constructors alone, and whether
     it asks ``not``."""
-    constructors = [function for function in everything_in(found.body, facts.Function) if function.name == "__init__"]
-    once, later = _assigned(found.body), _assigned(found.body)
+    constructors = [
+        function for function in everything_in(file_facts.body, facts.Function) if function.name == "__init__"
+    ]
+    once, later = _assigned(file_facts.body), _assigned(file_facts.body)
     for function in constructors:
         later.subtract(_assigned(function.body))
-    rows = ((branch, _attribute(branch.test)) for branch in everything_in(found.body, facts.If))
+    rows = ((branch, _attribute(branch.test)) for branch in everything_in(file_facts.body, facts.If))
     return {
         (branch.span[0], branch.span[1]): attribute
         for branch, attribute in rows

@@ -41,20 +41,22 @@ def crowds(system: System) -> Iterator[tuple[ExecutorUse, list[Wait]]]:
                     yield use, list(slots.values())
 
 
-def _coincide(code: SourceCode, found: Collection[Wait]) -> bool:
+def _coincide(code: SourceCode, waits: Collection[Wait]) -> bool:
     """Whether waits that end by themselves come at the same time, and again and again: timers of one period that a
     function makes one after the other."""
-    if not any(wait.limited for wait in found):
+    if not any(wait.limited for wait in waits):
         return True
-    timers = [wait.call.context.creation for wait in found if wait.call.context.creation is not None]
-    made = {(timer.period, timer.place.file, timer.function, id(timer.node), timer.conditional) for timer in timers}
+    timers = [wait.call.context.creation for wait in waits if wait.call.context.creation is not None]
+    timer_keys = {
+        (timer.period, timer.place.file, timer.function, id(timer.node), timer.conditional) for timer in timers
+    }
     first, last = min(timer.place for timer in timers), max(timer.place for timer in timers)
     between = (
         call
-        for call in next(iter(found)).program.calls
+        for call in next(iter(waits)).program.calls
         if call.function == timers[0].function and first < call.place < last
     )
-    return len(made) == 1 and not any(stay_of(code, call) for call in between)
+    return len(timer_keys) == 1 and not any(stay_of(code, call) for call in between)
 
 
 def _period(code: SourceCode, wait: Wait) -> float | None:
@@ -65,9 +67,9 @@ def _period(code: SourceCode, wait: Wait) -> float | None:
     return creation.period
 
 
-def _slots(use: ExecutorUse, found: list[Wait]) -> dict[_Slot, Wait]:
+def _slots(use: ExecutorUse, waits: list[Wait]) -> dict[_Slot, Wait]:
     slots: dict[_Slot, Wait] = {}
-    for wait in found:
+    for wait in waits:
         callback = wait.call.context
         node, group = callback.node, callback.group
         if node is None or group is None or node not in use.nodes or _spun_elsewhere(wait, use):

@@ -154,16 +154,16 @@ def _executor_words(use: ExecutorUse) -> str:
     return "a single-threaded executor"
 
 
-def group_relation(one: Group | None, other: Group | None) -> Relation:
+def group_relation(group: Group | None, other: Group | None) -> Relation:
     """How the callback group of a callback and that of a client of the same node relate."""
-    if one is None:
+    if group is None:
         return OTHER  # in no group: holds none
-    if other is None or GroupKind.UNKNOWN in (one.kind, other.kind):
+    if other is None or GroupKind.UNKNOWN in (group.kind, other.kind):
         return UNCLEAR
-    if one.kind == other.kind == GroupKind.DEFAULT:
+    if group.kind == other.kind == GroupKind.DEFAULT:
         return SAME
-    if one.kind == other.kind and (one.key is None or one.key == other.key):
-        return REENTRANT if one.kind == GroupKind.REENTRANT else UNCLEAR if one.key is None else SAME
+    if group.kind == other.kind and (group.key is None or group.key == other.key):
+        return REENTRANT if group.kind == GroupKind.REENTRANT else UNCLEAR if group.key is None else SAME
     return OTHER
 
 

@@ -15,9 +15,9 @@ if TYPE_CHECKING:
     from archlint.systems.model import WorkspaceIndex
 
 
-def surely_run_both(workspace: WorkspaceIndex, one: ParameterDeclaration, other: ParameterDeclaration) -> bool:
+def surely_run_both(workspace: WorkspaceIndex, declaration: ParameterDeclaration, other: ParameterDeclaration) -> bool:
     """Whether the constructor of a node surely comes to both declarations."""
-    return all(not is_guarded(workspace, each) and _is_of_constructor(workspace, each) for each in (one, other))
+    return all(not is_guarded(workspace, each) and _is_of_constructor(workspace, each) for each in (declaration, other))
 
 
 def _is_of_constructor(workspace: WorkspaceIndex, declaration: ParameterDeclaration) -> bool:
@@ -35,7 +35,7 @@ def is_guarded(workspace: WorkspaceIndex | None, declaration: ParameterDeclarati
     asked = (attribute.attr for attribute in everything_in(function.body, facts.Attribute))
     if any(name in ("has_parameter", "undeclare_parameter") for name in asked):
         return True
-    tried = (one.span for one in everything_in(function.body, facts.Try))
+    tried = (statement.span for statement in everything_in(function.body, facts.Try))
     return any(span[0] <= declaration.place.line <= span[2] for span in tried)
 
 

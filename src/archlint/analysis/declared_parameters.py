@@ -20,7 +20,7 @@ def always_declared(name: str) -> bool:
 
 def declared_by(node: Node) -> dict[str, list[ParameterDeclaration]] | None:
     """The declarations of a node by name; None where not all of them can be known."""
-    found: dict[str, list[ParameterDeclaration]] = {}
+    by_name: dict[str, list[ParameterDeclaration]] = {}
     for blueprint in node.blueprints:
         if blueprint.allow_undeclared_parameters or blueprint.automatically_declare_parameters:
             return None
@@ -28,8 +28,8 @@ def declared_by(node: Node) -> dict[str, list[ParameterDeclaration]] | None:
             name = declaration.name
             if name.text is None or name.resolution not in ("exact", "parameter"):
                 return None
-            found.setdefault(name.text, []).append(declaration)
-    return found
+            by_name.setdefault(name.text, []).append(declaration)
+    return by_name
 
 
 def followed(node: Node) -> bool:

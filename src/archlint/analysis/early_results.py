@@ -39,14 +39,14 @@ class EarlyResult:
 @once
 def early_results(system: System) -> list[EarlyResult]:
     """The results that callbacks read straight after they have sent the request."""
-    found, code = [], source_code(system)
+    results, code = [], source_code(system)
     for program, call in judged_calls(system):
         if call.api != _RESULT or not isinstance(call.receiver, Future) or not runs_in_executor(call.context):
             continue
         clients = creations_of(call.receiver)
         if clients and _straight_after(code, call):
-            found.append(EarlyResult(call, clients[0], program))
-    return found
+            results.append(EarlyResult(call, clients[0], program))
+    return results
 
 
 def _straight_after(code: SourceCode, call: ApiCall) -> bool:

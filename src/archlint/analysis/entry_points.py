@@ -55,16 +55,16 @@ def broken_target(workspace: WorkspaceIndex, executable: Executable) -> NoModule
         if foreign or _is_on_disk(workspace, executable.package, module):
             return None
         return NoModule(module, function, tuple(modules))
-    found = workspace.facts_at(paths[0])
-    if found is None or found.problems:
+    file_facts = workspace.facts_at(paths[0])
+    if file_facts is None or file_facts.problems:
         return None
     if function is None:
-        return None if any(map(_does_something, found.body)) else NoFunctionNamed(module)
+        return None if any(map(_does_something, file_facts.body)) else NoFunctionNamed(module)
     head = function.partition(".")[0]
-    if any(map(partial(_defines, head), found.body)):
+    if any(map(partial(_defines, head), file_facts.body)):
         return None  # as nearly always
-    names = _bound_names(found.body)
-    return None if head in names or _binds_more(found.body) else NoFunction(module, head, names)
+    names = _bound_names(file_facts.body)
+    return None if head in names or _binds_more(file_facts.body) else NoFunction(module, head, names)
 
 
 def _is_on_disk(workspace: WorkspaceIndex, package: str, module: str) -> bool:

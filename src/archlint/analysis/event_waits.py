@@ -38,12 +38,12 @@ class EventWait:
 @once
 def event_waits(system: System) -> list[EventWait]:
     """The waits for events that nothing but a callback kept out meanwhile sets."""
-    found = []
+    waits = []
     for program, call, setters in waits_for_events(system):
         reasons = [_kept_out(call.context, setter, program) for setter in setters]
         if all(reasons):
-            found.append(EventWait(call, setters[0], program, has_limit(call, "timeout"), reasons[0] or ""))
-    return found
+            waits.append(EventWait(call, setters[0], program, has_limit(call, "timeout"), reasons[0] or ""))
+    return waits
 
 
 @once
@@ -53,14 +53,14 @@ def waits_for_events(system: System) -> list[tuple[Program, ApiCall, list[Callba
     for _, call in judged_calls(system):
         if call.api == _SET and isinstance(call.receiver, Object):
             setters.setdefault(call.receiver.identity, []).append(call)
-    found = []
+    waits = []
     for program, call in judged_calls(system):
         if call.api != _WAIT or not isinstance(call.receiver, Object) or not runs_in_executor(call.context):
             continue
         setting = setters.get(call.receiver.identity, [])
         if setting and not is_behind_its_setter(source_code(system), call, setting):
-            found.append((program, call, [setter.context for setter in setting]))
-    return found
+            waits.append((program, call, [setter.context for setter in setting]))
+    return waits
 
 
 def _kept_out(waiting: Callback, setter: Callback, program: Program) -> str | None:

@@ -31,16 +31,19 @@ def must_be_absolute(workspace: WorkspaceIndex | None, endpoint: Endpoint) -> bo
     made_in = enclosing_function(workspace, endpoint.place)
     bodies: list[tuple[str, Sequence[facts.Stmt]]] = [(endpoint.place.file, [] if made_in is None else made_in.body)]
     bodies += [(frame.place.file, code_of(workspace).body_at(frame.place)) for frame in creation.chain]
-    bodies += [(endpoint.place.file, one) for one in _kept_by(workspace, endpoint.place.file, bodies[0][1])]
-    return any(_demands(body) or any(_demands(one) for one in _called(workspace, file, body)) for file, body in bodies)
+    bodies += [(endpoint.place.file, body) for body in _kept_by(workspace, endpoint.place.file, bodies[0][1])]
+    return any(
+        _demands(body) or any(_demands(called_body) for called_body in _called(workspace, file, body))
+        for file, body in bodies
+    )
 
 
 def _kept_by(workspace: WorkspaceIndex, file: str, body: Sequence[facts.Stmt]) -> Iterator[Sequence[facts.Stmt]]:
     """The statements of a file that set what a body loops over: ``self.topics = checked(topics)`` for
     ``for topic in self.topics``."""
     kept = {loop.iterable.attribute for loop in statements_of(body, facts.For)} - {""}
-    found = workspace.facts_at(file)
-    for assignment in everything_in([] if found is None or not kept else found.body, facts.Assign):
+    file_facts = workspace.facts_at(file)
+    for assignment in everything_in([] if file_facts is None or not kept else file_facts.body, facts.Assign):
         if isinstance(assignment.value, facts.Call) and any(target.attribute in kept for target in assignment.targets):
             yield [assignment]
 
@@ -65,16 +68,18 @@ def _called(workspace: WorkspaceIndex, file: str, body: Sequence[facts.Stmt]) ->
     """The bodies of the functions that a body gives something to, be they of the same file or imported from one of the
     workspace."""
     given = {call.func.variable for call in calls_in(list(body)) if call.args} - {""}
-    found = workspace.facts_at(file)
-    if found is None:
+    file_facts = workspace.facts_at(file)
+    if file_facts is None:
         return
-    sources = [(name, name, found) for name in sorted(given)]
-    for statement in (part for part in found.body if isinstance(part, facts.ImportFrom)):
+    sources = [(name, name, file_facts) for name in sorted(given)]
+    for statement in (part for part in file_facts.body if isinstance(part, facts.ImportFrom)):
         other = workspace.code.imported(file, statement.module, statement.level)
         if other is not None:
             sources += [(bound, name, other) for name, bound in statement.names if bound in given]
     for _, name, where in sources:
-        yield from (one.body for one in where.body if isinstance(one, facts.Function) and one.name == name)
+        yield from (
+            function.body for function in where.body if isinstance(function, facts.Function) and function.name == name
+        )
 
 
 def is_of_a_model(workspace: WorkspaceIndex | None, name: str) -> bool:

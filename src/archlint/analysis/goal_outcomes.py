@@ -118,7 +118,7 @@ def _hands_on(fact: facts.Base, goal: _Goal) -> bool:
     for call in calls_in(fact):
         if called_name(call) in _LOOKS or (goal.ended_here and _is_own(call, goal)):
             looked_at += [given.value for given in call.args]
-    seen = {id(one) for one in looked_at} | {id(part) for target in targets for part in parts_of(target)}
+    seen = {id(expression) for expression in looked_at} | {id(part) for target in targets for part in parts_of(target)}
     return any(dotted(part) in goal.names and id(part) not in seen for part in parts_of(fact))
 
 

@@ -75,7 +75,7 @@ def _only_true(code: SourceCode, call: ApiCall) -> bool:
 def _values_of(statement: facts.Assign, name: str) -> list[facts.Expr]:
     """What a statement gives the field of the message that a variable holds."""
     fields = [target.attribute for target in statement.targets if target.dotted == f"{name}.{target.attribute}"]
-    found = [statement.value] * len(fields)
+    values = [statement.value] * len(fields)
     if isinstance(statement.value, facts.Call) and any(target.variable == name for target in statement.targets):
-        found += [arg.value for arg in statement.value.args]
-    return found
+        values += [arg.value for arg in statement.value.args]
+    return values

@@ -27,8 +27,8 @@ class ModuleImport:
 def imports_at_start(workspace: WorkspaceIndex) -> Iterator[ModuleImport]:
     """The imports of each file that always run, relative ones left out: not inside functions, nor where a failure is
     caught."""
-    for file, found in workspace.code.asked_for():
-        for statement in found.body:
+    for file, file_facts in workspace.code.asked_for():
+        for statement in file_facts.body:
             match statement:
                 case facts.Import(module=module, span=span):
                     yield ModuleImport(file, module, (), Place(file.relative, *span))

@@ -43,12 +43,12 @@ def once_for_each_file(analysis: Callable[[facts.Facts], _Result]) -> Callable[[
 
     @wraps(analysis)
     def of(workspace: HasFiles, file: str) -> _Result | None:
-        found = workspace.facts_at(file)
-        if found is None:
+        file_facts = workspace.facts_at(file)
+        if file_facts is None:
             return None
         key = (analysis, file)
         if key not in workspace.kept:
-            workspace.kept[key] = analysis(found)
+            workspace.kept[key] = analysis(file_facts)
         return cast("_Result", workspace.kept[key])
 
     return of

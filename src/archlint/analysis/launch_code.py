@@ -23,8 +23,8 @@ def writes_files(workspace: WorkspaceIndex | None, file: str) -> bool:
 
 
 @once_for_each_file
-def _writes(found: facts.Facts) -> bool:
-    for call in everything_in(found.body, facts.Call):
+def _writes(file_facts: facts.Facts) -> bool:
+    for call in everything_in(file_facts.body, facts.Call):
         name = called_name(call)
         modes = (arg.value for arg in call.args[1:])
         texts = (str(mode.value) for mode in modes if isinstance(mode, facts.Literal))
@@ -42,8 +42,8 @@ def is_for_several_distros(workspace: WorkspaceIndex | None, file: str) -> bool:
 def words_of_launch_code(workspace: WorkspaceIndex) -> list[frozenset[str]]:
     """The texts in each launch file in Python: other arguments, or an event, may start what its defaults do not."""
     return [
-        frozenset(str(literal.value) for literal in everything_in(found.body, facts.Literal))
-        for file, found in workspace.code.asked_for()
+        frozenset(str(literal.value) for literal in everything_in(file_facts.body, facts.Literal))
+        for file, file_facts in workspace.code.asked_for()
         if file.kind == "launch_python"
     ]
 
@@ -79,17 +79,17 @@ _GIVEN = frozenset({"parameters", "arguments", "ros_arguments", "remappings", "c
 
 
 @once_for_each_file
-def _texts(found: facts.Facts) -> list[str]:
-    names = {id(name) for name in _names(found)}
-    literals = (one for one in everything_in(found.body, facts.Literal) if id(one) not in names)
+def _texts(file_facts: facts.Facts) -> list[str]:
+    names = {id(name) for name in _names(file_facts)}
+    literals = (literal for literal in everything_in(file_facts.body, facts.Literal) if id(literal) not in names)
     return [literal.value for literal in literals if isinstance(literal.value, str)]
 
 
-def _names(found: facts.Facts) -> Iterator[facts.Expr | None]:
+def _names(file_facts: facts.Facts) -> Iterator[facts.Expr | None]:
     """What names something else than a launch argument, or is passed on as it stands."""
-    for mapping in everything_in(found.body, facts.Mapping):
+    for mapping in everything_in(file_facts.body, facts.Mapping):
         yield from mapping.keys
-    for call in everything_in(found.body, facts.Call):
+    for call in everything_in(file_facts.body, facts.Call):
         if called_name(call) in _STARTS:
             yield from (arg.value for arg in call.args if arg.keyword in _NAMES_OF_NODES)
         for argument in call.args:

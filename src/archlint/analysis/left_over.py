@@ -66,18 +66,20 @@ def is_never_made(workspace: WorkspaceIndex | None, call: ApiCall) -> bool:
     if workspace is None or not name.isidentifier() or not method.isidentifier():
         return False
     code, file = workspace.code, call.file
-    found, uses = workspace.facts_at(file), _uses(workspace, file)
+    file_facts, uses = workspace.facts_at(file), _uses(workspace, file)
     package = workspace.package_of(file)
-    if found is None or uses is None or package is None or (node is not None and node.class_name == owner):
+    if file_facts is None or uses is None or package is None or (node is not None and node.class_name == owner):
         return False
-    if uses.by_name or name in uses.names or name in uses.count or not _defines(found, name):
+    if uses.by_name or name in uses.names or name in uses.count or not _defines(file_facts, name):
         return False
     return all(other == file for other in code.files_that_mention(name))
 
 
-def _defines(found: facts.Facts, name: str) -> bool:
+def _defines(file_facts: facts.Facts, name: str) -> bool:
     """Whether a file defines a class, and gives it no decorator, which may note it somewhere."""
-    classes = [one for one in found.body if isinstance(one, facts.Class) and one.name == name]
+    classes = [
+        statement for statement in file_facts.body if isinstance(statement, facts.Class) and statement.name == name
+    ]
     return len(classes) == 1 and not classes[0].decorators and not classes[0].bases
 
 
@@ -114,12 +116,12 @@ def idle_methods(workspace: WorkspaceIndex, file: str) -> frozenset[str]:
 class _Uses:
     """The attributes that a file names: how often each, and which calls are kept in one of ``self``."""
 
-    def __init__(self, found: facts.Facts) -> None:
+    def __init__(self, file_facts: facts.Facts) -> None:
         self.count: dict[str, int] = {}
         self.names: set[str] = set()
         self.kept: dict[tuple[int, int], str] = {}
         unwritten = 0
-        for item in everything_in(found.body):
+        for item in everything_in(file_facts.body):
             match item:
                 case facts.Attribute(attr=name):
                     self.count[name] = self.count.get(name, 0) + 1
@@ -136,13 +138,13 @@ class _Uses:
                 ):
                     self.kept[span[0], span[1]] = name
         self.by_name = unwritten > 0
-        self.idle = {method.name: _attributes(method) for method in self._methods(found) if self._is_idle(method)}
+        self.idle = {method.name: _attributes(method) for method in self._methods(file_facts) if self._is_idle(method)}
         """The methods that nothing in the file names, with the attributes that they use and how often."""
 
     @staticmethod
-    def _methods(found: facts.Facts) -> list[facts.Function]:
+    def _methods(file_facts: facts.Facts) -> list[facts.Function]:
         """The methods of classes whose bases, if any, do not call methods of their own accord."""
-        classes = everything_in(found.body, facts.Class)
+        classes = everything_in(file_facts.body, facts.Class)
         plain = [cls for cls in classes if all(base.value.last_name in _PLAIN_BASES for base in cls.bases)]
         methods = [item for cls in plain for item in cls.body if isinstance(item, facts.Function)]
         names = [method.name for method in methods]

@@ -177,9 +177,9 @@ def _is_asked(tree: Tree, method: facts.Attribute) -> bool:
     return False
 
 
-def same_code(one: facts.Expr, other: facts.Expr) -> bool:
+def same_code(expression: facts.Expr, other: facts.Expr) -> bool:
     """Whether two expressions are written alike, wherever they stand."""
-    return _without_places(one) == _without_places(other)
+    return _without_places(expression) == _without_places(other)
 
 
 def _without_places(value: object) -> object:
@@ -188,7 +188,7 @@ def _without_places(value: object) -> object:
             fields = (name for name in value.__struct_fields__ if name != "span")
             return (type(value).__name__, *(_without_places(getattr(value, name)) for name in fields))
         case list():
-            return [_without_places(one) for one in value]
+            return [_without_places(item) for item in value]
     return value
 
 
@@ -208,7 +208,7 @@ def _of_a_result(tree: Tree, call: facts.Call) -> bool:
             case facts.Assign(targets=targets, value=value):
                 if any(same_code(target, name) for target in targets for name in named):
                     asked.extend(calls_in(value))
-    return any(called_name(one) == "get_result_async" for one in asked)
+    return any(called_name(asked_call) == "get_result_async" for asked_call in asked)
 
 
 def _is_of_rclpy(call: facts.Call) -> bool:

@@ -49,7 +49,7 @@ def links(system: System, *groups: Globs) -> Iterator[Link]:
     ``groups`` are the nodes that are asked about.  In the system of all nodes, two that some launch file starts
     together count there, under their final names, and not here; unless no launch file has nodes of two groups.
     """
-    separately = system.name is None and any(_has_two(one, groups) for one in launched(system))
+    separately = system.name is None and any(_has_two(other, groups) for other in launched(system))
     for connection in connections(system):
         topic = connection.kind == TOPIC
         sources = connection.providers if topic else connection.users
@@ -110,12 +110,12 @@ def _has_two(system: System, groups: Iterable[Globs]) -> bool:
 
 def launched(system: System) -> list[System]:
     """The systems of launch files that are judged beside this one."""
-    return [] if system.workspace is None else [one for one in system.workspace.systems if one.name is not None]
+    return [] if system.workspace is None else [other for other in system.workspace.systems if other.name is not None]
 
 
-def by_source(found: Iterable[Link]) -> list[list[Link]]:
+def by_source(all_links: Iterable[Link]) -> list[list[Link]]:
     """Links in groups of one sending endpoint."""
     groups: dict[int, list[Link]] = {}
-    for link in found:
+    for link in all_links:
         groups.setdefault(id(link.source), []).append(link)
     return list(groups.values())

@@ -55,8 +55,8 @@ def _rounds_at(code: SourceCode, place: Place) -> float:
 
 def _times(code: SourceCode, file: str, loop: Loop | None, unknown: float) -> float:
     """How often a loop of a file goes round at most."""
-    found = code.facts_at(file)
-    if loop is None or found is None:
+    file_facts = code.facts_at(file)
+    if loop is None or file_facts is None:
         return math.inf
     if loop.tests:
         return 1.0 if not _RUNS_EMPTY.isdisjoint(names_in(loop.tests)) else math.inf
@@ -65,7 +65,7 @@ def _times(code: SourceCode, file: str, loop: Loop | None, unknown: float) -> fl
             bounds = [argument.value.value for argument in given if isinstance(argument.value, facts.Literal)]
             numbers = [bound for bound in bounds if isinstance(bound, int)]
             return len(range(*numbers)) if len(numbers) == len(given) else unknown
-    items = most_items(loop.head, found)
+    items = most_items(loop.head, file_facts)
     return unknown if items is None else items
 
 

@@ -16,13 +16,13 @@ if TYPE_CHECKING:
 def read_off(workspace: WorkspaceIndex | None, node: Blueprint) -> list[str]:
     """The attributes that the file which makes a node reads, sorted, where it does nothing else with the node:
     ``self.detector = Detector()``, and then only ``self.detector.model``."""
-    found = None if workspace is None or node.made_at is None else workspace.facts_at(node.made_at.file)
-    if workspace is None or found is None or node.made_at is None:
+    file_facts = None if workspace is None or node.made_at is None else workspace.facts_at(node.made_at.file)
+    if workspace is None or file_facts is None or node.made_at is None:
         return []
-    attributes = list(everything_in(found.body, facts.Attribute))
+    attributes = list(everything_in(file_facts.body, facts.Attribute))
     kept = [
         assignment.targets
-        for assignment in everything_in(found.body, facts.Assign)
+        for assignment in everything_in(file_facts.body, facts.Assign)
         if _makes(assignment.value, node.made_at)
     ]
     target = kept[0][0] if kept and len(kept[0]) == 1 else None
@@ -30,9 +30,9 @@ def read_off(workspace: WorkspaceIndex | None, node: Blueprint) -> list[str]:
         return []
     uses = [attribute for attribute in attributes if attribute.attr == target.attr and attribute != target]
     reads = [attribute for attribute in attributes if attribute.value.attribute == target.attr]
-    stored = (one for statement in everything_in(found.body) for one in statement.assigned)
-    changed = any(part in reads for one in stored for part in everything_in(one, facts.Attribute))
-    read = {one.attr for one in reads}
+    stored = (assigned for statement in everything_in(file_facts.body) for assigned in statement.assigned)
+    changed = any(part in reads for assigned in stored for part in everything_in(assigned, facts.Attribute))
+    read = {attribute.attr for attribute in reads}
     if changed or not read or len(reads) < len(uses) or not all(_is_attribute(workspace, node, name) for name in read):
         return []
     return sorted(read)
@@ -45,10 +45,10 @@ def _makes(value: facts.Expr, place: Place) -> bool:
 def _is_attribute(workspace: WorkspaceIndex, node: Blueprint, name: str) -> bool:
     """Whether the node's class sets an attribute of this name on itself: a method is not one."""
     for place, qualified in node.classes:
-        found = workspace.facts_at(place.file)
-        classes = everything_in([] if found is None else found.body, facts.Class)
-        for cls in (one for one in classes if one.name == qualified.rpartition(".")[2]):
+        file_facts = workspace.facts_at(place.file)
+        classes = everything_in([] if file_facts is None else file_facts.body, facts.Class)
+        for cls in (candidate for candidate in classes if candidate.name == qualified.rpartition(".")[2]):
             targets = (target for assignment in everything_in(cls, facts.Assign) for target in assignment.targets)
-            if any(one.dotted == f"self.{name}" for one in targets):
+            if any(target.dotted == f"self.{name}" for target in targets):
                 return True
     return False

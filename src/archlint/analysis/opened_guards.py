@@ -35,18 +35,18 @@ def is_behind_its_setter(code: SourceCode, wait: ApiCall, setting: Sequence[ApiC
 
 def _assigned_elsewhere(code: SourceCode, wait: ApiCall, setting: Sequence[ApiCall]) -> set[str]:
     """The attributes that something else in the file assigns, too: they say nothing of the event."""
-    found = code.facts_at(wait.file)
+    file_facts = code.facts_at(wait.file)
     own = {assignment.span for call in setting for assignment in statements_of(code.body(call), facts.Assign)}
-    every = everything_in(() if found is None else found.body, facts.Assign)
+    every = everything_in(() if file_facts is None else file_facts.body, facts.Assign)
     return set(_assigned(assignment for assignment in every if assignment.span not in own))
 
 
 def _is_cleared(code: SourceCode, wait: ApiCall) -> bool:
-    expression, found = code.expression(wait), code.facts_at(wait.file)
-    if expression is None or found is None:
+    expression, file_facts = code.expression(wait), code.facts_at(wait.file)
+    if expression is None or file_facts is None:
         return True
     event = _owner(expression)
-    functions = everything_in(found.body, facts.Call)
+    functions = everything_in(file_facts.body, facts.Call)
     return not event or any(called_name(call) == "clear" and _owner(call) == event for call in functions)
 
 

@@ -41,11 +41,11 @@ def spins_for_a_message(system: System, call: ApiCall) -> bool:
 @once
 def _completed_by(system: System) -> dict[ObjectIdentity, set[Role]]:
     """The roles of the code that completes the futures which the program makes itself."""
-    found: dict[ObjectIdentity, set[Role]] = {}
+    roles: dict[ObjectIdentity, set[Role]] = {}
     for _, call in calls_of(system, _COMPLETE):
         if isinstance(call.receiver, Object):
-            found.setdefault(call.receiver.identity, set()).add(call.context.role)
-    return found
+            roles.setdefault(call.receiver.identity, set()).add(call.context.role)
+    return roles
 
 
 __all__ = ["spins_for_a_message", "spins_for_own_future"]

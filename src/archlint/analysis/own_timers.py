@@ -37,10 +37,10 @@ def _ends(end: ApiCall, call: ApiCall) -> bool:
 
 @once
 def _ends_by_callback(system: System) -> dict[Place, list[ApiCall]]:
-    found: dict[Place, list[ApiCall]] = {}
+    by_callback: dict[Place, list[ApiCall]] = {}
     for _, call in calls_of(system, ENDS_TIMER):
-        found.setdefault(call.context.place, []).append(call)
-    return found
+        by_callback.setdefault(call.context.place, []).append(call)
+    return by_callback
 
 
 __all__ = ["ENDS_TIMER", "ends_its_timer_before"]

@@ -27,18 +27,18 @@ def several_owners(system: System, connection: Connection) -> Iterator[list[Endp
     """Groups of endpoints of different nodes that meet; the last one in the source comes last."""
     groups: list[list[Endpoint]] = []
     own = [end for end in connection.providers if _owns(system, end)]
-    for one, other in coexisting_pairs(system, own):
+    for owner, other in coexisting_pairs(system, own):
         if (
-            one.node is other.node
-            or launched_separately(system, one.node, other.node)
-            or _left_out(one.node, other.node)
+            owner.node is other.node
+            or launched_separately(system, owner.node, other.node)
+            or _left_out(owner.node, other.node)
         ):
             continue
-        group = next((group for group in groups if one in group or other in group), None)
+        group = next((group for group in groups if owner in group or other in group), None)
         if group is None:
-            groups.append([one, other])
+            groups.append([owner, other])
         else:
-            group.extend(endpoint for endpoint in (one, other) if endpoint not in group)
+            group.extend(endpoint for endpoint in (owner, other) if endpoint not in group)
     for group in groups:
         yield in_source_order(group)
 

@@ -86,10 +86,10 @@ def _others(system: System, creation: Creation | None, api: str) -> list[Pace]:
 @once
 def _ends(system: System) -> dict[int, Endpoint]:
     """The endpoints by their create calls (``id``) that stand for one each."""
-    found: dict[int, list[Endpoint]] = {}
+    by_creation: dict[int, list[Endpoint]] = {}
     for end in system.endpoints:
-        found.setdefault(id(end.creation), []).append(end)
-    return {key: ends[0] for key, ends in found.items() if len(ends) == 1}
+        by_creation.setdefault(id(end.creation), []).append(end)
+    return {key: ends[0] for key, ends in by_creation.items() if len(ends) == 1}
 
 
 @once

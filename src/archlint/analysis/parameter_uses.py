@@ -38,15 +38,15 @@ def is_passed_on(system: System, call: ApiCall) -> bool:
 
 def is_named_again(workspace: WorkspaceIndex, declaration: ParameterDeclaration, name: str) -> bool:
     """Whether the name of a parameter stands anywhere else in its file, or the declaration's own result is used."""
-    found = workspace.facts_at(declaration.place.file)
-    if found is None or any(
-        attribute.attr in _BY_NAME_UNSEEN for attribute in everything_in(found.body, facts.Attribute)
+    file_facts = workspace.facts_at(declaration.place.file)
+    if file_facts is None or any(
+        attribute.attr in _BY_NAME_UNSEEN for attribute in everything_in(file_facts.body, facts.Attribute)
     ):
         return True
-    lines = (expression.value for expression in everything_in(found.body, facts.Expression))
+    lines = (expression.value for expression in everything_in(file_facts.body, facts.Expression))
     spelled = (_plainly_declared(line, declaration, name) for line in lines if isinstance(line, facts.Call))
     written = next((text for text in spelled if text is not None), None)
-    texts = (literal.text for literal in everything_in(found.body, facts.Literal))
+    texts = (literal.text for literal in everything_in(file_facts.body, facts.Literal))
     return written is None or sum(text in (name, written) for text in texts) != 1
 
 

@@ -40,8 +40,8 @@ def _pinned(workspace: WorkspaceIndex) -> tuple[str, str] | None:
         for match in _NAMED.finditer(text):
             named.setdefault(match[1].lower(), path)
             certain = certain or _OF_ROS.search(text[max(0, match.start() - 60) : match.start()]) is not None
-    [one, *others] = sorted(named) or [""]
-    return (one, named[one]) if certain and not others and one in DISTROS else None
+    [distro, *others] = sorted(named) or [""]
+    return (distro, named[distro]) if certain and not others and distro in DISTROS else None
 
 
 def _texts(tree: Tree) -> Iterator[tuple[str, str]]:

@@ -113,12 +113,16 @@ def sends_the_same(code: SourceCode, call: ApiCall) -> bool:
     name, body = given.variable, code.body(call)
     if not name:
         return _is_constant_request(given)
-    made = [one.value for one in statements_of(body, facts.Assign) if name in (to.variable for to in one.targets)]
-    filled = [
-        *(one.value for one in statements_of(body, facts.Assign) if _fills(one, name)),
-        *(one.value for one in statements_of(body, facts.Augmented) if _fills(one, name)),
+    assigned = [
+        assignment.value
+        for assignment in statements_of(body, facts.Assign)
+        if name in (to.variable for to in assignment.targets)
     ]
-    return len(made) == 1 and _is_constant_request(made[0]) and all(value.truth is not None for value in filled)
+    filled = [
+        *(assignment.value for assignment in statements_of(body, facts.Assign) if _fills(assignment, name)),
+        *(assignment.value for assignment in statements_of(body, facts.Augmented) if _fills(assignment, name)),
+    ]
+    return len(assigned) == 1 and _is_constant_request(assigned[0]) and all(value.truth is not None for value in filled)
 
 
 def _fills(statement: facts.Stmt, name: str) -> bool:

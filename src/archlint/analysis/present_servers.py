@@ -55,18 +55,18 @@ def _places(call: ApiCall) -> _Clients:
 def _was_found(system: System, way: Sequence[Place], clients: _Clients) -> bool:
     """Whether the way to a call leads on only where the server of the same client has been found."""
     asked = _asked_at(system)
-    found = certainly_true(source_code(system), way)
-    return any(asked.get(Place.of(file, call.span)) == {clients} for file, call in found)
+    true_calls = certainly_true(source_code(system), way)
+    return any(asked.get(Place.of(file, call.span)) == {clients} for file, call in true_calls)
 
 
 @once
 def _asked_at(system: System) -> dict[Place, set[_Clients]]:
     """Whose servers each call looks for."""
-    found: dict[Place, set[_Clients]] = {}
+    clients_at: dict[Place, set[_Clients]] = {}
     for _, call in judged_calls(system):
         if call.api in _ASKS and creations_of(call.receiver):
-            found.setdefault(call.place, set()).add(_places(call))
-    return found
+            clients_at.setdefault(call.place, set()).add(_places(call))
+    return clients_at
 
 
 def _has_answered(system: System, call: ApiCall) -> bool:
@@ -78,11 +78,11 @@ def _has_answered(system: System, call: ApiCall) -> bool:
 @once
 def _clients_of_answers(system: System) -> dict[Place, set[_Clients]]:
     """The clients whose answers a callback is registered for, by the place where it is."""
-    found: dict[Place, set[_Clients]] = {}
+    clients_at: dict[Place, set[_Clients]] = {}
     for _, call in judged_calls(system):
         if call.api == _ADD_DONE_CALLBACK:
-            found.setdefault(call.place, set()).add(_places(call))
-    return found
+            clients_at.setdefault(call.place, set()).add(_places(call))
+    return clients_at
 
 
 # ------------------------------------------------------------------------------------------------- names of ROS's own

@@ -39,9 +39,10 @@ def is_told_to_end(code: SourceCode, call: ApiCall, stay: Stay) -> bool:
     earlier = graph.before(graph.evaluating(call.place.span), _in_this_round)
     groups = _numbers_of(code.body(call), name)
     return any(
-        (one.func.attribute in ends and _owner(one) == name) or _signals(one, name, groups, stay.seconds is None)
+        (earlier_call.func.attribute in ends and _owner(earlier_call) == name)
+        or _signals(earlier_call, name, groups, stay.seconds is None)
         for block in earlier
-        for one in calls_in(block.fact)
+        for earlier_call in calls_in(block.fact)
     )
 
 
@@ -81,7 +82,11 @@ def ends_with_the_node(code: SourceCode, call: ApiCall, stay: Stay) -> bool:
         return False
     graph = graph_of(code.body(call))
     waits = graph.evaluating(call.place.span)
-    ends = [block for block in graph.blocks if any(one.func.dotted in _SHUTDOWNS for one in calls_in(block.fact))]
+    ends = [
+        block
+        for block in graph.blocks
+        if any(inner_call.func.dotted in _SHUTDOWNS for inner_call in calls_in(block.fact))
+    ]
     return bool(waits) and all(graph.post_dominates(ends, block, without_exceptions) for block in waits)
 
 
@@ -91,8 +96,8 @@ _IN_FRONT = frozenset({"sudo", "systemctl"})
 
 def ends_the_machine(code: SourceCode, call: ApiCall) -> bool:
     """Whether a command switches the machine off, or starts it anew: nothing that would have to wait goes on."""
-    literals = everything_in([one.value for one in code.arguments(call)[:1]], facts.Literal)
-    words = [word for one in literals if isinstance(one.value, str) for word in one.value.split()]
+    literals = everything_in([argument.value for argument in code.arguments(call)[:1]], facts.Literal)
+    words = [word for literal in literals if isinstance(literal.value, str) for word in literal.value.split()]
     commands = [word.rpartition("/")[2] for word in words if not word.startswith("-")]
     command = next((word for word in commands if word not in _IN_FRONT), "")
     return command in _SWITCHES_OFF and "-c" not in words  # `shutdown -c` calls it off

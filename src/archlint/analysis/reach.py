@@ -28,14 +28,14 @@ if TYPE_CHECKING:
 @once
 def judged_calls(system: System) -> list[tuple[Program, ApiCall]]:
     """Every call that is recorded outside of test code, in the order of the source."""
-    found = [
+    judged = [
         (program, call)
         for program in system.programs
         if not system.roles.is_test(program.file)
         for call in program.calls
         if not system.roles.is_test(call.place.file)
     ]
-    return sorted(found, key=lambda row: (row[1].place, row[1].api, len(row[1].chain)))
+    return sorted(judged, key=lambda row: (row[1].place, row[1].api, len(row[1].chain)))
 
 
 def calls_of(system: System, apis: Iterable[str]) -> Iterator[tuple[Program, ApiCall]]:
@@ -140,11 +140,11 @@ def related_creation(creation: Creation | None) -> Iterator[Related]:
 # --------------------------------------------------------------------------------------- one a place
 
 
-def one_for_each_place(found: Iterable[Finding]) -> Iterator[Finding]:
+def one_for_each_place(findings: Iterable[Finding]) -> Iterator[Finding]:
     """The same line of code, reached by several programs, is one finding: the most severe, then the one with
     the shortest way to it."""
     best: dict[tuple[object, ...], Finding] = {}
-    for finding in found:
+    for finding in findings:
         key = (finding.code, finding.place)
         known = best.get(key)
         if known is None or _weight(finding) < _weight(known):
@@ -157,6 +157,6 @@ def _weight(finding: Finding) -> tuple[object, ...]:
     return (-finding.severity, len(related), finding.message, related)
 
 
-def same_expression(one: facts.Expr | None, other: facts.Expr | None) -> bool:
+def same_expression(expression: facts.Expr | None, other: facts.Expr | None) -> bool:
     """Whether two facts are the same piece of source."""
-    return one is not None and other is not None and getattr(one, "span", 1) == getattr(other, "span", 2)
+    return expression is not None and other is not None and getattr(expression, "span", 1) == getattr(other, "span", 2)

@@ -83,8 +83,12 @@ def _is_plain(function: FunctionFacts) -> bool:
 
 def annotations_are_texts(system: System, callback: Callback) -> bool:
     """Whether a callback is in a file with ``from __future__ import annotations``."""
-    found = None if system.workspace is None else system.workspace.facts_at(callback.place.file)
-    imports = [one for one in ([] if found is None else found.body) if isinstance(one, facts.ImportFrom)]
+    file_facts = None if system.workspace is None else system.workspace.facts_at(callback.place.file)
+    imports = [
+        statement
+        for statement in ([] if file_facts is None else file_facts.body)
+        if isinstance(statement, facts.ImportFrom)
+    ]
     return any(
         statement.module == "__future__" and ("annotations", "annotations") in statement.names for statement in imports
     )

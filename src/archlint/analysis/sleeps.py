@@ -87,13 +87,13 @@ def _cap(code: SourceCode, call: ApiCall) -> float | None:
 
 def _waits_for_lock(code: SourceCode, call: ApiCall) -> bool:
     """Whether a lock is asked for by name, and nothing says to come back at once if somebody else has it."""
-    names = {name for one in code.arguments(call) for name in names_in(one.value)}
+    names = {name for given in code.arguments(call) for name in names_in(given.value)}
     return not names.isdisjoint({"LOCK_EX", "LOCK_SH"}) and names.isdisjoint({"LOCK_NB", "LOCK_UN"})
 
 
 def _limit_of_process(code: SourceCode, call: ApiCall) -> float | None:
     """The ``timeout`` that a call gives a process: a number in the code, or one that is known."""
-    literal = next((one.value for one in code.arguments(call) if one.keyword == "timeout"), None)
+    literal = next((given.value for given in code.arguments(call) if given.keyword == "timeout"), None)
     if isinstance(literal, facts.Literal) and isinstance(literal.value, (int, float)):
         return float(literal.value)
     return longest(argument(call, "timeout"))
@@ -103,6 +103,6 @@ def longest(value: Given | None) -> float | None:
     """The longest time that a value may stand for in seconds, None where that is not known."""
     if value is None:
         return None
-    found = [option.seconds for option in value.alternatives]
-    known = [seconds for seconds in found if seconds is not None]
-    return max(known) if len(known) == len(found) else None
+    times = [option.seconds for option in value.alternatives]
+    known = [seconds for seconds in times if seconds is not None]
+    return max(known) if len(known) == len(times) else None

@@ -83,7 +83,7 @@ class SourceCode:
 
     def loop_at(self, place: Place) -> Loop | None:
         """The loop that fills a place."""
-        return next((one for one in self._filling(place) if isinstance(one, Loop)), None)
+        return next((statement for statement in self._filling(place) if isinstance(statement, Loop)), None)
 
     def calls_in(self, place: Place) -> list[Place]:
         """The places of the calls in the loop that fills a place."""
@@ -92,10 +92,10 @@ class SourceCode:
     def proven(self, creation: Creation) -> tuple[tuple[facts.Expr, bool], ...]:
         """The conditions around a create call that ask for no local variable, with how they came out."""
         return tuple(
-            (one.test, truth)
+            (statement.test, truth)
             for place, truth in creation.proven
-            for one in self._filling(place)
-            if isinstance(one, facts.If)
+            for statement in self._filling(place)
+            if isinstance(statement, facts.If)
         )
 
     def function(self, callback: Callback) -> FunctionFacts | None:
@@ -120,8 +120,8 @@ class SourceCode:
     def _spot(self, place: Place) -> _Spot:
         spot = self._spots.get(place)
         if spot is None:
-            found = self.facts_at(place.file)
-            spot = self._spots[place] = _Spot() if found is None else _look_up(found, place.span)
+            file_facts = self.facts_at(place.file)
+            spot = self._spots[place] = _Spot() if file_facts is None else _look_up(file_facts, place.span)
         return spot
 
 
@@ -136,11 +136,11 @@ def code_of(workspace: WorkspaceIndex) -> SourceCode:
     return SourceCode(workspace.facts_at)
 
 
-def _look_up(found: facts.Facts, span: facts.Span) -> _Spot:
-    body: Sequence[facts.Stmt] = found.body
+def _look_up(file_facts: facts.Facts, span: facts.Span) -> _Spot:
+    body: Sequence[facts.Stmt] = file_facts.body
     around: list[facts.Stmt] = []
     block, statement = _step(span, [body])
-    guard = main_guard(found) if isinstance(statement, facts.If) else None
+    guard = main_guard(file_facts) if isinstance(statement, facts.If) else None
     while statement is not None:
         around.append(statement)
         if _fills(statement, span) and statement.blocks:

@@ -55,11 +55,11 @@ def _blueprint_of(value: Object, program: Program) -> Blueprint | None:
 
 def spun_in_callbacks(system: System) -> set[int]:
     """The nodes (their ``id``) of callbacks that spin, and those that such callbacks spin."""
-    found: set[int] = set()
+    node_ids: set[int] = set()
     for program, call in judged_calls(system):
         if is_spin_call(call) and runs_in_executor(call.context):
-            found |= {id(call.context.node), id(spun_node(call, program))}
-    return found
+            node_ids |= {id(call.context.node), id(spun_node(call, program))}
+    return node_ids
 
 
 def spun_by_several(system: System) -> set[int]:
@@ -115,7 +115,9 @@ def _comes_first(code: SourceCode, call: ApiCall, later: ApiCall) -> bool:
     last = [block for block in graph.evaluating(later.place.span) if block not in first]
     if not last or not all(graph.dominates(first, block) for block in last):
         return False
-    return all(called_name(one) != "init" for block in graph.between(first, last) for one in calls_in(block.fact))
+    return all(
+        called_name(inner_call) != "init" for block in graph.between(first, last) for inner_call in calls_in(block.fact)
+    )
 
 
 def spins_if_asked(system: System, program: Program, node: Blueprint, group: Place) -> bool:
@@ -126,7 +128,7 @@ def spins_if_asked(system: System, program: Program, node: Blueprint, group: Pla
         return False
     uses = [use for use in program.executors if node in use.nodes]
     places = [place for use in uses for place in (use.place, use.spins_at(node)) if place is not None]
-    return not any(one.file == group.file and made_by.span[0] <= one.line <= made_by.span[2] for one in places)
+    return not any(place.file == group.file and made_by.span[0] <= place.line <= made_by.span[2] for place in places)
 
 
 def awaits(code: SourceCode, callback: Callback) -> bool:

@@ -57,8 +57,8 @@ def stuck_waits(system: System, distros: Sequence[str]) -> Iterator[tuple[Wait, 
 
 def spoken_of(system: System, distros: Sequence[str]) -> frozenset[Place]:
     """The calls of which these rules say that they wait in the wrong place."""
-    found = (*nested_waits(system, distros), *stuck_waits(system, distros))
-    return frozenset(wait.call.place for wait, _ in found)
+    judged_waits = (*nested_waits(system, distros), *stuck_waits(system, distros))
+    return frozenset(wait.call.place for wait, _ in judged_waits)
 
 
 def nested_spins(system: System, distros: Sequence[str]) -> frozenset[tuple[Place, Place]]:

@@ -26,8 +26,8 @@ ClassElsewhere = Callable[[str], "facts.Class | None"]
 
 
 @once_for_each_file
-def tree_of(found: facts.Facts) -> Tree:
-    return Tree(found)
+def tree_of(file_facts: facts.Facts) -> Tree:
+    return Tree(file_facts)
 
 
 def statement_before(tree: Tree, call: facts.Call) -> facts.Stmt | None:
@@ -66,7 +66,7 @@ def _is_plain_node(tree: Tree, cls: facts.Class, seen: frozenset[str], elsewhere
     """Whether a class derives from rclpy's node, and from nothing else that is not in this file or ``elsewhere``."""
     derives = False
     for base in bases_of(cls):
-        local = next((one for one in tree.of_kind(facts.Class) if one.name == base), None)
+        local = next((sibling for sibling in tree.of_kind(facts.Class) if sibling.name == base), None)
         if base in NODE_BASES and local is None:
             derives = True
         elif local is not None and base not in seen:
@@ -99,9 +99,9 @@ def class_elsewhere(code: WorkspaceCode, file: str, tree: Tree) -> ClassElsewher
     def find(name: str) -> facts.Class | None:
         for statement in tree.of_kind(facts.ImportFrom):
             original = next((original for original, bound in statement.names if bound == name), None)
-            found = None if original is None else code.imported_of_package(file, statement.module, statement.level)
-            if found is not None:
-                classes = [item for item in Tree(found).of_kind(facts.Class) if item.name == original]
+            file_facts = None if original is None else code.imported_of_package(file, statement.module, statement.level)
+            if file_facts is not None:
+                classes = [item for item in Tree(file_facts).of_kind(facts.Class) if item.name == original]
                 return classes[0] if len(classes) == 1 else None
         return None
 
@@ -155,7 +155,7 @@ def maker_in_function(tree: Tree, client: str, statement: facts.Stmt) -> str | N
 
 def is_method(tree: Tree, function: facts.Function | None) -> bool:
     cls = None if function is None else tree.class_around(function)
-    return cls is not None and any(function is one for one in cls.body)
+    return cls is not None and any(function is member for member in cls.body)
 
 
 def runs_once(tree: Tree, function: facts.Function | None) -> bool:
@@ -250,7 +250,7 @@ def _bindings(tree: Tree) -> Iterator[tuple[str, facts.Base]]:
     yield from ((param.name, param) for param in tree.of_kind(facts.Param))
     yield from ((function.name, function) for function in tree.of_kind(facts.Function))
     yield from ((cls.name, cls) for cls in tree.of_kind(facts.Class))
-    yield from ((name, one) for one in tree.of_kind(facts.Global) for name in one.names)
+    yield from ((name, statement) for statement in tree.of_kind(facts.Global) for name in statement.names)
     yield from ((handler.name, handler) for handler in tree.of_kind(facts.Handler) if handler.name)
 
 
@@ -258,7 +258,7 @@ def _sets_alone(holder: facts.Base, target: facts.Expr) -> bool:
     """Whether a statement is a plain assignment to a name, not one that takes a value apart."""
     match holder:
         case facts.Assign(targets=targets):
-            return any(one is target for one in targets)
+            return any(assigned is target for assigned in targets)
         case facts.Annotated():
             return True
     return False

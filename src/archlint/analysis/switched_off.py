@@ -50,8 +50,8 @@ def _asked(system: System, call: ApiCall) -> Iterator[str]:
     """The parameters that are asked on the way to a call."""
     code = source_code(system)
     asked = {name for place in (call.place, *(frame.place for frame in call.chain)) for name in _names(system, place)}
-    found = code.facts_at(call.file)
-    assigns = list(everything_in(() if found is None else found.body, facts.Assign))
+    file_facts = code.facts_at(call.file)
+    assigns = list(everything_in(() if file_facts is None else file_facts.body, facts.Assign))
     for name in asked:
         values = [
             assignment.value for assignment in assigns if any(target.dotted == name for target in assignment.targets)

@@ -14,8 +14,8 @@ if TYPE_CHECKING:
 
 def is_daemon(workspace: WorkspaceIndex, place: Place) -> bool:
     """Whether the thread that is made at a place is a daemon: ``daemon=True``, or ``thread.daemon = True``."""
-    found = workspace.facts_at(place.file)
-    body = [] if found is None else found.body
+    file_facts = workspace.facts_at(place.file)
+    body = [] if file_facts is None else file_facts.body
     thread = next((call for call in everything_in(body, facts.Call) if Place.of(place.file, call.span) == place), None)
     if thread is None:
         return False

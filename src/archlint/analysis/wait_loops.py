@@ -93,7 +93,7 @@ def _asks_a_variable(loop: facts.While) -> bool:
                 for assignment in statements_of(loop.body, facts.Assign)
                 if name in [target.variable for target in assignment.targets]
             ]
-            return bool(assigned) and all(_says(one.value, there=True) for one in assigned)
+            return bool(assigned) and all(_says(assignment.value, there=True) for assignment in assigned)
     return False
 
 

@@ -72,7 +72,7 @@ class Wait:
 @once
 def waits(system: System) -> list[Wait]:
     """Every wait for an answer outside of test code, in the order of the source."""
-    found: list[Wait] = []
+    all_waits: list[Wait] = []
     code = source_code(system)
     signals = _signals(system)
     for program, call in judged_calls(system):
@@ -80,8 +80,8 @@ def waits(system: System) -> list[Wait]:
             if clients:
                 limited = any(has_limit(call, name) for name in _LIMITS) or _gives_up(code, call)
                 bounded = limited or any(_may_end(argument(call, name)) for name in _LIMITS)
-                found.append(Wait(kind, call, clients[0], program, limited, bounded))
-    return found
+                all_waits.append(Wait(kind, call, clients[0], program, limited, bounded))
+    return all_waits
 
 
 def _may_end(limit: Given | None) -> bool:
@@ -156,16 +156,16 @@ def _signals(system: System) -> _Signals:
         for _, call in judged_calls(system)
         if call.api == _ADD_DONE_CALLBACK and isinstance(call.receiver, Future)
     }
-    found: _Signals = {}
+    signals: _Signals = {}
     of_place: dict[Place, list[Creation]] = {}
     for _, call in judged_calls(system):
         if call.api == _EVENT_SET and call.context.role == Role.DONE and isinstance(call.receiver, Object):
             of_future = clients.get(call.context.registered) if call.context.registered else None
             if of_future:
-                found.setdefault(call.receiver.identity, of_future[0])
+                signals.setdefault(call.receiver.identity, of_future[0])
                 if call.receiver.place is not None:
                     of_place.setdefault(call.receiver.place, []).append(of_future[0])
     # A callback that several timers have makes an event each time, and its done callback was followed once.
-    return found | {
+    return signals | {
         place: given[0] for place, given in of_place.items() if all(creation is given[0] for creation in given)
     }
