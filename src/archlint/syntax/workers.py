@@ -145,14 +145,13 @@ class _Pool:
         # An interrupt waits: in a process that is just being made, Python would show a traceback of its own.
         mask = signal.pthread_sigmask(signal.SIG_BLOCK, [signal.SIGINT])
         try:
-            pid = self._fork(request_reader, requests, answers, answer_writer)
+            worker = _Worker(self._fork(request_reader, requests, answers, answer_writer), requests, answers)
+            self._selector.register(answers, selectors.EVENT_READ)
+            self._workers[answers] = worker
         finally:
             signal.pthread_sigmask(signal.SIG_SETMASK, mask)
         os.close(request_reader)
         os.close(answer_writer)
-        worker = _Worker(pid, requests, answers)
-        self._workers[answers] = worker
-        self._selector.register(answers, selectors.EVENT_READ)
         worker.give(self._waiting.popleft())
 
     def _fork(self, request_reader: int, requests: int, answers: int, answer_writer: int) -> int:
@@ -200,8 +199,8 @@ class _Pool:
 
     def _end(self, worker: _Worker, kill: bool) -> int:
         """Wait for a worker to end, and return how it did."""
+        del self._workers[worker.answers]  # first: an interrupt from here on leaves it to end by itself
         self._selector.unregister(worker.answers)
-        del self._workers[worker.answers]
         os.close(worker.requests)
         os.close(worker.answers)
         if kill:
