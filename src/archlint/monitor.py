@@ -48,7 +48,7 @@ class Monitor:
         """What has been told since the part began, for :meth:`take`."""
         return b""
 
-    def take(self, told: bytes) -> None:
+    def take(self, report: bytes) -> None:
         """What another process was told."""
 
 

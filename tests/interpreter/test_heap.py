@@ -41,8 +41,8 @@ def test_the_newest_layer_is_read_first():
     assert store.pop() == written(x=B)
     assert store.get(1, "x") is A
     assert store.get(1, "nothing") is None
-    assert store.held_in((1, "nothing")) is MISSING
-    assert store.held_in((1, "x")) is A
+    assert store.value_at((1, "nothing")) is MISSING
+    assert store.value_at((1, "x")) is A
 
 
 def test_layers_are_taken_off_and_flattened():

@@ -5,8 +5,8 @@ from __future__ import annotations
 import textwrap
 
 from archlint.syntax import facts
-from archlint.syntax.control_flow import comes_round, graph_of
-from archlint.syntax.flow_graph import Block, Graph, any_way, without_exceptions
+from archlint.syntax.control_flow import graph_of, may_run_again
+from archlint.syntax.flow_graph import Block, Graph, any_edge, without_exceptions
 from archlint.syntax.python.lowering import lower
 from archlint.syntax.walk import called_name, calls_in, statements_of
 
@@ -36,17 +36,17 @@ class Flow:
         return self.graph.dominates([self.block(first)], self.block(second))
 
     def always_followed(self, first: str, second: str, *, though_it_raises: bool = False) -> bool:
-        along = any_way if though_it_raises else without_exceptions
+        along = any_edge if though_it_raises else without_exceptions
         return self.graph.post_dominates([self.block(second)], self.block(first), along)
 
     def loops(self) -> list[facts.While | facts.For]:
         return [one for one in statements_of(self.body) if isinstance(one, (facts.While, facts.For))]
 
-    def comes_round_after(self, name: str) -> bool:
+    def repeats_after(self, name: str) -> bool:
         """Whether the outermost loop may go round again after a statement."""
         loop = self.loops()[0]
         *_, statement = [one for one in statements_of(loop.body) if names_of_fact(one) == [name]]
-        return comes_round(loop, statement)
+        return may_run_again(loop, statement)
 
 
 def names_of_fact(fact: object) -> list[str]:

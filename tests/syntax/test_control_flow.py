@@ -14,7 +14,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from archlint.syntax import facts
-from archlint.syntax.control_flow import always_raises, comes_round, graph_of, loop_of
+from archlint.syntax.control_flow import always_raises, graph_of, loop_of, may_run_again
 from archlint.syntax.flow_graph import Block, Edge, Kind, reach
 from syntax.flow import Flow, body, names_of, names_of_fact
 
@@ -190,12 +190,12 @@ def test_finally_follows_whatever_becomes_of_the_rest() -> None:
     ],
 )
 def test_whether_a_loop_goes_round_again_after_a_statement(source: str, again: bool) -> None:
-    assert Flow(source).comes_round_after("x") is again
+    assert Flow(source).repeats_after("x") is again
 
 
 def test_a_loop_goes_round_after_itself() -> None:
     [loop] = Flow("while t():\n    break").loops()
-    assert comes_round(loop, loop)
+    assert may_run_again(loop, loop)
 
 
 def test_a_loop_that_every_way_leaves_never_goes_round() -> None:
@@ -206,8 +206,8 @@ def test_a_loop_that_every_way_leaves_never_goes_round() -> None:
                     return
                 break
     """).loops()
-    assert loop_of(outer).comes_round
-    assert not loop_of(inner).comes_round
+    assert loop_of(outer).repeats
+    assert not loop_of(inner).repeats
 
 
 def test_the_exits_of_a_loop() -> None:

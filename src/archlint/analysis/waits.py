@@ -114,7 +114,7 @@ def _loop_until(code: SourceCode, call: ApiCall) -> facts.While | None:
     """The loop that goes round until a future is done: ``while not future.done()``.  What always leaves its body does
     not wait."""
     loop = code.loop(call)
-    if not isinstance(loop, facts.While) or not loop_of(loop).comes_round:
+    if not isinstance(loop, facts.While) or not loop_of(loop).repeats:
         return None
     asked = code.expression(call)
     return loop if any(same_expression(part.negated, asked) for part in loop.test.conjuncts) else None

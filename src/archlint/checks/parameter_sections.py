@@ -164,10 +164,10 @@ def _may_hold_more_nodes(workspace: WorkspaceIndex, file: str) -> bool:
 def _may_read(include: Included, file: str) -> bool:
     """Whether a launch file that is not here may load a parameter file of this workspace: it is of another package,
     so that it knows the file, or the folder that it lies in, from whoever includes it."""
-    if include.handed is None or include.reference.status != FileStatus.EXTERNAL:
+    if include.visible is None or include.reference.status != FileStatus.EXTERNAL:
         return True
     name = posixpath.basename(file)
-    return any(name in text or _is_folder(text) for text in include.handed)
+    return any(name in text or _is_folder(text) for text in include.visible)
 
 
 def _is_folder(text: str) -> bool:

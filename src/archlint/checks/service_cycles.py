@@ -51,7 +51,7 @@ def waits_behind(system: System, wait: Wait) -> list[Edge]:
 
 
 def _meet(system: System, node: Node, other: Node) -> bool:
-    return system.may_coexist(node, other) or system.launched_together(node, other)
+    return system.may_coexist(node, other) or system.in_same_launch(node, other)
 
 
 @rule("SRV006", scope=Scope.SYSTEM)

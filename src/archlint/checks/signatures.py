@@ -63,15 +63,15 @@ def callback_signature(system: System, options: Options) -> Iterator[Finding]:
 
 def _is_judged(callback: Callback) -> bool:
     if callback.role == Role.TASK:
-        return callback.handed_over is not None
+        return callback.task_arguments is not None
     return callback.role in _PASSED
 
 
 def _passed(callback: Callback) -> Sequence[str]:
     """What a callback is called with, in words."""
-    if not callback.handed_over:
+    if not callback.task_arguments:
         return _PASSED.get(callback.role, ())
-    return ("1 argument",) if callback.handed_over == 1 else (f"{callback.handed_over} arguments",)
+    return ("1 argument",) if callback.task_arguments == 1 else (f"{callback.task_arguments} arguments",)
 
 
 @dataclass(frozen=True)
@@ -187,7 +187,7 @@ def _registered(wrong: _Wrong) -> Place:
 
 def _fits(system: System, signature: Signature, callback: Callback, distro: str) -> bool:
     """Whether a function can be called with what rclpy of ``distro`` passes."""
-    counts = [len(_PASSED.get(callback.role, ())) if callback.handed_over is None else callback.handed_over]
+    counts = [len(_PASSED.get(callback.role, ())) if callback.task_arguments is None else callback.task_arguments]
     if callback.role == Role.SUBSCRIPTION and distro != "humble":
         counts.append(2)
     if callback.role == Role.TIMER and distro not in ("humble", "jazzy") and signature.wants_timer_info:

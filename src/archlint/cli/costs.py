@@ -15,13 +15,13 @@ MOST = 10
 def costs(tally: Tally) -> Iterator[str]:
     """What was done and what was kept, and the slowest files and programs with their share of the processor time."""
     yield f"processor time: {tally.seconds:.2f} s"
-    yield f"compiled {_count(len(tally.files), 'file')}{_together(tally.files.values(), tally.seconds)}"
+    yield f"compiled {_count(len(tally.files), 'file')}{_total(tally.files.values(), tally.seconds)}"
     yield from _slowest(tally.files, tally.seconds)
     if not tally.links:
         yield "followed no programs: the result of an earlier run was kept"
         return
     seconds = [seconds for _, seconds in tally.programs.values()]
-    followed = f"followed {_count(len(tally.programs), 'program')}{_together(seconds, tally.seconds)}"
+    followed = f"followed {_count(len(tally.programs), 'program')}{_total(seconds, tally.seconds)}"
     yield f"{followed}; kept {tally.kept} from an earlier run"
     yield from _slowest(_by_name(tally), tally.seconds)
 
@@ -36,18 +36,18 @@ def _by_name(tally: Tally) -> dict[str, float]:
     }
 
 
-def _slowest(rows: dict[str, float], whole: float) -> Iterator[str]:
+def _slowest(rows: dict[str, float], all_seconds: float) -> Iterator[str]:
     for name, seconds in sorted(rows.items(), key=lambda row: (-row[1], row[0]))[:MOST]:
-        yield f"  {seconds:7.2f} s {_share(seconds, whole):>6}  {name}"
+        yield f"  {seconds:7.2f} s {_share(seconds, all_seconds):>6}  {name}"
 
 
-def _together(every: Iterable[float], whole: float) -> str:
+def _total(every: Iterable[float], all_seconds: float) -> str:
     seconds = sum(every)
-    return f": {seconds:.2f} s, {_share(seconds, whole)}" if seconds else ""
+    return f": {seconds:.2f} s, {_share(seconds, all_seconds)}" if seconds else ""
 
 
-def _share(seconds: float, whole: float) -> str:
-    return f"{100 * seconds / whole:.1f} %" if whole > 0 else "-"
+def _share(seconds: float, all_seconds: float) -> str:
+    return f"{100 * seconds / all_seconds:.1f} %" if all_seconds > 0 else "-"
 
 
 def _count(number: int, noun: str) -> str:

@@ -99,10 +99,10 @@ class Tally(Monitor):
 
         return json.dumps([self.files, self.programs]).encode()
 
-    def take(self, told: bytes) -> None:
+    def take(self, report: bytes) -> None:
         import json
 
-        files, programs = json.loads(told)
+        files, programs = json.loads(report)
         for file, seconds in files.items():
             self._add_file(file, seconds)
         for key, (program, seconds) in programs.items():

@@ -90,8 +90,8 @@ def _judged(
     outcome = suppressions.apply(_wanted(candidates, request.settings, workspace), by_file)
     stale = suppressions.stale(outcome.unused, _ran(request, systems))
     kept = [*outcome.kept, *suppressions.apply(_wanted(stale, request.settings, workspace), by_file).kept]
-    whole = with_reason(folded(dict.fromkeys(kept)), old)
-    findings = sorted(whole, key=lambda finding: finding.sort_key)
+    explained = with_reason(folded(dict.fromkeys(kept)), old)
+    findings = sorted(explained, key=lambda finding: finding.sort_key)
     shown = [as_asked_for(request, systems[0], workspace)]
     summary = summarise(
         findings,

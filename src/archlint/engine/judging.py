@@ -54,8 +54,8 @@ def judge_alternatives(system: System, selected: Mapping[str, Options]) -> Itera
             holding.setdefault(key, (finding, []))[1].append(arguments)
     at_place: dict[tuple[object, ...], list[Finding]] = {}
     for finding, where in holding.values():
-        told = replace(finding, condition=condition(where, every))
-        at_place.setdefault((finding.code, finding.place), []).append(told)
+        conditional = replace(finding, condition=condition(where, every))
+        at_place.setdefault((finding.code, finding.place), []).append(conditional)
     for several in at_place.values():
         yield from several if len(several) <= _VARIANTS else [min(several, key=_how_general)]
 

@@ -63,8 +63,8 @@ def folded(findings: Iterable[Finding]) -> list[Finding]:
             alone.append(finding)
     for several in groups.values():
         ordered = sorted(several, key=lambda finding: finding.sort_key)
-        whole = ordered[0] if len(ordered) == 1 else folds[ordered[0].code](ordered)
-        alone.append(replace(whole, group=()))
+        group_finding = ordered[0] if len(ordered) == 1 else folds[ordered[0].code](ordered)
+        alone.append(replace(group_finding, group=()))
     return alone
 
 
@@ -77,8 +77,8 @@ def once_for_copies(findings: Iterable[Finding], packages: Sequence[Package]) ->
         folder = _innermost(folders, finding.place.file)
         twin = (number,) if folder is None else (folders[folder], finding.place.file[len(folder) :])
         rows.setdefault((finding.code, finding.severity, finding.message, *twin), []).append(finding)
-    told = [finding for row in rows.values() for finding in _of_copies(row, folders)]
-    return sorted(told, key=lambda finding: finding.sort_key)
+    shown = [finding for row in rows.values() for finding in _of_copies(row, folders)]
+    return sorted(shown, key=lambda finding: finding.sort_key)
 
 
 def _of_copies(row: Sequence[Finding], folders: Mapping[str, str]) -> Sequence[Finding]:

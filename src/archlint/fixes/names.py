@@ -24,7 +24,7 @@ class Names:
             source = around.source(call.name.file)
             if source is not None and source.indent(call.statement) is not None:
                 self._by_file.setdefault(call.name.file, {})[call] = source
-        self._handed_over: set[str] = set()
+        self._declared_elsewhere: set[str] = set()
         """Parameters that fixes declare on nodes of other files."""
 
     def fix(self, calls: Sequence[NamedCall]) -> Fix | None:
@@ -63,11 +63,11 @@ class Names:
         names += [f"{names[0]}_{number}" for number in range(2, 1_000)]
         # Whoever else declares parameters on a node that is handed over is perhaps in another file.
         elsewhere = self._around.elsewhere(source) if call.shares_node else ""
-        text = "\n".join((source.text, elsewhere, *sorted(self._handed_over)))
+        text = "\n".join((source.text, elsewhere, *sorted(self._declared_elsewhere)))
         name = next(candidate for candidate in names if candidate not in source.taken and not _used(candidate, text))
         source.taken.add(name)
         if call.shares_node:
-            self._handed_over.add(name)
+            self._declared_elsewhere.add(name)
         return name
 
 

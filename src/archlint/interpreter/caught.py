@@ -10,7 +10,7 @@ _IMPORT_ERRORS = {"ImportError", "ModuleNotFoundError"}
 _OTHER_ERROR = re.compile(r"(?!Attribute)\w+(Error|Exception|Warning|Interrupt|Timeout)$")
 """A class whose name says what else went wrong."""
 _FOR_ALL = frozenset({"Exception", "BaseException"})
-_TELLS = frozenset({"debug", "info", "warn", "warning", "error", "fatal", "critical", "exception"}) | {
+_LOGS = frozenset({"debug", "info", "warn", "warning", "error", "fatal", "critical", "exception"}) | {
     "print",
     "print_exc",
 }
@@ -26,13 +26,13 @@ def is_import_error(expression: facts.Expr | None) -> bool:
 def may_expect_missing_attribute(handler: facts.Handler) -> bool:
     """Whether a handler may be there for an attribute that is missing: not one for all errors that does no more than
     say so."""
-    return _names_attribute_error(handler.type) and not (_is_for_all(handler.type) and _only_tells(handler))
+    return _names_attribute_error(handler.type) and not (_is_for_all(handler.type) and _only_logs(handler))
 
 
 def only_goes_on(handler: facts.Handler) -> bool:
     """Whether a handler in a loop does no more than say that something went wrong, and go on to the next round."""
     return all(
-        (isinstance(statement, facts.Jump) and statement.kind != "break") or _is_telling_call(statement, handler.name)
+        (isinstance(statement, facts.Jump) and statement.kind != "break") or _is_logging_call(statement, handler.name)
         for statement in handler.body
     )
 
@@ -51,16 +51,16 @@ def _last_name(expression: facts.Expr | None) -> str:
     return "" if expression is None else expression.last_name
 
 
-def _only_tells(handler: facts.Handler) -> bool:
+def _only_logs(handler: facts.Handler) -> bool:
     """Whether a handler says something or raises, and does nothing else but leave."""
-    speaks = [isinstance(part, facts.Raise) or _is_telling_call(part, handler.name) for part in handler.body]
+    speaks = [isinstance(part, facts.Raise) or _is_logging_call(part, handler.name) for part in handler.body]
     return any(speaks) and all(said or _returns_nothing(part) for said, part in zip(speaks, handler.body, strict=True))
 
 
-def _is_telling_call(statement: facts.Stmt, error: str | None) -> bool:
+def _is_logging_call(statement: facts.Stmt, error: str | None) -> bool:
     """Whether a statement logs or prints words or the error: ``print(scan.ranges)`` may be another way to the data."""
     match statement:
-        case facts.Expression(value=facts.Call(func=function, args=args)) if function.last_name in _TELLS:
+        case facts.Expression(value=facts.Call(func=function, args=args)) if function.last_name in _LOGS:
             given = [argument.value for argument in args]
             return not given or any(_is_text(value) or (error and value.variable == error) for value in given)
     return False

@@ -27,8 +27,8 @@ class Store:
     def __init__(self) -> None:
         self.layers: list[Layer] = [{}]
         self._next = 1
-        self._held: dict[int, dict[str, None]] = {}
-        self._held_for_now: dict[int, dict[str, None]] = {}
+        self._references: dict[int, dict[str, None]] = {}
+        self._program_references: dict[int, dict[str, None]] = {}
         self.shared: dict[int, object] = {}
         """How the objects that a module keeps from its import on are got at, by key."""
         self._at_base = False
@@ -61,18 +61,18 @@ class Store:
 
     def holds(self, key: int) -> dict[str, None]:
         """The attributes of an object that may lead to others, whatever they hold now."""
-        return {**self._held.get(key, {}), **self._held_for_now.get(key, {})}
+        return {**self._references.get(key, {}), **self._program_references.get(key, {})}
 
-    def note_held(self, key: int, name: str) -> None:
+    def note_reference(self, key: int, name: str) -> None:
         """An attribute of an object may lead to others: until the program ends, or from its module's import on."""
-        rows = self._held if self._at_base else self._held_for_now
+        rows = self._references if self._at_base else self._program_references
         rows.setdefault(key, {})[name] = None
 
-    def forget_held(self) -> None:
+    def forget_program_references(self) -> None:
         """A program ends: what it has put into objects that all programs share is gone."""
-        self._held_for_now = {}
+        self._program_references = {}
 
-    def held_in(self, at: Slot) -> object:
+    def value_at(self, at: Slot) -> object:
         """What a slot holds, whatever it is; MISSING where nobody has written it."""
         if self._reads is not None:
             return self._noted(at, MISSING)

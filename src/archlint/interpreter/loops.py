@@ -52,11 +52,11 @@ def _loop_of_unknown(machine: Machine, s: facts.For, iterable: Value, items: Ite
             why = "what the loop runs over is not known"
         assign(machine, s.target, containers.unknown_item(machine, iterable, why))
         status = machine.execute(s.body)
-    _maybe_a_round(machine, status, taken[0])
+    _join_optional_body(machine, status, taken[0])
     return None
 
 
-def _maybe_a_round(machine: Machine, status: Status, written: Layer) -> None:
+def _join_optional_body(machine: Machine, status: Status, written: Layer) -> None:
     """Go on after a body that may have run, or not."""
     machine.join([(None if status in ("break", "continue") else status, written), (None, {})])
 
@@ -94,7 +94,7 @@ def _loop_once(machine: Machine, s: facts.While, certain: bool) -> Status:
         narrow(machine, s.test, True)
         forget_counters(machine, s.body)
         status = machine.execute(s.body)
-    _maybe_a_round(machine, status, taken[0])
+    _join_optional_body(machine, status, taken[0])
     return None
 
 

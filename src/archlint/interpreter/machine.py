@@ -24,7 +24,7 @@ from archlint.interpreter.library import Library
 from archlint.interpreter.modules import Module, ModuleIndex, Scope, ScopeKind
 from archlint.interpreter.values import External, Instance, Known, ModuleValue, Unknown, Value
 from archlint.syntax import facts
-from archlint.syntax.control_flow import comes_round
+from archlint.syntax.control_flow import may_run_again
 
 DEPTH = 48
 """How many calls deep a run follows."""
@@ -116,7 +116,7 @@ class Machine(ABC):
         """Functions that ran, as ``(instance key or 0, id of the function's facts)``."""
         self.ran: dict[int, tuple[facts.Function | facts.Lambda, str]] = {}
         """Functions that ran on anything, by the id of their facts, with the shown path of their file."""
-        self._comes_round: dict[tuple[int, int], bool] = {}
+        self._repeats: dict[tuple[int, int], bool] = {}
         """Whether a loop may go round again after a statement in it, by their ids."""
 
     @property
@@ -159,9 +159,9 @@ class Machine(ABC):
         loops = []
         for loop in activation.loops:
             key = id(loop), id(statement)
-            if key not in self._comes_round:
-                self._comes_round[key] = comes_round(loop, statement)
-            if self._comes_round[key]:
+            if key not in self._repeats:
+                self._repeats[key] = may_run_again(loop, statement)
+            if self._repeats[key]:
                 loops.append(loop)
         return loops
 

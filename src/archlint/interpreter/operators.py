@@ -168,8 +168,8 @@ def _compare_version(machine: Machine, op: facts.CompareOperator, right: Value) 
     """``sys.version_info >= (3, 8)``: decided where it is the same for every supported Python."""
     items = right.items(machine)
     numbers = () if items is None else tuple(item.constant for item in items.values if item.constant is not None)
-    whole = [number for number in numbers if isinstance(number, int)]
-    if not numbers or len(whole) < len(numbers) or tuple(whole) > PYTHON:
+    integers = [number for number in numbers if isinstance(number, int)]
+    if not numbers or len(integers) < len(numbers) or tuple(integers) > PYTHON:
         return None
     return {">=": True, ">": True, "<": False, "<=": False}.get(op)
 

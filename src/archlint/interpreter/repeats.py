@@ -66,7 +66,7 @@ def follow(machine: Machine, function: FunctionValue, key: Key, enter: Callable[
 
 def _holds(machine: Machine, around: Mapping[Slot, object]) -> bool:
     """Whether the state is as it was, as far as these slots go."""
-    return all(_same(machine.store.held_in(at), value) for at, value in around.items())
+    return all(_same(machine.store.value_at(at), value) for at, value in around.items())
 
 
 def _same(now: object, then: object) -> bool:

@@ -42,8 +42,8 @@ class Context:
     def set_aside(self) -> Context:
         """The context as it is, with the lists that it shares with the scopes around it; what comes next goes to
         copies of them."""
-        kept, apart = self.copy(), self.fork()
-        self.remaps, self.parameters = apart.remaps, apart.parameters
+        kept, forked = self.copy(), self.fork()
+        self.remaps, self.parameters = forked.remaps, forked.parameters
         return kept
 
     def restore(self, kept: Context) -> None:

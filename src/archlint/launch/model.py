@@ -15,7 +15,7 @@ from archlint.model import Text
 
 @dataclass(frozen=True)
 class Included:
-    """An include.  ``handed`` are the texts that the included file can read, of launch configurations, and the
+    """An include.  ``visible`` are the texts that the included file can read, of launch configurations, and the
     parameter files that are set for all nodes in it; None where not all of them are known."""
 
     reference: FileReference
@@ -23,7 +23,7 @@ class Included:
     place: Place
     file: str
     dormant: bool = False
-    handed: tuple[str, ...] | None = None
+    visible: tuple[str, ...] | None = None
     own_process: bool = False
     """Whether a process of its own launches the file: ``ros2 launch``."""
 

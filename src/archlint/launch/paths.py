@@ -85,9 +85,9 @@ class LaunchPaths:
         if installs is None:
             return None, FileStatus.UNKNOWN
         # The launch file runs from where it is installed: the same way from there.
-        way = posixpath.relpath(source, posixpath.dirname(launch_file) or ".")
+        relative = posixpath.relpath(source, posixpath.dirname(launch_file) or ".")
         for place in (*installs.places_of(launch_file), self._beside_manifest(launch_file, installs)):
-            path, status = self._in_share(posixpath.normpath(posixpath.join(posixpath.dirname(place), way)))
+            path, status = self._in_share(posixpath.normpath(posixpath.join(posixpath.dirname(place), relative)))
             if path is not None:
                 return path, status
         return None, FileStatus.UNKNOWN if installs.open_files else FileStatus.MISSING

@@ -27,7 +27,7 @@ class Started:
 
     ``name`` and ``namespace`` are what the
     launch file gives; None leaves the code's own.  A ``dormant`` one is started under other arguments only.
-    ``arguments`` is its command line, None for a word that is not known; of one that is not ``whole_arguments`` not
+    ``arguments`` is its command line, None for a word that is not known; of one that is not ``knows_all_arguments`` not
     even the number of words is.  A ``bare`` one is started by that command line alone.
     """
 
@@ -42,7 +42,7 @@ class Started:
     parameters: Parameters = field(default_factory=list)
     arguments: list[str | None] = field(default_factory=list)
     ros_arguments: list[str | None] = field(default_factory=list)
-    whole_arguments: bool = True
+    knows_all_arguments: bool = True
     bare: bool = False
     branch_arms: BranchArms = frozenset()
     dormant: bool = False
@@ -78,7 +78,7 @@ class StartedProcesses:
         if known and self._in_handler[process]:
             return
         started.includes, started.visited = includes, visiting
-        again = [other for other in self._by_place.setdefault(started.place, []) if _met_again(other, started)]
+        again = [other for other in self._by_place.setdefault(started.place, []) if _is_same_action(other, started)]
         if any(_merge(other, started) for other in again):
             return
         for other in again:
@@ -89,7 +89,7 @@ class StartedProcesses:
         self._processes.append(started)
 
 
-def _met_again(process: Started, other: Started) -> bool:
+def _is_same_action(process: Started, other: Started) -> bool:
     """Whether two processes come from one action that was met twice, as in both arms of an ``if`` that nothing
     decides.  Launch refuses to execute such an action a second time: one of them is started.
 

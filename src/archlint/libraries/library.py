@@ -63,7 +63,7 @@ class RosLibrary(Library):
         return calls.await_future(self.run, value, expression) if isinstance(value, FutureValue) else value
 
     def around_call(self, function: Value, expression: facts.Call) -> AbstractContextManager[None]:
-        return tasks.apart(self.run, expression, function)
+        return tasks.as_own_task(self.run, expression, function)
 
     # ---------------------------------------------------------------------------------------- names, attributes
 

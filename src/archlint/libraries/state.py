@@ -65,7 +65,7 @@ class Nodes:
     """Those that are objects of a class of the workspace, by the key of the object."""
     short_lived: dict[Activation, list[model.Blueprint]] = field(default_factory=dict)
     """Those that nothing but the variables of a running function hold."""
-    met_again: set[int] | None = None
+    revisited: set[int] | None = None
     """Where callbacks run that have run before: the nodes that they made then and have met again, by id."""
 
 
@@ -74,7 +74,7 @@ class Calls:
     """What is noted of calls."""
 
     creations: dict[tuple[Any, ...], model.Creation] = field(default_factory=dict)
-    told_apart: dict[Key, Key] = field(default_factory=dict)
+    first_functions: dict[Key, Key] = field(default_factory=dict)
     """Which callbacks the first of the creations at one place, with one name, was given."""
     watched: dict[tuple[Any, ...], model.ApiCall] = field(default_factory=dict)
     """The calls that rules want to see."""

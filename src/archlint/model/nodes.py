@@ -75,7 +75,7 @@ class Callback:
     """Parameters that a ``partial`` binds by name."""
     never_starts: bool = False
     """True of a thread that is made and not started."""
-    handed_over: int | None = None
+    task_arguments: int | None = None
     """How many arguments a task is given besides its callback; None of all others, and where it is not known."""
     file: str = ""
     missing: str | None = None

@@ -27,7 +27,7 @@ _HISTORY = ("system_default", "keep_last", "keep_all", "unknown")
 _RELIABILITY = ("system_default", "reliable", "best_effort", "unknown", "best_available")
 _DURABILITY = ("system_default", "transient_local", "volatile", "unknown", "best_available")
 _LIVELINESS = ("system_default", "automatic", "manual_by_node", "manual_by_topic", "unknown", "best_available")
-_NOT_TOLD = ("system_default", "unknown", "best_available")
+_UNSPECIFIED = ("system_default", "unknown", "best_available")
 """What a middleware says where it does not know, or has not decided."""
 _FOREVER_S = 1e9
 """Several spellings of infinity are about; none of them is less than 30 years."""
@@ -87,7 +87,7 @@ class _Qos(Struct):
 def _policy(given: str | int | None, words: Sequence[str]) -> str | None:
     if isinstance(given, int):
         given = words[given] if 0 <= given < len(words) else None
-    return given if given in words and given not in _NOT_TOLD else None
+    return given if given in words and given not in _UNSPECIFIED else None
 
 
 def observed(data: Any, file: str, text: str, digest: str) -> Observed:
@@ -308,8 +308,8 @@ def _ends_of(node: _Node) -> Iterable[SeenEnd]:
         (program.EntityKind.ACTION_CLIENT, node.action_clients),
     ):
         for service in services:
-            whole, suffix, _ = service.request_type.name.partition("_Request")
-            yield SeenEnd(kind, service.name, whole if suffix else None)
+            service_type, suffix, _ = service.request_type.name.partition("_Request")
+            yield SeenEnd(kind, service.name, service_type if suffix else None)
 
 
 # -------------------------------------------------------------------------------------------------------------- places

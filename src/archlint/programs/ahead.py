@@ -41,8 +41,8 @@ def follow_ahead(
         kept.is_part = True
         monitor.begin_part()
         parts[int(number)]()
-        told = monitor.end_part()
-        return _SIZE.pack(len(told)) + told + kept.take_new()
+        report = monitor.end_part()
+        return _SIZE.pack(len(report)) + report + kept.take_new()
 
     numbers = [b"%06d" % number for number in range(len(parts))]
     monitor.dividing(len(parts))

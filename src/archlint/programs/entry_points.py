@@ -71,28 +71,28 @@ def read_installs(
     by_package: dict[str, Installs] = {}
     for package in packages:
         installs = by_package[package.name] = Installs(package.name, package.relative)
-        with _apart(installs, "CMakeLists.txt", faults) as cmake:
+        with _reading(installs, "CMakeLists.txt", faults) as cmake:
             if tree.is_file(cmake):
                 read_cmake(installs, cmake, tree)
         if package.build_type == "ament_python":  # which does not run CMake
             installs.open_executables = installs.open_files = False
         installs.generates_nothing &= package.build_type == "ament_cmake"
         installs.generates_nothing |= package.build_type == "ament_python"
-        with _apart(installs, "setup.cfg", faults):
+        with _reading(installs, "setup.cfg", faults):
             _read_tables(installs, tree)
         before = installs.open_executables, installs.open_files
-        with _apart(installs, "setup.py", faults) as path:
+        with _reading(installs, "setup.py", faults) as path:
             _read_setup_at(installs, path, setups, index, tree, faults)
         if package.build_type == "ament_cmake":  # which does not run setup.py
             installs.open_executables, installs.open_files = before
-        with _apart(installs, "package.xml", faults):
+        with _reading(installs, "package.xml", faults):
             _find_programs(installs, files)
             _follow_links(installs, files, tree)
     return by_package
 
 
 @contextmanager
-def _apart(installs: Installs, name: str, faults: Faults) -> Iterator[str]:
+def _reading(installs: Installs, name: str, faults: Faults) -> Iterator[str]:
     """The path of a package's build file.  Where reading it fails there may be more than is known of, and ``faults``
     are told."""
     path = posixpath.normpath(posixpath.join(installs.folder, name))
@@ -233,12 +233,12 @@ def _script_text(installs: Installs, text: Value, where: Place, tree: Tree) -> N
             return
     if entry is None:
         return
-    run_together = _run_together(origin, tree) if entry.wrong else []
-    if run_together:
-        names = " and ".join(f"'{script.name}'" for script in run_together)
+    joined = _joined_entries(origin, tree) if entry.wrong else []
+    if joined:
+        names = " and ".join(f"'{script.name}'" for script in joined)
         wrong = f"a comma is missing between {names}; newer setuptools stop the build here"
-        entry = replace(run_together[0], wrong=wrong)
-    for script in (entry, *run_together[1:]):
+        entry = replace(joined[0], wrong=wrong)
+    for script in (entry, *joined[1:]):
         place = origin or where
         installs.add(
             Executable(script.name, installs.package, place, script.module, script.function, wrong=script.wrong)
@@ -248,7 +248,7 @@ def _script_text(installs: Installs, text: Value, where: Place, tree: Tree) -> N
 _LITERAL = re.compile(r"""(["'])([^"'\n]*)\1""")
 
 
-def _run_together(place: Place | None, tree: Tree) -> list[ScriptEntry]:
+def _joined_entries(place: Place | None, tree: Tree) -> list[ScriptEntry]:
     """The entries of neighbouring strings, which Python makes one text; none where they are something else."""
     text = None if place is None else tree.text(place.file)
     if place is None or text is None:

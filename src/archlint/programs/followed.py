@@ -110,7 +110,7 @@ class FollowedProgram:
         finally:
             run.activations.clear()
             self._holders = holders_in(run, run.store.cut(self.depth))
-            run.store.forget_held()
+            run.store.forget_program_references()
         self._finish()
         return isinstance(error, Exception)
 

@@ -61,10 +61,10 @@ def _run_again(run: Run, last: bool) -> None:
     news, run.callbacks.news = run.callbacks.news, {}
     if last:
         left_behind.forget(run, news)
-    run.nodes.met_again = set()
+    run.nodes.revisited = set()
     for pending in left_behind.readers(run, [*run.callbacks.started, *run.callbacks.tried], news):
         run_root(run, pending.callback, pending.value, pending.arguments, lineage=pending.lineage)
-    run.nodes.met_again = None
+    run.nodes.revisited = None
     run_pending(run)
 
 
@@ -178,7 +178,7 @@ def _run_methods(run: Run) -> None:
             special = ir.name.startswith("__") and ir.name != "__call__"
             if special or "abstract" in function.decorators:
                 continue
-            if not interesting(ir) and not _hands_on(run, instance, ir):
+            if not interesting(ir) and not _passes_node_on(run, instance, ir):
                 continue
             bound = bind_quietly(function, instance, owner)
             callback = describe(run, bound, model.Role.LIFECYCLE if ir.name in LIFECYCLE else model.Role.METHOD)
@@ -189,13 +189,13 @@ def _run_methods(run: Run) -> None:
             run_root(run, callback, bound, arguments)
 
 
-def _hands_on(run: Run, instance: Instance, ir: facts.Function) -> bool:
+def _passes_node_on(run: Run, instance: Instance, ir: facts.Function) -> bool:
     """Whether a method of a node, or of what holds one, does more with the node than use it."""
     if instance.key in run.nodes.by_object and ir.params and bare(ir, frozenset({ir.params[0].name})):
         return True
-    held = names_in(ir).intersection(run.store.holds(instance.key))
+    attributes = names_in(ir).intersection(run.store.holds(instance.key))
     # What an attribute leads to takes far longer to find out than what the method does with it.
-    return bool(held) and bare(ir, held) and bare(ir, escapes.holders(run, instance, held))
+    return bool(attributes) and bare(ir, attributes) and bare(ir, escapes.holders(run, instance, attributes))
 
 
 def _uncalled_arguments(ir: facts.Function, bound: int) -> tuple[Value, ...]:

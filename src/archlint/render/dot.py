@@ -83,7 +83,7 @@ def _attributes(values: dict[str, str]) -> str:
 
 
 def _defaults(attributes: dict[str, str]) -> Iterator[str]:
-    whole = {
+    defaults = {
         "rankdir": "LR",
         "bgcolor": "white",
         "pad": "0.3",
@@ -95,7 +95,7 @@ def _defaults(attributes: dict[str, str]) -> Iterator[str]:
         "labelloc": "b",
         "labeljust": "l",
     }
-    yield f"  graph {_attributes(whole | attributes)};"
+    yield f"  graph {_attributes(defaults | attributes)};"
     vertex = {"fontname": look.FONT, "style": "filled", "margin": "0.14,0.07", "height": "0.3"}
     yield f"  node {_attributes(vertex)};"
     yield f"  edge {_attributes({'fontname': look.FONT, 'arrowsize': '0.7', 'penwidth': '1.2'})};"

@@ -238,12 +238,13 @@ class InterfaceTable:
         """The one field of a message whose message has a field of this name; None where there is none, or several."""
         section = self.section(name, section_name)
         inner = [
-            (field.name, self._held(name, section_name, field.name)) for field in (section.fields if section else ())
+            (field.name, self._interface_in(name, section_name, field.name))
+            for field in (section.fields if section else ())
         ]
         having = [field for field, (kind, of) in inner if kind and self.has(kind, of, attribute)]
         return having[0] if len(having) == 1 else None
 
-    def _held(self, name: str, section_name: str, field: str) -> tuple[str, str]:
+    def _interface_in(self, name: str, section_name: str, field: str) -> tuple[str, str]:
         """The interface and the section that a field has; empty where it is something else, or several."""
         if section_name in _WRAPPERS:
             return (name, field.capitalize()) if field in ("result", "feedback") else ("", "")

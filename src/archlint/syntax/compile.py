@@ -19,7 +19,7 @@ from archlint.syntax.python.deep_stack import DEEP_LIMIT, STOCK_LIMIT, call_with
 if TYPE_CHECKING:
     from collections.abc import Iterator
 
-    from archlint.syntax.workers import Answer, Told
+    from archlint.syntax.workers import Answer, OnDone
 
 CRASHED = "crashes the parser"
 """The message for a file that kills the process that parses it."""
@@ -51,13 +51,13 @@ def compile_sources(
     sources: Sequence[bytes],
     jobs: int | None = None,
     deadline: float = DEADLINE,
-    told: Told = workers.tell_nobody,
+    on_done: OnDone = workers.ignore_done,
 ) -> list[Compiled]:
     """The facts of many files, in their order, the same for any number of ``jobs``.
 
     ``jobs`` is the most processes that work at the same time; None leaves the number to us.  Where the system
-    allows it the work is done in other processes, even for one job: no file takes this one down.  ``told`` is called
-    with each source that is done.
+    allows it the work is done in other processes, even for one job: no file takes this one down.  ``on_done`` is
+    called with each source that is done.
     """
     if not sources:
         return []
@@ -65,19 +65,19 @@ def compile_sources(
 
     if workers.can_fork():
         try:
-            answers = workers.run_in_workers(_encoded, sources, _worker_count(sources, jobs), deadline, told)
+            answers = workers.run_in_workers(_encoded, sources, _worker_count(sources, jobs), deadline, on_done)
         except OSError:
             pass  # no process to be had: this one does it all
         else:
             return [_compiled(answer, deadline) for answer in answers]
     with _paused_collection():
-        return call_with_deep_stack(lambda: [_compiled_here(*row, told) for row in enumerate(sources)])
+        return call_with_deep_stack(lambda: [_compiled_here(*row, on_done) for row in enumerate(sources)])
 
 
-def _compiled_here(number: int, data: bytes, told: Told) -> Compiled:
+def _compiled_here(number: int, data: bytes, on_done: OnDone) -> Compiled:
     began = time.process_time()
     compiled = _marked(_encoded(data))
-    told(number, time.process_time() - began)
+    on_done(number, time.process_time() - began)
     return compiled
 
 

@@ -9,7 +9,7 @@ from collections.abc import Callable, Sequence
 from functools import lru_cache
 
 from archlint.syntax import facts
-from archlint.syntax.flow_graph import Block, Edge, Graph, Kind, Loop, WaysOut, reach
+from archlint.syntax.flow_graph import Block, Edge, ExitBlocks, Graph, Kind, Loop, reach
 from archlint.syntax.parts import Itself
 
 _Final = Callable[[Block], Block]
@@ -47,27 +47,27 @@ def always_raises(body: Sequence[facts.Stmt]) -> bool:
     return reach([graph.entry]).isdisjoint(block for block in graph.exits if block is not graph.raised)
 
 
-def comes_round(statement: facts.While | facts.For, inside: facts.Stmt) -> bool:
+def may_run_again(statement: facts.While | facts.For, inside: facts.Stmt) -> bool:
     """Whether a loop may go round again after a statement in it has run: not where ``break``, ``return`` or ``raise``
     always follows it."""
     if inside is statement or isinstance(inside, facts.Global):
         return True
     graph, loop = _loop_of(Itself(statement))
-    return loop.comes_round_after(graph.at(inside))
+    return loop.repeats_after(graph.at(inside))
 
 
 # ---------------------------------------------------------------------------------------------- building it
 
 
 def _build(body: Sequence[facts.Stmt]) -> Graph:
-    ways_out = WaysOut()
-    builder = _Builder(ways_out)
-    entry = builder.block(body, ways_out.end, _Around(ways_out.raised, ways_out.left, ways_out.left))
+    exit_blocks = ExitBlocks()
+    builder = _Builder(exit_blocks)
+    entry = builder.block(body, exit_blocks.end, _Around(exit_blocks.raised, exit_blocks.left, exit_blocks.left))
     blocks = _in_order(entry)
     for block in blocks:
         for loop in block.loops:
             loop.blocks.append(block)
-    return Graph(entry, blocks, ways_out)
+    return Graph(entry, blocks, exit_blocks)
 
 
 def _in_order(entry: Block) -> list[Block]:
@@ -136,8 +136,8 @@ class _Around:
 
 
 class _Builder:
-    def __init__(self, ways_out: WaysOut) -> None:
-        self.ways_out = ways_out
+    def __init__(self, exit_blocks: ExitBlocks) -> None:
+        self.exit_blocks = exit_blocks
 
     def block(self, body: Sequence[facts.Stmt], then: Block, around: _Around) -> Block:
         """Where a block begins that leads on to ``then``."""
@@ -176,7 +176,7 @@ class _Builder:
 
     def exit(self, s: facts.Return, around: _Around) -> Block:
         leaves = Block()
-        self.ways_out.returns.append((s, leaves))
+        self.exit_blocks.returns.append((s, leaves))
         block = Block(s, s, around.loops) if s.value is None else _evaluating(s, s, around)
         block.leaves = True
         return _link(block, around.leaving_function(leaves))
@@ -191,7 +191,7 @@ class _Builder:
 
     def repeat(self, s: facts.While, then: Block, around: _Around) -> Block:
         head = _evaluating(s.test, s, around)
-        self.round(s, head, then, around, s.test)
+        self.loop_body(s, head, then, around, s.test)
         if not s.is_endless:
             _link(head, self.block(s.orelse, then, around), s.test, False)
         return head
@@ -199,11 +199,11 @@ class _Builder:
     def iteration(self, s: facts.For, then: Block, around: _Around) -> Block:
         """The iterable is evaluated once; the head takes the next item of it."""
         head = _evaluating(None, s, around)
-        self.round(s, head, then, around)
+        self.loop_body(s, head, then, around)
         _link(head, self.block(s.orelse, then, around))
         return _link(_evaluating(s.iterable, s, around), head)
 
-    def round(
+    def loop_body(
         self, s: facts.While | facts.For, head: Block, then: Block, around: _Around, test: facts.Expr | None = None
     ) -> None:
         head.loops = (*around.loops, Loop(s, head))
@@ -276,4 +276,4 @@ def _never_completes(s: facts.Stmt) -> bool:
     return False
 
 
-__all__ = ["always_raises", "comes_round", "graph_of", "loop_of"]
+__all__ = ["always_raises", "graph_of", "loop_of", "may_run_again"]

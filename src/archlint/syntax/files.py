@@ -191,11 +191,11 @@ class FactsOfFiles:
     def _compile_all(self, files: Sequence[SourceFile], sources: Sequence[bytes]) -> list[Compiled]:
         """The facts of what is written in some files."""
 
-        def told(number: int, seconds: float) -> None:
+        def on_done(number: int, seconds: float) -> None:
             self._monitor.compiled(files[number].relative, seconds)
 
         self._monitor.compiling(len(files))
-        return compile_sources(sources, self._jobs, told=told)
+        return compile_sources(sources, self._jobs, on_done=on_done)
 
     # --------------------------------------------------------------------------------------------- inside
 

@@ -68,7 +68,7 @@ Along = Callable[[Edge], bool]
 """Which edges count."""
 
 
-def any_way(edge: Edge) -> bool:
+def any_edge(edge: Edge) -> bool:
     """Every edge."""
     return True
 
@@ -78,7 +78,7 @@ def without_exceptions(edge: Edge) -> bool:
     return edge.kind is not Kind.RAISE or len(edge.source.edges) == 1
 
 
-def reach(starts: Collection[Block], along: Along = any_way, avoiding: Collection[Block] = ()) -> set[Block]:
+def reach(starts: Collection[Block], along: Along = any_edge, avoiding: Collection[Block] = ()) -> set[Block]:
     """The blocks that may run from some blocks on, these included, on ways that keep clear of others."""
     waiting = [block for block in starts if block not in avoiding]
     reached = set(waiting)
@@ -116,11 +116,11 @@ class Loop:
         return any(edge.source is not self.head and edge.kind is not Kind.RAISE for edge in self.exits)
 
     @property
-    def comes_round(self) -> bool:
+    def repeats(self) -> bool:
         """Whether it may go round again at all."""
-        return self.comes_round_after([self.head])
+        return self.repeats_after([self.head])
 
-    def comes_round_after(self, blocks: Sequence[Block]) -> bool:
+    def repeats_after(self, blocks: Sequence[Block]) -> bool:
         """Whether it may go round again once some of its blocks have run."""
         own = [block for block in blocks if self in block.loops]
         after = [edge for block in own for edge in block.edges if edge.kind is not Kind.RAISE or not block.leaves]
@@ -142,7 +142,7 @@ class Ends(Generic[State]):
         self.falls = falls
 
 
-class WaysOut:
+class ExitBlocks:
     """How a piece of code can be left: off its ``end``, by an exception (``raised``), by ``break`` or ``continue`` of a
     loop that is around all of it (``left``), and by each ``return``, with what comes after it and after all that
     ``finally`` still does."""
@@ -156,14 +156,14 @@ class Graph:
     """The control flow of a piece of code, from ``entry`` on; ``blocks`` are all that may run, in an order in which
     what comes first stands first."""
 
-    def __init__(self, entry: Block, blocks: list[Block], ways_out: WaysOut) -> None:
+    def __init__(self, entry: Block, blocks: list[Block], exit_blocks: ExitBlocks) -> None:
         self.entry = entry
         self.blocks = blocks
-        self.end = ways_out.end
-        self.raised = ways_out.raised
-        self.left = ways_out.left
+        self.end = exit_blocks.end
+        self.raised = exit_blocks.raised
+        self.left = exit_blocks.left
         reached = set(blocks)
-        self.returns = [(statement, exit_) for statement, exit_ in ways_out.returns if exit_ in reached]
+        self.returns = [(statement, exit_) for statement, exit_ in exit_blocks.returns if exit_ in reached]
 
     @property
     def exits(self) -> list[Block]:
@@ -188,16 +188,16 @@ class Graph:
         """The blocks that evaluate what stands at a place; a ``finally`` has several."""
         return [block for block in self.blocks if block.fact is not None and _covers(block.fact, span)]
 
-    def dominates(self, first: Collection[Block], block: Block, along: Along = any_way) -> bool:
+    def dominates(self, first: Collection[Block], block: Block, along: Along = any_edge) -> bool:
         """Whether every way from the start to a block goes through one of others first."""
         return block not in reach([self.entry], along, avoiding=first)
 
-    def post_dominates(self, last: Collection[Block], block: Block, along: Along = any_way) -> bool:
+    def post_dominates(self, last: Collection[Block], block: Block, along: Along = any_edge) -> bool:
         """Whether every way from a block to an end goes through one of others."""
         return reach([block], along, avoiding=last).isdisjoint(self.exits)
 
     def before(
-        self, targets: Collection[Block], along: Along = any_way, avoiding: Collection[Block] = ()
+        self, targets: Collection[Block], along: Along = any_edge, avoiding: Collection[Block] = ()
     ) -> set[Block]:
         """The blocks from which some block may be reached on a way that keeps clear of others; of these blocks those
         that come round to one again."""
@@ -209,7 +209,7 @@ class Graph:
                     waiting.append(edge.source)
         return sources
 
-    def between(self, first: Collection[Block], last: Collection[Block], along: Along = any_way) -> set[Block]:
+    def between(self, first: Collection[Block], last: Collection[Block], along: Along = any_edge) -> set[Block]:
         """The blocks that may run after one block and before another, on ways that come to neither again."""
         after = reach([edge.target for block in first for edge in block.edges if along(edge)], along, avoiding=first)
         return after & self.before(last, along, avoiding=[*first, *last])
@@ -222,9 +222,9 @@ class Graph:
             for edge in block.edges:
                 if edge.test is not None and edge.test.truth is None:
                     groups.setdefault((id(edge.test), edge.holds), []).append(edge)
-        return [edges[0] for edges in groups.values() if self._is_on_every_way(edges, targets)]
+        return [edges[0] for edges in groups.values() if self._is_on_every_path(edges, targets)]
 
-    def _is_on_every_way(self, edges: Collection[Edge], targets: Collection[Block]) -> bool:
+    def _is_on_every_path(self, edges: Collection[Edge], targets: Collection[Block]) -> bool:
         otherwise = reach([self.entry], lambda edge: edge not in edges)
         return bool(targets) and otherwise.isdisjoint(targets)
 
@@ -249,8 +249,8 @@ class Graph:
         def goes_on(edge: Edge) -> bool:
             return without_exceptions(edge) and not (edge.kind is Kind.BACK and edge.target in heads)
 
-        rounds = [edge.source for head in heads for edge in self._edges_to[head] if edge.kind is Kind.BACK]
-        ends = [block for block in (*self.exits, *rounds) if block not in targets]
+        repeating = [edge.source for head in heads for edge in self._edges_to[head] if edge.kind is Kind.BACK]
+        ends = [block for block in (*self.exits, *repeating) if block not in targets]
         missing = self.before(ends, goes_on, avoiding=targets).union(ends)
         certain = (self.before(targets, goes_on) | targets) - missing
         return {edge.source for block in certain for edge in self._edges_to.get(block, ()) if goes_on(edge)} & missing

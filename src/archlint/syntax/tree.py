@@ -16,7 +16,7 @@ class Tree:
     several places."""
 
     def __init__(self, code: facts.Facts) -> None:
-        self._whole = code
+        self._root = code
         self.body = code.body
         self._kinds: dict[type[facts.Base], list[facts.Base]] = {}
         self._parents: dict[int, facts.Base] = {}
@@ -38,7 +38,7 @@ class Tree:
     def around(self, fact: facts.Base) -> Iterator[facts.Base]:
         """What holds a fact, from the inside out; the module itself is left out."""
         outer = self.parent(fact)
-        while outer is not None and outer is not self._whole:
+        while outer is not None and outer is not self._root:
             yield outer
             outer = self.parent(outer)
 

@@ -43,11 +43,11 @@ class TimedOut:
 
 Answer = bytes | Crashed | TimedOut
 
-Told = Callable[[int, float], None]
+OnDone = Callable[[int, float], None]
 """Is called with the number of each source that is done, and the seconds of processor time that it took."""
 
 
-def tell_nobody(number: int, seconds: float) -> None:
+def ignore_done(number: int, seconds: float) -> None:
     """Nobody wants to know what is done."""
 
 
@@ -60,15 +60,15 @@ def can_fork(waiting: int = 0) -> bool:
 
 
 def run_in_workers(
-    job: Job, sources: Sequence[bytes], count: int, deadline: float, told: Told = tell_nobody
+    job: Job, sources: Sequence[bytes], count: int, deadline: float, on_done: OnDone = ignore_done
 ) -> list[Answer]:
     """One answer for each source, in their order, from up to ``count`` forked processes.
 
     ``job`` is called in a thread with a deep stack.  ``deadline`` is the processor time in seconds that one source
-    may take: on a machine that has much else to do no file takes longer.  ``told`` is called here as answers come
+    may take: on a machine that has much else to do no file takes longer.  ``on_done`` is called here as answers come
     in.  Raises ``OSError`` where the system has no process to give.
     """
-    pool = _Pool(job, sources, count, deadline, told)
+    pool = _Pool(job, sources, count, deadline, on_done)
     try:
         while pool.step():
             pass
@@ -104,13 +104,13 @@ class _Worker:
 
 
 class _Pool:
-    def __init__(self, job: Job, sources: Sequence[bytes], count: int, deadline: float, told: Told) -> None:
+    def __init__(self, job: Job, sources: Sequence[bytes], count: int, deadline: float, on_done: OnDone) -> None:
         self.answers: dict[int, Answer] = {}
         self._job = job
         self._sources = sources
         self._count = count
         self._deadline = deadline
-        self._told = told
+        self._on_done = on_done
         # The longest first: nobody waits at the end for one that was begun late.
         self._waiting = deque(sorted(range(len(sources)), key=lambda number: -len(sources[number])))
         self._crashed_once: set[int] = set()
@@ -137,7 +137,7 @@ class _Pool:
 
     def _record(self, number: int, answer: Answer, seconds: float) -> None:
         self.answers[number] = answer
-        self._told(number, seconds)
+        self._on_done(number, seconds)
 
     def _start(self) -> None:
         request_reader, requests = os.pipe()

@@ -11,7 +11,7 @@ Word = str | None
 
 def words_of(started: Started) -> tuple[Word, ...] | None:
     """The words after the executable's name; None where not even their number is known."""
-    if not started.whole_arguments:
+    if not started.knows_all_arguments:
         return None
     if started.bare:
         return tuple(started.arguments)

@@ -55,8 +55,8 @@ def may_use(node: Node, name: str) -> bool:
     if any(full == name for _, full in remapped_names(node)):
         return True
     words = [] if node.started is None else [word for word in node.started.arguments if word is not None]
-    told = {*_texts_of(node), *(part for word in words for part in _BETWEEN.split(word))}
-    return any(text and f"/{name}".endswith(f"/{text}") for text in (ending.lstrip("/~") for ending in told))
+    texts = {*_texts_of(node), *(part for word in words for part in _BETWEEN.split(word))}
+    return any(text and f"/{name}".endswith(f"/{text}") for text in (ending.lstrip("/~") for ending in texts))
 
 
 def _texts_of(node: Node) -> Iterator[str]:

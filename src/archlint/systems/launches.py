@@ -54,7 +54,7 @@ def launch_systems(
         system = maker.system(launch)
         is_included = launch.file in parts
         # The nodes of a part may have their partners beside it.
-        is_closed = (closed and not is_included) or (named and _whole(launch, system))
+        is_closed = (closed and not is_included) or (named and _is_complete(launch, system))
         settled = partial(replace, closed=is_closed, is_included=is_included)
         alternatives = [
             (values, settled(maker.system(launches.run(launch.file, {**launch.arguments, **values}))))
@@ -69,7 +69,7 @@ def launch_systems(
                 systems.append(system_of(launch))
         return [system for system in systems if system is not None]
 
-    linker.ahead(lambda: [partial(systems_of, group) for group in _together(launched)])
+    linker.ahead(lambda: [partial(systems_of, group) for group in _batches(launched)])
     systems = systems_of(launched)
     pairs = frozenset(started_pairs(launched, _by_executable(opened.programs)))
     beside = [] if chosen is not None else [replace(opened, launched_pairs=pairs, workspace=workspace)]
@@ -82,7 +82,7 @@ _FILES = 4
 """How many launch files of one folder are one part of the work."""
 
 
-def _together(launches_: Sequence[Launched]) -> list[list[Launched]]:
+def _batches(launches_: Sequence[Launched]) -> list[list[Launched]]:
     """Launch files that may start the same programs with the same parameters: neighbours; those that start most
     first."""
     folders: dict[str, list[Launched]] = {}
@@ -133,7 +133,7 @@ def _differs(system: System) -> bool:
     return any(node.condition for node in system.nodes) and not all(node.external for node in system.nodes)
 
 
-def _whole(launched: Launched, system: System) -> bool:
+def _is_complete(launched: Launched, system: System) -> bool:
     """Whether everything that a launch file starts is here and was followed."""
     included = all(
         include.reference.status not in (FileStatus.UNKNOWN, FileStatus.EXTERNAL) for include in launched.included

@@ -93,7 +93,7 @@ class System:
         """The entries, then the neighbours."""
         return [*self.entries, *self.neighbours]
 
-    def launched_together(self, node: Node, other: Node) -> bool:
+    def in_same_launch(self, node: Node, other: Node) -> bool:
         """Whether a launch file starts both nodes, in a system that is judged by itself."""
         if not self.launched_pairs or node.blueprint is None or other.blueprint is None:
             return False
@@ -146,7 +146,7 @@ class System:
             return False
         if exclusive(node.alternatives, other.alternatives):
             return False
-        if self.name is None and self.launched_together(node, other):
+        if self.name is None and self.in_same_launch(node, other):
             return False  # the launch file's own system judges them, under their final names
         if self.name is not None or self.closed:
             return True

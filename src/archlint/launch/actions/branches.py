@@ -30,9 +30,9 @@ if TYPE_CHECKING:
 def each_alternative(run: LaunchRun, entity: Value) -> Iterator[Value]:
     """The alternatives of a value one by one, each under a branch that excludes the others; of one value itself."""
     options = alternatives(entity)
-    apart = _exclude_each_other(run, options)
+    exclusive = _exclude_each_other(run, options)
     for number, option in enumerate(options):
-        with run.under(frozenset() if apart else version(run, entity, number), ALWAYS, run.place_now):
+        with run.under(frozenset() if exclusive else version(run, entity, number), ALWAYS, run.place_now):
             yield option
 
 

@@ -47,12 +47,12 @@ def include(run: LaunchRun, entity: LaunchObject) -> None:
     path = run.perform(location)
     for option in each_alternative(run, path):
         reference = run.reference(FileKind.LAUNCH, option, place)
-        handed = None if given is not None and run.is_open(given) else _handed(run, [name for name, _ in names])
-        run.result.included.append(Included(reference, names, place, run.file, run.is_dormant, handed))
+        visible = None if given is not None and run.is_open(given) else _visible_texts(run, [name for name, _ in names])
+        run.result.included.append(Included(reference, names, place, run.file, run.is_dormant, visible))
         run.include(reference, plain=not names and option is path)
 
 
-def _handed(run: LaunchRun, names: Sequence[str]) -> tuple[str, ...] | None:
+def _visible_texts(run: LaunchRun, names: Sequence[str]) -> tuple[str, ...] | None:
     """What an included file can read: configurations go down to it, whether they are given as arguments or not.  One
     that is not known counts where it is given by name."""
     known = run.launch.known_configurations()

@@ -64,10 +64,10 @@ def _started(run: LaunchRun, entity: LaunchObject, kind: StartedKind) -> Started
         places=entity.places,
     )
     started.remaps = [*(run.launch.remaps or ()), *_remaps(run, entity.argument("remappings"))]
-    words, whole = _texts(run, entity.argument("arguments"))
+    words, all_known = _texts(run, entity.argument("arguments"))
     started.arguments = list(map(known_text, words))
-    started.ros_arguments, whole_ros = _words(run, entity.argument("ros_arguments"))
-    started.whole_arguments = whole and whole_ros
+    started.ros_arguments, all_ros_known = _words(run, entity.argument("ros_arguments"))
+    started.knows_all_arguments = all_known and all_ros_known
     started.parameters = [
         *_parameter_files(run, [*started.arguments, "--ros-args", *started.ros_arguments], run.place_now),
         *(run.launch.parameters or ()),
@@ -93,8 +93,8 @@ def _remaps(run: LaunchRun, value: Value | None) -> list[Remap]:
 
 def _words(run: LaunchRun, value: Value | None) -> tuple[list[str | None], bool]:
     """The words of a command line, None for one that is not known; False where there may be others."""
-    words, whole = _texts(run, value)
-    return list(map(known_text, words)), whole
+    words, all_known = _texts(run, value)
+    return list(map(known_text, words)), all_known
 
 
 def _texts(run: LaunchRun, value: Value | None) -> tuple[list[Value], bool]:
@@ -184,7 +184,7 @@ def load(run: LaunchRun, entity: LaunchObject) -> None:
 
 def process(run: LaunchRun, entity: LaunchObject) -> None:
     """``ros2 run package executable arguments…`` and the path of an executable are nodes like any other."""
-    words, whole = _words(run, entity.argument("cmd"))
+    words, all_known = _words(run, entity.argument("cmd"))
     if len(words) == 1 and words[0] and " " in words[0]:
         words = [*_split(words[0])]
     installed = _INSTALLED.match(words[0]) if words and words[0] else None
@@ -200,7 +200,7 @@ def process(run: LaunchRun, entity: LaunchObject) -> None:
             branch_arms=run.current_arms,
             dormant=run.is_dormant,
             arguments=words[4:],
-            whole_arguments=whole,
+            knows_all_arguments=all_known,
             bare=True,
         )
         started.parameters = _parameter_files(run, words[4:], run.place_now)

@@ -49,14 +49,14 @@ def _only(verdicts: set[bool | None]) -> bool | None:
     return verdicts.pop() if len(verdicts) == 1 else None
 
 
-def _told(verdict: bool | None, *values: Value) -> Value:
+def _as_text(verdict: bool | None, *values: Value) -> Value:
     return Unknown(reason(*values)) if verdict is None else Known(str(verdict).lower())
 
 
 def negation(run: LaunchRun, value: LaunchObject) -> Value:
     inner = run.perform(value.argument("value"))
     verdict = typed_truth_of(inner)
-    return _told(None if verdict is None else not verdict, inner)
+    return _as_text(None if verdict is None else not verdict, inner)
 
 
 def connective(stop: bool) -> Callable[[LaunchRun, LaunchObject], Value]:
@@ -65,8 +65,8 @@ def connective(stop: bool) -> Callable[[LaunchRun, LaunchObject], Value]:
         inner = [run.perform(part) for part in [*given, *value.rest]]
         verdicts = [typed_truth_of(part) for part in inner]
         if stop in verdicts:
-            return _told(stop)
-        return _told(None if None in verdicts else not stop, *inner)
+            return _as_text(stop)
+        return _as_text(None if None in verdicts else not stop, *inner)
 
     return evaluate
 
@@ -78,7 +78,7 @@ def equality(run: LaunchRun, value: LaunchObject) -> Value:
         for first in map(known_text, alternatives(left))
         for second in map(known_text, alternatives(right))
     }
-    return _told(_only(verdicts), left, right)
+    return _as_text(_only(verdicts), left, right)
 
 
 def _same_text(first: str, second: str) -> bool:
@@ -109,4 +109,4 @@ def if_else(run: LaunchRun, value: LaunchObject) -> Value:
 
 def boolean(run: LaunchRun, value: LaunchObject) -> Value:
     inner = run.perform(value.argument("value"))
-    return _told(typed_truth_of(inner), inner)
+    return _as_text(typed_truth_of(inner), inner)

@@ -28,7 +28,7 @@ if TYPE_CHECKING:
     from archlint.launch.run import LaunchRun
 
 Pairs = tuple[tuple[str, str | NotKnown], ...]
-Whole = tuple[tuple[str, str], ...]
+KnownPairs = tuple[tuple[str, str], ...]
 
 
 def rewritten_yaml(run: LaunchRun, value: LaunchObject) -> Value:
@@ -41,12 +41,12 @@ def rewritten_yaml(run: LaunchRun, value: LaunchObject) -> Value:
 def _rewriting(run: LaunchRun, value: LaunchObject) -> Rewriting | Unknown:
     parameters, keys, values = (_pairs(run, value.argument(f"{name}_rewrites")) for name in ("param", "key", "value"))
     root, convert = run.perform(value.argument("root_key")), value.given("convert_types")
-    root_key, whole_keys = known_text(root), None if keys is None else _whole(keys)
-    if parameters is None or values is None or whole_keys is None:
+    root_key, known_keys = known_text(root), None if keys is None else _all_known(keys)
+    if parameters is None or values is None or known_keys is None:
         return Unknown("what a parameter file is rewritten with")
     match convert:
         case Known(value=converts) if root_key is not None:
-            return Rewriting(parameters, whole_keys, values, root_key, bool(converts))
+            return Rewriting(parameters, known_keys, values, root_key, bool(converts))
     return Unknown(reason(root, convert))
 
 
@@ -57,7 +57,7 @@ def replaced_string(run: LaunchRun, value: LaunchObject) -> Value:
     if verdict is not None and verdict.holds is not True:
         return source if verdict.holds is False else Unknown("a file that is changed under a condition")
     pairs = _pairs(run, value.argument("replacements"))
-    words = None if pairs is None else _whole(pairs)
+    words = None if pairs is None else _all_known(pairs)
     if words is None or not all(_WORD.fullmatch(old) and _WORDS.fullmatch(new) for old, new in words):
         return Unknown("what a parameter file is changed to")
     return _made_of(run, source, Replacing(words))
@@ -87,7 +87,7 @@ def _text_or_why(value: Value) -> str | NotKnown:
     return NotKnown(reason(value)) if text is None else text
 
 
-def _whole(pairs: Pairs) -> Whole | None:
+def _all_known(pairs: Pairs) -> KnownPairs | None:
     """The pairs, where all of them are known."""
     known = tuple((key, text) for key, text in pairs if isinstance(text, str))
     return known if len(known) == len(pairs) else None

@@ -29,7 +29,7 @@ def note_started(run: Run, e: facts.Call, starter: Value) -> None:
 
 
 @contextmanager
-def apart(run: Run, e: facts.Call, function: Value) -> Iterator[None]:
+def as_own_task(run: Run, e: facts.Call, function: Value) -> Iterator[None]:
     """While ``e`` is called: the body of a coroutine that another call starts is followed like that of a thread, so
     that what it waits for holds up nobody here."""
     inner = function.callee

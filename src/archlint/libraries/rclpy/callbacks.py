@@ -26,7 +26,7 @@ if TYPE_CHECKING:
     from archlint.libraries.api_use import ApiUse
     from archlint.libraries.run import Run
 
-WAYS = 16
+REGISTRATIONS = 16
 """For how many values one place hands the same callback over: the next ones are taken to be like these."""
 
 
@@ -101,13 +101,13 @@ def _is_one_of_several(value: Value, creation: model.Creation) -> bool:
 def _is_new(run: Run, key: tuple[Any, ...], callback: model.Callback, given: Iterable[Value | None]) -> bool:
     """Whether a callback was not handed over in this way before; one place may do it for several futures, names or
     objects.  One that hands itself over again is not new, whatever it takes along."""
-    ways = run.callbacks.registered.setdefault(key, set())
-    if ways and callback.function in run.callbacks.lineage:
+    registrations = run.callbacks.registered.setdefault(key, set())
+    if registrations and callback.function in run.callbacks.lineage:
         return False
-    way = tuple(kind_key(run.store, value) for value in given if value is not None)
-    if way in ways or len(ways) >= WAYS:
+    registration = tuple(kind_key(run.store, value) for value in given if value is not None)
+    if registration in registrations or len(registrations) >= REGISTRATIONS:
         return False
-    ways.add(way)
+    registrations.add(registration)
     return True
 
 
@@ -120,16 +120,16 @@ def _receiver(value: Value) -> int:
     return 0
 
 
-def told_apart(run: Run, base: Key, call: ApiUse) -> Key:
+def creation_key(run: Run, base: Key, call: ApiUse) -> Key:
     """What tells a creation from others of the same place and name (``base``): the functions that are called, for
     timers with all that they take along.  Where callbacks run once more, the first one there is meant."""
     given = [call.get(parameter) for parameter, _ in call.api.callbacks]
     closely = call.api.effect == "timer"
     options = [option for value in given if value is not None for option in alternatives(value)]
     functions = options if closely else [without_partials(option)[0] for option in options]
-    apart = tuple(kind_key(run.store, function, closely=closely) for function in functions)
-    first = run.noted.told_apart.setdefault(base, apart)
-    return (*base, apart if run.nodes.met_again is None else first)
+    distinct = tuple(kind_key(run.store, function, closely=closely) for function in functions)
+    first = run.noted.first_functions.setdefault(base, distinct)
+    return (*base, distinct if run.nodes.revisited is None else first)
 
 
 def task(run: Run, call: ApiUse, node: model.Blueprint | None) -> None:
@@ -141,4 +141,4 @@ def task(run: Run, call: ApiUse, node: model.Blueprint | None) -> None:
     value = Partial(value, (), named) if named else value
     callback = register(run, value, model.Role.TASK, node, None, None, call, tuple(call.rest))
     if callback is not None and not call.open:
-        callback.handed_over = len(call.rest)
+        callback.task_arguments = len(call.rest)

@@ -90,7 +90,7 @@ def create(
     kind = call.api.kind
     assert kind is not None, "a row that makes an endpoint says of which kind"
     base = (kind, id(blueprint), place, name.text, name.resolution, type_, policies)
-    key = callbacks.told_apart(run, base, call)
+    key = callbacks.creation_key(run, base, call)
     known = run.noted.creations.get(key)
     if known is not None:
         if not arms:

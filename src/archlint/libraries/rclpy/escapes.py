@@ -31,7 +31,7 @@ from archlint.interpreter.values import (
     Unknown,
     Value,
 )
-from archlint.libraries.rclpy import handed_out, nodes, threads
+from archlint.libraries.rclpy import escaped_functions, nodes, threads
 from archlint.libraries.rclpy import names as rclpy_names
 from archlint.libraries.state import Escape, Root, Shared
 from archlint.libraries.uses import class_variables, unseen_use, variables
@@ -78,7 +78,7 @@ def to_call(run: Run, values: Iterable[Value], what: str, expression: facts.Call
     given = carries(values)
     if not given:
         return
-    threads.run_handed_spins(run, given, expression)
+    threads.run_escaped_spins(run, given, expression)
     name = what or _name(expression)
     if name.rpartition(".")[2] not in _LOGS:
         escape(run, given, f"it is passed to {name}(), which is not followed" if name else _UNFOLLOWED, expression)
@@ -127,7 +127,7 @@ def _spread(run: Run, values: Iterable[Value], how: Escape) -> None:
             continue
         match value:
             case ClassValue():
-                nodes.hand_out_class(run, value)
+                nodes.note_escaped_class(run, value)
             case ExecutorValue(use=use):
                 use.astray = True
                 for served in use.nodes:
@@ -138,7 +138,7 @@ def _spread(run: Run, values: Iterable[Value], how: Escape) -> None:
         callee = function.callee
         if isinstance(callee, FunctionValue):
             run.callers.setdefault(id(callee.ir), set()).add(None)
-    handed_out.hand_out(run, functions)
+    escaped_functions.note_escaped(run, functions)
 
 
 def mark(node: model.Blueprint, how: Escape) -> None:
@@ -228,7 +228,7 @@ def kept(run: Run, key: int, values: Iterable[Value], name: str | None = None) -
     if not given:
         return
     if name is not None:
-        run.store.note_held(key, name)
+        run.store.note_reference(key, name)
     how = run.escapes.objects.get(key)
     if how is not None:
         _spread(run, given, how)
@@ -242,7 +242,7 @@ def assigned(run: Run, target: Value, name: str, value: Value) -> None:
     if not carries((value,)):
         return
     if isinstance(target, ClassValue):
-        run.store.note_held(target.key, name)
+        run.store.note_reference(target.key, name)
         root = Root(target.scope.module, name, target.ir.name)
         run.escapes.shared.append(Shared(root, (value,), _place(run, None)))
         return

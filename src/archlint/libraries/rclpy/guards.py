@@ -36,14 +36,14 @@ def guard_of(run: Run) -> GuardKind:
     """
     guard: GuardKind = NOTHING
     for number, activation in enumerate(run.activations):
-        tests = _tests_on_the_way(activation.body, activation.statement)
+        tests = _tests_on_path(activation.body, activation.statement)
         if tests is None or (tests and (number != 1 or not _about_arguments(tests, activation))):
             return STATE
         guard = ARGUMENTS if tests else guard
     return guard
 
 
-def _tests_on_the_way(body: Sequence[facts.Stmt], wanted: facts.Stmt | None) -> Sequence[facts.Expr] | None:
+def _tests_on_path(body: Sequence[facts.Stmt], wanted: facts.Stmt | None) -> Sequence[facts.Expr] | None:
     """The conditions that decide whether a statement is reached; None where there is more to it."""
     return [] if wanted is None else _deciding(Itself(body), Itself(wanted))
 

@@ -37,7 +37,9 @@ def note_use(run: Run, value: Value, name: str, span: Span, access: Access) -> N
     key = (run.activation.module.path, span, message.type, message.section_name, id(delivered), passed)
     if key in run.messages.uses:
         return
-    known = None if _may_be_told_apart(run, message) else run.interfaces.has(message.type, message.section_name, name)
+    known = (
+        None if _may_be_of_another_type(run, message) else run.interfaces.has(message.type, message.section_name, name)
+    )
     run.messages.uses.add(key)
     section = run.interfaces.section(message.type, message.section_name)
     fields = () if known is not False or section is None else tuple(field.name for field in section.fields)
@@ -97,12 +99,12 @@ def delivered_by(run: Run, message: MessageValue) -> model.Creation | None:
     return None if creation is None or run.branch_arms or guard_of(run) else creation
 
 
-def _may_be_told_apart(run: Run, message: MessageValue) -> bool:
+def _may_be_of_another_type(run: Run, message: MessageValue) -> bool:
     """Whether a helper that is handed messages of several types is in a branch that may be for another type."""
     activation = run.activation
-    handed_over = len(run.activations) > _CALLBACK and run.messages.made_in.get(message.key) is not activation
+    is_passed = len(run.activations) > _CALLBACK and run.messages.made_in.get(message.key) is not activation
     chosen = any(isinstance(branch, ChoiceOfCallee) for branch, _ in run.branch_arms)
-    return handed_over and (chosen or len(run.branch_arms) > activation.branch_arms)
+    return is_passed and (chosen or len(run.branch_arms) > activation.branch_arms)
 
 
 def is_certain(run: Run) -> bool:

@@ -18,7 +18,7 @@ from archlint.interpreter.values import (
 )
 from archlint.libraries.rclpy import node_classes
 from archlint.libraries.rclpy.blueprints import new_blueprint
-from archlint.libraries.rclpy.held_nodes import held_blueprint, held_key
+from archlint.libraries.rclpy.unknown_callers import blueprint_of_unknown_caller, unknown_caller_key
 from archlint.libraries.values import NodeValue
 
 if TYPE_CHECKING:
@@ -38,7 +38,7 @@ def blueprint_of_instance(run: Run, instance: Instance) -> model.Blueprint:
     cls = instance.cls
     assert isinstance(cls, ClassValue)
     place = Place(cls.scope.module.path, *cls.ir.name_span)
-    again = _met_again(run, (place, instance.place, cls.qualified))
+    again = _made_before(run, (place, instance.place, cls.qualified))
     if again is not None:
         run.nodes.by_object[instance.key] = again
         return again
@@ -53,13 +53,13 @@ def blueprint_of_instance(run: Run, instance: Instance) -> model.Blueprint:
     return blueprint
 
 
-def _met_again(run: Run, same: tuple[Place, Place | None, str]) -> model.Blueprint | None:
+def _made_before(run: Run, same: tuple[Place, Place | None, str]) -> model.Blueprint | None:
     """The node that a callback made there the first time, where it runs for a second time."""
-    if run.nodes.met_again is None:
+    if run.nodes.revisited is None:
         return None
     for node in run.nodes.by_key.values():
-        if (node.place, node.made_at, node.class_name) == same and id(node) not in run.nodes.met_again:
-            run.nodes.met_again.add(id(node))
+        if (node.place, node.made_at, node.class_name) == same and id(node) not in run.nodes.revisited:
+            run.nodes.revisited.add(id(node))
             return node
     return None
 
@@ -86,7 +86,7 @@ def note_replaced(run: Run, instance: Instance, before: object) -> None:
             return
 
 
-def hand_out_class(run: Run, value: ClassValue) -> None:
+def note_escaped_class(run: Run, value: ClassValue) -> None:
     """Note that the class of a node is given to code that we do not see."""
     if run.context.role == model.Role.MAIN and node_classes.may_be_node(value):
         run.escapes.classes.setdefault(id(value), value)
@@ -96,7 +96,7 @@ def node_key(run: Run, value: Value | None) -> int:
     """Where a node's parameters are kept in the store."""
     if isinstance(value, (NodeValue, Instance)):
         return value.key
-    return held_key(run)
+    return unknown_caller_key(run)
 
 
 def given_nodes(run: Run, value: Value | None, *, plausible: bool = True) -> list[model.Blueprint]:
@@ -123,7 +123,7 @@ def nodes_of(run: Run, value: Value | None, *, plausible: bool = True) -> list[m
         case Instance():
             return _nodes_of_object(run, value, plausible)
         case Unknown() | External() if plausible:
-            return [held_blueprint(run, annotated=_annotated(value))]
+            return [blueprint_of_unknown_caller(run, annotated=_annotated(value))]
     return []
 
 
@@ -136,7 +136,7 @@ def _nodes_of_object(run: Run, value: Instance, plausible: bool) -> list[model.B
     if not plausible or value.cls.dotted.startswith("rclpy."):
         return []
     # A mixin: whoever inherits it is the node.
-    return [held_blueprint(run, value if cls is not None else None)]
+    return [blueprint_of_unknown_caller(run, value if cls is not None else None)]
 
 
 def _annotated(value: Value) -> tuple[model.ClassKey, str] | None:

@@ -61,10 +61,10 @@ def _run_foreign_target(run: Run, value: Value, arguments: list[Value], call: Ap
     for option in alternatives(value):
         match option.callee:
             case ApiMethod(path=path) | External(path=path):
-                _run_apart(run, option, path, arguments, call.expression, idle)
+                _run_in_thread(run, option, path, arguments, call.expression, idle)
 
 
-def _run_apart(
+def _run_in_thread(
     run: Run,
     target: Value,
     name: str,
@@ -82,11 +82,11 @@ def _run_apart(
         run.context = kept
 
 
-def run_handed_spins(run: Run, values: Iterable[Value], expression: facts.Call | None) -> None:
+def run_escaped_spins(run: Run, values: Iterable[Value], expression: facts.Call | None) -> None:
     """Run the spins of executors that code is given which we do not see: it can do nothing with one but call it, in a
     thread of its own most likely, as ``loop.run_in_executor(None, executor.spin)`` does."""
     for option in (option for value in values for option in alternatives(value)):
         path = option.path if isinstance(option, ApiMethod) else ""
         row = tables.find(path)
         if row is not None and row.effect == "executor_spin":
-            _run_apart(run, option, path, (), expression)
+            _run_in_thread(run, option, path, (), expression)

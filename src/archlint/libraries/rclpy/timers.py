@@ -30,7 +30,7 @@ def timer(run: Run, call: ApiUse) -> Value:
     period, parameter = _seconds(call.get("timer_period_sec"))
     creations = []
     for blueprint in nodes.nodes_of(run, call.receiver):
-        key = callbacks.told_apart(run, (model.EntityKind.TIMER, id(blueprint), place, period), call)
+        key = callbacks.creation_key(run, (model.EntityKind.TIMER, id(blueprint), place, period), call)
         creation = run.noted.creations.get(key)
         if creation is None:
             creation = model.Creation(

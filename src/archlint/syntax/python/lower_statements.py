@@ -226,7 +226,7 @@ class Lowering(ExpressionLowering):
                 returns,
                 node.asynchronous is not None,
                 is_generator,
-                self._whole(node),
+                self._definition_span(node),
                 self.span(node.name),
             )
         )
@@ -238,9 +238,9 @@ class Lowering(ExpressionLowering):
         outer, self.private_prefix = self.private_prefix, _private_prefix(node.name.value)
         inner = self.suite(node.body)
         self.private_prefix = outer
-        body.append(facts.Class(name, bases, inner, decorators, self._whole(node), self.span(node.name)))
+        body.append(facts.Class(name, bases, inner, decorators, self._definition_span(node), self.span(node.name)))
 
-    def _whole(self, node: cst.FunctionDef | cst.ClassDef) -> Span:
+    def _definition_span(self, node: cst.FunctionDef | cst.ClassDef) -> Span:
         """From the first decorator on."""
         return self.spans.between(node.decorators[0], node) if node.decorators else self.span(node)
 

@@ -27,7 +27,7 @@ if TYPE_CHECKING:
     from archlint.libraries.run import Run
 
 
-def hand_out(run: Run, values: Iterable[Value]) -> None:
+def note_escaped(run: Run, values: Iterable[Value]) -> None:
     """Note functions that are given to code which we do not see (an event loop, a user interface): it may call
     them.  Methods of objects need a note only where a partial gives them something to work on, since all that can
     matter are run."""
@@ -39,7 +39,7 @@ def hand_out(run: Run, values: Iterable[Value]) -> None:
         if not (given or any(interesting(called.ir) or _passes_on(run, called) for called in _led_to(run, inner))):
             continue
         callback = describe(run, option, model.Role.METHOD)
-        # Once a function, whatever scope it is defined in: one that defines others and hands them out has no end.
+        # Once a function, whatever scope it is defined in: one that defines others and lets them escape has no end.
         key = (model.Role.METHOD, None, callback.name, callback.place, 0, 0)
         if key in run.callbacks.registered:
             continue

@@ -38,7 +38,7 @@ def _holder(run: Run, instance: Instance | None = None) -> tuple[str, Place, str
     return activation.qualified, Place(activation.module.path, 1, 1, 1, 1), activation.module.file.package
 
 
-def held_blueprint(
+def blueprint_of_unknown_caller(
     run: Run, instance: Instance | None = None, annotated: tuple[model.ClassKey, str] | None = None
 ) -> model.Blueprint:
     """The blueprint of a node that a helper is handed by nobody in the workspace."""
@@ -56,7 +56,7 @@ def held_blueprint(
     return blueprint
 
 
-def held_key(run: Run) -> int:
+def unknown_caller_key(run: Run) -> int:
     name, place, _ = _holder(run)
     return -abs(hash_of(f"{place.file}:{place.line}:{name}"))
 
