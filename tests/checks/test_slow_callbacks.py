@@ -586,6 +586,61 @@ def test_what_is_known_of_the_time_that_a_request_asks_for(run: Run, body: str, 
     assert all(one.code == "SRV008" and said in one.message for one in found)
 
 
+FRESH = """
+def look(self, request, response):
+    {call}
+    return response
+
+def fresh(self, name, limit=1.0):
+    deadline = time.monotonic() + max(limit, 0.1)
+    while time.monotonic() < deadline{until}:
+        time.sleep(0.05)
+"""
+
+
+@pytest.mark.parametrize(
+    ("call", "until", "severity"),
+    [
+        pytest.param("self.fresh('front', request.b or 5)", "", Severity.INFO, id="by position"),
+        pytest.param("self.fresh('front', limit=request.b)", "", Severity.INFO, id="by keyword"),
+        pytest.param("b = request.b\n    self.fresh('front', b)", "", Severity.INFO, id="in a variable"),
+        pytest.param("self.fresh('front', request.b)", " and not self.seen", Severity.INFO, id="or something else"),
+        pytest.param("self.fresh('front', request.b)", " or not self.seen", Severity.WARNING, id="or longer"),
+        pytest.param("self.fresh(request.a, load())", "", Severity.WARNING, id="another field for something else"),
+    ],
+)
+def test_the_request_may_say_how_long_to_watch_the_clock(run: Run, call: str, until: str, severity: Severity):
+    text = source("self.create_service(AddTwoInts, 'look', self.look)\n", FRESH.format(call=call, until=until))
+    [found] = run("from example_interfaces.srv import AddTwoInts\n" + text)
+    assert (found.code, found.severity) == ("SRV008", severity)
+    assert ("for up to as long as the request says" in found.message) is (severity is Severity.INFO)
+
+
+@pytest.mark.parametrize(
+    ("service", "seconds", "told"),
+    [
+        pytest.param("gripper/set", 1.5, None, id="short, with an action for it"),
+        pytest.param("gripper/set", 30.0, "send a goal to the action 'gripper/command'", id="long, with an action"),
+        pytest.param("lift/set", 1.5, "make it an action", id="an action for something else"),
+        pytest.param("set", 1.5, "make it an action", id="no folder"),
+    ],
+)
+def test_a_node_may_have_an_action_for_the_same_thing(run: Run, service: str, seconds: float, told: str | None):
+    create = (
+        f"self.create_service(Trigger, '{service}', self.put)\n"
+        "self.server = ActionServer(self, Fibonacci, 'gripper/command', self.execute)\n"
+    )
+    method = f"def put(self, request, response):\n    time.sleep({seconds})\n    return response\n"
+    ends = "\ndef execute(self, goal):\n    goal.succeed()\n    return Fibonacci.Result()\n"
+    found = run(source(create + "self.create_publisher(Empty, 'state', 10)\n", method + ends))
+    assert [told in one.help for one in found if told is not None] == ([] if told is None else [True])
+    assert len(found) == (told is not None)
+    everything = create.replace(f"'{service}'", "'robot/set'").replace("'gripper/command'", "'robot/command'")
+    assert len(run(source(everything, method + ends))) == (seconds > 2.0)
+    more = "self.create_service(Trigger, 'robot/stop', print)\n"
+    assert "SRV008" in codes(run(source(everything + more, method + ends)))
+
+
 @pytest.mark.parametrize(
     ("leaves", "expected"),
     [

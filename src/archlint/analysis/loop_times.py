@@ -99,8 +99,13 @@ def reads_until_it_has(code: SourceCode, call: ApiCall) -> bool:
 
 def watches_the_clock(code: SourceCode, call: ApiCall) -> bool:
     """Whether a loop around a call compares the time with something: ``while time.time() < deadline``."""
-    tests = [test for loop in code.loops(call) for test in loop.tests]
-    return any(isinstance(test, facts.Compare) and not _CLOCKS.isdisjoint(names_in(test)) for test in tests)
+    return any(clock_tests(loop) for loop in code.loops(call))
+
+
+def clock_tests(loop: Loop) -> list[facts.Compare]:
+    """The conditions without which a loop ends that compare the time with something."""
+    compares = [test for test in loop.tests if isinstance(test, facts.Compare)]
+    return [test for test in compares if not _CLOCKS.isdisjoint(names_in(test))]
 
 
 def around_future(code: SourceCode, call: ApiCall) -> bool:
@@ -118,16 +123,3 @@ def varies_with_the_round(code: SourceCode, call: ApiCall) -> bool:
     """Whether what a call is given depends on the round of a ``for``: ``sleep(PAUSE * (attempt + 1))``."""
     used = names_in(code.expression(call))
     return any(not used.isdisjoint(names_in(to)) for loop in code.loops(call) for to in loop.assigned)
-
-
-def lasts_as_requested(code: SourceCode, call: ApiCall) -> bool:
-    """Whether a handler's request says how long a call of it takes: ``time.sleep(request.seconds)``."""
-    function, bound = code.definition(call.context), call.context.bound_arguments
-    if call.chain or function is None:
-        return False
-    known = {param.name for param in function.params[bound : bound + 1]}
-    for assignment in statements_of(code.body(call), facts.Assign):
-        if not known.isdisjoint(names_in(assignment.value)):
-            known |= {target.variable for target in assignment.targets} - {""}
-    ends = not any(loop.tests for loop in code.loops(call))
-    return ends and not known.isdisjoint(names_in(code.expression(call)))

@@ -33,6 +33,8 @@ class _Spot:
     """The statements of that body which hold the place, outermost first."""
     written: facts.Base | None = None
     """The call, ``await`` or lambda that fills the place."""
+    owner: facts.Function | facts.Class | None = None
+    """Whose body it is; None for a module and of a lambda."""
 
 
 @dataclass
@@ -71,6 +73,11 @@ class SourceCode:
     def body_at(self, place: Place) -> Sequence[facts.Stmt]:
         """The body of the function that holds a place."""
         return self._spot(place).body
+
+    def function_at(self, place: Place) -> facts.Function | None:
+        """The ``def`` whose body holds a place."""
+        owner = self._spot(place).owner
+        return owner if isinstance(owner, facts.Function) else None
 
     def loops(self, call: ApiCall) -> tuple[Loop, ...]:
         """The loops of the same function that go round a call, outermost first."""
@@ -139,19 +146,20 @@ def code_of(workspace: WorkspaceIndex) -> SourceCode:
 def _look_up(file_facts: facts.Facts, span: facts.Span) -> _Spot:
     body: Sequence[facts.Stmt] = file_facts.body
     around: list[facts.Stmt] = []
+    owner: facts.Function | facts.Class | None = None
     block, statement = _step(span, [body])
     guard = main_guard(file_facts) if isinstance(statement, facts.If) else None
     while statement is not None:
         around.append(statement)
         if _fills(statement, span) and statement.blocks:
             break
-        defined = statement.body if isinstance(statement, (facts.Function, facts.Class)) else None
-        block, below = _step(span, statement.blocks if defined is None else [defined])
-        if below is not None and (block is defined or (guard is not None and block is guard.body)):
-            body, around = block, []
+        definition = statement if isinstance(statement, (facts.Function, facts.Class)) else None
+        block, below = _step(span, statement.blocks if definition is None else [definition.body])
+        if below is not None and (definition is not None or (guard is not None and block is guard.body)):
+            body, around, owner = block, [], definition
         statement = below
     written, in_lambda = _written(around[-1], span) if around else (None, False)
-    return _Spot((), (), written) if in_lambda else _Spot(body, tuple(around), written)
+    return _Spot((), (), written) if in_lambda else _Spot(body, tuple(around), written, owner)
 
 
 def _step(span: facts.Span, blocks: Sequence[Sequence[facts.Stmt]]) -> tuple[Sequence[facts.Stmt], facts.Stmt | None]:

@@ -8,18 +8,19 @@ from dataclasses import replace
 from functools import partial
 from typing import TYPE_CHECKING
 
+from archlint.analysis.actions_beside import action_beside
 from archlint.analysis.callback_roles import related_to
 from archlint.analysis.conditions import conditions
 from archlint.analysis.loop_times import (
     around_future,
     in_loops,
     is_retry,
-    lasts_as_requested,
     reads_until_it_has,
     varies_with_the_round,
     watches_the_clock,
 )
 from archlint.analysis.reach import endpoint_words, judged_calls, node_name, one_for_each_place
+from archlint.analysis.requested_times import lasts_as_requested
 from archlint.analysis.sleeps import Stay, stay_of
 from archlint.analysis.source_code import SourceCode, source_code
 from archlint.checks.registry import Options, finding, rule
@@ -30,7 +31,7 @@ from archlint.model import Role
 if TYPE_CHECKING:
     from archlint.branches import BranchArms
     from archlint.finding import Place
-    from archlint.model import ApiCall, Program
+    from archlint.model import ApiCall, Callback, Creation, Program
     from archlint.systems.model import System
 
 LONG = 1.0
@@ -46,6 +47,7 @@ RETRYING = 10.0
 
 _AN_ACTION = "make it an action: a long task then has feedback, a result and cancelling"
 _IF_TOO_LONG = "if that is too long for the caller, make it an action, with feedback, a result and cancelling"
+_THAT_ACTION = "let clients send a goal to {} of this node instead"
 _Sleep = tuple["ApiCall", Stay]
 
 
@@ -58,11 +60,12 @@ def long_running_service(system: System, options: Options) -> Iterator[Finding]:
         stay = stay_of(code, call) if call.context.role == Role.SERVICE else None
         if stay is not None and stay.kind == "sleep" and not around_future(code, call):
             handlers.setdefault((program, call.context.place), []).append((call, stay))
-    yield from one_for_each_place(
+    diagnostics = (
         _long_service(system, program, sorted(sleeps, key=partial(_endless_first, code)))
         for (program, _), sleeps in handlers.items()
         if _in_all(system, sleeps) >= LONG
     )
+    yield from one_for_each_place(diagnostic for diagnostic in diagnostics if diagnostic is not None)
 
 
 def _endless_first(code: SourceCode, sleep: _Sleep) -> tuple[bool, Place]:
@@ -89,7 +92,8 @@ def _seconds(code: SourceCode, call: ApiCall, stay: Stay) -> float:
     return 0.0 if is_retry(code, call) and seconds < RETRYING else seconds
 
 
-def _long_service(system: System, program: Program, sleeps: Sequence[_Sleep]) -> Finding:
+def _long_service(system: System, program: Program, sleeps: Sequence[_Sleep]) -> Finding | None:
+    """The finding for a handler; None where it is mild, and who minds can send a goal instead."""
     (call, _), *others = sleeps
     callback = call.context
     further = {other.place: Related(other.place, f"then it {words.words}") for other, words in others}
@@ -98,11 +102,14 @@ def _long_service(system: System, program: Program, sleeps: Sequence[_Sleep]) ->
     soon = total <= SHORT or (
         total <= SOON and any(limit is not None for sleep_call, _ in sleeps for limit in sleep_call.limits)
     )
+    action = _action_beside(callback)
+    if action is not None and (asked or soon):
+        return None
     diagnostic = finding(
         "SRV008",
         call.place,
         f"the handler of {endpoint_words(callback.creation)} {_how_long(source_code(system), sleeps, total, asked)}",
-        help=_IF_TOO_LONG if soon else _AN_ACTION,
+        help=_IF_TOO_LONG if soon else _AN_ACTION if action is None else _THAT_ACTION.format(endpoint_words(action)),
         related=(*related_to(call, program), *further.values()),
         node=node_name(system, callback.node),
         identity=(callback.name, call.api),
@@ -110,11 +117,19 @@ def _long_service(system: System, program: Program, sleeps: Sequence[_Sleep]) ->
     return replace(diagnostic, severity=Severity.INFO) if asked or soon else diagnostic
 
 
+def _action_beside(callback: Callback) -> Creation | None:
+    """The action that the node of a service has for the same thing."""
+    if callback.node is None or callback.creation is None:
+        return None
+    return action_beside(callback.creation, callback.node.creations)
+
+
 def _how_long(code: SourceCode, sleeps: Sequence[_Sleep], total: float, asked: bool) -> str:
     """What a handler does, and what its caller has of it."""
     (call, stay), *others = sleeps
     if asked:
-        return "sleeps for as long as the request says: the caller cannot cancel"
+        up_to = "up to " if watches_the_clock(code, call) else ""
+        return f"sleeps for {up_to}as long as the request says: the caller cannot cancel"
     if math.isinf(total):
         waits = "meanwhile" if watches_the_clock(code, call) else "without knowing for how long"
         again = " in each iteration of a loop" if call.looped else ""
@@ -141,4 +156,4 @@ def _is_as_asked(system: System, sleeps: Sequence[_Sleep]) -> bool:
 
 def _as_asked(code: SourceCode, call: ApiCall, stay: Stay) -> bool:
     """Whether the request says how long a handler sleeps."""
-    return stay.seconds is None and lasts_as_requested(code, call)
+    return (stay.seconds is None or watches_the_clock(code, call)) and lasts_as_requested(code, call)
