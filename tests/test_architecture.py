@@ -1,7 +1,9 @@
-"""What the whole program promises: imports run downwards, and the same input gives the same bytes."""
+"""What the whole program promises: imports run downwards, variables are named for what they hold, and the same input
+gives the same bytes."""
 
 from __future__ import annotations
 
+import ast
 import json
 import os
 import re
@@ -27,6 +29,27 @@ OF_ANOTHER_FOLDER = {
     "oracle": "benchmarks/accuracy/oracle",
 }
 """Folders of tests that belong to no package of src, and what they are for."""
+
+VAGUE = {"one", "found", "made"}
+"""They say how a variable got its value, and not what that is."""
+
+BINDS = """
+def f(a, *b, c=0, **d):
+    e, (g, *h) = a
+    for i in [j for j in b]:
+        k += (m := i)
+    return lambda n: n
+
+match x:
+    case [*p, q]:
+        pass
+    case int() as r:
+        pass
+try:
+    pass
+except OSError as s:
+    pass
+"""
 
 RUNS = """
 import contextlib, io, json, sys
@@ -83,6 +106,32 @@ def test_each_folder_of_tests_is_named_like_the_package_that_it_tests():
     for folder in sorted(folders - {"."}):
         tested = ROOT / OF_ANOTHER_FOLDER.get(folder, f"src/archlint/{folder}")
         assert tested.is_dir(), f"tests/{folder}: there is no {tested.relative_to(ROOT)}"
+
+
+def variables(source: str) -> set[tuple[str, int]]:
+    """The variables and parameters that a file binds, with the line of each."""
+    bound = set()
+    for node in ast.walk(ast.parse(source)):
+        match node:
+            case ast.Name(id=name, ctx=ast.Store()) | ast.arg(arg=name):
+                bound.add((name, node.lineno))
+            case ast.MatchAs(name=str(name)) | ast.MatchStar(name=str(name)) | ast.ExceptHandler(name=str(name)):
+                bound.add((name, node.lineno))
+    return bound
+
+
+def test_every_way_to_bind_a_variable_counts():
+    assert {name for name, _ in variables(BINDS)} == set("abcdeghijkmnpqrs")
+
+
+def test_a_variable_is_named_for_what_it_holds():
+    vague = [
+        f"{path.relative_to(ROOT).as_posix()}:{line}: {name}"
+        for path in sorted((ROOT / "src" / "archlint").rglob("*.py"))
+        for name, line in sorted(variables(path.read_text(encoding="utf-8")), key=lambda row: row[1])
+        if name in VAGUE
+    ]
+    assert vague == [], "name them for what they hold"
 
 
 @pytest.mark.parametrize(("hash_seed", "jobs"), [("1", "1"), ("2", "2")])

@@ -222,22 +222,22 @@ class Linker:
         shown path ``near``."""
         if entry.file is not None:
             return self.index.module(entry.file)
-        found = [
+        candidates = [
             file
             for file in self.files
             if file.module == entry.module and file.package == entry.package and file.kind != "setup_py"
         ]
-        found = found or self._files_at(entry)
-        if not found:
+        candidates = candidates or self._files_at(entry)
+        if not candidates:
             return None
-        return self.index.module(max(found, key=lambda file: len(common_folder([file.relative, near]))))
+        return self.index.module(max(candidates, key=lambda file: len(common_folder([file.relative, near]))))
 
     def _files_at(self, entry: EntryPoint) -> list[SourceFile]:
         """The one file of the package whose path ends like the module's name: a build may move folders."""
         tail = "/" + entry.module.replace(".", "/") + ".py"
         files = (file for file in self.files if file.package == entry.package and file.kind != "setup_py")
-        found = [file for file in files if f"/{file.relative}".endswith(tail)]
-        return found if len(found) == 1 else []
+        matching = [file for file in files if f"/{file.relative}".endswith(tail)]
+        return matching if len(matching) == 1 else []
 
     def new_run(
         self, name: str, module: Module, role: model.Role = model.Role.MAIN, overrides: model.Overrides | None = None
@@ -359,8 +359,8 @@ def _make_handed_out(run: Run) -> None:
         return
     [cls] = run.escapes.classes.values()
     run.activations[-1].statement = None
-    made = run.call(cls)
-    escapes.escape(run, [made], "code that is not followed makes it")
+    instance = run.call(cls)
+    escapes.escape(run, [instance], "code that is not followed makes it")
 
 
 __all__ = ["EntryPoint", "Linker", "link_files", "run_callbacks"]
