@@ -177,7 +177,7 @@ def test_of_several_collections_all_items_may_come():
     assert OneOf((run.list(TRUE), run.list(TRUE))).items(run) == Items((TRUE,))
     some = OneOf((run.list(TRUE), Unknown("data"))).items(run)
     assert some is not None
-    assert (some.values, some.open, some.whole) == ((TRUE,), True, False)
+    assert (some.values, some.open, some.exhaustive) == ((TRUE,), True, False)
     assert OneOf((NONE, TRUE)).items(run) is None
 
 

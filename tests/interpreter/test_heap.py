@@ -202,13 +202,13 @@ def test_lists_of_different_lengths_may_have_fewer_items_and_no_others():
     joined = join_items([Items((A,)), Items((A, B))])
     assert joined.values == (A, B)
     assert joined.open
-    assert joined.whole
+    assert joined.exhaustive
 
 
 def test_a_list_that_may_have_more_stays_so():
     joined = join_items([Items((A,), True), Items((B,), True)])
     assert joined.open
-    assert not joined.whole
+    assert not joined.exhaustive
 
 
 def test_long_lists_are_cut_when_they_are_joined():
@@ -216,7 +216,7 @@ def test_long_lists_are_cut_when_they_are_joined():
     joined = join_items([*long, Items(())])
     assert len(joined.values) == JOINED_LIMIT
     assert joined.open
-    assert not joined.whole
+    assert not joined.exhaustive
 
 
 def test_joining_is_work():
@@ -278,4 +278,4 @@ def test_items_are_equal_by_what_they_hold():
     assert Items((A,)) == Items((A,))
     assert hash(Items((A,))) == hash(Items((A,)))
     assert Items((A,)) != Items((A,), True)
-    assert Items((A,), True) != Items((A,), True, whole=True)
+    assert Items((A,), True) != Items((A,), True, exhaustive=True)

@@ -26,7 +26,7 @@ _WAITS = {
 }
 _WAIT_FOR_MESSAGE = "rclpy.wait_for_message.wait_for_message"
 
-_OUTSIDE = frozenset(row.path for row in tables.ROWS if row.outside)
+_OUTSIDE = frozenset(row.path for row in tables.ROWS if row.waits_for_io)
 _LOCKS = ("fcntl.flock", "fcntl.lockf")
 _NETWORK = ("urllib.", "requests.", "socket.")
 

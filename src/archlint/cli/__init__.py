@@ -41,7 +41,7 @@ def _guarded(arguments: list[str]) -> int:
                 return status
         return FAILED
     except UsageError as error:
-        return _tell(f"error: {error}")
+        return _note(f"error: {error}")
     except Exception as error:
         return _failed(error, "--verbose" in arguments)
     return status
@@ -64,7 +64,7 @@ def _dispatch(arguments: list[str]) -> int:
     return status
 
 
-def _tell(text: str) -> int:
+def _note(text: str) -> int:
     from archlint.cli.console import note  # with pathlib, which --version and --help do without
 
     note(f"archlint: {text}")
@@ -75,9 +75,9 @@ def _failed(error: Exception, verbose: bool) -> int:
     if verbose:
         import traceback
 
-        _tell("traceback:\n" + "".join(traceback.format_exception(error)))
+        _note("traceback:\n" + "".join(traceback.format_exception(error)))
     hint = "" if verbose else ", with what `--verbose` adds"
-    return _tell(
+    return _note(
         f"internal error: {type(error).__name__}: {error}\n"
         f"This is a fault of archlint, not of your code. Please report it on {issue_tracker()}{hint}."
     )

@@ -117,8 +117,8 @@ def run(arguments: argparse.Namespace) -> int:
     _write(replace(report, failing=failing, folder=folder), arguments)
     if fixed and not arguments.quiet:
         console.note(f"Fixed {fixed} finding{'s' if fixed > 1 else ''}.")
-    _tell(report, request, arguments)
-    watch.tell()
+    _print_notices(report, request, arguments)
+    watch.note_costs()
     return exit_status(report, failing, arguments.exit_zero)
 
 
@@ -144,7 +144,7 @@ def _write(report: Report, arguments: argparse.Namespace) -> None:
         console.write(reports.render(format, report), file)
 
 
-def _tell(report: Report, request: Request, arguments: argparse.Namespace) -> None:
+def _print_notices(report: Report, request: Request, arguments: argparse.Namespace) -> None:
     """What is to be said beside the findings."""
     if arguments.quiet:
         return

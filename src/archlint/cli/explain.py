@@ -8,7 +8,7 @@ import sys
 from archlint.cli.console import wants_color
 from archlint.cli.exits import CLEAN, UsageError
 from archlint.cli.options import Parser, add_talking
-from archlint.cli.rule_page import shown, whole
+from archlint.cli.rule_page import full_page, shown
 from archlint.rulebook import Rule, find_rule, suggestion
 
 LEVELS = {"on": "on by default", "off": "opt-in", "closed-world": "on in a closed world"}
@@ -27,7 +27,7 @@ def run(arguments: argparse.Namespace) -> int:
     if rule is None:
         near = suggestion(arguments.rule) or "; `archlint rules` lists them"
         raise UsageError(f"unknown rule `{arguments.rule}`{near}")
-    page = whole(rule, _facts(rule)) if arguments.all else _short(rule)
+    page = full_page(rule, _facts(rule)) if arguments.all else _short(rule)
     if wants_color(arguments.color, sys.stdout):
         _print_rendered(page)
     else:

@@ -14,7 +14,7 @@ if TYPE_CHECKING:
     from archlint.finding import Finding
     from archlint.report.model import Report
 
-ROUNDS = 8
+PASSES = 8
 """How often a file is mended again, where fixes were in each other's way."""
 
 
@@ -33,7 +33,7 @@ def mend(request: Request, report: Report, unsafe: bool) -> Fixed:
     """
     count = 0
     done: set[object] = set()
-    for _ in range(ROUNDS):
+    for _ in range(PASSES):
         wanted = [finding for finding in fixes.fixable(report.findings, unsafe) if _key(finding) not in done]
         outcome = fixes.apply(wanted)
         if not outcome.fixed:

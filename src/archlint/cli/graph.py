@@ -77,7 +77,7 @@ def run(arguments: argparse.Namespace) -> int:
             console.note(sentence)
         for notice in drawn.compared_notices:
             console.note(f"archlint: warning: {notice}")
-    watch.tell()
+    watch.note_costs()
     for fault in drawn.faults:
         console.note(f"archlint: {fault}")
     if drawn.faults:

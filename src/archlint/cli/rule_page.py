@@ -45,7 +45,7 @@ def shown(rule: Rule, facts: str) -> Shown:
     return Shown(_for_a_terminal("\n".join(parts)), has_more)
 
 
-def whole(rule: Rule, facts: str) -> str:
+def full_page(rule: Rule, facts: str) -> str:
     """The page with all examples, without the files that are folded away."""
     title, _, rest = rule.body.strip().partition("\n")
     return f"{title}\n\n{facts}\n{_for_a_terminal(_FOLDED.sub('', rest))}\n"

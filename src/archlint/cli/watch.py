@@ -41,7 +41,7 @@ class Watch:
         if self._tally is not None:
             self._tally.end()
 
-    def tell(self) -> None:
+    def note_costs(self) -> None:
         """Say what took long, where that was asked for."""
         if self._tally is not None and self._verbose:
             from archlint.cli.costs import costs

@@ -56,7 +56,7 @@ def is_subset(request: Request, workspace: Workspace) -> bool:
     if request.settings.file is None:
         return False
     base = Path(request.settings.file).parent.resolve()
-    return not any(base.is_relative_to(Path(folder).resolve()) for folder in workspace.whole)
+    return not any(base.is_relative_to(Path(folder).resolve()) for folder in workspace.complete_folders)
 
 
 def known_files(request: Request, workspace: Workspace, facts: FactsOfFiles) -> list[SourceFile]:

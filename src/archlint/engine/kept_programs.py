@@ -35,7 +35,7 @@ class ProgramCache:
     def __post_init__(self) -> None:
         self._by_path = {file.path: file for file in self.workspace.files}
         self._roles = FileRoles.of(file.relative for file in self.workspace.files)
-        name = [os.getcwd(), self.workspace.root, self.workspace.whole]
+        name = [os.getcwd(), self.workspace.root, self.workspace.complete_folders]
         self._key = hashlib.sha256(repr(name).encode()).hexdigest()
         self._opened: KeptPrograms | None = None
         self.lasts = not isinstance(self.store, NullStore)

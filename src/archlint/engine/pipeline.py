@@ -127,7 +127,9 @@ def _graph(
     refuse_nothing(request, workspace, facts)
     parts = parts_of(request, workspace)
     opened = call_with_deep_stack(lambda: [systems_of(request, part, facts, tree, store)[0] for part in parts])
-    system = combined([as_asked_for(request, whole, part) for whole, part in zip(opened, parts, strict=True)])
+    system = combined(
+        [as_asked_for(request, opened_system, part) for opened_system, part in zip(opened, parts, strict=True)]
+    )
     return with_implicit(system, request.settings.distro) if everything else system
 
 

@@ -24,12 +24,12 @@ def comprehension(machine: Machine, e: facts.Comprehension) -> Value:
     kept, activation.scope = activation.scope, scope
     activation.scopes.append(scope.key)
     rows: list[tuple[Value, Value]] = []
-    open_, whole = False, True
+    open_, exhaustive = False, True
 
     def walk(depth: int) -> None:
-        nonlocal open_, whole
+        nonlocal open_, exhaustive
         if len(rows) > ITEM_LIMIT:
-            open_, whole = True, False
+            open_, exhaustive = True, False
             return
         if depth == len(e.generators):
             value = NONE if e.value is None else machine.evaluate(e.value)
@@ -40,13 +40,13 @@ def comprehension(machine: Machine, e: facts.Comprehension) -> Value:
         items = iterable.items(machine)
         values: Sequence[Value]
         if items is None or len(items.values) > min(UNROLL, machine.items_left):
-            open_, whole = True, False
+            open_, exhaustive = True, False
             values = (iterable.each or Unknown(_why_unknown_items(iterable)),)
         else:
             open_ = open_ or items.open
-            whole = whole and items.whole
+            exhaustive = exhaustive and items.exhaustive
             # What is filled later is gone through once, with an item that is not known.
-            later = items.open and not items.whole and not items.values
+            later = items.open and not items.exhaustive and not items.values
             values = (
                 (unknown_item(machine, iterable, "what is in the collection is not known"),) if later else items.values
             )
@@ -71,7 +71,7 @@ def comprehension(machine: Machine, e: facts.Comprehension) -> Value:
             open_ = open_ or at is None
             entries[at if at is not None else UnknownKey(len(entries))] = (key, value)
         return new_dict(machine, entries, open_)
-    return new_list(machine, [element for element, _ in rows], "set" if e.kind == "set" else "list", open_, whole)
+    return new_list(machine, [element for element, _ in rows], "set" if e.kind == "set" else "list", open_, exhaustive)
 
 
 def _why_unknown_items(iterable: Value) -> str:

@@ -25,10 +25,12 @@ ITEM_LIMIT = 4096
 
 
 def new_list(
-    machine: Machine, values: Sequence[Value], kind: ListKind = "list", open_: bool = False, whole: bool = False
+    machine: Machine, values: Sequence[Value], kind: ListKind = "list", open_: bool = False, exhaustive: bool = False
 ) -> ListValue:
     collection = ListValue(machine.store.new_key(), kind)
-    machine.store.set(collection.key, ITEMS, Items(distinct(values) if kind == "set" else tuple(values), open_, whole))
+    machine.store.set(
+        collection.key, ITEMS, Items(distinct(values) if kind == "set" else tuple(values), open_, exhaustive)
+    )
     return collection
 
 

@@ -102,20 +102,20 @@ def _yield(machine: Machine, e: facts.Yield) -> Value:
 
 def _sequence(machine: Machine, e: facts.Sequence) -> Value:
     values: list[Value] = []
-    open_, whole = False, True
+    open_, exhaustive = False, True
     for element in e.elements:
         if isinstance(element, facts.Starred):
             items = machine.evaluate(element.value).items(machine)
             if items is None:
-                open_, whole = True, False
+                open_, exhaustive = True, False
             else:
                 values.extend(items.values)
-                open_, whole = open_ or items.open, whole and items.whole
+                open_, exhaustive = open_ or items.open, exhaustive and items.exhaustive
         else:
             values.append(machine.evaluate(element))
     if len(values) > ITEM_LIMIT:
-        open_, whole = True, False
-    return new_list(machine, values[:ITEM_LIMIT], e.kind, open_, whole)
+        open_, exhaustive = True, False
+    return new_list(machine, values[:ITEM_LIMIT], e.kind, open_, exhaustive)
 
 
 def _mapping(machine: Machine, e: facts.Mapping) -> Value:

@@ -142,9 +142,9 @@ def text_of(machine: Machine, value: Value) -> Value:
         case Known() | Holed() | Unknown():
             return value
         case Instance(cls=ClassValue() as cls):
-            held = value.member_value(machine)
-            if isinstance(held, Known) and "enum.StrEnum" in cls.external_bases():
-                return held
+            member = value.member_value(machine)
+            if isinstance(member, Known) and "enum.StrEnum" in cls.external_bases():
+                return member
             for name in ("__str__", "__repr__"):
                 method = method_of(machine, value, name)
                 if method is not None:

@@ -43,7 +43,7 @@ def _loop_of_unknown(machine: Machine, s: facts.For, iterable: Value, items: Ite
                 assign(machine, s.target, item)
                 machine.execute(s.body)
             machine.store.merge([taken[0], {}])
-        if items.whole or any(isinstance(item, Unknown) for item in items.values):
+        if items.exhaustive or any(isinstance(item, Unknown) for item in items.values):
             return None
     with machine.arm(machine.branch_at(s.span), 0) as taken:
         forget_counters(machine, s.body)

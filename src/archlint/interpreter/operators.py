@@ -92,8 +92,8 @@ def _joined_lists(machine: Machine, left: ListValue, right: ListValue) -> Value:
     first, second = left.items(machine), right.items(machine)
     values = first.values + second.values
     long = len(values) > ITEM_LIMIT
-    whole = first.whole and second.whole and not long
-    return new_list(machine, values[:ITEM_LIMIT], left.kind, first.open or second.open or long, whole)
+    exhaustive = first.exhaustive and second.exhaustive and not long
+    return new_list(machine, values[:ITEM_LIMIT], left.kind, first.open or second.open or long, exhaustive)
 
 
 def _arithmetic(op: facts.BinaryOperator, left: Known, right: Known) -> Value:

@@ -221,7 +221,7 @@ class LaunchRun(Run):
 
     def is_open(self, value: Value) -> bool:
         items = value.items(self)
-        return items is None or not items.whole
+        return items is None or not items.exhaustive
 
     def is_closed(self, value: Value) -> bool:
         """Whether all items of a list are there for certain."""

@@ -11,7 +11,9 @@ _QUIET = frozenset(
 
 WORDS = (
     frozenset(
-        row.path.rpartition(".")[2] for row in tables.ROWS if row.effect != "none" or (row.watched and not row.outside)
+        row.path.rpartition(".")[2]
+        for row in tables.ROWS
+        if row.effect != "none" or (row.watched and not row.waits_for_io)
     )
     | frozenset(tables.NODE_ROWS)
     | {"Node", "LifecycleNode", "sleep", "wait", "result", "call"}

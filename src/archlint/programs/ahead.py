@@ -38,7 +38,7 @@ def follow_ahead(
     monitor = monitor or Monitor()
 
     def job(number: bytes) -> bytes:
-        kept.is_part = True
+        kept.is_worker = True
         monitor.begin_part()
         parts[int(number)]()
         report = monitor.end_part()

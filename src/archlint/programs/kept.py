@@ -46,7 +46,7 @@ class KeptPrograms:
     """Whether anybody will ask for what this run adds."""
     changed: bool = False
     """Whether there is something new to keep."""
-    is_part: bool = False
+    is_worker: bool = False
     """Whether only a part of the programs is followed here, so that nothing can be said of what depends on all."""
     _rows: dict[str, Row] = field(default_factory=dict)
     _new: list[str] = field(default_factory=list)
@@ -157,9 +157,9 @@ class KeptPrograms:
 
     def put(self, key: ProgramKey, late: bool, result: Followed, reads: Reads) -> None:
         """Keep what became of a program, if it can stand alone."""
-        if any(self._print_of(path) is None for path in reads.files) or (self.is_part and reads.everything):
+        if any(self._print_of(path) is None for path in reads.files) or (self.is_worker and reads.everything):
             return
-        if not (self.lasts or self.is_part):
+        if not (self.lasts or self.is_worker):
             return
         try:
             payload, objects = encode_noting([_parts(result)])

@@ -35,7 +35,7 @@ from archlint.syntax.parts import names_in
 
 INSTANCES = 8
 """On how many objects of one class the methods that nothing calls are tried."""
-ROUNDS = 4
+PASSES = 4
 """How often callbacks that hand over callbacks are followed."""
 AGAIN = 2
 """How often callbacks run again on what others left in attributes; the last time what still changes is not known."""
@@ -45,7 +45,7 @@ LIFECYCLE = frozenset({"on_configure", "on_activate", "on_deactivate", "on_clean
 
 def run_callbacks(run: Run) -> None:
     """Run what was handed over, then the methods that nothing calls; again where they hand over more."""
-    for _ in range(ROUNDS):
+    for _ in range(PASSES):
         run_pending(run)
         _run_methods(run)
         if not run.callbacks.pending:

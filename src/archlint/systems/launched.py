@@ -216,10 +216,10 @@ def _forget_defaults(node: Node, started: Started, parameters_of: Callable[[str]
     if not unread or node.blueprint is None or not node.blueprint.use_global_arguments:
         return
     later = replace(started, parameters=started.parameters[unread[-1] + 1 :], arguments=[], ros_arguments=[])
-    held = overrides_of(later, known_name(node), parameters_of)
+    settings = overrides_of(later, known_name(node), parameters_of)
     for number, endpoint in enumerate(node.endpoints):
         decided_by = set((endpoint.parameter or "").split(",")) - {""}
-        if endpoint.resolved and not held.keys() >= decided_by:
+        if endpoint.resolved and not settings.keys() >= decided_by:
             reason = "its parameter may be set by parameters of the launch file that are not known"
             node.endpoints[number] = replace(endpoint, name=None, resolution="unknown", reason=reason)
 

@@ -51,9 +51,9 @@ def find(paths: Sequence[str], *, exclude: Sequence[str] = (), working_directory
     packages = sorted({package for path in asked if (package := package_around(path)) is not None})
     for package in packages:
         walk.add_folder(package, context=True)
-    whole = [*folders, *packages, *_add_workspaces(walk, asked)]
+    complete_folders = [*folders, *packages, *_add_workspaces(walk, asked)]
     root = _root([path if path in folders else os.path.dirname(path) for path in asked])
-    workspace = place(root, walk.files.values(), walk.problems.values(), whole, walk.cpp_folders)
+    workspace = place(root, walk.files.values(), walk.problems.values(), complete_folders, walk.cpp_folders)
     return replace(workspace, idle_exclusions=tuple(excluder.idle))
 
 

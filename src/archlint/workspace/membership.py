@@ -21,12 +21,12 @@ def place(
     root: str,
     files: Iterable[SourceFile],
     problems: Iterable[Problem],
-    whole: Iterable[str] = (),
+    complete_folders: Iterable[str] = (),
     cpp_folders: Iterable[str] = (),
 ) -> Workspace:
     """The workspace that files make up: reads the manifests, gives each file its package and its module.
 
-    ``whole`` are the folders of which all files are there, ``cpp_folders`` those with C++ sources.
+    ``complete_folders`` are the folders of which all files are there, ``cpp_folders`` those with C++ sources.
     """
     files = sorted(files, key=lambda file: file.relative)
     problems = list(problems)
@@ -59,7 +59,7 @@ def place(
         tuple(placed),
         tuple(sorted(known, key=lambda package: (package.name, package.relative))),
         tuple(sorted(problems, key=lambda problem: (problem.file, problem.line, problem.column))),
-        tuple(sorted(set(whole))),
+        tuple(sorted(set(complete_folders))),
         tuple(sorted(package.name for package in known if package.root in with_cpp)),
     )
 

@@ -135,7 +135,7 @@ class Workspace:
     files: tuple[SourceFile, ...]
     packages: tuple[Package, ...]
     problems: tuple[Problem, ...] = field(default=())
-    whole: tuple[str, ...] = ()
+    complete_folders: tuple[str, ...] = ()
     """The folders of which all files were looked for, as absolute paths."""
     cpp_packages: tuple[str, ...] = ()
     """Names of the packages asked for that have C++ sources, which are not read."""

@@ -41,7 +41,7 @@ _LEAVE_ALONE = frozenset(
 """Functions of Python's own that keep nothing of what they are given."""
 
 
-def _of_the_world(name: str) -> Handler:
+def _external_input(name: str) -> Handler:
     """What asks for something outside of the program."""
 
     def handler(machine: Machine, site: CallSite) -> Value:
@@ -104,8 +104,8 @@ BUILTINS: dict[str, Handler] = {
     "exec": nothing,
     "exit": nothing,
     "quit": nothing,
-    "input": _of_the_world("input"),
-    "open": _of_the_world("open"),
+    "input": _external_input("input"),
+    "open": _external_input("open"),
     # what is not followed
     "repr": unknown("a repr"),
     "round": unknown("a rounded number"),

@@ -51,11 +51,11 @@ def in_order(values: Sequence[Value], keywords: Mapping[str, Value]) -> tuple[Va
 
 
 def _put(
-    machine: Machine, target: ListValue, values: tuple[Value, ...], open_: bool = False, whole: bool = False
+    machine: Machine, target: ListValue, values: tuple[Value, ...], open_: bool = False, exhaustive: bool = False
 ) -> Value:
     """Give a list other items."""
     full = len(values) > ITEM_LIMIT
-    machine.store.set(target.key, ITEMS, Items(values[:ITEM_LIMIT], open_ or full, whole and not full))
+    machine.store.set(target.key, ITEMS, Items(values[:ITEM_LIMIT], open_ or full, exhaustive and not full))
     return NONE
 
 
@@ -64,8 +64,8 @@ def _append(machine: Machine, target: ListValue, site: CallSite) -> Value | None
         return None
     items = target.items(machine)
     # What is not followed to its end anyway is left as it is: nothing to join, after the loops that fill it.
-    saturated = not items.whole and items.size >= JOINED_LIMIT
-    return NONE if saturated else _put(machine, target, (*items.values, site.args[0]), items.open, items.whole)
+    saturated = not items.exhaustive and items.size >= JOINED_LIMIT
+    return NONE if saturated else _put(machine, target, (*items.values, site.args[0]), items.open, items.exhaustive)
 
 
 def _add(machine: Machine, target: ListValue, site: CallSite) -> Value | None:
@@ -79,7 +79,7 @@ def _extend(machine: Machine, target: ListValue, site: CallSite) -> Value | None
     items, more = target.items(machine), _more(machine, site)
     values = (*items.values, *more.values)
     values = distinct(values) if target.kind == "set" else values
-    return _put(machine, target, values, items.open or more.open, items.whole and more.whole)
+    return _put(machine, target, values, items.open or more.open, items.exhaustive and more.exhaustive)
 
 
 def _more(machine: Machine, site: CallSite) -> Items:

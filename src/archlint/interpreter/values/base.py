@@ -247,14 +247,14 @@ class ClassValue(Value):
 
 class Items:
     """Items of a list; ``open`` where which of them there are is not known: there may be more, or, if it is
-    ``whole``, fewer, but no others."""
+    ``exhaustive``, fewer, but no others."""
 
-    __slots__ = ("open", "values", "whole")
+    __slots__ = ("exhaustive", "open", "values")
 
-    def __init__(self, values: tuple[Value, ...], open_: bool = False, whole: bool = False) -> None:
+    def __init__(self, values: tuple[Value, ...], open_: bool = False, exhaustive: bool = False) -> None:
         self.values = values
         self.open = open_
-        self.whole = whole or not open_
+        self.exhaustive = exhaustive or not open_
 
     def __eq__(self, other: object) -> bool:
         return isinstance(other, Items) and self._all == other._all
@@ -264,7 +264,7 @@ class Items:
 
     @property
     def _all(self) -> tuple[object, ...]:
-        return (self.values, self.open, self.whole)
+        return (self.values, self.open, self.exhaustive)
 
     @property
     def size(self) -> int:

@@ -76,8 +76,8 @@ class OneOf(Value):
         for row in known:
             union.extend(item for item in row.values if item not in union)
         same = len(known) == len(rows) and all(row == known[0] for row in known)
-        whole = len(known) == len(rows) and all(row.whole for row in known)
-        return Items(tuple(union), not same or known[0].open, whole)
+        exhaustive = len(known) == len(rows) and all(row.exhaustive for row in known)
+        return Items(tuple(union), not same or known[0].open, exhaustive)
 
 
 def alternatives(value: Value) -> tuple[Value, ...]:
@@ -118,14 +118,14 @@ def one_of(values: Iterable[Value]) -> Value:
 def join_items(alternatives: Sequence[Items]) -> Items:
     """A list that is one of several: known where all agree in length, else the union, open."""
     first = alternatives[0]
-    whole = all(items.whole for items in alternatives)
+    exhaustive = all(items.exhaustive for items in alternatives)
     if all(len(items.values) == len(first.values) for items in alternatives):
         columns = zip(*(items.values for items in alternatives), strict=True)
-        return Items(tuple(one_of(column) for column in columns), any(items.open for items in alternatives), whole)
+        return Items(tuple(one_of(column) for column in columns), any(items.open for items in alternatives), exhaustive)
     union = dict.fromkeys(value for items in alternatives for value in items.values)
     if len(union) > JOINED_LIMIT:
         return Items(tuple(islice(union, JOINED_LIMIT)), True)
-    return Items(tuple(union), True, whole)
+    return Items(tuple(union), True, exhaustive)
 
 
 def join_entries(alternatives: Sequence[Entries]) -> Entries:

@@ -43,7 +43,7 @@ class ListValue(Value):
             return Items((), True)
         if not self.via:
             return items
-        return Items(tuple(item.chosen_by(self.via) for item in items.values), items.open, items.whole)
+        return Items(tuple(item.chosen_by(self.via) for item in items.values), items.open, items.exhaustive)
 
     def truth(self, state: State) -> bool | None:
         return self.items(state).truth

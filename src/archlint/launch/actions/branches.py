@@ -83,5 +83,5 @@ def visit_items(run: LaunchRun, items: Items) -> None:
 
 def note_open(run: LaunchRun, items: Items) -> None:
     branches = any(arms_of(run, value) for value in items.values)
-    if not items.whole and not branches and not any(isinstance(v, Unknown) for v in items.values):
+    if not items.exhaustive and not branches and not any(isinstance(v, Unknown) for v in items.values):
         run.gap("a list of actions that is only partly known")

@@ -29,7 +29,7 @@ def _copied(run: Run, value: Value) -> Value:
     match value:
         case ListValue():
             items = value.items(run)
-            return containers.new_list(run, items.values, value.kind, items.open, items.whole)
+            return containers.new_list(run, items.values, value.kind, items.open, items.exhaustive)
         case DictValue():
             entries = value.entries(run)
             return containers.new_dict(run, dict(entries.entries), entries.open)
@@ -52,10 +52,10 @@ def _copied_deep(run: Run, value: Value, copies: dict[int, Value]) -> Value:
     if isinstance(value, ListValue):
         items = value.items(run)
         inside = [_copied_deep(run, item, copies) for item in items.values]
-        copy: Value = containers.new_list(run, inside, value.kind, items.open, items.whole)
+        copy: Value = containers.new_list(run, inside, value.kind, items.open, items.exhaustive)
     else:
-        held = value.entries(run)
-        entries = {at: (key, _copied_deep(run, entry, copies)) for at, (key, entry) in held.entries.items()}
-        copy = containers.new_dict(run, entries, held.open)
+        contents = value.entries(run)
+        entries = {at: (key, _copied_deep(run, entry, copies)) for at, (key, entry) in contents.entries.items()}
+        copy = containers.new_dict(run, entries, contents.open)
     copies[value.key] = copy
     return copy

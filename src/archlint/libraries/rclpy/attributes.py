@@ -76,19 +76,19 @@ def _node_attribute(run: Run, value: Value, name: str) -> Value | None:
 
 def of_object(run: Run, value: Instance, path: str, name: str) -> Value:
     """``value.name`` of an object of a class of rclpy's."""
-    held = run.store.get(value.key, "value")
+    stored = run.store.get(value.key, "value")
     if path == "rclpy.parameter.Parameter" and name in ("value", "get_parameter_value"):
-        answer = held if held is not None else Unknown("the parameter has no value here")
+        answer = stored if stored is not None else Unknown("the parameter has no value here")
         if name == "value":
             return answer
         return PythonValue("get_parameter_value", lambda *_, **__: _parameter_value(run, answer))
     if path in names.PARAMETER_VALUES:
-        if held is not None and name.endswith("_value"):
-            return held
+        if stored is not None and name.endswith("_value"):
+            return stored
         if name == "type":
-            if isinstance(held, Known) and type(held.value) in _PARAMETER_TYPES:
+            if isinstance(stored, Known) and type(stored.value) in _PARAMETER_TYPES:
                 # A declared parameter keeps its type, whatever is set.
-                return Known(_PARAMETER_TYPES[type(held.value)])
+                return Known(_PARAMETER_TYPES[type(stored.value)])
             return Unknown("the type of a parameter")
     return ApiMethod(f"{path}.{name}", value)
 
@@ -97,10 +97,10 @@ _PARAMETER_TYPES: dict[type, int] = {bool: 1, int: 2, float: 3, str: 4}
 """The constants of ``rcl_interfaces/msg/ParameterType``."""
 
 
-def _parameter_value(run: Run, held: Value) -> Value:
+def _parameter_value(run: Run, value: Value) -> Value:
     """A ``rcl_interfaces/msg/ParameterValue`` that holds a value: ``.string_value`` and the like read it."""
     instance = Instance(External("rcl_interfaces.msg.ParameterValue"), run.store.new_key())
-    run.store.set(instance.key, "value", held)
+    run.store.set(instance.key, "value", value)
     return instance
 
 

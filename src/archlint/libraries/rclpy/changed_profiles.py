@@ -32,24 +32,24 @@ def change_preset(run: Run, target: External, name: str, value: Value) -> None:
     """
     tail = preset_key(rclpy_names.canonical(target.path))
     if tail is not None and name in (*POLICIES, *DURATIONS, "depth"):
-        held = value if run.store.depth > 1 else Unknown("a module changes the preset when it is imported")
-        run.store.set(_CHANGED, _CHANGES[f"{tail} {name}"], held)
+        policy = value if run.store.depth > 1 else Unknown("a module changes the preset when it is imported")
+        run.store.set(_CHANGED, _CHANGES[f"{tail} {name}"], policy)
 
 
 def as_changed(run: Run, value: Value) -> Value:
     """A preset that was changed, as a profile of its own; any other value as it is."""
     tail = preset_key(rclpy_names.canonical(value.dotted)) if value.dotted else None
     changes = {
-        name: held
+        name: policy
         for name in (*POLICIES, *DURATIONS, "depth")
-        if tail is not None and (held := run.store.get(_CHANGED, _CHANGES[f"{tail} {name}"])) is not None
+        if tail is not None and (policy := run.store.get(_CHANGED, _CHANGES[f"{tail} {name}"])) is not None
     }
     if tail is None or not changes:
         return value
     instance = Instance(External(PROFILE), run.store.new_key())
     run.store.set(instance.key, PRESET, PRESETS[tail])
-    for name, held in changes.items():
-        run.store.set(instance.key, name, held)
+    for name, policy in changes.items():
+        run.store.set(instance.key, name, policy)
     return instance
 
 
@@ -73,7 +73,7 @@ def copy_of(run: Run, value: Instance) -> Instance:
     if copied is not None:
         run.store.set(instance.key, PRESET, copied)
     for name in ("depth", *POLICIES, *DURATIONS):
-        held = run.store.get(value.key, name)
-        if held is not None:
-            run.store.set(instance.key, name, held)
+        policy = run.store.get(value.key, name)
+        if policy is not None:
+            run.store.set(instance.key, name, policy)
     return instance

@@ -156,7 +156,7 @@ def _entry_place(run: Run, call: ApiUse, name: Value) -> Place | None:
     origin = name.origin if isinstance(name, Known) else None
     if origin is None or call.expression is None:
         return None
-    whole = run.place(call.expression.span)
-    starts = (whole.line, whole.column) <= (origin.line, origin.column)
-    ends = (origin.end_line, origin.end_column) <= (whole.end_line, whole.end_column)
-    return origin if origin.file == whole.file and starts and ends else None
+    call_place = run.place(call.expression.span)
+    starts = (call_place.line, call_place.column) <= (origin.line, origin.column)
+    ends = (origin.end_line, origin.end_column) <= (call_place.end_line, call_place.end_column)
+    return origin if origin.file == call_place.file and starts and ends else None

@@ -212,8 +212,8 @@ def _inside(run: Run, value: Value, key: int) -> Iterator[Value]:
         if items is not None:
             yield from carries(items.values)
         if entries is not None:
-            for name, held in entries.entries.values():
-                yield from carries((name, held))
+            for name, item in entries.entries.values():
+                yield from carries((name, item))
         return
     for slot in run.store.holds(key):
         yield from carries((run.store.get(key, slot),))

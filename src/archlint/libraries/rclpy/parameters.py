@@ -76,9 +76,9 @@ def get_parameter_or(run: Run, call: ApiUse) -> Value:
     alternative = call.get("alternative_value")
     text = name.text
     if text is not None and isinstance(alternative, Instance) and value_in_reach(run, call, text) is None:
-        held = run.store.get(alternative.key, "value")
-        if held is not None:
-            value = from_parameter(run, held, text)
+        stored = run.store.get(alternative.key, "value")
+        if stored is not None:
+            value = from_parameter(run, stored, text)
     return new_parameter(run, name, value)
 
 

@@ -81,9 +81,9 @@ def _variants(run: Run, value: Value) -> list[Value]:
         return [value]
     rows: list[dict[str, Value]] = [{}]
     for name in (*POLICIES, "depth"):
-        held = run.store.get(value.key, name)
-        if isinstance(held, OneOf):
-            rows = [{**row, name: option} for row in rows for option in held.values]
+        setting = run.store.get(value.key, name)
+        if isinstance(setting, OneOf):
+            rows = [{**row, name: option} for row in rows for option in setting.values]
             if len(rows) > PROFILE_ALTERNATIVES:
                 return [value]
     if rows == [{}]:
@@ -109,9 +109,9 @@ def _of_value(run: Run, value: Value) -> Qos:
         case Instance(cls=External(path=path)) if rclpy_names.canonical(path) == PROFILE:
             return _of_profile(run, value)
         case Instance(cls=ClassValue()):
-            held = value.member_value(run)  # an enum of profiles
-            if held is not None:
-                return _of_value(run, held)
+            member = value.member_value(run)  # an enum of profiles
+            if member is not None:
+                return _of_value(run, member)
         case OneOf(values=options):
             return _common([_of_value(run, option) for option in options])
         case Unknown(parameter=str(parameter)):

@@ -108,7 +108,7 @@ class Api:
     """Canonical class of what the call returns."""
     watched: bool = False
     """True where checks want to see each call."""
-    outside: bool = False
+    waits_for_io: bool = False
     """True of what waits for the network, a process or a file: nothing of ROS."""
     strict: bool = False
     """True where all supported distributions take these positional arguments: Python refuses any other call."""

@@ -21,7 +21,7 @@ ROWS = (
     Api("builtins.input", "prompt", watched=True),
     # ---- what is outside of ROS
     *(
-        Api(path, signature, outside=True, watched=True)
+        Api(path, signature, waits_for_io=True, watched=True)
         for path, signature in (
             ("urllib.request.urlopen", "url data timeout"),
             ("urllib.request.urlretrieve", "url filename"),
