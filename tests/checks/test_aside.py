@@ -134,6 +134,38 @@ def test_a_script_that_its_package_does_not_install(named):
     )
 
 
+def test_what_a_package_does_not_install_is_one_finding(named):
+    other = NODE.replace("/robot/words", "/robot/answers")
+    loose = {"tools/a.py": NODE, "tools/b.py": NODE, "debug/c.py": other}
+    [found] = named(loose)
+    assert (found.place.file, found.severity) == ("robot/debug/c.py", Severity.INFO)
+    assert found.message == (
+        "2 names in 3 files are absolute and fixed in the code, such as the topic '/robot/answers', "
+        "in code that no package installs"
+    )
+    assert [(row.place.file, row.message) for row in found.related] == [
+        ("robot/tools/a.py", "the topic '/robot/words'"),
+        ("robot/tools/b.py", "the topic '/robot/words'"),
+    ]
+    beside = {"../scripts/d.py": NODE, "../scripts/e.py": other, "../bench/f.py": NODE}
+    assert [(one.place.file, len(one.related)) for one in named({**loose, **beside})] == [
+        ("bench/f.py", 0),
+        ("robot/debug/c.py", 2),
+        ("scripts/d.py", 1),
+    ]
+
+
+def test_installed_code_is_judged_apart_from_what_is_not(named):
+    other = NODE.replace("class Talker", "class Second").replace("Talker()", "Second()")
+    files = {"robot/talker.py": NODE, "robot/second.py": other, "tools/a.py": NODE}
+    found = named(files, more="'talker = robot.talker:main', 'second = robot.second:main',")
+    assert [(one.place.file, one.severity) for one in found] == [
+        ("robot/robot/second.py", Severity.WARNING),
+        ("robot/robot/talker.py", Severity.WARNING),
+        ("robot/tools/a.py", Severity.INFO),
+    ]
+
+
 @pytest.mark.parametrize(
     ("files", "severity"),
     [

@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
+import posixpath
 import re
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from fnmatch import fnmatchcase
 from typing import TYPE_CHECKING
 
@@ -15,9 +16,22 @@ from archlint.analysis.kept import once
 from archlint.analysis.name_sites import sites_of_name
 from archlint.branches import exclusive
 from archlint.checks.folding import all_sites, folds
+from archlint.checks.name_reasons import (
+    DEMANDED,
+    FIXED,
+    NOT_INSTALLED,
+    PARAMETERS,
+    PRIVATE,
+    RELATIVE,
+    REMAPPED,
+    WITHOUT_PACKAGE,
+    Reason,
+    of_others,
+    shared_by,
+)
 from archlint.checks.registry import Options, finding, rule
 from archlint.checks.scope import Scope
-from archlint.finding import Finding, Related, Severity
+from archlint.finding import Finding, Related
 from archlint.model import NAMED
 from archlint.ros.well_known import ABSOLUTE
 from archlint.systems.nodes import key_of
@@ -68,84 +82,6 @@ vehicle has a namespace, which the workspace chooses, unless the name begins as 
 _BY_CODE = frozenset({"literal", "format"})
 _NAMES_SHOWN = 3
 """How many names of one place a message lists."""
-
-
-@dataclass(frozen=True)
-class _Reason:
-    """Why a name is as it is: it ``is`` so, and so ``what`` follows, with ``cure`` as help for several names."""
-
-    key: str
-    state: str
-    effect: str
-    cure: str
-    severity: Severity | None = None
-    namespace: str = ""
-    """The one that launch files start the node in, where a name begins with it."""
-
-    def message(self, subject: str, such_as: str, plural: bool) -> str:
-        effect = self.effect.format(it="them" if plural else "it")
-        return f"{subject} {'are' if plural else 'is'} {self.state}{such_as}{effect}"
-
-
-_FIXED = _Reason(
-    "fixed",
-    "absolute and fixed in the code",
-    ": no namespace applies to {it}",
-    "remove the leading '/', so that the node's namespace applies, or take the names from parameters",
-)
-_PARAMETERS = replace(_FIXED, cure="take the names from parameters")
-"""For a node that launch files start in one namespace and another, where a name begins with one of them."""
-_RELATIVE = _Reason("fixed", "fixed in the code", "", "take the names from parameters")
-_DEMANDED = _Reason(
-    "demanded",
-    "absolute and fixed in the code",
-    ", and the code rejects {it} in any other form",
-    "fine for one robot; for several, take the names from parameters",
-    Severity.INFO,
-)
-_PRIVATE = _Reason(
-    "private",
-    "absolute",
-    ": a node outside this workspace creates {it} below its own name",
-    "fine for one such node; for several, take the names from parameters",
-    Severity.INFO,
-)
-_NOT_INSTALLED = _Reason(
-    "not installed",
-    "absolute and fixed in the code",
-    ", in code that no package installs",
-    "remove the leading '/' if the file is to be installed",
-    Severity.INFO,
-)
-_REMAPPED = _Reason(
-    "remapped",
-    "absolute and fixed in the code",
-    ", and remapped wherever a launch file starts the node",
-    "remove the leading '/', so that the node's namespace applies without a remapping",
-    Severity.INFO,
-)
-_WITHOUT_PACKAGE = replace(_FIXED, effect=_NOT_INSTALLED.effect, severity=Severity.INFO)
-"""For a script in a workspace that has no package."""
-
-
-def _shared_by(users: int) -> _Reason:
-    return _Reason(
-        "shared",
-        "absolute and fixed in the code",
-        f", for {users} files that import names from here: no namespace applies to {{it}}",
-        "remove the leading '/' here, so that the nodes' namespaces apply",
-        Severity.INFO,
-    )
-
-
-def _of_others(system: str) -> _Reason:
-    return _Reason(
-        "others",
-        "absolute",
-        f": {system} dictates {{it}}",
-        f"fine for one {system}; for several, remove the leading '/' and start the node in a namespace",
-        Severity.INFO,
-    )
 
 
 @rule("NME001", scope=Scope.CODE, taste=True, relative=False, allow=())
@@ -199,11 +135,12 @@ def _conventional(name: str, allowed: tuple[str, ...]) -> bool:
     return name in ABSOLUTE or any(fnmatchcase(name, pattern) for pattern in allowed)
 
 
-def _hardcoded(system: System, endpoint: Endpoint, reason: _Reason) -> Finding:
+def _hardcoded(system: System, endpoint: Endpoint, reason: Reason) -> Finding:
     creation, name, word = endpoint.creation, endpoint.written or "", NAMED[endpoint.kind]
     given = creation.name_place or endpoint.place
     place = creation.name.origin or given
     home = _home(system, place, endpoint.place)
+    owner = _loose(system.workspace, place.file) if reason.is_loose else home
     diagnostic = finding(
         "NME001",
         place,
@@ -212,35 +149,35 @@ def _hardcoded(system: System, endpoint: Endpoint, reason: _Reason) -> Finding:
         related=[] if given == place else [Related(given, f"the {word} is created under this name here")],
         node=endpoint.node.name,
         identity=(home[1], word, name),
-        group=(*home, reason.key, reason.state, reason.effect, reason.cure),
-        sites=sites_of_name(system.workspace, given, name, stays=reason.key != _FIXED.key),
+        group=(*owner, reason.key, reason.state, reason.effect, reason.cure),
+        sites=sites_of_name(system.workspace, given, name, stays=reason.key != FIXED.key),
     )
     return diagnostic if reason.severity is None else replace(diagnostic, severity=reason.severity)
 
 
-def _reason(workspace: WorkspaceIndex | None, endpoint: Endpoint, users: int) -> _Reason | None:
+def _reason(workspace: WorkspaceIndex | None, endpoint: Endpoint, users: int) -> Reason | None:
     """Why a name is as it is; ``users`` is the number of other files that take names from the file it is in.  None
     where whoever starts the node can choose another form of it."""
     node, name = endpoint.node, endpoint.written or ""
     if not name.startswith("/"):
-        return _RELATIVE
+        return RELATIVE
     owner = _owner(workspace, endpoint)
     if owner is not None:
-        return _of_others(owner)
+        return of_others(owner)
     if is_of_a_model(workspace, name):
-        return _of_others("Gazebo")
+        return of_others("Gazebo")
     if must_be_absolute(workspace, endpoint):
-        return _DEMANDED
+        return DEMANDED
     if _private_to_foreign_node(workspace, name):
-        return _PRIVATE
+        return PRIVATE
     if _is_chosen(node, endpoint):
         return None
     if users > 1:
-        return _shared_by(users)
+        return shared_by(users)
     if _is_remapped(workspace, endpoint):
-        return _REMAPPED
+        return REMAPPED
     if is_not_installed(workspace, endpoint.place.file):
-        return _NOT_INSTALLED if workspace is not None and workspace.manifests else _WITHOUT_PACKAGE
+        return NOT_INSTALLED if workspace is not None and workspace.manifests else WITHOUT_PACKAGE
     return _by_namespace(workspace, node)
 
 
@@ -288,7 +225,7 @@ def _is_remapped(workspace: WorkspaceIndex | None, endpoint: Endpoint) -> bool:
     return bool(names) and endpoint.written not in names
 
 
-def _by_namespace(workspace: WorkspaceIndex | None, node: Node) -> _Reason:
+def _by_namespace(workspace: WorkspaceIndex | None, node: Node) -> Reason:
     """What to do about absolute names: where launch files start the node in a namespace that one of them begins with,
     they would have it twice without their '/'."""
     given = None if workspace is None or node.blueprint is None else workspace.namespaces.get(key_of(node.blueprint))
@@ -299,14 +236,14 @@ def _by_namespace(workspace: WorkspaceIndex | None, node: Node) -> _Reason:
         if namespace and any(name.startswith(f"{namespace}/") for name in written)
     ]
     if not repeated:
-        return _FIXED
+        return FIXED
     if given != frozenset(repeated[:1]):
-        return _PARAMETERS
+        return PARAMETERS
     start = repeated[0]
     cure = f"remove '{start}/', the namespace in which the launch file starts the node"
     if not all(name.startswith(f"{start}/") for name in written if name.startswith("/")):
         cure += ", and take the other names from parameters"
-    return replace(_FIXED, cure=cure, namespace=start)
+    return replace(FIXED, cure=cure, namespace=start)
 
 
 def _is_chosen(node: Node, endpoint: Endpoint) -> bool:
@@ -333,17 +270,23 @@ def _may_be_meant(name: str, other: Endpoint) -> bool:
     return form.resolution != "partial" or not text.startswith("/") or "*" in last or name.endswith(f"/{last}")
 
 
-def _help(name: str, reason: _Reason) -> str:
-    if reason.cure == _FIXED.cure:
+def _help(name: str, reason: Reason) -> str:
+    if reason.cure == FIXED.cure:
         bare = name.lstrip("/") or "…"
         return f"write '{bare}', to which the node's namespace applies, or take the name from a parameter"
-    if reason.key != _FIXED.key:
+    if reason.key != FIXED.key:
         return reason.cure
     start = f"{reason.namespace}/"
     if reason.namespace and name.startswith(start):
         return f"write '{name.removeprefix(start)}': the launch file starts the node in '{reason.namespace}'"
     parameter = name.rpartition("/")[2].lstrip("~") + "_name"
     return f"take the name from a parameter: self.declare_parameter('{parameter}', '{name}')"
+
+
+def _loose(workspace: WorkspaceIndex | None, file: str) -> tuple[str, str]:
+    """The package that does not install a file, or the folder of a file beside the packages."""
+    package = None if workspace is None else workspace.package_of(file)
+    return ("", posixpath.dirname(file)) if package is None else (package, "")
 
 
 def _home(system: System, literal: Place, call: Place) -> tuple[str, str]:
@@ -356,8 +299,9 @@ def _home(system: System, literal: Place, call: Place) -> tuple[str, str]:
 
 
 @folds("NME001")
-def of_one_class(findings: Sequence[Finding]) -> Finding:
-    """The finding for all names that one class fixes: at the first literal, the others related."""
+def of_one_cause(findings: Sequence[Finding]) -> Finding:
+    """The finding for all names that one class fixes, or the files of a package that nobody installs: at the first
+    literal, the others related."""
     first = findings[0]
     at: dict[Place, dict[str, None]] = {}
     for diagnostic in findings:
@@ -369,16 +313,24 @@ def of_one_class(findings: Sequence[Finding]) -> Finding:
     if len(names) == 1:
         return replace(first, related=(*first.related, *related), sites=sites)
     _, _, key, state, effect, cure = first.group
-    reason = _Reason(key, state, effect, cure)
-    owner = f"of {first.identity[0]}" if first.identity[0] else "in this file"
+    reason = Reason(key, state, effect, cure)
     return replace(
         first,
-        message=reason.message(f"{len(names)} names {owner}", f", such as {here}", plural=True),
+        message=reason.message(f"{len(names)} names {_owner_words(findings)}", f", such as {here}", plural=True),
         help=reason.cure,
         related=related,
         sites=sites,
         identity=(first.identity[0], *names),
     )
+
+
+def _owner_words(findings: Sequence[Finding]) -> str:
+    """Where the names of several findings are: in several files, a class or a file."""
+    files = {diagnostic.place.file for diagnostic in findings}
+    classes = {diagnostic.identity[0] for diagnostic in findings}
+    if len(files) > 1:
+        return f"in {len(files)} files"
+    return "in this file" if len(classes) > 1 or "" in classes else f"of {findings[0].identity[0]}"
 
 
 def _shown(diagnostic: Finding) -> str:
