@@ -22,10 +22,12 @@ from archlint.interpreter.values import (
 )
 from archlint.launch import calls
 from archlint.launch.kinds import FileKind
+from archlint.launch.mistakes import NotAPath
 from archlint.launch.objects import LaunchObject, argument, known_text, made_by_base
-from archlint.launch.perform_calls import perform_method
+from archlint.launch.perform_calls import perform_method, stops_the_launch
 from archlint.launch.substitutions.paths import package_prefix, package_share
 from archlint.launch.tables import CONDITIONS, SUBSTITUTIONS
+from archlint.libraries.python.effects import path_join
 from archlint.syntax import facts
 from archlint.syntax.safe_yaml import YamlError, YamlReader
 
@@ -71,7 +73,25 @@ def _of_package(run: LaunchRun, call: ApiUse, folder_of: Callable[[str], Value])
     return one_of(Unknown(reason(name)) if text is None else folder_of(text) for name, text in texts)
 
 
-EFFECTS = {"launch_object": _launch_object, "package_share": _package_share, "package_prefix": _package_prefix}
+def _path_join(run: LaunchRun, call: ApiUse) -> Value:
+    """``os.path.join(…)``, which raises a TypeError for a substitution: only launch can make a text of that."""
+    if call.expression is not None and stops_the_launch(run):
+        place = run.place(call.expression.span)
+        for part in (call.get("path"), *call.rest):
+            match part:
+                case LaunchObject(is_substitution=True, kind=kind):
+                    package = known_text(part.argument("package")) if kind == "FindPackageShare" else None
+                    run.note_joined(NotAPath(kind, package, place))
+                    break
+    return path_join(run, call)
+
+
+EFFECTS = {
+    "launch_object": _launch_object,
+    "package_share": _package_share,
+    "package_prefix": _package_prefix,
+    "path_join": _path_join,
+}
 
 
 def _perform_argument(

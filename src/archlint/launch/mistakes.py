@@ -53,3 +53,12 @@ class WithoutContext:
     substitution: str
     given: str
     place: Place
+
+
+@dataclass(frozen=True)
+class NotAPath:
+    """A ``substitution`` that ``os.path.join()`` is given; ``package`` is the one whose folder it stands for."""
+
+    substitution: str
+    package: str | None
+    place: Place

@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 from archlint.branches import Branch, BranchArm, BranchArms
 from archlint.finding import Place
 from archlint.launch.kinds import FileStatus, GapKind
-from archlint.launch.mistakes import NotACondition, UndeclaredUse, UnknownAttribute, WithoutContext
+from archlint.launch.mistakes import NotACondition, NotAPath, UndeclaredUse, UnknownAttribute, WithoutContext
 from archlint.launch.named_files import FileReference
 from archlint.launch.started import Started
 from archlint.model import Text
@@ -86,6 +86,7 @@ class Launched:
     unknown_attributes: list[UnknownAttribute] = field(default_factory=list)
     mistakes: list[NotACondition] = field(default_factory=list)
     without_context: list[WithoutContext] = field(default_factory=list)
+    joined: list[NotAPath] = field(default_factory=list)
     undefined: dict[Place, str] = field(default_factory=dict)
     """Names that a launch file reads and nothing defines, each where it stops the launch."""
     gaps: list[Gap] = field(default_factory=list)

@@ -39,8 +39,13 @@ def perform_method(
 
 
 def _note(run: LaunchRun, e: facts.Call | None, asked: Value, given: str) -> None:
-    if e is not None and is_certain(run) and not run.is_conditional:
+    if e is not None and stops_the_launch(run):
         run.note_without_context(WithoutContext(kind_of(asked), given, run.place(e.span)))
+
+
+def stops_the_launch(run: LaunchRun) -> bool:
+    """Whether the launch certainly comes to the expression that is evaluated, and stops there if that raises."""
+    return is_certain(run) and not run.is_conditional and not any(activation.tries for activation in run.activations)
 
 
 def _not_a_context(value: Value | None) -> str | None:

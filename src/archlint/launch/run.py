@@ -24,7 +24,7 @@ from archlint.launch.argument_names import AGAIN, ArgumentNames
 from archlint.launch.context import Context
 from archlint.launch.given_arguments import GivenArguments
 from archlint.launch.kinds import FileKind, GapKind
-from archlint.launch.mistakes import NotACondition, UndeclaredUse, UnknownAttribute, WithoutContext
+from archlint.launch.mistakes import NotACondition, NotAPath, UndeclaredUse, UnknownAttribute, WithoutContext
 from archlint.launch.model import Gap, Launched
 from archlint.launch.named_files import FileReference, MadeFile
 from archlint.launch.objects import known_text
@@ -187,6 +187,9 @@ class LaunchRun(Run):
 
     def note_without_context(self, mistake: WithoutContext) -> None:
         self._note(mistake, self.result.without_context)
+
+    def note_joined(self, mistake: NotAPath) -> None:
+        self._note(mistake, self.result.joined)
 
     def reference(self, kind: FileKind, path: Value, place: Place) -> FileReference:
         reference = self.resolve(kind, path, place)
