@@ -348,10 +348,8 @@ def test_a_mistaken_contract_ends_the_run(run):
 
 def launched(*nodes: Node, closed: bool = False) -> tuple[System, System]:
     """The system of all nodes of ``ROBOT``, and one of a launch file that starts these."""
-    workspace = WorkspaceIndex()
-    opened = system(*ROBOT.nodes, workspace=workspace)
-    started = system(*nodes, name="robot.launch.py", closed=closed, workspace=workspace)
-    workspace.systems = [opened, started]
+    every = [system(*ROBOT.nodes), system(*nodes, name="robot.launch.py", closed=closed)]
+    opened, started = WorkspaceIndex(systems=every).systems
     return opened, started
 
 

@@ -1,5 +1,6 @@
 from __future__ import annotations
 
+from dataclasses import replace
 from pathlib import Path
 from textwrap import dedent
 
@@ -168,8 +169,10 @@ class TestMultiplePublishers:
 
 class TestConditionsOfALaunchFile:
     def judged(self, one: set[tuple[str, int]], other: set[tuple[str, int]]) -> System:
-        nodes = node("/a", publisher("x")), node("/b", publisher("x"))
-        nodes[0].alternatives, nodes[1].alternatives = frozenset(one), frozenset(other)
+        nodes = [
+            replace(node(name, publisher("x")), alternatives=frozenset(arms))
+            for name, arms in (("/a", one), ("/b", other))
+        ]
         return system(*nodes, name="launch/robot.launch.py")
 
     def test_one_condition(self):

@@ -2,6 +2,7 @@ from __future__ import annotations
 
 import json
 import math
+from dataclasses import replace
 
 import pytest
 
@@ -243,9 +244,9 @@ def test_the_same_system_is_the_same_text() -> None:
 
 def test_a_value_from_the_launch_that_is_not_known_says_why():
     scanner = node("/scanner", parameter("topic", "scan"), parameter("rate", 1.0, "double"))
-    scanner.overrides = {"topic": "front/scan", "rate": NotKnown("the environment variable RATE")}
+    started = replace(scanner, overrides={"topic": "front/scan", "rate": NotKnown("the environment variable RATE")})
 
-    rows = {row["name"]: row for row in json.loads(render(system(scanner)))["nodes"][0]["parameters"]}
+    rows = {row["name"]: row for row in json.loads(render(system(started)))["nodes"][0]["parameters"]}
 
     assert (rows["topic"]["override"], rows["topic"]["override_reason"]) == ("front/scan", None)
     assert (rows["rate"]["override"], rows["rate"]["override_reason"]) == (None, "the environment variable RATE")

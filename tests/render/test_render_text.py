@@ -1,5 +1,7 @@
 from __future__ import annotations
 
+from dataclasses import replace
+
 from archlint.render.text import render
 from archlint.ros.qos import Qos
 from archlint.syntax.parameter_files import NotKnown
@@ -140,9 +142,9 @@ def test_no_name_steers_the_terminal() -> None:
 
 def test_a_parameter_that_the_launch_sets_is_shown_with_its_value():
     scanner = node("/scanner", parameter("topic", "scan"), parameter("rate", 1.0, "double"))
-    scanner.overrides = {"topic": "front/scan", "rate": NotKnown("the environment variable RATE")}
+    started = replace(scanner, overrides={"topic": "front/scan", "rate": NotKnown("the environment variable RATE")})
 
-    rows = [" ".join(line.split()) for line in render(system(scanner)).splitlines()]
+    rows = [" ".join(line.split()) for line in render(system(started)).splitlines()]
 
     assert any(
         row.startswith("parameter topic string = 'front/scan', set by the launch (default 'scan')") for row in rows

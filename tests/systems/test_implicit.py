@@ -1,14 +1,21 @@
 from __future__ import annotations
 
+from collections.abc import Iterable
+
 from archlint.ros import qos
 from archlint.ros.remapping import RemapRule
-from archlint.systems.implicit import implicit_endpoints, implicit_names, with_implicit
+from archlint.systems.implicit import IMPLICIT, implicit_names, with_implicit
 from archlint.systems.instances import instantiate
 from archlint.systems.nodes import Endpoint, Node
 from systems.builders import action_client, action_server, blueprint, exact, node, system, unknown
 
 
-def names(endpoints: list[Endpoint], *kinds: str) -> list[str | None]:
+def implicit_endpoints(plain: Node, distro: str | None = None) -> list[Endpoint]:
+    [made] = with_implicit(system(plain), distro).nodes
+    return [endpoint for endpoint in made.endpoints if endpoint.creation.api == IMPLICIT]
+
+
+def names(endpoints: Iterable[Endpoint], *kinds: str) -> list[str | None]:
     return [e.name for e in endpoints if not kinds or e.kind in kinds]
 
 
@@ -104,5 +111,5 @@ def test_what_a_node_may_serve_without_saying_so() -> None:
 def test_the_system_itself_is_left_as_it_was() -> None:
     plain = system(node("/n"))
     everything = with_implicit(plain)
-    assert plain.nodes[0].endpoints == []
+    assert plain.nodes[0].endpoints == ()
     assert all(e.node is everything.nodes[0] for e in everything.endpoints)

@@ -1,11 +1,14 @@
 from __future__ import annotations
 
-from dataclasses import FrozenInstanceError, dataclass, fields
+from dataclasses import FrozenInstanceError, dataclass, fields, is_dataclass, replace
+from types import ModuleType
 
 import pytest
 
 from archlint.model import Blueprint, Program, Text
 from archlint.ros.remapping import RemapRule
+from archlint.systems import model
+from archlint.systems import nodes as nodes_of_systems
 from archlint.systems.instances import assemble, dependencies_within, instantiate
 from archlint.systems.model import System
 from archlint.systems.nodes import Endpoint, Node
@@ -297,6 +300,28 @@ def test_a_system_does_not_change_once_it_is_built(name: str):
     judged = System(None, [instantiate(blueprint("driver"), None)], [])
     with pytest.raises(FrozenInstanceError):
         setattr(judged, name, None)
+
+
+@pytest.mark.parametrize("module", [model, nodes_of_systems])
+def test_what_rules_and_renderers_share_does_not_change(module: ModuleType):
+    classes = [each for each in vars(module).values() if is_dataclass(each) and each.__module__ == module.__name__]
+    assert classes and all(each.__dataclass_params__.frozen for each in classes)
+
+
+def test_a_node_and_its_endpoints_refer_to_each_other():
+    talker = instantiate(blueprint("talker", publisher("x"), subscriber("y")), None)
+    renamed = replace(talker, name="/speaker")
+    for node in (talker, renamed):
+        assert [(end.name, end.node is node) for end in node.endpoints] == [("/x", True), ("/y", True)]
+    assert talker.endpoints is talker.endpoints
+
+
+def test_the_systems_of_a_workspace_know_it():
+    alternative = System("robot.launch.py", [], [])
+    index = model.WorkspaceIndex(systems=[System(None, [], [], alternatives=[({"sim": "true"}, alternative)])])
+    [system] = index.systems
+    [(_, other)] = system.alternatives
+    assert system.workspace is other.workspace is index
 
 
 def test_lists_that_a_system_was_built_of_are_not_its_own():

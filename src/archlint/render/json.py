@@ -196,8 +196,8 @@ def _parameter(parameter: ParameterDeclaration, node: Node) -> dict[str, Any]:
     }
     if parameter.given:
         described["override"] = _plain(parameter.given[0])
-    elif parameter.name.text in node.overrides and not parameter.ignore_override:
-        given = node.overrides[parameter.name.text]
+    elif (name := parameter.name.text) is not None and name in node.overrides and not parameter.ignore_override:
+        given = node.overrides[name]
         described |= {"override": _plain(given), "override_reason": _why_unknown(given)}
     return described
 

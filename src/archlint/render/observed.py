@@ -14,7 +14,8 @@ from archlint.observed.model import DIFFERENT, MISSING, UNEXPECTED, Comparison, 
 from archlint.ros.names import is_hidden
 from archlint.systems.graph import INTERFACE_OF, NODE, TOPIC, Key, interface_key
 from archlint.systems.implicit import implicit_names
-from archlint.systems.nodes import Endpoint, Node
+from archlint.systems.nodes import Endpoint, NamedCreation, Node
+from archlint.systems.resolution import FinalName
 
 if TYPE_CHECKING:
     import networkx
@@ -85,7 +86,7 @@ def _add_end(
 ) -> None:
     blueprint = node.blueprint or Blueprint("", Text(node.name, "exact"), Text("/", "exact"), place, None)
     creation = Creation(seen.kind, "observed", blueprint, place, Text(seen.name, "exact"), seen.type, qos=seen.qos)
-    endpoint = Endpoint(creation, node, seen.name)
+    endpoint = Endpoint(node, NamedCreation(creation, FinalName(seen.name)))
     interface = interface_key(endpoint)
     _interface(graph, interface, seen.type)
     ends = (interface, key) if seen.kind in _TOWARDS_NODE else (key, interface)

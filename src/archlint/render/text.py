@@ -170,12 +170,13 @@ def _given(value: object) -> str:
 
 def _parameter_row(parameter: ParameterDeclaration, node: Node) -> Sequence[Cell]:
     default = f"= {parameter.default!r}" if parameter.known and parameter.default is not None else ""
-    if parameter.name.text in node.overrides and not parameter.ignore_override:
-        given = node.overrides[parameter.name.text]
+    name = parameter.name.text
+    if name is not None and name in node.overrides and not parameter.ignore_override:
+        given = node.overrides[name]
         default = f"{_given(given)}, set by the launch" + (f" (default {default[2:]})" if default else "")
     return [
         ("parameter", "plain"),
-        (parameter.name.text or "?", "plain"),
+        (name or "?", "plain"),
         (" ".join(filter(None, [parameter.type, default])), "plain"),
         (f"line {parameter.place.line}", "quiet"),
     ]

@@ -7,14 +7,14 @@ rcl_lifecycle ``com_interface.c``; rcl_action ``names.c``.
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
-from dataclasses import astuple, dataclass, replace
+from dataclasses import dataclass, replace
 
 from archlint import model as program
 from archlint.model import Blueprint, Creation, Text
 from archlint.ros import names, qos
 from archlint.ros.qos import Qos
 from archlint.systems.model import System
-from archlint.systems.nodes import Endpoint, Node
+from archlint.systems.nodes import NamedCreation, Node
 from archlint.systems.resolution import FinalName, endpoint_name
 
 IMPLICIT = "implicit"
@@ -72,31 +72,26 @@ _LIFECYCLE = (
 
 def with_implicit(system: System, distro: str | None = None) -> System:
     """A copy of ``system`` in which each node has its implicit endpoints too."""
-    nodes = []
-    for node in system.nodes:
-        copied = replace(node)
-        copied.endpoints = [replace(endpoint, node=copied) for endpoint in node.endpoints]
-        copied.endpoints += implicit_endpoints(copied, distro)
-        nodes.append(copied)
+    nodes = [replace(node, creations=(*node.creations, *_implicit_creations(node, distro))) for node in system.nodes]
     return replace(system, nodes=nodes)
 
 
-def implicit_endpoints(node: Node, distro: str | None = None) -> list[Endpoint]:
-    """The endpoints that the code of ``node`` does not mention.  ``distro`` None stands for Jazzy and later.
+def _implicit_creations(node: Node, distro: str | None = None) -> list[NamedCreation]:
+    """What the code of ``node`` creates without mentioning it.  ``distro`` None stands for Jazzy and later.
 
     Those under a node whose name is not known have no name either; a node that is not in this workspace has
     none that are known.
     """
     if node.blueprint is None:
         return []
-    own = [_endpoint(entity, node.blueprint, node) for entity in _entities(node, node.blueprint, distro)]
+    own = [_named(entity, node.blueprint, node) for entity in _entities(node, node.blueprint, distro)]
     return [*own, *_of_actions(node)]
 
 
 def implicit_names(system: System) -> frozenset[str]:
     """Every name that some node of the system may serve, publish or subscribe to without its code saying so.
 
-    Wider than :func:`implicit_endpoints`: with what only a parameter or a constructor's option brings about.
+    Wider than :func:`with_implicit`: with what only a parameter or a constructor's option brings about.
     """
     own = [entity.name for entity in (*_PARAMETER_SERVICES, _TYPE_DESCRIPTION, *_LIFECYCLE, *_LOGGER_SERVICES)]
     below = {node.name + name[1:] for node in system.nodes if node.name is not None for name in own}
@@ -117,11 +112,11 @@ def _entities(node: Node, blueprint: Blueprint, distro: str | None) -> Iterator[
         yield from _LIFECYCLE
 
 
-def _endpoint(entity: _Entity, blueprint: Blueprint, node: Node) -> Endpoint:
+def _named(entity: _Entity, blueprint: Blueprint, node: Node) -> NamedCreation:
     place = blueprint.place
     text = Text(entity.name, "exact")
     creation = Creation(entity.kind, IMPLICIT, blueprint, place, text, entity.type, qos=entity.qos)
-    return Endpoint(creation, node, *astuple(_name(node, text, entity.kind)))
+    return NamedCreation(creation, _name(node, text, entity.kind))
 
 
 def _name(node: Node, text: Text, kind: program.EntityKind) -> FinalName:
@@ -132,7 +127,7 @@ def _name(node: Node, text: Text, kind: program.EntityKind) -> FinalName:
     return endpoint_name(text, kind, node.own, node.rules)
 
 
-def _of_actions(node: Node) -> Iterable[Endpoint]:
+def _of_actions(node: Node) -> Iterable[NamedCreation]:
     """The three services and two topics of each action that has a known name."""
     for endpoint in node.of_kind(program.EntityKind.ACTION_SERVER, program.EntityKind.ACTION_CLIENT):
         if endpoint.name is None:
@@ -146,7 +141,7 @@ def _of_actions(node: Node) -> Iterable[Endpoint]:
             text = replace(endpoint.creation.name, text=name)
             creation = replace(endpoint.creation, kind=kind, api=IMPLICIT, name=text, type=type_, qos=profile)
             creation.callbacks = {}
-            yield replace(endpoint, creation=creation, name=name)
+            yield NamedCreation(creation, replace(endpoint.named.final, name=name))
 
 
 _ACTION_PARTS = {

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import astuple, replace
+from dataclasses import replace
 from typing import TYPE_CHECKING, Protocol
 
 from archlint.model import (
@@ -15,7 +15,7 @@ from archlint.model import (
 )
 from archlint.ros.remapping import RemapRule, rules_of_arguments
 from archlint.systems.model import System
-from archlint.systems.nodes import Endpoint, Node
+from archlint.systems.nodes import NamedCreation, Node
 from archlint.systems.resolution import NodeName, endpoint_name, node_init
 from archlint.workspace.closure import closure
 
@@ -76,7 +76,9 @@ def instantiate(
         given_namespace=_text(namespace),
     )
     executables = tuple(sorted(set(blueprint.executables)))
-    node = Node(
+    overrides = dict(overrides or {})
+    rules = tuple(rule.in_distro(distro) for rule in (*local, *remaps))
+    return Node(
         # Whoever uses a helper may be any node of the process.
         name=None if blueprint.caller_unknown else own.full,
         blueprint=blueprint,
@@ -85,47 +87,49 @@ def instantiate(
         executor=blueprint.executor,
         launched_by=launched_by,
         program=program,
-        overrides=dict(overrides or {}),
+        overrides=overrides,
         resolution=own.resolution,
         error=own.error,
         executables=executables,
+        own=own,
+        rules=rules,
+        creations=_named_creations(blueprint, overrides, own, rules),
     )
-    node.own = own
-    node.rules = [rule.in_distro(distro) for rule in (*local, *remaps)]
-    node.endpoints = _endpoints(blueprint, node, own, node.rules)
-    return node
 
 
 def _text(value: Text | str | None) -> Text | None:
     return Text(value, "exact") if isinstance(value, str) else value
 
 
-def _endpoints(blueprint: Blueprint, node: Node, own: NodeName, rules: Sequence[RemapRule]) -> list[Endpoint]:
-    endpoints: dict[tuple[object, ...], Endpoint] = {}
+def _named_creations(
+    blueprint: Blueprint, overrides: Mapping[str, object], own: NodeName, rules: Sequence[RemapRule]
+) -> tuple[NamedCreation, ...]:
+    by_key: dict[tuple[object, ...], NamedCreation] = {}
     for creation in blueprint.creations:
         if creation.kind in _NO_ENDPOINT:
             continue
-        text = _overridden(creation.name, blueprint, node.overrides)
-        endpoint = Endpoint(creation, node, *astuple(endpoint_name(text, creation.kind, own, rules)))
-        key = _endpoint_key(endpoint)
-        if key not in endpoints or endpoints[key].conditional:
-            endpoints[key] = endpoint
-    return sorted(endpoints.values(), key=_endpoint_order)
+        text = _overridden(creation.name, blueprint, overrides)
+        named = NamedCreation(creation, endpoint_name(text, creation.kind, own, rules))
+        key = _key(named)
+        if key not in by_key or by_key[key].creation.conditional:
+            by_key[key] = named
+    return tuple(sorted(by_key.values(), key=_order))
 
 
 _NO_ENDPOINT = (EntityKind.TIMER, "guard_condition")
 
 
-def _endpoint_key(endpoint: Endpoint) -> tuple[object, ...]:
+def _key(named: NamedCreation) -> tuple[object, ...]:
     """What tells two endpoints of a node apart: one create call, reached on two ways with the same arguments,
     is one endpoint."""
-    creation = endpoint.creation
+    creation = named.creation
     callbacks = tuple(sorted((role, callback.name) for role, callback in creation.callbacks.items()))
-    return (creation.place, creation.kind, endpoint.name, endpoint.written, creation.type, callbacks)
+    return (creation.place, creation.kind, named.final.name, creation.name.text, creation.type, callbacks)
 
 
-def _endpoint_order(endpoint: Endpoint) -> tuple[object, ...]:
-    return (endpoint.name is None, endpoint.name or "", endpoint.place, endpoint.kind, endpoint.type or "")
+def _order(named: NamedCreation) -> tuple[object, ...]:
+    creation, name = named.creation, named.final.name
+    return (name is None, name or "", creation.place, creation.kind, creation.type or "")
 
 
 def _overridden(text: Text, blueprint: Blueprint, overrides: Mapping[str, object]) -> Text:
@@ -159,19 +163,22 @@ def _node_of_twins(twins: list[Twin], distro: str | None) -> Node:
     ordered = sorted(twins, key=_twin_order)
     blueprint, program = ordered[0]
     node = instantiate(blueprint, program, distro=distro)
-    node.merged = [twin for twin, _ in ordered[1:]]
     real = [(twin, run) for twin, run in ordered if twin.test == blueprint.test]
-    endpoints = {_endpoint_key(endpoint): endpoint for endpoint in node.endpoints}
+    creations = {_key(named): named for named in node.creations}
     for twin, run in real[1:]:
-        for endpoint in instantiate(twin, run, distro=distro).endpoints:
-            key = _endpoint_key(endpoint)
-            if key not in endpoints or (endpoints[key].conditional and not endpoint.conditional):
-                endpoints[key] = replace(endpoint, node=node)
-    node.endpoints = sorted(endpoints.values(), key=_endpoint_order)
-    node.executables = tuple(sorted({name for twin, _ in real for name in twin.executables}))
-    node.executable = node.executables[0] if node.executables else None
-    node.executor = _common_executor([twin.executor for twin, _ in real])
-    return node
+        for named in instantiate(twin, run, distro=distro).creations:
+            key = _key(named)
+            if key not in creations or (creations[key].creation.conditional and not named.creation.conditional):
+                creations[key] = named
+    executables = tuple(sorted({name for twin, _ in real for name in twin.executables}))
+    return replace(
+        node,
+        creations=tuple(sorted(creations.values(), key=_order)),
+        executables=executables,
+        executable=executables[0] if executables else None,
+        executor=_common_executor([twin.executor for twin, _ in real]),
+        merged=tuple(twin for twin, _ in ordered[1:]),
+    )
 
 
 def _twin_order(twin: Twin) -> tuple[object, ...]:

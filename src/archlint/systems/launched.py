@@ -16,7 +16,7 @@ from archlint.ros.remapping import RemapRule, rules_of_arguments
 from archlint.systems.command_line import Word, words_of
 from archlint.systems.instances import instantiate
 from archlint.systems.model import System
-from archlint.systems.nodes import Endpoint, Node, key_of
+from archlint.systems.nodes import Node, key_of
 from archlint.systems.overrides import applied, overrides_of
 from archlint.systems.parameter_overrides import is_undecided, known_name, parameter_overrides
 from archlint.systems.understood import doubt
@@ -26,7 +26,7 @@ if TYPE_CHECKING:
     from archlint.launch.launches import Launches
     from archlint.programs.linker import EntryPoint, Linker
     from archlint.syntax.parameter_files import ParameterFacts
-    from archlint.systems.model import WorkspaceIndex
+    from archlint.systems.resolution import FinalName
 
 RERUNS = 600
 """How many programs one session may run again with parameters from outside."""
@@ -40,14 +40,12 @@ class LaunchSystems:
         linker: Linker,
         entries: Iterable[EntryPoint],
         launches: Launches,
-        workspace: WorkspaceIndex,
         dependencies: Mapping[str, frozenset[str]],
         distro: str | None = None,
     ) -> None:
         self.linker = linker
         self.entries = {(entry.package, entry.executable): entry for entry in entries}
         self.parameters_of = launches.files.parameters
-        self.workspace = workspace
         self.dependencies = dependencies
         self.distro = distro
         self._programs: dict[tuple[object, ...], Program | None] = {
@@ -60,10 +58,8 @@ class LaunchSystems:
         for started in launched.started:
             if not started.dormant and started.kind != StartedKind.PROCESS:
                 started_nodes = self.nodes(started, launched.file)
-                self._note_doubt(started, started_nodes)
-                for node in started_nodes:
-                    node.condition = launched.condition(started.branch_arms)
-                nodes.extend(started_nodes)
+                reason, condition = self._doubt(started, started_nodes), launched.condition(started.branch_arms)
+                nodes.extend(replace(node, doubt=reason, condition=condition) for node in started_nodes)
         programs = list({id(node.program): node.program for node in nodes if node.program is not None}.values())
         return System(
             name=launched.file,
@@ -71,17 +67,14 @@ class LaunchSystems:
             programs=programs,
             package_dependencies=self.dependencies,
             launched=launched,
-            workspace=self.workspace,
         )
 
-    def _note_doubt(self, started: Started, nodes: Sequence[Node]) -> None:
-        """Say of nodes whose source is here where it does not fit what the launch file says of them."""
+    def _doubt(self, started: Started, nodes: Sequence[Node]) -> str | None:
+        """Why nodes whose source is here do not fit what the launch file says of them; None where they do."""
         if any(node.external for node in nodes):
-            return
+            return None
         settings = [setting for node in nodes for setting in applied(started, known_name(node), self.parameters_of)]
-        reason = doubt(started, nodes, settings)
-        for node in nodes:
-            node.doubt = reason
+        return doubt(started, nodes, settings)
 
     # --------------------------------------------------------------------------------------------- nodes
 
@@ -107,8 +100,8 @@ class LaunchSystems:
 
     def _unfollowed(self, started: Started, program: Program | None, launch_file: str) -> Node:
         node = _external(started, launch_file, self._why_unfollowed(started, program))
-        node.settings = sorted(applied(started, node.name, self.parameters_of), key=lambda setting: setting.name)
-        return node
+        settings = sorted(applied(started, node.name, self.parameters_of), key=lambda setting: setting.name)
+        return replace(node, settings=tuple(settings))
 
     def _node(self, blueprint: Blueprint, program: Program, started: Started, launch_file: str) -> Node:
         node = instantiate(
@@ -120,17 +113,19 @@ class LaunchSystems:
             launched_by=launch_file,
             distro=self.distro,
         )
-        # The program has run with its parameters: its names are final.
         if blueprint.use_global_arguments:
-            node.overrides = overrides_of(started, known_name(node), self.parameters_of)
-        node.launch_place = started.place
-        node.started = started
-        node.alternatives = started.branch_arms
-        node.package = started.package.text or node.package
-        node.executable = started.executable.text or node.executable
-        _forget_unknown_remaps(node, started)
-        _forget_defaults(node, started, self.parameters_of)
-        return node
+            # The program has run with its parameters: its names are final.
+            node = replace(node, overrides=overrides_of(started, known_name(node), self.parameters_of))
+        node = _without_unknown_remaps(node, started)
+        node = _without_uncertain_defaults(node, started, self.parameters_of)
+        return replace(
+            node,
+            launch_place=started.place,
+            started=started,
+            alternatives=started.branch_arms,
+            package=started.package.text or node.package,
+            executable=started.executable.text or node.executable,
+        )
 
     def _why_unfollowed(self, started: Started, program: Program | None) -> str | None:
         """Why an executable of this workspace has no node; None for one that is not here."""
@@ -196,43 +191,52 @@ def _known(text: Text) -> bool:
     return text.text is not None and text.resolution in ("exact", "parameter")
 
 
-def _forget_unknown_remaps(node: Node, started: Started) -> None:
+def _without_unknown_remaps(node: Node, started: Started) -> Node:
     """A remapping to a name that is not known leaves the name unknown."""
     sources = [r.source.text for r in started.remaps if _known(r.source) and not _known(r.target)]
     if not sources or node.blueprint is None or (node.name is None and node.is_node):
-        return
+        return node
     namespace, _, own = (node.name or f"{_namespace(started)}/_").rpartition("/")
-    for source in sources:
-        expanded = names.expand(source or "", own, namespace or "/")
-        for number, endpoint in enumerate(node.endpoints):
-            if endpoint.name == expanded and endpoint.resolved:
-                node.endpoints[number] = _unknown(endpoint)
+    remapped = [names.expand(source or "", own, namespace or "/") for source in sources]
+    reason = "the launch file remaps it to a name that is not known"
+    return _forgetting(node, lambda final: final.name in remapped, reason)
 
 
-def _forget_defaults(node: Node, started: Started, parameters_of: Callable[[str], ParameterFacts]) -> None:
+def _without_uncertain_defaults(node: Node, started: Started, parameters_of: Callable[[str], ParameterFacts]) -> Node:
     """Parameters that are not known, a file that is not found say, may set whatever the nodes declare: what only their
     defaults name is not known.  What comes after them on the command line holds."""
     unread = [number for number, parameters in enumerate(started.parameters) if parameters.sets_anything]
     if not unread or node.blueprint is None or not node.blueprint.use_global_arguments:
-        return
+        return node
     later = replace(started, parameters=started.parameters[unread[-1] + 1 :], arguments=[], ros_arguments=[])
     settings = overrides_of(later, known_name(node), parameters_of)
-    for number, endpoint in enumerate(node.endpoints):
-        decided_by = set((endpoint.parameter or "").split(",")) - {""}
-        if endpoint.resolved and not settings.keys() >= decided_by:
-            reason = "its parameter may be set by parameters of the launch file that are not known"
-            node.endpoints[number] = replace(endpoint, name=None, resolution="unknown", reason=reason)
+
+    def is_uncertain(final: FinalName) -> bool:
+        decided_by = set((final.parameter or "").split(",")) - {""}
+        return not settings.keys() >= decided_by
+
+    return _forgetting(
+        node, is_uncertain, "its parameter may be set by parameters of the launch file that are not known"
+    )
+
+
+def _forgetting(node: Node, is_lost: Callable[[FinalName], bool], reason: str) -> Node:
+    """The node where names that are known, and lost all the same, are unknown for this reason."""
+    return replace(
+        node,
+        creations=tuple(
+            replace(named, final=named.final.forgotten(reason))
+            if named.final.resolved and is_lost(named.final)
+            else named
+            for named in node.creations
+        ),
+    )
 
 
 def _namespace(started: Started) -> str:
     """The namespace that a launch file gives, without a slash at the end."""
     given = started.namespace
     return (given.text or "").rstrip("/") if given is not None and _known(given) else ""
-
-
-def _unknown(endpoint: Endpoint) -> Endpoint:
-    reason = "the launch file remaps it to a name that is not known"
-    return replace(endpoint, name=None, resolution="unknown", reason=reason)
 
 
 def _external(started: Started, launch_file: str, unfollowed: str | None) -> Node:

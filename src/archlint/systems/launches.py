@@ -38,13 +38,11 @@ def launch_systems(
     """The open system and one for each launch file (of those that are configured); only the chosen one, where
     one is named.
 
-    All of them share ``workspace``, which is filled here.
+    All of them share one index: ``workspace`` with what is known of launch files and systems.
     """
 
     launched = _launched(launches, chosen, arguments)
-    workspace.launched = launched
-    workspace.explicit = chosen is not None
-    maker = LaunchSystems(linker, entries, launches, workspace, opened.package_dependencies, distro)
+    maker = LaunchSystems(linker, entries, launches, opened.package_dependencies, distro)
     parts = _parts(launched)
 
     def system_of(launch: Launched) -> System | None:
@@ -72,10 +70,15 @@ def launch_systems(
     linker.ahead(lambda: [partial(systems_of, group) for group in _batches(launched)])
     systems = systems_of(launched)
     pairs = frozenset(started_pairs(launched, _by_executable(opened.programs)))
-    beside = [] if chosen is not None else [replace(opened, launched_pairs=pairs, workspace=workspace)]
-    workspace.systems = [*beside, *systems]
-    workspace.launched_alone = {path: launches.with_defaults(path) for path in _given_arguments(workspace.systems)}
-    return workspace.systems
+    beside = [] if chosen is not None else [replace(opened, launched_pairs=pairs)]
+    index = replace(
+        workspace,
+        launched=launched,
+        launched_alone={path: launches.with_defaults(path) for path in _given_arguments(systems)},
+        systems=[*beside, *systems],
+        explicit=chosen is not None,
+    )
+    return list(index.systems)
 
 
 _FILES = 4

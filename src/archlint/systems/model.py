@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import cached_property, partial
 from typing import TYPE_CHECKING
 
@@ -159,19 +159,22 @@ class System:
         ) or node.package in self.package_dependencies.get(other.package, frozenset())
 
 
-@dataclass(eq=False)
+@dataclass(frozen=True, eq=False)
 class WorkspaceIndex:
-    """What is known of the whole workspace, the same for all systems of a run."""
+    """What is known of the whole workspace, the same for all systems of a run.
+
+    Its ``systems``, and their alternatives, are those that it is made of, with itself as their ``workspace``.
+    """
 
     installs: Mapping[str, Installs] = field(default_factory=dict)
     packages: Mapping[str, Package] = field(default_factory=dict)
     manifests: Mapping[str, Package] = field(default_factory=dict)
     """All packages by the shown path of their folder: two may have one name."""
-    launched: list[Launched] = field(default_factory=list)
+    launched: Sequence[Launched] = ()
     """Every launch file of the workspace, run with its defaults (or the one that was asked for)."""
     launched_alone: Mapping[str, Launched] = field(default_factory=dict)
     """The launch files that others include and hand arguments, run on their own with their defaults."""
-    systems: list[System] = field(default_factory=list)
+    systems: Sequence[System] = ()
     code: WorkspaceCode = field(default_factory=WorkspaceCode)
     """The Python files of the workspace."""
     launch_files: LaunchFiles = field(default_factory=LaunchFiles)
@@ -193,6 +196,14 @@ class WorkspaceIndex:
     """The files of the programs that were followed only in part, since the workspace has so many."""
     kept: dict[object, object] = field(default_factory=dict, init=False, repr=False)
     """What analyses found of it (:func:`archlint.analysis.kept.once`)."""
+
+    def __post_init__(self) -> None:
+        # A frozen dataclass has no other way to settle its fields.
+        object.__setattr__(self, "systems", tuple(map(self._of_this, self.systems)))
+
+    def _of_this(self, system: System) -> System:
+        alternatives = [(arguments, self._of_this(other)) for arguments, other in system.alternatives]
+        return replace(system, workspace=self, alternatives=alternatives)
 
     def facts_at(self, file: str) -> Facts | None:
         """The facts of a file of the workspace; None where it was not read."""

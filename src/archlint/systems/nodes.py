@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
+from functools import cached_property
 from typing import TYPE_CHECKING, TypeVar
 
 from archlint.model import EntityKind
 
 if TYPE_CHECKING:
-    from collections.abc import Iterable, Iterator, Sequence
+    from collections.abc import Iterable, Iterator, Mapping
 
     from archlint.architecture import ConnectionKind
     from archlint.branches import BranchArms
@@ -18,24 +19,47 @@ if TYPE_CHECKING:
     from archlint.ros.qos import Qos
     from archlint.ros.remapping import RemapRule
     from archlint.systems.overrides import Setting
-    from archlint.systems.resolution import NodeName
+    from archlint.systems.resolution import FinalName, NodeName
+
+
+@dataclass(frozen=True, eq=False)
+class NamedCreation:
+    """What a node creates, under its final name."""
+
+    creation: Creation
+    final: FinalName
 
 
 @dataclass(frozen=True, eq=False)
 class Endpoint:
-    """A creation of one node under its final name.
+    """A creation under its final name, with the node that it belongs to."""
 
-    ``name`` is the fully qualified name (a pattern with ``*`` for partial ones), or None where the name, the
-    node's name or its namespace is unknown.  ``error`` is set where rcl rejects the name, in rcl's words.
-    """
-
-    creation: Creation
     node: Node
-    name: str | None
-    error: str | None = None
-    resolution: Resolution = "exact"
-    parameter: str | None = None
-    reason: str | None = None
+    named: NamedCreation
+
+    @property
+    def creation(self) -> Creation:
+        return self.named.creation
+
+    @property
+    def name(self) -> str | None:
+        return self.named.final.name
+
+    @property
+    def error(self) -> str | None:
+        return self.named.final.error
+
+    @property
+    def resolution(self) -> Resolution:
+        return self.named.final.resolution
+
+    @property
+    def parameter(self) -> str | None:
+        return self.named.final.parameter
+
+    @property
+    def reason(self) -> str | None:
+        return self.named.final.reason
 
     @property
     def kind(self) -> EntityKind:
@@ -64,10 +88,10 @@ class Endpoint:
     @property
     def resolved(self) -> bool:
         """True for one known name, be it a parameter's default."""
-        return self.name is not None and self.resolution in ("exact", "parameter")
+        return self.named.final.resolved
 
 
-@dataclass(eq=False)
+@dataclass(frozen=True, eq=False)
 class Node:
     """A node of a system.  ``name`` is its fully qualified name, None where unknown.
 
@@ -85,7 +109,8 @@ class Node:
     unfollowed: str | None = None
     doubt: str | None = None
     """Why what was found of its code is perhaps not all: the launch file names much that is not in it."""
-    endpoints: list[Endpoint] = field(default_factory=list)
+    creations: tuple[NamedCreation, ...] = ()
+    """What it creates that has a name; :attr:`endpoints` are the same with the node itself."""
     alternatives: BranchArms = frozenset()
     """Branches of launch files that this node depends on (as ``Creation.branch_arms``)."""
     condition: str | None = None
@@ -93,8 +118,8 @@ class Node:
     None for always."""
     program: Program | None = None
     launch_place: Place | None = None
-    overrides: dict[str, object] = field(default_factory=dict)
-    settings: list[Setting] = field(default_factory=list)
+    overrides: Mapping[str, object] = field(default_factory=dict)
+    settings: tuple[Setting, ...] = ()
     """The parameters that a launch file sets on an external node: what it declares is not known."""
     resolution: Resolution = "exact"
     """How far ``name`` is known, as for endpoints; a ``partial`` name has holes."""
@@ -106,10 +131,15 @@ class Node:
     """What the launch file says of it."""
     own: NodeName | None = None
     """Its name and namespace apart, as far as they are known; None for a node whose source is not here."""
-    rules: Sequence[RemapRule] = ()
+    rules: tuple[RemapRule, ...] = ()
     """The remap rules that its names meet, in rcl's order."""
-    merged: list[Blueprint] = field(default_factory=list)
-    """The same node as other executables make it; ``endpoints`` hold what these add."""
+    merged: tuple[Blueprint, ...] = ()
+    """The same node as other executables make it; ``creations`` hold what these add."""
+
+    @cached_property
+    def endpoints(self) -> tuple[Endpoint, ...]:
+        """Made when they are asked for: a node and its endpoints refer to each other, and neither ever changes."""
+        return tuple(Endpoint(self, named) for named in self.creations)
 
     @property
     def test(self) -> bool:

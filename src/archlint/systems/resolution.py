@@ -50,13 +50,26 @@ class NodeName:
 
 @dataclass(frozen=True)
 class FinalName:
-    """The outcome for one endpoint; the fields are those of :class:`archlint.systems.model.Endpoint`."""
+    """The outcome for one endpoint.
+
+    ``name`` is the fully qualified name (a pattern with ``*`` for partial ones), or None where the name, the
+    node's name or its namespace is unknown.  ``error`` is set where rcl rejects the name, in rcl's words.
+    """
 
     name: str | None
     error: str | None = None
     resolution: Resolution = "exact"
     parameter: str | None = None
     reason: str | None = None
+
+    @property
+    def resolved(self) -> bool:
+        """True for one known name, be it a parameter's default."""
+        return self.name is not None and self.resolution in ("exact", "parameter")
+
+    def forgotten(self, reason: str) -> FinalName:
+        """The same without its name, which is not known for this reason."""
+        return replace(self, name=None, resolution="unknown", reason=reason)
 
 
 def node_init(

@@ -28,7 +28,7 @@ def only(system: System, context: Set[str]) -> System:
 
 def _sharing(node: Node, names: Set[tuple[str, str | None]]) -> Node:
     """A node with those of its ends that have one of the names."""
-    return replace(node, endpoints=[end for end in node.endpoints if end.resolved and _interface(end) in names])
+    return replace(node, creations=tuple(e.named for e in node.endpoints if e.resolved and _interface(e) in names))
 
 
 def _is_context(node: Node, context: Set[str]) -> bool:
